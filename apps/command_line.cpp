@@ -35,21 +35,21 @@ const char* examples =
     "  camopt solve scene.toml --json               print result.json and nothing else\n"
     "  camopt solve scene.toml --set spline.segments=24 --set limits.velocity=1.7\n"
     "  camopt solve scene.toml --solver ipopt       another backend; `camopt list solvers`\n"
-    "  camopt check scene.toml                      is the scene right? No solve\n"
-    "  camopt compare scene.toml                    every classical law beside the optimum\n"
-    "  camopt dynamics scene.toml --speeds 100:600:101  the elastic follower over speed, laws beside it\n"
+    "  camopt check scene.toml                      validate the scene; no solve\n"
+    "  camopt compare scene.toml                    every classical law compared with the optimum\n"
+    "  camopt dynamics scene.toml --speeds 100:600:101  the elastic follower over speed, optimum and laws\n"
     "  camopt sweep scene.toml --weights simplex:20 --out map    all weights of velocity, acceleration, "
     "jerk\n"
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
     "  camopt export drum.toml --out cam --stl --nc    surfaces, solids and the checked NC program\n"
-    "  camopt export result --out cam --nc          the same of a result folder: nothing is solved again\n"
+    "  camopt export result --out cam --nc          the same from a result folder, without a solve\n"
     "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform table\n"
     "  camopt export result --out cam --plc codesys,siemens  electronic cams with their stated loss\n"
-    "  camopt studio scene.toml                     the scene in a browser: each slider solves again\n"
+    "  camopt studio scene.toml                     the scene in a browser, solved again for each slider\n"
     "  camopt report result                         report.html and report.md again, from the result folder\n"
     "  camopt list laws                             the classical laws with their peaks\n"
-    "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
-    "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
+    "  camopt table spline-vs-modified-sine         the published table and the proved optima\n"
+    "  camopt reproduce 004 --out paper             a paper's tables and figures and ours\n"
     "\n"
     "Exit codes: 0 optimal, local or feasible, interrupted or not; 1 failed, interrupted before a "
     "motion was found, or standard output not written (a full disk); 2 wrong input; 3 proved infeasible; 130 "
@@ -95,10 +95,9 @@ void add_solving(CLI::App& command, Request& request) {
 
 void add_units(CLI::App& command, std::string& units) {
     command
-        .add_option(
-            "--units", units,
-            "Lengths that people read: mm or in; default: as the scene is written. Files for machines keep "
-            "the units in their columns")
+        .add_option("--units", units,
+                    "Lengths in reports: mm or in; default: as the scene is written. Data files keep "
+                    "the units in their columns")
         ->type_name("UNIT")
         ->check(one_of({name_of(LengthUnit::millimetre), name_of(LengthUnit::inch)}));
 }
@@ -125,7 +124,7 @@ CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
 
 CLI::App& add_studio(CLI::App& program, StudioRequest& request) {
     CLI::App& command = *program.add_subcommand(
-        "studio", "A scene in the browser of this machine: sliders solve again, results to download");
+        "studio", "A scene in a browser of this machine, with sliders and results to download");
     command.add_option("SCENE", request.scene, "Scene file (TOML); default: a rise between two dwells")
         ->type_name("");
     constexpr int first_free_port = 1024, last_port = 65535;
@@ -138,7 +137,8 @@ CLI::App& add_studio(CLI::App& program, StudioRequest& request) {
 
 CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
     CLI::App& command = *program.add_subcommand(
-        "compare", "Every classical law on the same scene, beside its optimum: losses and broken limits");
+        "compare",
+        "Every classical law on the same scene, compared with its optimum: losses and violated limits");
     add_scene(command, request.scene);
     command.add_option("--out", request.out, "Write comparison.csv, .json and .svg here")->type_name("DIR");
     add_solving(command, request);
@@ -188,29 +188,30 @@ void add_milling(CLI::App& command, CLI::Option& nc, ExportRequest& request) {
     optional_number(
         "--finish-allowance-mm", request.finish_allowance_mm,
         "What roughing leaves for the finishing pass, in addition to --stock-mm; default: 0.3, in a "
-        "groove no more than there is room for beside the cutter");
+        "groove at most the clearance of the cutter");
     command
         .add_flag("--full-depth", request.full_depth,
                   "No roughing: the finishing pass cuts the full depth, and the program warns of the slot")
         ->needs(&nc);
     choice("--direction", request.direction, {"climb", "conventional"},
-           "climb or conventional; default: climb; a cutter as large as a drum's roller does both");
-    choice("--spindle", request.spindle, {"clockwise", "counterclockwise"},
-           "Which way it turns, seen from the spindle: clockwise (M3, the default) or counterclockwise (M4)");
+           "climb or conventional; default: climb; a cutter as large as a drum's roller cuts both");
+    choice(
+        "--spindle", request.spindle, {"clockwise", "counterclockwise"},
+        "Direction of rotation, seen from the spindle: clockwise (M3, the default) or counterclockwise (M4)");
     choice("--compensation", request.compensation, {"none", "control"},
-           "none (the default): the program is the way of the cutter's centre; control: of a plane cam, the "
+           "none (the default): the program is the path of the cutter's centre; control: of a plane cam, the "
            "contour with G41 or G42 and D");
     whole("--compensation-register", request.compensation_register,
           "D of G41 and G42; default: the tool's number, or 1");
     whole("--tool-number", request.tool_number,
-          "Calls the tool (T, M6); default: no tool call, and the program says so");
+          "Calls the tool (T, M6); default: no tool call, and the program notes this");
     optional_number(
         "--lead-mm", request.lead_mm,
-        "Radius of the quarter circles into and out of a plane cam's contour; of a closed groove how "
-        "long the cutter takes to its flank; default: the cutter's radius");
+        "Radius of the quarter circles into and out of a plane cam's contour; of a closed groove the "
+        "length of the move to its flank; default: the cutter's radius");
     command
         .add_option("--ramp-deg", request.ramp_deg,
-                    "How steep the cutter goes down along a drum's groove; 90: straight")
+                    "Ramp angle of the cutter along a drum's groove; 90: straight")
         ->type_name("NUMBER")
         ->needs(&nc)
         ->capture_default_str();
@@ -241,21 +242,22 @@ void add_nc(CLI::App& command, ExportRequest& request) {
                     "Where the blank begins along the cam's axis, from the origin; default: where the cam "
                     "does, drums less the allowance");
     optional_number("--blank-to-mm", request.blank_to_mm, "Where the blank ends, likewise");
-    number(
-        "--blank-allowance-mm", request.blank_allowance_mm,
-        "How far the blank stands over the cam where it is not given: around it, of drums at the ends too");
+    number("--blank-allowance-mm", request.blank_allowance_mm,
+           "Allowance of the blank over the cam where its size is not given: around it, for drums also at "
+           "the ends");
     number("--clearance-mm", request.clearance_mm,
-           "Height of the plane of rapids above the blank, however the table stands");
-    number("--safe-mm", request.safe_mm, "Rapids keep so far from the blank; from there on by feed");
+           "Height of the plane of rapids above the blank, at any angle of the table");
+    number("--safe-mm", request.safe_mm, "Least distance of rapids from the blank; closer moves are feeds");
     number("--gouge-mm", request.gouge_mm,
-           "A program that enters the finished cam deeper, beside chords and printed digits, is refused");
+           "A program that enters the finished cam deeper (apart from chords and printed digits) is refused");
     number("--stock-mm", request.stock_mm, "Left on the flanks for the next pass");
     number("--z-offset-mm", request.z_offset_mm, "Subtracted from Z on a machine with five axes");
-    number("--chord-mm", request.chord_mm, "How far the cutter may leave its path between two blocks");
+    number("--chord-mm", request.chord_mm,
+           "Largest deviation of the cutter from its path between two blocks");
     number("--feed-mm-min", request.feed_mm_min, "Feed of the cutter's tip in the cam");
-    number("--rotary-deg-s", request.rotary_deg_s, "Fastest turn of a rotary axis; 0: no limit");
+    number("--rotary-deg-s", request.rotary_deg_s, "Largest speed of a rotary axis; 0: no limit");
     number("--spindle-rpm", request.spindle_rpm,
-           "Spindle speed; 0: none is written, and the program says so");
+           "Spindle speed; 0: none is written, and the program notes this");
     add_milling(command, *nc, request);
 }
 
@@ -332,10 +334,10 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
         ->type_name("N")
         ->check(CLI::Range(2, most_sections));
     command
-        .add_option(
-            "--points", request.points,
-            "Points over the turn: of table.csv (default 361), of a cam's points (as many as it needs), of "
-            "an electronic cam (the joints of the motion)")
+        .add_option("--points", request.points,
+                    "Points over one revolution: of table.csv (default 361), of a cam's points (as many as "
+                    "it needs), of "
+                    "an electronic cam (the joints of the motion)")
         ->type_name("N")
         ->check(CLI::Range(least_points, most_angles));
     command
@@ -356,8 +358,7 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
 
 CLI::App& add_list(CLI::App& program, ListRequest& request) {
     CLI::App& command = *program.add_subcommand(
-        "list",
-        "What this camopt knows: laws, followers, solvers, keys of a scene, columns of a table, controllers");
+        "list", "List laws, followers, solvers, keys of a scene, columns of a table or controllers");
     command
         .add_option("WHAT", request.what,
                     "The classical laws, the kinds of followers, the solvers, every key of a scene file, the "
@@ -371,7 +372,7 @@ CLI::App& add_list(CLI::App& program, ListRequest& request) {
 
 CLI::App& add_table(CLI::App& program, TableRequest& request) {
     CLI::App& command =
-        *program.add_subcommand("table", "A published table computed again, every optimum proved");
+        *program.add_subcommand("table", "Compute a published table again and prove every optimum");
     command.add_option("WHAT", request.what, "spline-vs-modified-sine")
         ->type_name("")
         ->required()
@@ -384,7 +385,7 @@ CLI::App& add_table(CLI::App& program, TableRequest& request) {
 
 CLI::App& add_reproduce(CLI::App& program, ReproduceRequest& request) {
     CLI::App& command = *program.add_subcommand(
-        "reproduce", "A paper's tables and figures computed again, beside the printed");
+        "reproduce", "Compute a paper's tables and figures again and compare them with the printed ones");
     std::vector<std::string> ids;
     for (const PaperInfo& paper : paper_catalogue()) ids.emplace_back(paper.id);
     command.add_option("PAPER", request.paper, fmt::format("{}", fmt::join(ids, ", ")))
@@ -404,7 +405,7 @@ constexpr const char* sweep_examples =
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --vary limits.pressure_angle_deg=25:35:3 "
     "--out "
     "map\n"
-    "  camopt sweep scene.toml --weights simplex:20 --out map --resume        go on after Ctrl-C\n"
+    "  camopt sweep scene.toml --weights simplex:20 --out map --resume        continue after Ctrl-C\n"
     "  camopt sweep scene.toml --weights simplex:20 --out part1 --shard 1/2   on one machine\n"
     "  camopt sweep scene.toml --weights simplex:20 --out part2 --shard 2/2   on another\n"
     "  camopt sweep merge part1 part2 --out map                               and joined\n"
@@ -420,18 +421,17 @@ void add_sweep_work(CLI::App& command, SweepRequest& request) {
     constexpr int most_workers = 1024;
     command
         .add_option("--workers", request.workers,
-                    "Processes that solve at the same time; default: one a core, under mpirun one a rank")
+                    "Processes that solve at the same time; default: one per core, under mpirun one per rank")
         ->type_name("N")
         ->check(CLI::Range(1, most_workers));
     command
         .add_option("--chunk", request.chunk,
-                    "Rows that are solved in one go, each from what the one before found; the unit of "
+                    "Rows solved in sequence, each started from the previous result; the unit of "
                     "--resume; default: 25, fewer where there are fewer than 400 rows")
         ->type_name("N")
         ->check(CLI::Range(1, most_sweep_rows));
     command.add_option("--shard", request.shard, "Only every N-th chunk, from the i-th on")->type_name("i/N");
-    command.add_flag("--resume", request.resume,
-                     "Go on with the sweep in the folder; start where there is none");
+    command.add_flag("--resume", request.resume, "Continue the sweep in the folder, or start a new one");
 }
 
 std::vector<std::string> traded_names() {
@@ -446,7 +446,7 @@ void add_pareto(CLI::App& command, ParetoWords& words) {
         command
             .add_option(
                 "--pareto", words.goals,
-                fmt::format("Trace the front of two figures by limits instead of weights: {}, or a variable "
+                fmt::format("Trace the front of two goals by limits instead of weights: {}, or a variable "
                             "dimension",
                             fmt::join(traded_names(), ", ")))
             ->type_name("FIRST,SECOND");
@@ -464,12 +464,12 @@ void add_pareto(CLI::App& command, ParetoWords& words) {
         ->excludes(points);
     command
         .add_option("--cut-off", words.cut_off,
-                    "End the front where one figure is this many times its least; default: 10")
+                    "End the front where one goal is this many times its minimum; default: 10")
         ->type_name("TIMES")
         ->needs(pareto);
     command
         .add_flag("--keep-weights", words.keep_weights,
-                  "The scene's other weights stay in force, beside the first figure")
+                  "Keep the scene's other weights together with the first goal")
         ->needs(pareto);
 }
 
@@ -477,7 +477,7 @@ void add_surface(CLI::App& command, SurfaceWords& words) {
     CLI::Option* const surface =
         command
             .add_option("--surface", words.error,
-                        "Every weight of velocity, acceleration and jerk at once: solve until the least "
+                        "All weights of velocity, acceleration and jerk: solve until the least "
                         "objective is proved to this error for all of them, for example 1e-4")
             ->type_name("ERROR");
     command.add_option("--most", words.most, "Solves of the surface at most; default: 5000")

@@ -94,7 +94,7 @@ void check_wishes(const ExportRequest& request, const Scene& scene) {
     if (!cam_kind(cam->type)->is_plane_curve) {
         if (!request.sheet.empty()) refuse_drawing(request, cam->type);
         if (!request.dxf) return;
-        throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is no plane curve",
+        throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is not a plane curve",
                                      request.scene, cam->type));
     }
     const bool direct = cam->formulas()->is_direct();
@@ -112,7 +112,7 @@ void check_wishes(const ExportRequest& request, const Scene& scene) {
 Solution read_back(const ExportRequest& request) {
     if (!request.solver.empty() || !request.settings.empty())
         throw InputError(
-            fmt::format("{}: {}: found with a result folder, which is used as it is; allowed: with "
+            fmt::format("{}: {}: found with a result folder, which is used unchanged; allowed: with "
                         "a scene",
                         request.scene, request.solver.empty() ? "--set" : "--solver"));
     const auto load = [](const std::string& text, const std::string& name) {

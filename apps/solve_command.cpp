@@ -47,7 +47,7 @@ LoadedScene requested_scene(const SolveRequest& request) {
     const std::optional<CamSpec>& cam = loaded.scene.cam;
     if (request.dxf && cam && !cam_kind(cam->type)->is_plane_curve)
         throw InputError(
-            fmt::format("--dxf: found with a cam of type \"{}\", which is no plane curve; allowed: with "
+            fmt::format("--dxf: found with a cam of type \"{}\", which is not a plane curve; allowed: with "
                         "types {}; `camopt "
                         "export` writes its flanks and solid",
                         cam->type, plane_types()));
@@ -112,19 +112,19 @@ std::string plan_text(const Scene& scene, const SceneCheck& check) {
         return fmt::format(
             "{}, first on the given breakpoints, then by {} start{} that move them; the verdict can be "
             "optimal "
-            "where the limit of any curve is reached, else local or feasible; that nothing is feasible is "
+            "where the limit of any curve is reached, else local or feasible; infeasibility is "
             "not proved",
             by, check.starts, check.starts == 1 ? "" : "s");
     if (check.searched_angles > 0)
         return fmt::format(
-            "{}, for every share of the turn between {} segments that is tried; the verdict is optimal or "
+            "{}, for every tried division of the revolution between {} segments; the verdict is optimal or "
             "infeasible where nothing but limits in time knows the angles, else {}",
             by, check.searched_angles, check.searched_angles == 2 ? "local or feasible" : "feasible");
     if (check.free_displacements > 0 && check.convex)
         return fmt::format(
             "{}, the {} free displacement{} among the variables; where a stroke of them leaves its range, "
             "one "
-            "solve for each direction it may take; the verdict to be expected is optimal or infeasible",
+            "solve for each direction it may take; the expected verdict is optimal or infeasible",
             by, check.free_displacements, check.free_displacements == 1 ? "" : "s");
     if (check.starts > 1 || !check.convex)
         return fmt::format(
@@ -134,10 +134,10 @@ std::string plan_text(const Scene& scene, const SceneCheck& check) {
             by, check.starts, check.starts == 1 ? "" : "s");
     if (choice.reason.empty() && choice.solver != "structured")
         return fmt::format(
-            "{}; the verdict can be optimal or infeasible, either with its proof; where {} comes less far, "
+            "{}; the verdict can be optimal or infeasible, both with a proof; where {} fails, "
             "feasible",
             by, choice.solver);
-    return by + "; the verdict to be expected is optimal or infeasible, either with its proof";
+    return by + "; the expected verdict is optimal or infeasible, both with a proof";
 }
 
 std::string derivative_line(const DerivativeError& error) {

@@ -53,7 +53,7 @@ ExitCode exit_code_of(const ReferenceTable& table) {
                : failure;
 }
 
-// camopt reproduce: a paper's tables and figures beside ours.
+// camopt reproduce: a paper's tables and figures and ours.
 void write_report_folder(const std::filesystem::path& path, const PaperReport& report) {
     FolderUpdate folder(path);
     folder.write("report.json", paper_report_json(report));

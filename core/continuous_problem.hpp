@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The problem behind the grid: constraints that hold at every cam angle, not only at samples.
+// The semi-infinite problem: constraints that hold at every cam angle, not only at samples.
 //
-// A grid Nlp is a relaxation: it keeps the rows of finitely many angles. The exchange driver solves it, asks
-// for the true continuous maxima of violation, and adds their rows, until the worst one is below tolerance.
+// A grid Nlp is a relaxation with the rows of finitely many angles. The exchange driver solves it, asks for
+// the continuous maxima of violation and adds their rows, until the worst one is below tolerance.
 #pragma once
 
 #include "core/numbers/extremum.hpp"
@@ -17,13 +17,13 @@
 
 namespace camopt {
 
-/// A local maximum over the cam angle of how much one rule is broken.
+/// A local maximum over the cam angle of the violation of one rule.
 struct Violation {
     int rule = 0;         ///< index of the rule in the problem
     Extremum where;       ///< the rule's own value there
     double amount = 0.0;  ///< relative to the rule's scale; > 0 is violated, < 0 is slack
     bool limit = false;   ///< a limit of the user's scene, not a peak variable that lags behind its curve
-    /// Of rules that look at the motion as a whole: what beside the place belongs to the row (a speed, …).
+    /// Of rules over the whole motion: the parameters of the row besides the cam angle (a speed, …).
     std::vector<double> setting = {};
 };
 
@@ -42,8 +42,8 @@ class ContinuousProblem {
     /// A starting point: satisfies the equalities; limits may be violated.
     [[nodiscard]] virtual Eigen::VectorXd start() const = 0;
 
-    /// x with its equalities met to round-off and its peak variables set to the true continuous peaks of its
-    /// curve, so that only user limits can still be violated. cost(completed(x)) is the true objective.
+    /// x with its equalities met to round-off and its peak variables set to the continuous peaks of its
+    /// curve, so that only user limits can be violated. cost(completed(x)) is the true objective.
     [[nodiscard]] virtual Eigen::VectorXd completed(const Eigen::VectorXd& x) const = 0;
 
     /// The true objective of the curve behind x; equals grid().cost(completed(x)).
@@ -52,19 +52,20 @@ class ContinuousProblem {
     /// The continuous local maxima of every rule at x, worst first, slack ones within `slack` included.
     [[nodiscard]] virtual std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const = 0;
 
-    /// Adds rows at (and beside) these maxima; old rows keep their numbers. Returns how many rows were added:
-    /// 0 when every one is there already.
+    /// Adds rows at and next to these maxima; old rows keep their numbers. Returns the number of rows added:
+    /// 0 when all exist already.
     virtual int refine(std::span<const Violation> worst) = 0;
 
-    /// The same, told how the rows of the present grid press: where rows of one rule press on both sides of a
-    /// maximum, the place that they press on in the mean is known to the square of their distance, and rows
-    /// close around it settle it. `row_multipliers`: of the grid's point at which the maxima were found.
+    /// The same, with the active rows of the current grid: between active rows of one rule on both sides of a
+    /// maximum, their weighted mean locates it to second order in their distance, and rows close around it
+    /// are added. `row_multipliers`: of the grid's point at which the maxima were found.
     virtual int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) {
         static_cast<void>(row_multipliers);
         return refine(worst);
     }
 
-    /// The largest amount of any limit of the scene at x; -1 where all are kept with more to spare than that.
+    /// The largest violation of any limit of the scene at x; -1 where all are satisfied with a larger margin
+    /// than that.
     [[nodiscard]] virtual double worst_of_limits(const Eigen::VectorXd& x) const {
         double worst = -1.0;
         for (const Violation& violation : violations(x, 1.0))
@@ -72,9 +73,9 @@ class ContinuousProblem {
         return worst;
     }
 
-    /// Bounds on x proved to hold an optimum of the problem whose limits are relaxed by `relaxation` times
-    /// their scales, given that it has a curve with objective `incumbent` (infinity: nothing known, then the
-    /// box holds every feasible curve). Entries nothing bounds are ±infinity.
+    /// Bounds on x proved to contain an optimum of the problem whose limits are relaxed by `relaxation` times
+    /// their scales, given a curve with objective `incumbent` (infinity: none is known, then the box contains
+    /// every feasible curve). Unbounded entries are ±infinity.
     [[nodiscard]] virtual Box box(double incumbent, double relaxation) const = 0;
 
     /// Whether the problem is proved convex over that box, so that tangents of its rows are bounds.

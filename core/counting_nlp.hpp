@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts what a backend asks of a problem, without either of them knowing.
+// Counts the evaluations that a backend requests of a problem.
 #pragma once
 
 #include "core/nlp.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Until when: one value for everything that is done under one limit of time, and one stopwatch.
+// A deadline: one time limit and one stopwatch for everything that runs under it.
 //
-// It is made once, where the time begins, and handed on by value. Copies, and the parts that sooner() cuts
-// off, share whether any of them was ever in the way: what asks passed() and hears yes goes another way than
-// it would have, so a result depends on the machine's speed only where was_felt().
+// It is created once, where the time begins, and passed by value. Copies and the parts made by sooner() share
+// one flag: once passed() returns true, the caller takes another path, so the result depends on the machine's
+// speed exactly where was_felt().
 #pragma once
 
 #include <functional>
@@ -29,16 +29,15 @@ class Deadline {
     /// `seconds` from now. A deadline of another clock than the machine's steady one is for tests.
     [[nodiscard]] static Deadline after(double seconds, Clock clock = {});
 
-    /// Asks the clock; a yes is remembered.
+    /// Reads the clock; a true result is remembered.
     [[nodiscard]] bool passed() const;
-    /// >= 0; infinite where there is no end.
+    /// >= 0; infinite without a deadline.
     [[nodiscard]] double seconds_left() const;
-    /// This, or so many seconds from now where that is earlier.
+    /// This, or `seconds` from now if that is earlier.
     [[nodiscard]] Deadline sooner(double seconds) const;
-    /// So many seconds do not count, for this one, its copies and its parts: they went by while another solve
-    /// had its turn.
+    /// These seconds do not count, for this one, its copies and its parts: another solve ran meanwhile.
     void leave_out(double seconds) const;
-    /// Whether this one, a copy or a part of it has told anybody to stop.
+    /// Whether this one, a copy or a part of it has reported that it passed.
     [[nodiscard]] bool was_felt() const;
 
  private:

@@ -56,7 +56,7 @@ Column differenced(const Function& function, const NlpShape& shape, VectorXd x, 
         largest_weight = std::max(largest_weight, std::abs(node.weight));
     }
     column.derivative /= step;
-    // A value is taken to be right to some units in its last place.
+    // A value is assumed correct to some units in its last place.
     constexpr double value_error = 16.0 * std::numeric_limits<double>::epsilon();
     column.rounding *= value_error * largest_weight / std::abs(step);
     return column;

@@ -8,19 +8,19 @@
 
 namespace camopt {
 
-/// Something the user gave is wrong. The message says what was found and what is allowed.
+/// Invalid input from the user. The message says what was found and what is allowed.
 class InputError : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;
 };
 
-/// A capability that camopt does not have yet, or that this build leaves out; also wrong input.
+/// A capability that this build does not have; also invalid input.
 class UnavailableError : public InputError {
  public:
     using InputError::InputError;
 };
 
-/// A model (Nlp, ContinuousProblem) broke its own promises: sizes that do not match, a value that is not
+/// A model (Nlp, ContinuousProblem) violated its contract: sizes that do not match, a value that is not
 /// finite.
 class ModelError : public std::logic_error {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state of a follower at one cam angle: what every cam generator takes.
+// The state of a follower at one cam angle: the input of every cam generator.
 #pragma once
 
 namespace camopt {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// First in every promised header: a compiler that does not speak C++20 stops here with one line, instead of
-// hundreds about what follows.
+// First in every public header: a compiler without C++20 stops here with one line instead of hundreds of
+// errors.
 #pragma once
 
 #if __cplusplus < 202002L

@@ -41,7 +41,7 @@ std::vector<LicensedPart> licensed_parts() {
         parts.push_back(
             {"OpenSSL, Brotli and zlib", "Apache-2.0, MIT, Zlib", "what cpp-httplib is linked to"});
     }
-    if (has_mpi) parts.push_back({"Open MPI", "BSD-3-Clause", "sweeps under mpirun; loaded there alone"});
+    if (has_mpi) parts.push_back({"Open MPI", "BSD-3-Clause", "sweeps under mpirun; loaded only there"});
     return parts;
 }
 
@@ -49,13 +49,14 @@ std::string terms_of_binary() {
     if ((has_spqr || has_suitesparse) && has_ipopt)
         return "A binary of this build holds parts under the GPL (SuiteSparse) and under the EPL (Ipopt), "
                "whose "
-               "terms cannot both be kept when it is passed on: use it yourself; to pass one on, build with "
+               "terms cannot both be met when it is distributed: use it yourself; to distribute one, build "
+               "with "
                "CAMOPT_GPL=OFF, or without Ipopt.";
     if (has_spqr || has_suitesparse)
-        return "A binary of this build may be passed on under the GPL, version 2 or later, as a whole: it "
+        return "A binary of this build may be distributed under the GPL, version 2 or later, as a whole: it "
                "holds "
-               "parts of SuiteSparse. Built with CAMOPT_GPL=OFF it may be passed on under the MIT license.";
-    std::string text = "A binary of this build may be passed on under the MIT license";
+               "parts of SuiteSparse. Built with CAMOPT_GPL=OFF it may be distributed under the MIT license.";
+    std::string text = "A binary of this build may be distributed under the MIT license";
     if (has_nlopt || has_opencascade || has_cairo || has_ipopt)
         text += ", with the libraries it is linked to under theirs";
     return text + ".";

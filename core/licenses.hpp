@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Under what terms this build may be passed on: which libraries of others are in it, and what follows.
+// Terms under which this build may be distributed: the libraries in it and their licences.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct LicensedPart {
 /// camopt itself first, then what was found when it was built.
 [[nodiscard]] std::vector<LicensedPart> licensed_parts();
 
-/// One or two sentences: under what terms a binary of this build may be passed on. No legal advice.
+/// One or two sentences: the terms for distributing a binary of this build. No legal advice.
 [[nodiscard]] std::string terms_of_binary();
 
 /// Both, a line a part: "Ipopt: EPL-1.0 (solver)".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The optimization problem every backend sees:
+// The optimization problem for every backend:
 //
 //     min f(x)   subject to   x_L <= x <= x_U,   g_L <= g(x) <= g_U
 //
@@ -21,11 +21,11 @@
 
 namespace camopt {
 
-// Where a constraint row comes from: what reports and explanations look up. Names of rows are for people.
+// Where a constraint row comes from, for reports and explanations. Names of rows are for users.
 struct RowOrigin {
     std::string rule;          ///< of a limit of the scene: its key, "limits.velocity_mm_s"
     std::string remark;        ///< which part of the rule: "face turns back"; mostly empty
-    std::optional<double> at;  ///< x; none: it belongs to no place of the motion
+    std::optional<double> at;  ///< x; none: not located in the motion
     Side side = Side::right;   ///< of x, where something may jump
     bool limit = false;        ///< a hard limit of the user's scene
     std::optional<int> order =
@@ -47,8 +47,8 @@ struct SparsityPattern {
 /// What is known of one constraint row before anything is evaluated.
 struct RowKind {
     bool linear = true;  ///< its Jacobian entries do not depend on x
-    /// A hard limit of the user's scene (a cap, a pressure angle). These rows, and no others, may be what
-    /// makes a problem infeasible; the elastic problem relaxes them in proportion to `scale`.
+    /// A hard limit of the user's scene (a cap, a pressure angle). Only these rows may make a problem
+    /// infeasible; the elastic problem relaxes them in proportion to `scale`.
     bool limit = false;
     double scale = 1.0;  ///< size of the limit, > 0: a violation of `scale` is one of 100 %
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A list of what there is to choose from by name, which a program may add to: each entry a description and
-// what makes the thing. Threads may read and add at once. Nothing is ever taken away, and a span that was
-// handed out stays as it was.
+// A registry of named choices that a program may extend: each entry has a description and a factory. Threads
+// may read and add concurrently. Entries are never removed, and a returned span remains valid.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +22,7 @@ class OpenRegistry {
         std::vector<Maker> makers;  ///< of each
     };
 
-    /// `name`: of a description, what no two may share.
+    /// `name`: of a description, unique among the entries.
     OpenRegistry(std::string Description::*name, Lists first) : name_(name) {
         versions_.push_back(std::move(first));
         newest_ = &versions_.back();
@@ -32,7 +31,7 @@ class OpenRegistry {
     [[nodiscard]] const Lists& lists() const { return *newest_.load(); }
     [[nodiscard]] std::span<const Description> descriptions() const { return lists().descriptions; }
 
-    /// `refuse` is called where the name is taken, and throws.
+    /// `refuse` is called if the name is taken, and throws.
     template <class Refuse>
     void add(Description description, Maker maker, const Refuse& refuse) {
         const std::lock_guard lock(mutex_);

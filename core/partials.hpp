@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sums and products of values with their first and second partials: of every type with the members value,
-// gradient (n) and hessian (n x n, symmetric). by_angle, where there is one: the partial by a further
-// variable of which no second ones are asked.
+// Sums and products of values with their first and second partials, for every type with the members value,
+// gradient (n) and hessian (n x n, symmetric). by_angle, if present: the partial by a further variable
+// without second partials.
 #pragma once
 
 namespace camopt {
@@ -41,7 +41,7 @@ template <WithPartials Value>
 [[nodiscard]] Value operator*(const Value& a, const Value& b) {
     Value result{a.value * b.value, a.value * b.gradient + b.value * a.gradient,
                  a.value * b.hessian + b.value * a.hessian};
-    // Eigen would hand products of this size to its kernels for large ones.
+    // Eigen would call its kernels for large matrices for products of this size.
     const auto cross = a.gradient.lazyProduct(b.gradient.transpose()).eval();
     result.hessian += cross + cross.transpose();
     if constexpr (requires { a.by_angle; }) result.by_angle = a.value * b.by_angle + b.value * a.by_angle;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The members of Peaks as a table, for whatever lists them: files, tables, sums over parts of a motion.
+// The members of Peaks as a table, for code that lists them: files, tables, sums over parts of a motion.
 //
-// A curve on a stretch `width` times as long and `size` times as high has size^size_power / width^width_power
-// times the figure: |y^{(r)}| is size / width^r times as large, y'·y'' size² / width³ times.
+// A curve on an interval `width` times as long and `size` times as high has size^size_power /
+// width^width_power times the figure: |y^{(r)}| is size / width^r times as large, y'·y'' size² / width³
+// times.
 #pragma once
 
 #include "core/peaks.hpp"
@@ -39,7 +40,7 @@ inline constexpr std::array<PeakFigure, 7> peak_figures = {{
     {"rms_jerk", nullptr, &Peaks::rms_jerk, 3, 1, 3},
 }};
 
-/// The row of this name; at compile time a name that no row has does not compile.
+/// The row of this name; an unknown name does not compile in a constant expression.
 [[nodiscard]] constexpr const PeakFigure& peak_figure(std::string_view name) {
     for (const PeakFigure& figure : peak_figures)
         if (figure.name == name) return figure;

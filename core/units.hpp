@@ -17,7 +17,7 @@ inline constexpr double megapascal = 1e6;                                 // Pa
 
 namespace camopt {
 
-/// In which lengths are written for people and machines.
+/// The unit of lengths in reports and files.
 enum class LengthUnit { millimetre, inch };
 
 [[nodiscard]] constexpr double metres_of(LengthUnit unit) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a cam goes once around.
+// Whether a cam makes one revolution.
 #pragma once
 
 #include "core/units.hpp"
@@ -8,9 +8,9 @@
 
 namespace camopt {
 
-/// An angle of rad that is one turn but for the rounding of sums and units.
+/// An angle of rad that is one revolution to within the rounding of sums and units.
 [[nodiscard]] inline bool is_whole_turn(double angle) {
-    constexpr double rounding = 1e-9;  // rad: far above that of sums, far below any stretch of a motion
+    constexpr double rounding = 1e-9;  // rad: far above round-off of sums, far below any segment of a motion
     return std::abs(angle - units::turn) < rounding;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_masses = 4;
 
-/// Each mass against the one before it, row by row times √weight / √mass.
+/// Relative displacements of the masses, row by row times √weight / √mass.
 Eigen::MatrixXd weighted_elongations(const LinearTrain& train, double TrainStage::*weight) {
     const int n = train.masses();
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n, n);
@@ -28,7 +28,7 @@ Eigen::MatrixXd weighted_elongations(const LinearTrain& train, double TrainStage
     return rows;
 }
 
-/// Springs in series: compliances add up, and nothing is subtracted.
+/// Springs in series: compliances are added, without cancellation.
 void set_static_shapes(LinearTrain& train) {
     const int n = train.masses();
     train.share.setOnes(n);

@@ -20,17 +20,18 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// |A| times a Taylor step: its series of this many terms is then right to 0.5^20 / 20!, far below rounding.
+// Norm of A times a Taylor step: the series of this many terms then has a truncation error of 0.5^20 / 20!,
+// far below round-off.
 constexpr double taylor_radians = 0.5;
 constexpr int taylor_terms = 19;
-// Of |eigenvalue|: a smaller imaginary part is the rounding of a mode that does not vibrate.
+// Relative to |eigenvalue|: a smaller imaginary part is round-off of a mode that does not vibrate.
 constexpr double least_vibration = 1e-9;
-// Relative: breakpoints of a uniform spline differ by their rounding.
+// Relative: breakpoints of a uniform spline differ by round-off.
 constexpr double same_width = 1e-13;
-// More steps on one piece would take seconds to read off, and the phase at its end would not be known.
+// More steps on one piece would take seconds to evaluate, and the phase at its end would be inaccurate.
 constexpr double most_steps = 4e6;
 
-/// A square root of the stiffness by unit masses: RᵀR = LᵀL.
+/// A square root of the stiffness for unit masses: RᵀR = LᵀL.
 MatrixXd stiffness_root(const LinearTrain& train, double seconds) {
     MatrixXd root = seconds * train.elongations();
     if (root.rows() == root.cols()) return root;
@@ -62,7 +63,7 @@ struct Series {
     Terms slope, displacement;
     double width = 0.0;  ///< in x
 
-    /// A reading as a polynomial of the local variable.
+    /// An output as a polynomial of the local variable.
     [[nodiscard]] Terms of(const TrainAtSpeed::Reading& reading) const {
         Terms value = state.transpose().lazyProduct(reading.state);
         value[0] += reading.constant;
@@ -139,7 +140,7 @@ LinearTrainAtSpeed::LinearTrainAtSpeed(const LinearTrain& train, double speed, d
     for (Eigen::Index i = 0; i < n; ++i)
         mass_root[i] = std::sqrt(train.stages[static_cast<std::size_t>(i)].mass);
     by_acceleration_.tail(n) = -mass_root.cwiseProduct(train.share);
-    // C s − c_1 e_1: how fast the dampers' ends part while every mass follows its share. 0 without a spring.
+    // C s − c_1 e_1: damper velocities while every mass follows its static share. 0 without a return spring.
     VectorXd parting = VectorXd::Zero(n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const double before = i == 0 ? 1.0 : train.share[i - 1];
@@ -164,12 +165,12 @@ void LinearTrainAtSpeed::set_readings(const LinearTrain& train, const MatrixXd& 
     deflection_.motion[0] = train.share[n - 1] - 1.0;
     acceleration_.state = generator_.row(2 * n - 1).transpose() / last_root;
     acceleration_.motion[1] = by_velocity_[2 * n - 1] / last_root;
-    // s_n y'' + e_n'', and e_n'' answers y'' with −s_n: what is left are forces alone.
+    // s_n y'' + e_n'', where e_n'' contains −s_n y'': only forces remain.
     acceleration_.motion[2] = 0.0;
     // The first spring and damper between y and x_1 = s_1 y − u_1 P + e_1.
     contact_force_.state.head(n) = -lift * first.stiffness * inverse.row(0).transpose() / first_root;
     contact_force_.state[n] = -lift * first.damping / seconds / first_root;
-    // k_1 (1 − s_1) = k_r s_n: what the return spring carries reaches the cam.
+    // k_1 (1 − s_1) = k_r s_n: the force of the return spring reaches the cam.
     contact_force_.motion[0] = lift * train.return_stiffness * train.share[n - 1];
     contact_force_.motion[1] = lift * first.damping / seconds * (1.0 - train.share[0]);
     contact_force_.constant = train.share[n - 1] * train.preload;
@@ -234,7 +235,7 @@ std::vector<Extremum> LinearTrainAtSpeed::maxima(const Reading& reading, double 
     State state = begin_state;
     double displacement = piece.displacement;
     std::vector<Extremum> found;
-    // While y rests the energy |X|² only falls, and so does all that can be read off.
+    // While y rests the energy |X|² decreases, and so do all bounds on the outputs.
     const bool rests = piece.slope.size() == 1 && piece.slope[0] == 0.0;
     const double at_rest = sign * (reading.constant + reading.motion[0] * displacement);
     const double reach = reading.state.norm();
@@ -254,7 +255,8 @@ std::vector<Extremum> LinearTrainAtSpeed::maxima(const Reading& reading, double 
     return found;
 }
 
-/// Steps of one width share their exponential: uniform splines have one, but for the rounding of breakpoints.
+/// Steps of equal width share their exponential: uniform splines have one width, up to the rounding of
+/// breakpoints.
 class LinearTrainAtSpeed::KnownSteps {
  public:
     explicit KnownSteps(const LinearTrainAtSpeed& train) : train_(train) {}

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+//
 // A linear train at one speed of the cam. With time x = cam angle / unit angle, T = unit angle / speed
 // seconds long, lifts for displacements and q_i = √m_i e_i:
 //
 //   p = R q,   p' = R q',   q'' = −Rᵀ p − D q' + g_1 y' + g_2 y'',   X = (p, q').
 //
-// RᵀR = T² M^{−1/2} K M^{−1/2}, taken from the elongations of the springs, so that no stiffness is added to
-// one it would swallow. X' = A X + … has A + Aᵀ <= 0: the energy |X|² never grows by itself, and neither do
-// rounding errors. Over a piece the response to a polynomial is a matrix exponential (Step); its inside is
-// read off Taylor steps of at most half a radian of the fastest mode.
+// RᵀR = T² M^{−1/2} K M^{−1/2}, computed from the elongations of the springs, which avoids cancellation
+// between stiffnesses of different size. X' = A X + … has A + Aᵀ <= 0: the energy |X|² never grows without
+// input, nor do rounding errors. Over a piece the response to a polynomial is a matrix exponential (Step);
+// values inside come from Taylor steps of at most half a radian of the fastest mode.
 #pragma once
 
 #include "dynamics/linear_train.hpp"
@@ -37,7 +38,7 @@ class LinearTrainAtSpeed final : public TrainAtSpeed {
                                                             double slope_before) const override;
     [[nodiscard]] Eigen::VectorXd steady_start(std::span<const SlopePiece> turn) const override;
 
-    /// A, and what y' and y'' do to X.
+    /// A, and the input matrices of y' and y''.
     [[nodiscard]] const Eigen::MatrixXd& generator() const { return generator_; }
     [[nodiscard]] const Eigen::VectorXd& by_velocity() const { return by_velocity_; }
     [[nodiscard]] const Eigen::VectorXd& by_acceleration() const { return by_acceleration_; }

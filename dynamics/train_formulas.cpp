@@ -22,17 +22,18 @@ namespace {
 
 // Any motion as pieces on which y' is a polynomial.
 //
-// Between two breakpoints a quintic through y', y'', y''' of both ends is tried first: it is the slope of any
-// spline up to degree 6 itself. Where it is not (harmonic laws, polynomials of higher degree) Chebyshev
-// interpolants on halves, and halves of these, follow y' to rounding.
+// Between two breakpoints a quintic through y', y'', y''' of both ends is tried first: it is exact for any
+// spline up to degree 6. Otherwise (harmonic laws, polynomials of higher degree) Chebyshev interpolants on
+// successively halved intervals approximate y' to round-off.
 
 using Eigen::VectorXd;
 
 constexpr int chebyshev_terms = 15;
-// Of the largest slope of the piece: what a fit may leave, rounding of the motion's own formulas.
+// Relative to the largest slope of the piece: accepted residual of a fit, the round-off of the motion's
+// formulas.
 constexpr double rounding_of_slope = 4e-15;
-// The last terms of a Chebyshev series that has converged, of the largest slope of the motion: what its own
-// formulas round off.
+// The last terms of a converged Chebyshev series, relative to the largest slope of the motion: round-off of
+// its formulas.
 constexpr double converged_terms = 2e-15;
 constexpr int size_samples = 16;
 constexpr int deepest_halving = 40;
@@ -76,10 +77,10 @@ class SlopeFit {
     void add(const Span& span, int halvings) {
         if (add_quintic(span) || add_chebyshev(span)) return;
         if (halvings == deepest_halving)
-            throw InputError(
-                fmt::format("dynamics: found a motion whose velocity no polynomial follows near x = {:.9g}; "
-                            "allowed: finite velocities and accelerations",
-                            span.begin));
+            throw InputError(fmt::format(
+                "dynamics: found a motion whose velocity no polynomial approximates near x = {:.9g}; "
+                "allowed: finite velocities and accelerations",
+                span.begin));
         const double middle = span.at(0.5);
         add({span.begin, middle}, halvings + 1);
         add({middle, span.end}, halvings + 1);
@@ -101,7 +102,7 @@ class SlopeFit {
         VectorXd slope = quintic(scaled(left), scaled(right));
         if (!slope.allFinite()) return false;
         const double size = slope.cwiseAbs().maxCoeff();
-        // A spline's slope has one degree fewer: what is left of the quintic is rounding.
+        // A spline's slope has one degree fewer: the leading coefficient of the quintic is round-off.
         for (const double t : {0.2, 0.5, 0.85}) {
             const MotionPoint point = motion_.at(span.at(t));
             const double off = std::abs(value_at(slope, t) - point.derivative[1]);
@@ -162,7 +163,7 @@ class SlopeFit {
     double largest_ = 0.0;  ///< slope of the motion, by samples
 };
 
-/// Throws InputError where y' is not finite, or no polynomial follows it (an infinite y'' at an end).
+/// Throws InputError where y' is not finite, or no polynomial approximates it (an infinite y'' at an end).
 std::vector<SlopePiece> slope_pieces(const Motion& motion) {
     std::vector<SlopePiece> pieces;
     SlopeFit fit(motion, pieces);

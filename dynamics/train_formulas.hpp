@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the train a scene names to its formulas. Who links no camopt::dynamics has scenes without it.
+// The formulas of the follower train of a scene. Programs without camopt::dynamics use scenes without one.
 #pragma once
 
 #include "scene/scene.hpp"

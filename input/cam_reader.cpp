@@ -15,7 +15,7 @@ namespace {
     source.fail(given.member->place, joined_key(given.row->table, given.member->name), what);
 }
 
-/// Forces have units of N where the follower translates and of N m where it swings.
+/// Forces are in N for a translating follower and in N m for a swinging one.
 void check_force_unit(const SceneSource& source, std::string_view table, std::string_view quantity,
                       bool oscillating) {
     const auto given = source.find(table, quantity);
@@ -55,7 +55,7 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
     cam.make = kind->formulas ? kind->formulas : known.cam_formulas;
     if (!cam.make)
         source.fail_member("cam.type", fmt::format("found \"{}\", whose formulas this program does not have; "
-                                                   "allowed: a cam that it brings the formulas of",
+                                                   "allowed: a cam whose formulas are linked",
                                                    kind->type));
     return cam;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// [cam], [forces] and the limits on them, of a checked scene file. Errors: InputError for dimensions the
-// follower does not have or misses, units of a translating follower on an oscillating one. Internal to
+// [cam], [forces] and the limits on them, of a validated scene file. Errors: InputError for dimensions that
+// the follower does not have or lacks, units of a translating follower on an oscillating one. Internal to
 // input/.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace camopt::input {
 
-/// Complete; none where the scene has no cam.
+/// Complete; none if the scene has no cam.
 [[nodiscard]] std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion,
                                               const KnownNames& known);
 

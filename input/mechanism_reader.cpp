@@ -14,7 +14,7 @@ namespace camopt::input {
 
 namespace {
 
-/// A scene's cam by what its kind says of itself.
+/// A scene's cam by the description of its kind.
 class MechanismReader {
  public:
     MechanismReader(const SceneSource& source, const CamKind& kind)
@@ -60,7 +60,7 @@ class MechanismReader {
                             fmt::format("found \"{}\" for a cam of type \"{}\"; allowed: {}", word,
                                         kind_.type, quoted_choices(allowed)));
     }
-    /// With the numbers that are no dimensions of the spec.
+    /// Including the numbers that are not dimensions of the spec.
     [[nodiscard]] CamSpec with_given(const CamSpec& spec) const {
         std::map<std::string, double> given;
         for (const CamNumber& number : variant_.numbers)
@@ -73,7 +73,7 @@ class MechanismReader {
             source_.fail_member(error.fault().member, words_of(error.fault()));
         }
     }
-    /// The variants of the kind that have the number: only with "a" or "b"; none: leave it out.
+    /// The variants of the kind with this number: only with "a" or "b"; none: omit it.
     [[nodiscard]] std::string allowed_with(const std::string& key) const {
         std::vector<std::string_view> words;
         for (const CamVariant& one : kind_.variants)
@@ -136,7 +136,7 @@ std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec&
     return limit;
 }
 
-/// Masses and springs of a length, inertias and torsion springs of an angle.
+/// Masses and springs for a length, inertias and torsion springs for an angle.
 void check_train_unit(const SceneSource& source, const Given& given, bool angle) {
     const std::string_view unit = given.spelling->unit;
     const bool angular = unit == "kg m^2" || unit == "N m/rad" || unit == "N m" || unit == "N m s/rad";

@@ -10,7 +10,7 @@
 
 namespace camopt::input {
 
-/// Throws InputError where the output swings and the lift is a length, or the reverse.
+/// Throws InputError if the output swings and the lift is a length, or the reverse.
 void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant& variant,
                 const MotionSpec& motion);
 
@@ -19,8 +19,8 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
                                      const MotionSpec& motion);
 
 // Caps of [limits] on normalised peaks. In time: v = (lift·ω/β) V, a = lift (ω/β)² A, j = lift (ω/β)³ J with
-// ω in rad/s and β = the unit angle of the motion in rad. Errors: InputError where a speed is missing or the
-// unit does not fit the lift. Internal to input/.
+// ω in rad/s and β = the unit angle of the motion in rad. Errors: InputError for a missing speed or a unit
+// that does not fit the lift. Internal to input/.
 [[nodiscard]] LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion);
 
 // The [dynamics] table. Internal to input/.

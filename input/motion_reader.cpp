@@ -14,14 +14,14 @@ namespace camopt::input {
 
 namespace {
 
-// Set points, regions and searched angles of a checked scene file, once the rest of the motion is read.
-// Errors: InputError for units that do not fit the lift or need a speed, angles that cannot add up to a turn.
-// Internal to input/.
+// Set points, regions and searched angles of a validated scene file, once the rest of the motion is read.
+// Errors: InputError for units that do not fit the lift or need a speed, angles that cannot add up to 360
+// deg. Internal to input/.
 
-// Of a turn: the rounding of angles written with ten digits.
+// Of a revolution: the rounding of angles written with ten digits.
 constexpr double turn_rounding = 1e-9;
 
-/// In lifts; `key`: as the user wrote it.
+/// In lifts; `key`: as written by the user.
 double displacement_in_lifts(const SceneSource& source, const Given& given, const std::string& key,
                              const MotionSpec& motion) {
     const std::string_view unit = given.spelling->unit;
@@ -46,7 +46,7 @@ class SetPointReader {
     SetPointReader(const SceneSource& source, const MotionSpec& motion, double angle, std::string table)
         : source_(source), motion_(motion), angle_(angle), table_(std::move(table)) {}
 
-    /// `path`: as the user wrote it, "motion.segments[1].via[0]".
+    /// `path`: as written by the user, "motion.segments[1].via[0]".
     [[nodiscard]] SetPoint read(const Node& node, const std::string& path) const {
         const auto find = [&](std::string_view name) { return SceneSource::find_in(node, table_, name); };
         const auto key = [&](const Given& given) { return joined_key(path, given.member->name); };
@@ -82,7 +82,7 @@ class SetPointReader {
  private:
     const SceneSource& source_;
     const MotionSpec& motion_;
-    double angle_;  ///< rad, of the unit of places
+    double angle_;  ///< rad, of the unit of locations
     std::string table_;
 
     [[nodiscard]] double place(const Given& given, SetPoint& point) const {
@@ -131,8 +131,8 @@ void read_set_points(const SceneSource& source, MotionSpec& motion) {
     }
 }
 
-/// Angles to begin a search with: each the same part of the way from the least to the largest of its range,
-/// so that they add up to a turn. Nothing happens without ranges.
+/// Angles to begin a search with: each at the same fraction of its range, so that they add up to one
+/// revolution. No effect without ranges.
 void settle_angle_ranges(const SceneSource& source, MotionSpec& motion) {
     double least = 0.0, most = 0.0;
     std::optional<std::size_t> first;
@@ -237,7 +237,7 @@ class MotionReader {
         return segment;
     }
 
-    /// objectives/ checks this too, without the place.
+    /// objectives/ checks this too, without the location.
     void check_moving_laws(const MotionSpec& motion) const {
         const std::size_t count = motion.segments.size();
         for (std::size_t i = 0; i < count; ++i) {
@@ -268,7 +268,7 @@ class MotionReader {
         if (!allowed.contains(total))
             source_.fail(
                 given->value().place, joined_key("motion", given->member->name),
-                fmt::format("found {0}, together {1:.10g} {2} of rise and return; allowed: a whole turn, "
+                fmt::format("found {0}, together {1:.10g} {2} of rise and return; allowed: one revolution, "
                             "{3:.10g} {2}, at most",
                             given->value().shown(), total, given->spelling->unit, allowed.high));
     }

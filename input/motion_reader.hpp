@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// [motion] of a checked scene file → MotionSpec. Errors: InputError for keys that do not fit the type of the
-// motion, unknown laws, units that do not fit the lift. Internal to input/.
+// [motion] of a validated scene file → MotionSpec. Errors: InputError for keys that do not fit the type of
+// the motion, unknown laws, units that do not fit the lift. Internal to input/.
 #pragma once
 
 #include "input/document/scene_source.hpp"

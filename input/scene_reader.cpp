@@ -62,8 +62,7 @@ std::optional<DrawingSpec> read_drawing(const SceneSource& source) {
 // A scene with a breakpoint in every micrometre of a metre is smaller.
 constexpr std::uintmax_t most_scene_bytes = std::uintmax_t{1} << 28U;
 
-/// Turns a file whose keys have been checked into a Scene; what is absent keeps the default of
-/// scene/scene.hpp.
+/// Converts a file with validated keys to a Scene; missing keys have the default of scene/scene.hpp.
 class SceneReader {
  public:
     SceneReader(const SceneSource& source, const KnownNames& known) : source_(source), known_(known) {}
@@ -99,7 +98,7 @@ class SceneReader {
         if (const auto given = source_.find(table, name)) target = given->value().text;
     }
 
-    /// Of the first length in the order of the documentation: the lift, or what follows where it is an angle.
+    /// Of the first length in the order of the documentation: the lift, or the next one if it is an angle.
     LengthUnit written_length_unit() const {
         for (const KeyRow& row : scene_keys())
             if (const auto given = source_.find(row.table, row.name)) {
@@ -155,7 +154,7 @@ class SceneReader {
         const auto given = source_.find("objective", "reference");
         if (!given) return reference;
         if (given->value().kind == NodeKind::text) {
-            std::vector<std::string> laws = known_.laws;  // a rise that moves on has no peaks of its own
+            std::vector<std::string> laws = known_.laws;  // a rise without rest has no peaks of its own
             for (const std::string& moving : known_.moving_laws) std::erase(laws, moving);
             check_name(source_, *given, "objective.reference",
                        {laws, "a law of the catalogue: ", ", or a table of numbers"});
@@ -204,7 +203,7 @@ class SceneReader {
     }
 };
 
-/// Adds nothing for a number without a key, or one twice.
+/// No effect for a number without a key, or for a duplicate.
 void add_key(FollowerKind& kind, const CamNumber& number) {
     const KeyRow* const row = number.owned ? find_row(number.table, number.key) : nullptr;
     if (!row) return;

@@ -20,11 +20,11 @@ using Matrix = SymmetricFactor::Matrix;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// A pivot smaller than this part of its diagonal entry is nothing but rounding.
+// A pivot smaller than this part of its diagonal entry is round-off.
 constexpr double rounding = 1e-14;
 
-/// Column j of the chain: [ K_jj … K_{j+b,j} | border rows ], then in its place [ pivot, L … | L of the
-/// border ].
+/// Column j of the chain: [ K_jj … K_{j+b,j} | border rows ], overwritten by [ pivot, L … | L of the border
+/// ].
 class ChainFactor final : public SymmetricFactor {
  public:
     explicit ChainFactor(ChainOrder order) : order_(std::move(order)) {}
@@ -63,7 +63,7 @@ class ChainFactor final : public SymmetricFactor {
     struct Diagonal {
         std::uint32_t place;  ///< in values_
         int row;              ///< of the matrix
-        double shift_sign;    ///< 0 for pairs: their determinant is away from zero without a shift
+        double shift_sign;    ///< 0 for pairs: their determinant is nonzero without a shift
     };
     std::vector<Diagonal> diagonal_places_;     ///< in the order of elimination
     std::vector<double> diagonal_;              ///< of the matrix, in the order of elimination
@@ -87,7 +87,7 @@ void ChainFactor::analyse(const Matrix& lower, std::vector<int> signs) {
     kernels_ = chain_kernels(widths_);
     band_ = widths_.band;
     stride_ = widths_.stride();
-    // Columns beyond the last take the updates that fall off the band, which are zeros.
+    // Columns past the end receive the updates outside the band, which are zeros.
     corner_ = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(chain_rows_ + band_ + 1);
     values_.assign(corner_ + static_cast<std::size_t>(widths_.border * widths_.border), 0.0);
     if (values_.size() > std::numeric_limits<std::uint32_t>::max())
@@ -114,7 +114,7 @@ void ChainFactor::analyse(const Matrix& lower, std::vector<int> signs) {
     inverse_.resize(chain_rows_);
     scaled_.assign(stride_, 0.0);
     scaled_next_.assign(stride_, 0.0);
-    place_ = order_.position;  // zeros between chain and border take what falls off the band
+    place_ = order_.position;  // zeros between chain and border receive the updates outside the band
     for (int& place : place_)
         if (place >= chain_rows_) place += band_;
     ordered_.setZero(chain_rows_ + band_ + widths_.border);
@@ -158,8 +158,8 @@ FactorOutcome ChainFactor::factorize(const Matrix& lower, const VectorXd& shift)
     return outcome_;
 }
 
-/// False: not to be used. A pivot of the wrong sign is rounding: it is noted, and replaced by the least that
-/// the diagonal entry still lets through.
+/// False: not to be used. A pivot of the wrong sign is round-off: it is recorded, and replaced by the
+/// smallest value admissible for the diagonal entry.
 bool ChainFactor::right_pivot(double& pivot, double original, int sign) {
     if (!std::isfinite(pivot)) {
         outcome_ = FactorOutcome::not_finite;
@@ -208,7 +208,7 @@ void ChainFactor::eliminate_pair(int j) {
         u = a * scaled_u + b * scaled_v;
         v = b * scaled_u + c * scaled_v;
     };
-    // Row j + k stands at k in column j and at k − 1 in column j + 1.
+    // Row j + k is at k in column j and at k − 1 in column j + 1.
     for (int k = 2; k <= band_; ++k) divide(first[k], second[k - 1], scaled_[k], scaled_next_[k - 1]);
     second[band_] = scaled_next_[band_] = 0.0;
     for (int k = band_ + 1; k < stride_; ++k) divide(first[k], second[k], scaled_[k], scaled_next_[k]);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The factor for matrices that are a chain with a few dense rows:
 //
-//     K = [ B  Uᵀ ]     B: half-bandwidth b once its rows stand in the order of the chain,
-//         [ U  S  ]     U, S: the border, rows that touch everything (peaks, dimensions of a cam).
+// LDLᵀ factorization of a banded matrix with a dense border:
+//
+//     K = [ B  Uᵀ ]     B: half-bandwidth b with its rows in the order of the chain,
+//         [ U  S  ]     U, S: the border, rows that couple everything (peaks, dimensions of a cam).
 //
 // O(N (b + u)²) for a factor and O(N (b + u)) for a solve, no fill beyond band and border, no allocation.
-// The order is found once: dense rows go to the border; the others keep their order, or are laid out by
+// The order is found once: dense rows go to the border; the others keep their order, or are ordered by
 // breadth-first search where that is narrower. A row of sign −1 whose diagonal is zero (an equality) is put
-// beside a column with a large entry in it, and both are eliminated together by a 2 x 2 pivot
+// next to a column with a large entry in it, and both are eliminated together by a 2 x 2 pivot
 //
 //     [ p   e ]     p, n >= 0: its determinant −p n − e² never vanishes, so a free variable (p = 0) and an
 //     [ e  −n ]     equality (n = 0) need no shift of the diagonal and lose no digits.
@@ -21,8 +22,8 @@
 
 namespace camopt {
 
-/// Null where the matrix is no such chain: its band would be wide and dense storage would cost more than it
-/// saves. `lower` with the values of the constant rows (those of sign −1): pivots are chosen by their size.
+/// Null if the matrix is not such a chain: its band would be wide and dense storage would cost more than it
+/// saves. `lower` with the values of the constant rows (those of sign −1): pivots are chosen by magnitude.
 [[nodiscard]] std::unique_ptr<SymmetricFactor> make_chain_factor(const SymmetricFactor::Matrix& lower,
                                                                  const std::vector<int>& signs);
 

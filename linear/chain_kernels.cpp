@@ -7,7 +7,7 @@
 namespace camopt {
 namespace {
 
-/// Band or Border −1: as wide as the widths say.
+/// Band or Border −1: widths known at run time only.
 template <int Band, int Border>
 struct Loops {
     static int band(const ChainWidths& widths) { return Band < 0 ? widths.band : Band; }
@@ -37,8 +37,8 @@ struct Loops {
         }
     }
 
-    // The entries of x within reach are kept in a window of registers: through memory every step would wait
-    // for the one before to be stored.
+    // The entries of x within the band are kept in registers: through memory every step would wait for the
+    // previous store.
     static void forward(const double* columns, int count, double* x, double* bottom,
                         const ChainWidths& widths) {
         if constexpr (Band < 0 || Border < 0) {
@@ -74,7 +74,7 @@ struct Loops {
             for (int j = count - 1; j >= 0; --j) {
                 const double* const own = columns + static_cast<std::ptrdiff_t>(j) * stride;
                 const double* const below = own + 1 + b;
-                double far = 0.0;  // of what is known for long; the newest entry comes last
+                double far = 0.0;  // oldest first; the newest entry comes last
 #pragma GCC unroll 16
                 for (int k = b - 1; k >= 1; --k) far += own[k + 1] * window[k];
 #pragma GCC unroll 16

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Internal to linear/: the inner loops of the chain factor, compiled for each usual width of band and border,
-// so that they become straight lines of vector instructions.
+// so that they are unrolled and vectorized.
 //
 // A column of the chain is [ pivot | band entries below it | border entries ].
 #pragma once
@@ -23,7 +23,8 @@ struct ChainKernels {
                      const ChainWidths& widths);
 };
 
-/// Widths at least those given for which fast kernels exist (missing entries are zeros), or those given.
+/// The smallest widths with fast kernels that are at least those given (missing entries are zeros), else
+/// those given.
 [[nodiscard]] ChainWidths padded(const ChainWidths& widths);
 
 [[nodiscard]] ChainKernels chain_kernels(const ChainWidths& widths);

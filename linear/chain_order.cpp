@@ -13,14 +13,14 @@ namespace {
 
 using Matrix = SymmetricFactor::Matrix;
 
-// Below this size a full matrix is as good as a chain.
+// Below this size a dense matrix is as fast as a chain.
 constexpr int small = 20;
-// A chain is narrow: wider than this, a general sparse factor has less to do.
+// A chain is narrow: for a wider band a general sparse factorization is cheaper.
 constexpr int widest_band = 40;
 constexpr int widest_border = 24;
-// A row is dense that reaches further than this many places to at least this many others.
+// A row is dense if it has at least this many entries further than this from the diagonal.
 constexpr int far = 10, many = 6;
-// A pivot partner is taken among the entries of the row within this factor of the largest.
+// A pivot partner is chosen among the entries of the row within this factor of the largest.
 constexpr double large_entry = 0.3;
 
 /// The columns of every row, both triangles, without the diagonal.
@@ -92,8 +92,9 @@ class Ordering {
         return signs_[static_cast<std::size_t>(row)] > 0 && !in_border(row);
     }
 
-    /// Rows that reach far along the chain to many others: variables that appear everywhere (peaks), and
-    /// equalities over everything. The worst go first, for every neighbour of theirs has one far reach less.
+    /// Rows with many entries far from the diagonal: variables that appear everywhere (peaks), and equalities
+    /// over everything. The densest are removed first, since each removal reduces the count of its
+    /// neighbours.
     void find_border() {
         dense_.assign(static_cast<std::size_t>(rows_), 0);
         if (rows_ <= small) return;
@@ -124,7 +125,7 @@ class Ordering {
         std::ranges::sort(order_.border);
     }
 
-    /// The place of a variable; of an equality that of its middle variable.
+    /// The position of a variable; of an equality that of its middle variable.
     [[nodiscard]] int center_of(int row, const std::vector<int>& place) const {
         if (place[static_cast<std::size_t>(row)] >= 0) return place[static_cast<std::size_t>(row)];
         int least = rows_, most = 0;
@@ -135,12 +136,12 @@ class Ordering {
         return (least + most) / 2;
     }
 
-    /// Puts every equality beside its partner and measures the band.
+    /// Puts every equality next to its partner and measures the band.
     void lay_out(const std::vector<int>& chain) {
         std::vector<int> place(static_cast<std::size_t>(rows_), -1), partner(place), waits_for(place);
         for (std::size_t k = 0; k < chain.size(); ++k)
             place[static_cast<std::size_t>(chain[k])] = static_cast<int>(k);
-        std::vector<std::pair<int, int>> late;  // equalities without a partner: after which place, row
+        std::vector<std::pair<int, int>> late;  // equalities without a partner: position before them, row
         for (int row = 0; row < rows_; ++row) {
             if (signs_[static_cast<std::size_t>(row)] > 0 || in_border(row)) continue;
             const int found = partner_of(row, place, partner);
@@ -227,7 +228,7 @@ class Ordering {
         };
         reach(start);
         spread();
-        for (const int row : chain) {  // parts that hang on nothing but the border
+        for (const int row : chain) {  // components connected only through the border
             reach(row);
             spread();
         }

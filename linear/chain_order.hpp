@@ -17,7 +17,7 @@ struct ChainOrder {
     int half_bandwidth = 0;
 };
 
-/// None where the band would be wide.
+/// Nullopt if the band would be wide.
 [[nodiscard]] std::optional<ChainOrder> chain_order(const SymmetricFactor::Matrix& lower,
                                                     const std::vector<int>& signs);
 

@@ -9,7 +9,7 @@ namespace camopt {
 namespace {
 
 double long_sum(int count, const int* column, const double* value, const double* x) {
-    double a = 0.0, b = 0.0, c = 0.0, d = 0.0;  // four sums side by side
+    double a = 0.0, b = 0.0, c = 0.0, d = 0.0;  // four independent sums
     int k = 0;
     for (; k + 4 <= count; k += 4) {
         a += value[k] * x[column[k]];
@@ -21,7 +21,7 @@ double long_sum(int count, const int* column, const double* value, const double*
     return (a + b) + (c + d);
 }
 
-/// Rows of Length entries each; Length 0: as many as `length` says.
+/// Rows of Length entries each; Length 0: length known at run time.
 template <int Length>
 struct RowsOf {
     template <typename Keep>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A sparse matrix A for products in the inner loop of a solver: no temporaries, no allocation.
 //
-// Rows of the same length stand together, so that short ones (a sampled rule has two to five entries) become
-// straight lines of code. Aᵀ is best kept as a matrix of its own: adding rows to a result makes every row
-// wait for the one before wherever they share a dense column.
+// Rows of equal length are grouped, so that short ones (a sampled rule has two to five entries) are unrolled.
+// Store Aᵀ as a separate matrix: scattering rows into a result serializes on shared entries of a dense
+// column.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,14 +18,14 @@ class CompressedRows {
     CompressedRows() = default;
     explicit CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix);
     /// Row k has the entries [begin[k], begin[k + 1]) of `columns` and `values`. It is row names[k] of A,
-    /// whose other rows are not there: a product leaves their entries of `out` alone.
+    /// whose other rows are absent: a product leaves their entries of `out` unchanged.
     struct Entries {
         std::vector<int> begin, columns;
         std::vector<double> values;
     };
     CompressedRows(const Entries& entries, const std::vector<int>& names);
 
-    /// out = A x; `out` has the right size already.
+    /// out = A x; `out` already has the right size.
     void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& out) const { multiply(x.data(), out.data()); }
     void multiply(const double* x, double* out) const;
     /// out += factor · A x

@@ -15,8 +15,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 using internal::ColumnOrder;
 using internal::TriangularFactor;
 
-/// Up to this many rows a deficient system is factorized once more from left to right, so that the earlier of
-/// two equal rows is the one that stays; beyond it the entries this order creates may cost too much.
+/// Up to this many rows a rank-deficient system is factorized again from left to right, so that the first of
+/// two equal rows is kept; beyond it the fill of this order may cost too much.
 constexpr Eigen::Index natural_order_limit = 3000;
 
 void check(const Sparse& matrix, const Eigen::VectorXd& right_side) {
@@ -30,7 +30,7 @@ void check(const Sparse& matrix, const Eigen::VectorXd& right_side) {
     if (!finite) throw ModelError("analyse_rows: an entry is not finite");
 }
 
-/// Length of each row, safe from overflow.
+/// Norm of each row, safe from overflow.
 Eigen::VectorXd row_lengths(const Sparse& matrix) {
     Eigen::VectorXd largest = Eigen::VectorXd::Zero(matrix.rows()), squares = largest;
     for (Eigen::Index j = 0; j < matrix.outerSize(); ++j)
@@ -54,7 +54,7 @@ Sparse scaled_transpose(const Sparse& matrix, const Eigen::VectorXd& length) {
     return result;
 }
 
-/// Columns of R that open a new row, and the others.
+/// Columns of R that open a new row (pivots), and the others.
 struct Split {
     std::vector<Eigen::Index> pivots, others;
 };

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which rows of a sparse system E x = e are independent, which follow from the others, and which contradict
-// them.
+// Rank-revealing QR: which rows of a sparse system E x = e are independent, redundant or contradictory.
 //
-// QR of Eᵀ with column pivoting after each row of E is scaled to unit length. A dependent row i satisfies
-// E_i = Σ_k combination_k E_{independent k}; its mismatch is e_i − Σ_k combination_k e_k (in the row's own
+// QR of Eᵀ with column pivoting after each row of E is scaled to unit length. A dependent row i satisfies E_i
+// = Σ_k combination_k E_{independent k}; its mismatch is e_i − Σ_k combination_k e_k (in the row's own
 // units), set to exactly 0 where it is below tolerance · max(‖E_i‖, |e_i|, |combination_k e_k|). A zero row
-// is dependent with an empty combination and the mismatch e_i. Of rows that could replace each other the
-// earlier ones stay independent (up to some thousand rows; beyond that whichever the fill-reducing order
-// meets first).
+// is dependent with an empty combination and the mismatch e_i. Of interchangeable rows the earlier ones stay
+// independent (up to some thousand rows; beyond that the fill-reducing order decides).
 #pragma once
 
 #include <Eigen/Core>
@@ -30,9 +28,9 @@ struct RowDependence {
     std::vector<DependentRow> dependent;  ///< ascending by row
 };
 
-/// `tolerance`: relative size below which a pivot counts as zero; the default leaves room for products of
-/// many well-scaled rows. Uses SuiteSparseQR where this build has it, Eigen::SparseQR otherwise. Throws
-/// ModelError where sizes differ or an entry is not finite.
+/// `tolerance`: relative size below which a pivot counts as zero; the default allows for products of many
+/// well-scaled rows. Uses SuiteSparseQR if this build has it, Eigen::SparseQR otherwise. Throws ModelError
+/// for sizes that differ or an entry that is not finite.
 [[nodiscard]] RowDependence analyse_rows(const Eigen::SparseMatrix<double>& matrix,
                                          const Eigen::VectorXd& right_side, double tolerance = 1e-10);
 

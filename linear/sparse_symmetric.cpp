@@ -52,7 +52,7 @@ VectorXd residual_of(const Matrix& lower, const VectorXd& x, const VectorXd& rig
     return result;
 }
 
-/// One cycle of flexible GMRES from the residual `start`; the correction it proposes.
+/// One cycle of flexible GMRES from the residual `start`; returns the correction.
 VectorXd gmres_cycle(const SymmetricFactor& factor, const Matrix& lower, const VectorXd& start, double target,
                      int steps, int& solves) {
     const double length = start.norm();
@@ -122,7 +122,7 @@ std::unique_ptr<SymmetricFactor> make_symmetric_factor(FactorKind kind, const Ma
 
 RefinedSolve refined_solve(const SymmetricFactor& factor, const Matrix& lower, const VectorXd& right_side,
                            const RefinementLimits& limits) {
-    constexpr int cycle = 10;  // a restart recomputes the residual, which rounding in the basis hides
+    constexpr int cycle = 10;  // a restart recomputes the residual, which accumulates round-off in the basis
     RefinedSolve result;
     result.solution = VectorXd::Zero(right_side.size());
     const double length = right_side.norm();

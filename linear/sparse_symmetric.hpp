@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Factorization of a sparse symmetric quasi-definite matrix whose pattern never changes, and accurate solves.
+//
+// Factorization of a sparse symmetric quasi-definite matrix of fixed pattern, and accurate solves.
 //
 //     K = [ P  Cᵀ ]      P positive, D negative (semi)definite; the signs of the pivots are known beforehand,
 //         [ C  D  ]      so L Λ Lᵀ exists for every symmetric order once K is regularised:
@@ -22,7 +23,7 @@ namespace camopt {
 enum class FactorOutcome {
     ok,
     zero_pivot,  ///< breakdown: a pivot vanished
-    wrong_sign,  ///< breakdown: a pivot has not the sign it must have; more shift is the cure
+    wrong_sign,  ///< breakdown: a pivot has the wrong sign; retry with a larger shift
     not_finite   ///< the matrix or the factor overflowed
 };
 [[nodiscard]] const char* name_of(FactorOutcome value);
@@ -33,8 +34,8 @@ class SymmetricFactor {
     virtual ~SymmetricFactor() = default;
     /// Once for a pattern. `signs`: +1 or −1 for every row. Throws ModelError where sizes differ.
     virtual void analyse(const Matrix& lower, std::vector<int> signs) = 0;
-    /// `lower` has the analysed pattern. The factor can be used after `ok`, and at own risk after
-    /// `wrong_sign`.
+    /// `lower` has the analysed pattern. The factor is valid after `ok`; after `wrong_sign` it may be
+    /// inaccurate.
     [[nodiscard]] virtual FactorOutcome factorize(const Matrix& lower, const Eigen::VectorXd& shift) = 0;
     /// Solves with the factor, shifts included, in place.
     virtual void solve_in_place(Eigen::VectorXd& right_side) const = 0;
@@ -46,19 +47,19 @@ class SymmetricFactor {
 [[nodiscard]] std::unique_ptr<SymmetricFactor> make_simplicial_factor();
 
 enum class FactorKind {
-    automatic,  ///< chain where the matrix is one, else simplicial: the fastest as measured in benchmarks/
-    chain,      ///< chain_factor.hpp; simplicial where the matrix is no chain
+    automatic,  ///< chain where the matrix is one, else simplicial: the fastest in benchmarks/
+    chain,      ///< chain_factor.hpp; simplicial if the matrix is not a chain
     simplicial,
     cholmod,  ///< SuiteSparse's simplicial LDLᵀ
     klu       ///< SuiteSparse's LU for circuit matrices
 };
 /// Whether this build has cholmod and klu.
 [[nodiscard]] bool has_suitesparse_factors();
-/// What to do where it has not.
+/// How to get them.
 inline constexpr const char* suitesparse_remedy =
     "install libsuitesparse-dev and configure camopt again with CAMOPT_WITH_SUITESPARSE=ON";
-/// Of an analysed `lower`, whose values in the rows of sign −1 are those they will always have. Throws
-/// UnavailableError for a kind that this build has not: it never stands in for another.
+/// Of an analysed `lower`, whose values in the rows of sign −1 are final. Throws UnavailableError for a kind
+/// that this build does not have; no other kind is substituted.
 [[nodiscard]] std::unique_ptr<SymmetricFactor> make_symmetric_factor(FactorKind kind,
                                                                      const SymmetricFactor::Matrix& lower,
                                                                      const std::vector<int>& signs);
@@ -75,8 +76,8 @@ struct RefinementLimits {
     int solves = 10;        ///< with the factor, at most
 };
 
-/// K x = b for the unshifted K = `lower`, by flexible GMRES with the shifted factor as preconditioner. It
-/// does at least as well as iterative refinement for the same work and also converges where that does not.
+/// K x = b for the unshifted K = `lower`, by flexible GMRES with the shifted factor as preconditioner. Never
+/// worse than iterative refinement for the same work, and converges where that does not.
 [[nodiscard]] RefinedSolve refined_solve(const SymmetricFactor& factor, const SymmetricFactor::Matrix& lower,
                                          const Eigen::VectorXd& right_side,
                                          const RefinementLimits& limits = {});

@@ -10,7 +10,7 @@ namespace {
 
 [[noreturn]] void throw_absent(const char* factor) {
     throw UnavailableError(std::string("factorization '") + factor +
-                           "' is not built into this camopt; there are auto, chain and simplicial; " +
+                           "' is not built into this camopt; available: auto, chain and simplicial; " +
                            suitesparse_remedy);
 }
 

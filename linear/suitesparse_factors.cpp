@@ -43,7 +43,7 @@ class KluFactor final : public ShiftedFactor {
     void analyse_pattern(const Matrix& lower) override {
         full_ = lower.selfadjointView<Eigen::Lower>();
         full_.makeCompressed();
-        // Which stored entry of the triangle every entry of the whole matrix repeats.
+        // For every entry of the whole matrix the stored entry of the triangle that it repeats.
         Matrix numbered = lower;
         for (Index k = 0; k < numbered.nonZeros(); ++k) numbered.valuePtr()[k] = static_cast<double>(k);
         const Matrix whole = numbered.selfadjointView<Eigen::Lower>();

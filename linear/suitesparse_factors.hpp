@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Internal to linear/: the factorizations of SuiteSparse behind SymmetricFactor. Both throw UnavailableError
-// where the build has none.
+// in a build without it.
 #pragma once
 
 #include "core/errors.hpp"
@@ -19,8 +19,7 @@ namespace camopt {
 /// KLU: LU with partial pivoting of the whole matrix, both triangles.
 [[nodiscard]] std::unique_ptr<SymmetricFactor> make_klu_factor();
 
-// What factorizations by a library have in common: the shifted lower triangle, of a fixed pattern. Of this
-// module only.
+// Common to factorizations by a library: the shifted lower triangle, of a fixed pattern. Of this module only.
 class ShiftedFactor : public SymmetricFactor {
  public:
     void analyse(const Matrix& lower, std::vector<int> signs) final {

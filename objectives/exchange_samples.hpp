@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Private to objectives/: where the rows of a discretised problem lie.
+// Private to objectives/: where the exchange adds rows.
 #pragma once
 
 namespace camopt {
 
-/// Samples of one rule closer than this part of their segment are one sample.
+/// Samples of one rule closer than this part of their segment coincide.
 inline constexpr double same_sample = 1e-9;
 /// A maximum is bracketed by rows at this part of the distance to the nearest sample on either side.
 inline constexpr double bracket = 0.25;
-/// A row whose multiplier is less than this part of the largest presses nowhere.
+/// A row whose multiplier is below this part of the largest is inactive.
 inline constexpr double idle_row = 1e-6;
-/// Rows around a place that is pressed on: where rows on both sides of it press, at this part of the square
-/// of their distance (all in parts of the segment; of 1/4, 0.35, 1/2 and 1 it takes the fewest rounds on
-/// scenes with and without a cam), and never closer than the other part: so close, a slope that is left free
-/// exceeds its peak by 1e-8 of it at most, which the next round settles.
+/// Rows next to a predicted maximum: between active rows on both sides, at this part of the square of their
+/// distance (all in parts of the segment; of 1/4, 0.35, 1/2 and 1 it takes the fewest rounds on scenes with
+/// and without a cam), and never closer than the second constant: at that distance a free slope exceeds its
+/// peak by at most 1e-8 of it, which the next round corrects.
 inline constexpr double pair_reach = 0.35;
 inline constexpr double closest_pair = 1e-3;
-/// Rows at such places that are closer to others than this part of their segment say the same: an interior
-/// point loses digits over them (measured: at 1e-4 it came to nothing better than "acceptable" once).
+/// Rows closer to others than this part of their segment are nearly parallel: an interior point method loses
+/// digits over them (measured: at 1e-4 one solve reached only "acceptable").
 inline constexpr double too_close = 3e-4;
 
 }  // namespace camopt

@@ -31,13 +31,14 @@ FreeDisplacements free_displacements(const Scene& scene, const MotionFamily& fam
     if (scene.motion.type != MotionType::program) return free;
     const std::vector<MotionFamily::Stretch>& stretches = family.stretches();
     const int count = static_cast<int>(stretches.size());
-    std::vector<bool> open(stretches.size() + 1, false);  // levels beside a spline whose displacement is open
+    std::vector<bool> open(stretches.size() + 1,
+                           false);  // levels next to a spline whose displacement is free
     for (int i = 0; i < count; ++i) {
         const MotionFamily::Stretch& stretch = stretches[static_cast<std::size_t>(i)];
         if (stretch.kind != Kind::spline || (is_known(stretch.from) && is_known(stretch.to))) continue;
         open[static_cast<std::size_t>(i)] = open[static_cast<std::size_t>(i) + 1] = true;
     }
-    for (int i = count - 1; i >= 0; --i)  // a dwell hands its level back to what moved there
+    for (int i = count - 1; i >= 0; --i)  // a dwell passes its level back to the segment before it
         if (stretches[static_cast<std::size_t>(i)].kind == Kind::dwell &&
             open[static_cast<std::size_t>(i) + 1])
             open[static_cast<std::size_t>(i)] = true;

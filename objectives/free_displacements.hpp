@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Displacements of a program that the scene leaves open.
+// Displacements of a program that the scene leaves free.
 //
-// A stroke whose displacement is open may pass 0, so V, A and J of it are measured by the lift: measured by
-// what is found, a stroke that vanishes would cost nothing. A free displacement lies within one span beyond
-// the given ones: [least − span, most + span], span = max(1 lift, most − least). Displacements in lifts.
+// A stroke with a free displacement may pass through 0, so its V, A and J are normalised by the lift:
+// normalised by its own displacement, a vanishing stroke would cost nothing. A free displacement lies within
+// one span beyond the given ones: [least − span, most + span], span = max(1 lift, most − least).
+// Displacements in lifts.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -15,14 +16,14 @@
 namespace camopt {
 
 struct FreeDisplacements {
-    std::vector<int> joints;         ///< joint j: the end of segment j − 1, which moves; the levels open
+    std::vector<int> joints;         ///< joint j: the end of segment j − 1, which moves; free levels
     double least = 0.0, most = 0.0;  ///< range of the levels
 };
 
-/// The least and the largest of the displacements that are known, 0 among them.
+/// The smallest and the largest of the known displacements and 0.
 [[nodiscard]] std::array<double, 2> known_range(const MotionFamily& family);
 
-/// No joints where the displacement of every spline is known, and for DRD and RR.
+/// No joints if the displacement of every spline is known, and for DRD and RR.
 [[nodiscard]] FreeDisplacements free_displacements(const Scene& scene, const MotionFamily& family);
 
 }  // namespace camopt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the entries of a Lagrangian's Hessian go: the pattern is claimed term by term before the first
-// evaluation, then every evaluation adds its entries in the same order.
+// Assembly of a Lagrangian's Hessian: the pattern is claimed term by term before the first evaluation, then
+// every evaluation adds its entries in the same order.
 #pragma once
 
 #include "core/nlp.hpp"
@@ -27,10 +27,10 @@ class HessianSlots {
         slots_.push_back(found->second);
     }
 
-    /// No claims will follow: the look-up is given back.
+    /// No claims will follow: frees the look-up table.
     void finish() { known_ = {}; }
 
-    /// Adds values to `out` (one entry a slot), the first to the first claim, and so on.
+    /// Adds values to `out` (one entry per slot), the first to the first claim, and so on.
     class Adder {
      public:
         Adder(const std::vector<int>& slots, std::span<double> out) : slots_(slots), out_(out) {}

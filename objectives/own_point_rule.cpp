@@ -12,7 +12,7 @@
 namespace camopt {
 namespace {
 
-// A Hessian bends the wrong way where an eigenvalue is below 0 by more than this part of the largest.
+// A Hessian contradicts convexity if an eigenvalue is below 0 by more than this part of the largest.
 constexpr double curvature_rounding = 1e-9;
 
 bool has_values(const FormulaValue& found) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A term or a limit that the program brought (scene/own_rule.hpp) as a rule of the optimizer:
+//
+// A user-defined term or limit (scene/own_rule.hpp) as a rule of the optimizer:
 //     (g(point) − level) / size − q <= 0,   q the term's variable; a limit has none.
 #pragma once
 
@@ -24,8 +25,8 @@ class OwnPointRule final : public PointRule {
     [[nodiscard]] int highest_order() const override { return highest_order_; }
     [[nodiscard]] bool limit() const override { return parameters_.empty(); }
     [[nodiscard]] double scale() const override { return 1.0; }
-    /// Throws ModelError where the formula contradicts its shape, or its partials have no value where it has
-    /// one.
+    /// Throws ModelError if the formula contradicts its declared shape, or its partials are undefined where
+    /// it is defined.
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
@@ -39,11 +40,11 @@ class OwnPointRule final : public PointRule {
     void check_shape(const MotionPoint& point, const FormulaValue& found) const;
 };
 
-/// Parameters and rules of every own term and limit of the scene.
+/// Parameters and rules of every user-defined term and limit of the scene.
 void add_own_rules(CamModel& model, const Scene& scene);
 
-/// The largest g of an own term along a motion, or 0 where it is nowhere above, and where. Exact to rounding
-/// where g is smooth between breakpoints; found by samples of value and slope.
+/// The largest g of a user-defined term along a motion, or 0 if it is nowhere above, and where. Accurate to
+/// round-off where g is smooth between breakpoints; found by samples of value and slope.
 [[nodiscard]] Extremum largest_of_own(const OwnTerm& term, const Motion& motion);
 /// The largest g of a limit.
 [[nodiscard]] Extremum largest_of_own(const OwnLimit& limit, const Motion& motion);

@@ -14,13 +14,13 @@ namespace camopt {
 
 namespace {
 
-/// A law whose ends move is joined by splines alone, which take its velocity.
+/// A law with moving ends is joined only by splines, which take its velocity.
 void require_splines_beside(const MotionSpec& motion, std::size_t index) {
     const std::size_t count = motion.segments.size();
     const auto refuse = [&](const std::string& beside) {
         throw SceneError(
             {fmt::format("motion.segments[{}].law", index),
-             fmt::format("\"{}\", a law whose ends move, beside {}", motion.segments[index].law, beside),
+             fmt::format("\"{}\", a law whose ends move, next to {}", motion.segments[index].law, beside),
              "spline segments on both sides, which join with its velocity"});
     };
     for (const bool after : {false, true}) {
@@ -47,13 +47,13 @@ std::shared_ptr<const Motion> law_of_segment(const MotionSpec& motion, std::size
 }  // namespace
 
 /// Where two splines reverse the motion and both have to stay on their side of the joint, it is a turning
-/// point: y' = 0. Said as a condition, for as inequalities around the joint it would be degenerate. At the
+/// point: y' = 0. Imposed as a condition, since inequalities around the joint would be degenerate. At the
 /// begin of segment `index`.
 bool turns_back(const MotionSpec& motion, std::size_t index) {
     const std::size_t count = motion.segments.size();
     if ((!motion.within_lift && !motion.monotone) || (index == 0 && !motion.closed)) return false;
     const std::size_t before = (index + count - 1) % count;
-    /// The displacement at a joint, where the segment that ends there gives it.
+    /// The displacement at a joint, if the segment that ends there gives it.
     const auto level = [&](std::size_t joint) -> std::optional<double> {
         if (joint == 0 || (joint == count && motion.closed)) return 0.0;
         return motion.segments[joint - 1].to;

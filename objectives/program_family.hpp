@@ -8,7 +8,7 @@
 
 namespace camopt {
 
-/// Throws InputError for a law of the catalogue that cannot stand in a program (one without a dwell's end).
+/// Throws InputError for a law that is not allowed in a program (one without a dwell's end).
 [[nodiscard]] MotionFamily program_family(const Scene& scene, DesignKind kind);
 
 }  // namespace camopt

@@ -25,7 +25,7 @@ namespace camopt {
 namespace {
 
 constexpr std::array<const char*, 4> derivative_names = {"displacement", "velocity", "acceleration", "jerk"};
-// Units for peaks that are capped but have no finite reference of their own: those of the modified sine.
+// Units for peaks that are capped but have no finite reference: those of the modified sine.
 constexpr const char* fallback_law = "modified_sine";
 
 struct WeightedPeak {
@@ -36,8 +36,7 @@ struct WeightedPeak {
     double reference;
 };
 
-/// References as they are, and where one is missing that of the fallback law, whose peaks are sought only
-/// then.
+/// References as given; a missing one is that of the fallback law, whose peaks are computed only then.
 class Units {
  public:
     [[nodiscard]] double of(const PeakFigure& figure, const Peaks& reference) {
@@ -69,7 +68,7 @@ std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& refere
     std::vector<WeightedPeak> peaks;
     for (const CostTerm& term : cost_terms()) {
         const double weight = term.weight_in(scene.objective);
-        // What can be capped has a unit without a weight too.
+        // Quantities that can be capped have a unit even without a weight.
         const bool needs_unit = term.limit != nullptr || weight > 0.0;
         peaks.push_back({parameter_kind(term.kind), term.measured.order, weight,
                          term.limit != nullptr ? &(scene.limits.*term.limit) : &none,
@@ -132,7 +131,7 @@ Peaks reference_peaks(const Scene& scene) {
 
 namespace {
 
-/// Half of the segments over either stroke: the shorter one of two unequal strokes decides the optimum, and
+/// Half of the segments for either stroke: the shorter of two unequal strokes determines the optimum, and
 /// uniform segments may leave it one or none.
 SplineSpec with_breakpoints_by_stroke(SplineSpec spline, const MotionSpec& motion) {
     const double length = motion.length();
@@ -172,7 +171,7 @@ double dimension_unit(const Scene& scene) {
 double dimension_weight(const Scene& scene, const std::string& name) {
     for (int d = 0; d < dimension_count; ++d) {
         const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)];
-        // The unit takes the whole cam to make: only where it is asked for.
+        // The unit requires the complete cam: computed only on demand.
         if (weight > 0.0 && name == name_of(static_cast<DimensionIndex>(d)))
             return weight / dimension_unit(scene);
     }
@@ -186,7 +185,7 @@ MotionFamily scene_family(const Scene& scene, DesignKind kind) {
 
 namespace {
 
-constexpr double overshoot = 0.25;  // of the displacements given: how far a sensible motion goes beyond them
+constexpr double overshoot = 0.25;  // of the given displacements: how far a typical motion exceeds them
 
 /// least <= value <= most.
 void add_range(CamModel& model, const std::string& name, const AffineRow& value, double least, double most) {
@@ -216,20 +215,21 @@ void add_program_scales(CamModel& model, const Scene& scene) {
 
 /// Whether a shape begins (seen from the right) or ends with y' = 0.
 bool rests_at(const Motion& shape, Side side) {
-    constexpr double at_rest = 1e-9;  // of the mean velocity 1: less is rounding
+    constexpr double at_rest = 1e-9;  // of the mean velocity 1: less is round-off
     const double x = side == Side::right ? shape.begin() : shape.end();
     return std::abs(shape.at(x, side).derivative[1]) < at_rest;
 }
 
-/// Displacements given by the scene: both ends, the top of RR, joints of a program beside a dwell or a law.
+/// Displacements given by the scene: both ends, the top of RR, joints of a program next to a dwell or a law.
 void add_known_points(CamModel& model, const Scene& scene) {
     const auto& stretches = model.design.stretches();
     std::vector<KnownPoint> points;
     for (std::size_t s = 0; s < stretches.size(); ++s) {
         const std::optional<double> from = known_displacement(stretches[s].from);
         const std::optional<double> to = known_displacement(stretches[s].to);
-        if (!from || !to) return;  // one gap is enough to know nothing
-        // A spline among others may pass its ends at speed; dwells, DRD and RR rest there, and most laws.
+        if (!from || !to) return;  // one gap makes the whole unknown
+        // A spline among others may pass its ends with a velocity; dwells, DRD and RR rest there, and most
+        // laws.
         const bool rests = stretches.size() == 1 || stretches[s].kind != StretchRequest::Kind::spline;
         const Motion* const shape = stretches[s].shape.get();
         points.push_back(
@@ -304,7 +304,7 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
     }
 }
 
-/// |q| of parameter `of` as a parameter of its own: q − t <= 0, −q − t <= 0.
+/// |q| of parameter `of` as a separate parameter: q − t <= 0, −q − t <= 0.
 void add_magnitude(CamModel& model, int of, double weight) {
     const Parameter source = model.parameters[of];
     const int index = static_cast<int>(model.parameters.size());

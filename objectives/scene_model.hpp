@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a scene to what is minimized: the design vector of its motion, the peaks it weighs or caps, the
+// From a scene to the optimization model: the design vector of its motion, the weighted or capped peaks, the
 // references.
 #pragma once
 
@@ -16,38 +16,37 @@ namespace camopt {
 /// numbers. Throws InputError where a positive weight meets an infinite or a missing one.
 [[nodiscard]] Peaks reference_peaks(const Scene& scene);
 
-/// What the objective divides the cam's dimensions by: the lift; where the output swings the lift times a
-/// length of the cam, of an oscillating follower the centre distance. m; the scene must have a cam with its
+/// What the objective divides the cam's dimensions by: the lift; for a swinging output the lift times a
+/// length of the cam, for an oscillating follower the centre distance. m; the scene must have a cam with its
 /// formulas.
 [[nodiscard]] double dimension_unit(const Scene& scene);
 
-/// What the objective multiplies a dimension of the scene's cam by: its weight, which it has under the name
-/// it has for disk cams, over the unit. 0: none.
+/// The factor of a dimension of the scene's cam in the objective: its weight (under its name for disk cams)
+/// over the unit. 0: none.
 [[nodiscard]] double dimension_weight(const Scene& scene, const std::string& name);
 
 /// The one spline of a DRD or RR scene: its breakpoints, end states, exact points and symmetry.
 [[nodiscard]] DesignRequest spline_request(const Scene& scene, DesignKind kind);
 
-/// The motions of the scene, written with the given form of design vector (not automatic).
+/// The motions of the scene, with the given form of design vector (not automatic).
 ///   DRD: y = y' = y'' = 0 at x = 0, y = 1, y' = y'' = 0 at x = 1.
 ///   RR:  the same at x = 0, y = y' = y'' = 0 at the end, y(1) = 1, y'(1) = 0.
 ///   program: program_family.hpp.
 [[nodiscard]] MotionFamily scene_family(const Scene& scene, DesignKind kind);
 
-/// Only peaks with a weight or a limit become variables; what the scene does not ask for is not there. A
-/// program's peaks are the largest over its spline segments, each by its own angle and displacement (the lift
-/// where that is 0, or free). `strokes`: whether rules hold them to their
-/// range (add_stroke_rules).
+/// Only peaks with a weight or a limit become variables. A program's peaks are the largest over its spline
+/// segments, each normalised by its own angle and displacement (the lift where that is 0, or free).
+/// `strokes`: whether rules enforce their range (add_stroke_rules).
 [[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
                                    const HeldStrokes& strokes = {});
 
-/// Which motions a rule must be convex over to be kept.
+/// The motions over which a retained rule must be convex.
 enum class ConvexOver {
-    every_motion,    ///< whatever its displacements: proofs need nothing else
-    sensible_motion  ///< displacements as CamModel expects them: a proof needs bounds on them too
+    every_motion,    ///< for any displacements: proofs need nothing else
+    sensible_motion  ///< for the displacements that CamModel expects: a proof needs bounds on them too
 };
 
-/// The model without the rules that are not convex there: a relaxation.
+/// The model without the rules that are not convex there: a convex relaxation.
 [[nodiscard]] CamModel convex_part(const CamModel& model, ConvexOver range);
 
 }  // namespace camopt

@@ -6,9 +6,9 @@
 namespace camopt {
 namespace {
 
-// Of a uniform segment: a breakpoint this close to a region would leave a sliver between them.
+// Of a uniform segment: a breakpoint this close to a region would leave a very short segment between them.
 constexpr double sliver = 0.25;
-// x: a breakpoint of the scene this close to the end of a region is that end.
+// x: a breakpoint of the scene this close to the end of a region coincides with it.
 constexpr double same_breakpoint = 1e-12;
 
 void add_region(std::vector<PointCondition>& all, const PlacedPoint& region, int degree,

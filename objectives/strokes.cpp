@@ -17,12 +17,13 @@ namespace {
 
 using Datum = PlacedRule::Datum;
 
-constexpr double same_level = 1e-9;  // lifts: a set point this close to the edge of the range is on it
-// How y leaves the ends of a stroke from rest, and y'.
+constexpr double same_level = 1e-9;  // lifts: tolerance of a set point on the edge of the range
+// Order of contact of y with the ends of a stroke at rest, and of y'.
 constexpr int contact_of_y = 3, contact_of_slope = 2;
-constexpr double slow_enough = 1e-9;  // lifts by x: a joint or set point this slow does not leave the range
+constexpr double slow_enough =
+    1e-9;  // lifts by x: a joint or set point slower than this does not leave the range
 
-/// y and y' at a place that the motion passes, and y'' where it is given.
+/// y and y' at a location that the motion passes, and y'' if given.
 struct Passed {
     double y = 0.0, slope = 0.0;
     std::optional<double> bend = {};
@@ -44,7 +45,7 @@ std::vector<Passed> passed_points(const std::vector<PlacedPoint>& points, const 
     return passed;
 }
 
-/// y' with which a law beside a stroke meets it; 0 where it rests, or where its displacement is free.
+/// y' of a law next to a stroke at the joint; 0 if it rests, or if its displacement is free.
 double slope_beside(const Scene& scene, const MotionFamily& family, int stretch, Side side) {
     const int count = static_cast<int>(family.stretches().size());
     int other = stretch + (side == Side::right ? -1 : 1);
@@ -163,13 +164,13 @@ void add_stroke_rules(CamModel& model, const Scene& scene, const HeldStrokes& st
 
 void set_entry_factors(CamModel& model, const Scene& scene) {
     const std::vector<StrokeRange> strokes = strokes_of(scene, model.design);
-    if (strokes.size() < 2) return;  // one stroke has the length and the displacement that count as one
+    if (strokes.size() < 2) return;  // the length and the displacement of one stroke count as one
     model.entry_factors.assign(static_cast<std::size_t>(model.design.size()), 1.0);
     for (int j = 0; j < model.design.size(); ++j) {
         const std::optional<double> x = model.design.place(j);
         const int order = model.design.order(j);
         if (!x || order == 0) continue;
-        double factor = 0.0;  // the larger one where two strokes meet
+        double factor = 0.0;  // the larger one where two strokes join
         for (const StrokeRange& stroke : strokes) {
             if (*x < stroke.begin || *x > stroke.end) continue;
             const double moved = stroke.is_free() ? 1.0 : measured_displacement(*stroke.to - *stroke.from);

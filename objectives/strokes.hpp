@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The strokes of a motion, and the range that motion.within_lift and motion.monotone hold them in.
+// The strokes of a motion, and their range under motion.within_lift and motion.monotone.
 //
 // A stroke runs from displacement a to b: the rise of DRD; rise and return of RR; each spline segment of a
 // program. within_lift: min(a, b, set points) <= y <= max(a, b, set points). A side is open where the motion
-// has to leave the range: beside a law that moves outward at the joint, or at a set point on the edge of the
-// range that is passed at speed, or whose acceleration does not turn the motion back. A spline segment that
-// ends where it began is held by its set points alone.
-// monotone: y' has the sign of b − a, or is 0.
+// has to leave the range: next to a law that moves outward at the joint, or at a set point on the edge of the
+// range that is passed with a velocity, or whose acceleration does not reverse the motion. A spline segment
+// that ends where it began is bounded by its set points only. monotone: y' has the sign of b − a, or is 0.
 //
-// Where a program leaves a or b open, the direction of the stroke is not known: StrokeDirection says which
-// case is meant, and the ends are rows of the design. Such a stroke with displacements at set points of its
-// own has no range.
+// If a program leaves a or b free, the direction of the stroke is unknown: StrokeDirection selects a case,
+// and the ends are rows of the design. Such a stroke with displacements at its set points has no range.
 #pragma once
 
 #include "objectives/rules/model.hpp"
@@ -41,19 +39,20 @@ struct StrokeRange {
 /// In the order of the cam angle.
 [[nodiscard]] std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& family);
 
-/// Whether the strokes are held to their range by rules. Most optima stay within it anyway: they are sought
-/// without the rules first, which lie on the edge of what is feasible wherever a stroke begins or ends.
+/// Whether rules enforce the range of the strokes. Most optima satisfy it anyway: they are searched without
+/// these rules first, which are active and degenerate wherever a stroke begins or ends.
 struct HeldStrokes {
     bool held = false;
-    /// One for each free stroke in their order; those that are open, or missing, are not held.
+    /// One for each free stroke in their order; strokes without a direction (open or missing) are not
+    /// bounded.
     std::vector<StrokeDirection> directions = {};
 };
 
 /// The rules of motion.within_lift and motion.monotone, named by these keys.
 void add_stroke_rules(CamModel& model, const Scene& scene, const HeldStrokes& strokes);
 
-/// Sets model.entry_factors, so that each entry is near one: y^{(r)} of a stroke of length β and displacement
-/// h is about h / β^r times that of a rise of one lift over one unit of x.
+/// Sets model.entry_factors, so that each entry is of order one: y^{(r)} of a stroke of length β and
+/// displacement h is about h / β^r times that of a rise of one lift over one unit of x.
 void set_entry_factors(CamModel& model, const Scene& scene);
 
 /// How far each stroke of a motion of the family leaves its range, as the largest violation of its rules; of

@@ -13,18 +13,17 @@
 namespace camopt {
 namespace {
 
-// A step is judged at the eighths between its ends, so that neither an S-shaped nor a symmetric stretch
-// hides.
+// A step is tested at its eighths, which detect both S-shaped and symmetric deviations.
 constexpr int parts_of_step = 8;
-// Between those places an arc is at most 1.6 %, an S at most 2.6 % farther from the chord.
+// Between those points an arc is at most 1.6 %, an S at most 2.6 % further from the chord.
 constexpr double seen_share = 0.97;
-// A motion may turn more than once between two breakpoints: no step is wider, so the eighths are 1.25
+// A motion may reverse more than once between two breakpoints: no step is wider, so the eighths are 1.25
 // degrees.
 constexpr double widest_step = std::numbers::pi / 18.0;
-// Nor is one narrower: at a cusp or where the cam is torn apart no step is narrow enough. 1e-6 rad leaves
-// 1e-13 m on a radius of 1 m.
+// Least step: at a cusp or a discontinuity no step is narrow enough. 1e-6 rad leaves 1e-13 m on a radius of 1
+// m.
 constexpr double narrowest_step = 1e-6;
-// Places closer than this share of the motion are one place.
+// Angles closer than this part of the motion coincide.
 constexpr double same_place = 1e-9;
 
 double distance_to_chord(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
@@ -66,7 +65,8 @@ class Sampler {
         return cam_.formulas->point(theta, {cam_.dimensions, state, theta}, station_);
     }
 
-    /// Appends the points after `from` up to and with `to`, so dense that the chords keep the tolerance.
+    /// Appends the points after `from` up to and including `to`, so dense that the chords satisfy the
+    /// tolerance.
     void append(double from, double to, double tolerance, std::vector<MechanismPoint>& points) const {
         const double width = std::abs(scale_.unit_angle) * (to - from);
         const int steps = std::max(1, static_cast<int>(std::ceil(width / widest_step)));

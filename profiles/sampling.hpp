@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A whole cam as points: where to place them, and the points.
+// A whole cam as points: the angles, and the points.
 #pragma once
 
 #include "core/follower_state.hpp"
@@ -11,7 +11,7 @@
 
 namespace camopt {
 
-/// What one unit of a motion is: s = lift · y, θ = unit_angle · x.
+/// The units of a motion: s = lift · y, θ = unit_angle · x.
 struct MotionScale {
     double lift = 1.0;        ///< m or rad
     double unit_angle = 1.0;  ///< rad
@@ -19,8 +19,8 @@ struct MotionScale {
 
 [[nodiscard]] FollowerState state_of(const MotionPoint& point, const MotionScale& scale);
 
-/// About `count` places, evenly from the first breakpoint to the last, and the breakpoints, ascending; where
-/// both fall together the breakpoint stays. Throws InputError for fewer than 2.
+/// About `count` angles, uniformly from the first breakpoint to the last, and the breakpoints, ascending;
+/// where both coincide the breakpoint is kept. Throws InputError for fewer than 2.
 [[nodiscard]] std::vector<double> even_places(const std::vector<double>& breakpoints, int count);
 
 /// Points either by number or by chord tolerance; the motion's breakpoints are always among them.

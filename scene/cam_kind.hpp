@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a kind of cam is to those who know no kind: the reader of scene files, its key table, its messages and
-// lists are driven by these descriptions, data without formulas. Each kind describes itself in its leaf
-// (profiles/…); the registry (profiles/kinds/cam_kinds.hpp) knows them all.
+// The description of a kind of cam for generic code: it drives the reader of scene files, its key table, its
+// messages and lists; data without formulas. Each kind describes itself in its leaf (profiles/…); the
+// registry (profiles/kinds/cam_kinds.hpp) lists them all.
 #pragma once
 
 #include "scene/cam_mechanism.hpp"
@@ -18,26 +18,26 @@
 
 namespace camopt {
 
-/// A number of a variant, and where a scene file has it.
+/// A number of a variant, and its key in a scene file.
 struct CamNumber {
-    std::string table, key;  ///< "cam", "cylinder_radius"; no key: no scene file gives it
-    bool owned = true;       ///< false: the kind has such a key, this variant has not
-    /// SI, where a scene does not give it: value + per_lift · lift. None: it must be given.
+    std::string table, key;  ///< "cam", "cylinder_radius"; no key: not in scene files
+    bool owned = true;       ///< false: the kind has such a key, but not this variant
+    /// Default in SI: value + per_lift · lift. None: it is required.
     std::optional<double> value = {};
     double per_lift = 0.0;
     int index = -1;  ///< of the dimension in the spec; -1: none, CamKind::add_given takes it
 };
 
-/// A word of a variant, kept under its key in CamSpec::choices.
+/// A word of a variant, stored under its key in CamSpec::choices.
 struct CamChoice {
     std::string table, key;
     bool owned = true;
 };
 
-/// A follower, a linkage: what a scene chooses among within a kind.
+/// A follower, a linkage: the choice of a scene within a kind.
 struct CamVariant {
     std::string word;    ///< "translating_roller", "lever"; of a kind with no choice its type
-    std::string spoken;  ///< as messages name it: the linkage "lever"
+    std::string spoken;  ///< in messages: the linkage "lever"
     bool swings = false;
     std::string touches_with;  ///< "a roller"
     std::vector<CamNumber> numbers;
@@ -57,9 +57,10 @@ struct CamKind {
     /// The key whose word chooses the variant; empty: there is but one.
     std::string choosing_table, choosing_key;
     std::vector<CamVariant> variants;
-    /// What is allowed where the lift is an angle, a length, and does not fit; empty: no other variant does.
+    /// Allowed texts if the lift is an angle, a length, and does not fit; empty: no other variant fits.
     std::string with_angle, with_length;
-    std::string lift_remark;  ///< what its lift is, behind the keys of a length: ", the stroke of its feeder"
+    std::string
+        lift_remark;  ///< the meaning of its lift, after the keys of a length: ", the stroke of its feeder"
     bool has_rotation = true;
     bool only_drd = false;
     bool is_plane_curve = true;  ///< a drawing can hold it
@@ -76,7 +77,7 @@ struct CamKind {
 
     /// Whether a scene with this kind may have the key.
     [[nodiscard]] bool knows(std::string_view table, std::string_view key) const;
-    /// The variant that a word chooses; null: none.
+    /// The variant chosen by a word; null: none.
     [[nodiscard]] const CamVariant* variant(std::string_view word) const;
 };
 

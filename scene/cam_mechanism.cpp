@@ -54,9 +54,9 @@ std::optional<RangeAlong> CamMechanism::pressure_along(double limit, int sign,
 }
 
 std::string CamMechanism::undercut_words() const {
-    return "the cam crosses itself there, the part that remains does not lead the roller as designed. A "
+    return "the cam intersects itself there; the remaining part does not guide the roller as designed. A "
            "smaller "
-           "roller or a cam's centre farther from it helps";
+           "roller or a larger distance of the cam's centre helps";
 }
 
 std::string CamMechanism::check_words(int points) const {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Any mechanism between a cam and its output, as the optimizer and the reports see it: one state of the
-// output and the mechanism's dimensions make the quantities that limits are made of, and a point of the cam.
+// Interface of any mechanism between a cam and its output, for the optimizer and the reports: from one state
+// of the output and the mechanism's dimensions it computes the quantities in limits, and a point of the cam.
 //
-// Implemented by the leaves of profiles/ (disk, remote, …); who uses it knows no more. A
-// mechanism is a formula: its numbers (dimensions) come with every call, in the order of its CamSpec.
-// Stations are places along the contact that each keep the limits by themselves: one in a planar cam, heights
-// and flanks of a roller in a spatial one.
+// Implemented by the leaves of profiles/ (disk, remote, …). A mechanism is a formula: its numbers
+// (dimensions) are arguments of every call, in the order of its CamSpec. Stations are locations along the
+// contact, each with its own limits: one in a planar cam, heights and flanks of a roller in a spatial one.
 //
 // SI: m, rad, s' and s'' by the cam angle. A state or dimensions out of the mechanism's reach give NaN, never
-// a throw; `fault` says in words what does not reach.
+// an exception; `fault` describes in words what does not reach.
 #pragma once
 
 #include "core/curvature.hpp"
@@ -35,33 +34,33 @@ struct MotionSpec;
 struct RollerGuide;
 struct SceneFault;
 
-/// What limits are made of. Each is smooth wherever the mechanism moves (a flat face on an arm: and
-/// 1 + σψ' ≠ 0). A mechanism has the first two and the regularity; the others where it says so.
+/// Quantities in limits. Each is smooth wherever the mechanism moves (a flat face on an arm: and 1 + σψ' ≠
+/// 0). Every mechanism has the first two and the regularity; the others if it says so.
 enum class MechanismQuantity {
     pressure_numerator,    ///< tan φ = numerator / denominator; m
     pressure_denominator,  ///< > 0 where the mechanism moves; m
     pitch_curvature,       ///< of the roller centre's path, 1/m, > 0 where the cam is convex; planar cams
     cam_radius,            ///< signed radius of the cam, m; followers with a flat face
     regularity,            ///< <= 0: undercut. Planar: 1 − r κ; spatial: g of the flank
-    contact_offset,        ///< where a flat face is touched, m
+    contact_offset,        ///< contact offset of a flat face, m
     normal_lever  ///< force along the normal = F / lever (pushed: cos φ) or M / lever (swinging, m); direct
                   ///< cams
 };
 
-/// Throws ModelError: the mechanism has not the quantity that was asked for.
+/// Throws ModelError: the mechanism does not have the requested quantity.
 [[noreturn]] void refuse_quantity(std::string_view mechanism);
 
 /// Value with first and second partials by (s, s', s'', the active dimensions in their order); its sums and
 /// products: core/partials.hpp.
 struct MechanismValue {
-    static constexpr int most_active = 24;  ///< dimensions that may move at once
+    static constexpr int most_active = 24;  ///< dimensions that may be variable at once
     using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 + most_active, 1>;
     using Hessian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3 + most_active,
                                   3 + most_active>;
     double value = 0.0;
     Gradient gradient;
     Hessian hessian;
-    double by_angle = 0.0;  ///< partial by MechanismState::theta; 0 where the input turns evenly
+    double by_angle = 0.0;  ///< partial by MechanismState::theta; 0 if the input rotates uniformly
 };
 
 struct DrivenMechanism;
@@ -73,14 +72,13 @@ struct PressureSide {
     int station = 0;
 };
 
-/// A mechanism whose active dimensions the optimizer moves; the others keep these numbers.
+/// A mechanism whose active dimensions the optimizer varies; the others have these values.
 struct MechanismSetting {
     std::span<const double> dimensions;
     std::span<const int> active;
 };
 
-/// +1 where a force F > 0 along the lift presses on the station, −1 where F < 0 does, of cams that drive both
-/// ways.
+/// +1 if a force F > 0 along the lift acts on the station, −1 if F < 0 does, for cams that drive both ways.
 [[nodiscard]] constexpr double pressing_sense(int station) {
     return station == 0 ? 1.0 : -1.0;
 }
@@ -89,10 +87,10 @@ struct MechanismSetting {
 struct MechanismState {
     std::span<const double> dimensions;
     FollowerState output;
-    double theta = 0.0;  ///< cam angle, rad: for mechanisms whose input does not turn evenly (inverse)
+    double theta = 0.0;  ///< cam angle, rad: for mechanisms whose input does not rotate uniformly (inverse)
 };
 
-/// A mechanism over a box: each number a function of what the box is of.
+/// A mechanism over a box: each number a function of the box's variables.
 struct MechanismStateOver {
     std::vector<RangeOver> dimensions;
     RangeOver s, velocity, acceleration;
@@ -115,7 +113,7 @@ struct MechanismPoint {
     double pitch_curvature = 0.0;    ///< 1/m; NaN where the mechanism has none
     double cam_radius = 0.0;         ///< signed, m: > 0 convex, < 0 concave; NaN where it has none
     double regularity = 0.0;
-    double contact_offset = 0.0;  ///< m: where a flat face is touched (profiles/disk/disk_cam.hpp)
+    double contact_offset = 0.0;  ///< m: contact offset of a flat face (profiles/disk/disk_cam.hpp)
 };
 
 /// A dimension with its number, as drawings list it.
@@ -123,17 +121,17 @@ struct NamedDimension {
     std::string name;  ///< "base_radius"
     double value = 0.0;
     bool is_angle = false;  ///< rad, else m
-    bool of_form = false;   ///< of what holds the follower (groove, second roller), not of cam and follower
+    bool of_form = false;   ///< of the cam's form (groove, second roller), not of cam and follower
 };
 
-/// A part of a drawing of the mechanism in the frame that stands still, in its plane, m.
+/// A part of a drawing of the mechanism in the fixed frame, in its plane, m.
 struct MechanismShape {
     enum class Kind { link, circle, pivot, guide, face };
     Kind kind = Kind::link;
     std::string name;  ///< "lever", "roller", …
-    /// link: its line; guide: where what it guides is at output 0, and where now; circle, pivot: the centre;
-    /// face: the place from which contact offsets are counted, and a point 1 m along where they grow. It is
-    /// as long as the contact needs, or the scene says.
+    /// link: its line; guide: the guided point at output 0 and now; circle, pivot: the centre; face: the
+    /// origin of contact offsets, and a point 1 m along in their positive direction. Its length is that of
+    /// the contact, or given by the scene.
     std::vector<Eigen::Vector2d> points;
     double radius = 0.0;  ///< circle
 };
@@ -148,26 +146,26 @@ class CamMechanism {
     [[nodiscard]] virtual Rotation rotation() const = 0;  ///< of the cam
     [[nodiscard]] virtual int stations() const = 0;
     [[nodiscard]] virtual std::string station_name(int station) const = 0;  ///< empty: there is but one
-    /// Whether a limit on the quantity has to be kept at this station: not where other stations imply it.
+    /// Whether a limit on the quantity is enforced at this station; false if other stations imply it.
     [[nodiscard]] virtual bool binds(MechanismQuantity which, int station) const {
         static_cast<void>(which);
         static_cast<void>(station);
         return true;
     }
-    /// Whether what holds at all stations holds everywhere on the cam: not where stations are a choice of
-    /// many.
+    /// Whether limits at all stations imply limits everywhere on the cam; false if stations are a selection.
     [[nodiscard]] virtual bool has_all_stations(MechanismQuantity which) const {
         static_cast<void>(which);
         return true;
     }
-    /// Where in the dimensions the roller's radius stands; -1: there is no roller.
+    /// Index of the roller's radius in the dimensions; -1: there is no roller.
     [[nodiscard]] virtual int roller_radius() const = 0;
-    /// The same of the roller that runs at a station.
+    /// The same of the roller at a station.
     [[nodiscard]] virtual int roller_radius_at(int station) const {
         static_cast<void>(station);
         return roller_radius();
     }
-    /// From the roller's centre to the cam's surface at a station, m: the roller's radius, but in a groove.
+    /// From the roller's centre to the cam's surface at a station, m: the roller's radius, except in a
+    /// groove.
     [[nodiscard]] virtual double surface_offset(std::span<const double> dimensions, int station) const {
         static_cast<void>(station);
         const int roller = roller_radius();
@@ -179,29 +177,29 @@ class CamMechanism {
     [[nodiscard]] virtual bool has_guide() const { return false; }
     /// A drawing can hold the cam.
     [[nodiscard]] bool is_plane_curve() const { return planar() || has_guide(); }
-    /// The cam touches the output itself: what that carries presses on the cam, and rise and return are
-    /// strokes of the cam too.
+    /// The cam touches the output directly: its load acts on the cam, and rise and return are strokes of the
+    /// cam too.
     [[nodiscard]] virtual bool is_direct() const { return false; }
     /// The radii of the cam follow from those of a pitch curve; a flat face has none.
     [[nodiscard]] virtual bool has_pitch_curve() const { return planar(); }
-    /// What touches the cam: without a roller a flat face, or the edge that moves along the pitch curve.
+    /// The contact element: without a roller a flat face, or the edge that moves along the pitch curve.
     [[nodiscard]] ContactKind contact() const {
         if (roller_radius() >= 0) return ContactKind::roller;
         return has_pitch_curve() ? ContactKind::edge : ContactKind::flat;
     }
     /// Direct, with two sides: a force F > 0 along the lift presses on station 0, F < 0 on station 1.
     [[nodiscard]] bool drives_both_ways() const { return is_direct() && stations() > 1; }
-    /// Where in the dimensions the base radius of the cam stands; -1: it follows from them and the motion.
+    /// Index of the base radius in the dimensions; -1: it follows from them and the motion.
     [[nodiscard]] virtual int base_radius_index() const { return -1; }
-    /// m; none where it is no dimension.
+    /// m; none if it is not a dimension.
     [[nodiscard]] std::optional<double> base_radius(std::span<const double> dimensions) const {
         const int index = base_radius_index();
         if (index < 0) return std::nullopt;
         return dimensions[static_cast<std::size_t>(index)];
     }
-    /// σe of a roller or an edge that is pushed straight, m, with the cam's sense σ and the offset e:
-    /// tan φ = (s' − σe)/(s0 + s) with s0 = √(p² − e²), and p = length(dimensions) grows with every dimension
-    /// but the offset. None (default): the pressure angle follows another law.
+    /// σe of a roller or an edge that is pushed straight, m, with the cam's sense σ and the offset e: tan φ =
+    /// (s' − σe)/(s0 + s) with s0 = √(p² − e²), and p = length(dimensions) grows with every dimension but the
+    /// offset. None (default): the pressure angle has another formula.
     [[nodiscard]] virtual std::optional<double> pushed_offset(std::span<const double> dimensions) const {
         static_cast<void>(dimensions);
         return {};
@@ -211,34 +209,33 @@ class CamMechanism {
         int dimension = 0;
         double sign = 1.0;
     };
-    /// The cam can be built at rest where each of these sums is below 0.
+    /// The cam can be built at rest if each of these sums is below 0.
     [[nodiscard]] virtual std::vector<std::vector<SignedIndex>> reach() const { return {}; }
-    /// What happens where it undercuts, and what helps: "the cam crosses itself there, … . A smaller roller
-    /// helps"; empty: nothing undercuts.
+    /// Message for undercut with a suggested change: "the cam intersects itself there; … . A smaller roller
+    /// helps"; empty: no undercut.
     [[nodiscard]] virtual std::string undercut_words() const;
-    /// What the forward check did: "lever and linkage run over 6000 points of the cam".
+    /// Description of the forward check: "lever and linkage run over 6000 points of the cam".
     [[nodiscard]] virtual std::string check_words(int points) const;
-    /// A length by which geometry is made dimensionless, m.
+    /// The unit of length for dimensionless geometry, m.
     [[nodiscard]] virtual double length(std::span<const double> dimensions) const = 0;
     /// Why it cannot be built or cannot move over all s from `least` to `most`; empty: it can.
     [[nodiscard]] virtual std::string fault(std::span<const double> dimensions, double least,
                                             double most) const = 0;
-    /// The first thing wrong with a scene's cam of this kind, for every choice of its dimensions within
-    /// their ranges; by default: a range that does not ascend, a lift that does not fit, a mechanism that
-    /// does not reach with every dimension in its middle.
+    /// The first fault of a scene's cam of this kind, for every choice of its dimensions within their ranges;
+    /// by default: a range that does not ascend, a lift that does not fit, a mechanism that does not reach
+    /// with every dimension in its middle.
     [[nodiscard]] virtual std::optional<SceneFault> find_fault(const CamSpec& spec,
                                                                const MotionSpec& motion) const;
     /// active: which dimensions the partials are by.
     [[nodiscard]] virtual MechanismValue quantity(MechanismQuantity which, const MechanismState& state,
                                                   int station, std::span<const int> active) const = 0;
     /// sign · N cos φ − D sin φ with the limit φ of the pressure angle, N and D its numerator and
-    /// denominator:
-    /// <= 0 where it is kept to that side. A mechanism may continue it otherwise where no motion comes that
-    /// keeps the limit to both sides at every cam angle.
+    /// denominator: <= 0 if the limit is satisfied on that side. A mechanism may extend it differently where
+    /// no motion satisfies the limit on both sides at every cam angle.
     [[nodiscard]] virtual MechanismValue pressure_excess(double limit, int sign, const MechanismState& state,
                                                          int station, std::span<const int> active) const;
-    /// The shape of pressure_excess over all s from `least` to `most` (±infinity: nothing is known), all s'
-    /// and the active dimensions.
+    /// The shape of pressure_excess over all s from `least` to `most` (±infinity: unknown), all s' and the
+    /// active dimensions.
     [[nodiscard]] virtual Curvature pressure_shape(const PressureSide& side, const MechanismSetting& setting,
                                                    double least, double most) const {
         static_cast<void>(side);
@@ -247,7 +244,7 @@ class CamMechanism {
         static_cast<void>(most);
         return Curvature::general;
     }
-    /// The s' that pressure_excess <= 0 allows at all, for any s.
+    /// The range of s' allowed by pressure_excess <= 0, for any s.
     [[nodiscard]] virtual Interval pressure_slopes(const PressureSide& side,
                                                    std::span<const double> dimensions) const {
         static_cast<void>(side);
@@ -259,7 +256,7 @@ class CamMechanism {
         static_cast<void>(station);
         return true;
     }
-    /// The pressure angle at standstill need not be 0.
+    /// The pressure angle at rest need not be 0.
     [[nodiscard]] virtual bool leans_at_rest(int station, const MechanismSetting& setting) const {
         static_cast<void>(station);
         static_cast<void>(setting);
@@ -271,9 +268,9 @@ class CamMechanism {
         static_cast<void>(setting);
         return Curvature::general;
     }
-    /// σ where 1 + σ s' must stay above 0 for a face on an arm to touch anything; 0: nothing turns back.
+    /// σ if 1 + σ s' must stay above 0 for contact of a face on an arm; 0: no reversal.
     [[nodiscard]] virtual double face_turn() const { return 0.0; }
-    /// What encloses a quantity over a box, with its partials. Everything where it may be out of reach
+    /// An enclosure of a quantity over a box, with its partials. Unbounded if it may be out of reach
     /// somewhere in the box. Returns nullopt if no enclosure is implemented.
     [[nodiscard]] virtual std::optional<RangeOver> quantity_over(MechanismQuantity which,
                                                                  const MechanismStateOver& state,
@@ -283,9 +280,8 @@ class CamMechanism {
         static_cast<void>(station);
         return {};
     }
-    /// The same of the three limits below, or of that times something positive: the mechanism's own choice,
-    /// one that leaves little that is curved.
-    /// pressure_excess.
+    /// The same of the three limits below, times a positive factor chosen by the mechanism to reduce
+    /// curvature. pressure_excess.
     [[nodiscard]] virtual std::optional<RangeOver> pressure_over(double limit, int sign,
                                                                  const MechanismStateOver& state,
                                                                  int station) const;
@@ -296,9 +292,9 @@ class CamMechanism {
     /// (roller radius + shift) κ − 1, of cams with a pitch curve; without a roller shift κ − 1.
     [[nodiscard]] virtual std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
                                                                int station) const;
-    /// What encloses a quantity along a stretch of a motion, with its first and second derivative by the
-    /// variable of the motion. Everything where it may be out of reach somewhere in the stretch. Returns
-    /// nullopt if no enclosure is implemented.
+    /// An enclosure of a quantity along a stretch of a motion, with its first and second derivative by the
+    /// variable of the motion. Unbounded if it may be out of reach somewhere in the stretch. Returns nullopt
+    /// if no enclosure is implemented.
     [[nodiscard]] virtual std::optional<RangeAlong> quantity_along(MechanismQuantity which,
                                                                    const MechanismStateAlong& state,
                                                                    int station) const {
@@ -314,7 +310,7 @@ class CamMechanism {
     [[nodiscard]] virtual MechanismPoint point(double theta, const MechanismState& state,
                                                int station) const = 0;
 
-    // What drawings of a direct cam need. The defaults are for other cams, whose drawings show `shapes`.
+    // For drawings of a direct cam. The defaults are for other cams, whose drawings show `shapes`.
     /// "translating_roller"; empty: the follower has no name.
     [[nodiscard]] virtual std::string follower_name() const { return {}; }
     /// How the cam holds its follower, as a scene names it: "grooved"; empty: it is open.
@@ -324,26 +320,23 @@ class CamMechanism {
     /// All of them, in their order; empty: drawings list none.
     [[nodiscard]] virtual std::vector<NamedDimension> named_dimensions(
         std::span<const double> dimensions) const;
-    /// Pivot of the arm that touches the cam, in the frame that stands still, m; none: the follower is pushed
-    /// along +y.
+    /// Pivot of the arm that touches the cam, in the fixed frame, m; none: the follower is pushed along +y.
     [[nodiscard]] virtual std::optional<Eigen::Vector2d> arm_pivot(std::span<const double> dimensions) const;
-    /// Of a cam whose stations are the flanks of one groove in a disk: what the disk keeps beyond the outer
-    /// flank where that reaches farthest, m; none: its stations are outlines.
+    /// Of a cam whose stations are the flanks of one groove in a disk: wall of the disk beyond the outer
+    /// flank at its largest radius, m; none: its stations are outlines.
     [[nodiscard]] virtual std::optional<double> groove_wall(std::span<const double> dimensions) const;
-    /// What is made separately, one for each station, as open cams: their dimensions and words, while the
+    /// Parts made separately, one for each station, as open cams: their dimensions and words, while the
     /// points are those of the station. The base radius of all but the first follows from its points. Empty:
     /// the cam is made in one piece.
     [[nodiscard]] virtual std::vector<DrivenMechanism> pieces(std::span<const double> dimensions) const;
 
-    /// By how much the cam frame has turned where the mechanism is in this state, rad: σθ of a cam that turns
-    /// evenly.
+    /// Rotation of the cam frame in this state of the mechanism, rad: σθ of a cam that rotates uniformly.
     [[nodiscard]] virtual double turned(const MechanismState& state) const {
         return sense_of(rotation()) * state.theta;
     }
-    /// Its parts in one state, the centre about which the cam turns first (a pivot); empty where it is no
-    /// plane mechanism.
+    /// Its parts in one state, first the centre of the cam (a pivot); empty if it is not a plane mechanism.
     [[nodiscard]] virtual std::vector<MechanismShape> shapes(const MechanismState& state) const = 0;
-    /// What a forward check puts down on the finished points of a station, for output 0. None (default): it
+    /// The follower for a forward check on the finished points of a station, for output 0. None (default): it
     /// has another check, or none.
     [[nodiscard]] virtual std::optional<FollowerGeometry> follower(std::span<const double> dimensions,
                                                                    int station) const {

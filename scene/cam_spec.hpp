@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The cam of a scene, of any kind: its type, numbers and choices, and the formulas that they make. A
-// leaf of profiles/ makes one of its kind (disk_spec, remote_spec, spatial_spec, inverse_spec); the reader of
-// scene files makes any that its program knows. SI units and radians.
+// The cam of a scene, of any kind: its type, numbers and choices, and their formulas. A leaf of profiles/
+// makes one of its kind (disk_spec, remote_spec, spatial_spec, inverse_spec); the reader of scene files makes
+// any kind known to its program. SI units and radians.
 #pragma once
 
 #include "scene/follower.hpp"
@@ -26,7 +26,7 @@ enum class Rotation { counterclockwise, clockwise };
     return rotation == Rotation::counterclockwise ? 1.0 : -1.0;
 }
 
-/// A dimension of the cam: a number, or a range in which the optimizer is free. m, rad.
+/// A dimension of the cam: a number, or a range for the optimizer. m, rad.
 struct Dimension {
     double low = 0.0, high = 0.0;
     std::string key = {};  ///< as written, e.g. "cam.base_radius_mm"
@@ -48,24 +48,24 @@ struct CamDimension {
 struct CamSpec {
     std::string type;  ///< "disk", "remote", …: cam.type
     Rotation rotation = Rotation::counterclockwise;
-    std::vector<CamDimension> dimensions;        ///< all the kind knows, in its own order; unused ones are 0
+    std::vector<CamDimension> dimensions;        ///< all of the kind, in its order; unused ones are 0
     std::map<std::string, std::string> choices;  ///< "linkage" → "lever", "form" → "grooved", …
     std::optional<double> face_half_width;       ///< m, of a flat face that is pushed straight: |s'| <= it
     /// Makes the formulas of this kind.
     std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> make = {};
 
-    /// Of these choices and numbers, made anew by every call. Throws InputError without `make`, and for a
-    /// choice that does not exist.
+    /// Of these choices and numbers, created by every call. Throws InputError without `make`, and for an
+    /// unknown choice.
     [[nodiscard]] std::shared_ptr<const CamMechanism> formulas() const;
-    /// Every dimension, of a range its middle.
+    /// Every dimension; of a range its middle.
     [[nodiscard]] std::vector<double> middle() const;
-    /// Null where the cam has no such dimension.
+    /// Null if the cam has no such dimension.
     [[nodiscard]] const Dimension* find(std::string_view name) const;
     [[nodiscard]] const Dimension* find(DimensionIndex index) const { return find(name_of(index)); }
     /// The word chosen; empty: the kind has no such choice.
     [[nodiscard]] std::string choice(const std::string& name) const;
-    /// A number or a range; without a key it keeps the one there is. Throws InputError where the cam has no
-    /// such dimension.
+    /// A number or a range; without a key the current one remains. Throws InputError if the cam has no such
+    /// dimension.
     void set(std::string_view name, const Dimension& value);
     void set(DimensionIndex index, const Dimension& value) { set(name_of(index), value); }
 };
@@ -74,8 +74,8 @@ struct CamSpec {
 [[noreturn]] void refuse_choice(const std::string& name, const std::string& found,
                                 const std::string& allowed);
 
-/// The one among `all`, an array, whose name_of is the word chosen under that name. Throws InputError where
-/// none is.
+/// The one among `all`, an array, whose name_of is the word chosen under that name. Throws InputError if
+/// there is none.
 template <class Choices>
 [[nodiscard]] auto chosen(const CamSpec& cam, const std::string& name, const Choices& all) {
     const std::string word = cam.choice(name);
@@ -87,9 +87,9 @@ template <class Choices>
     refuse_choice(name, word, allowed);
 }
 
-/// What the follower carries. Translating: F = mass ω² s'' + spring_rate s + preload, in kg, N/m, N.
-/// Oscillating: the moment M = mass ω² ψ'' + spring_rate (ψ − ψ₀) + preload, in kg m², N m/rad, N m.
-/// F, M > 0 presses the follower on the cam. ω is the scene's speed.
+/// The load of the follower. Translating: F = mass ω² s'' + spring_rate s + preload, in kg, N/m, N.
+/// Oscillating: the moment M = mass ω² ψ'' + spring_rate (ψ − ψ₀) + preload, in kg m², N m/rad, N m. F, M > 0
+/// presses the follower on the cam. ω is the scene's speed.
 struct ForceSpec {
     double mass = 0.0, spring_rate = 0.0, preload = 0.0;
     std::optional<double> contact_width;                   ///< m; with the moduli it gives the Hertz pressure

@@ -14,7 +14,7 @@ constexpr std::array<CostTerm, cost_figure_count> rows = {{
     {CostFigure::velocity, Kind::peak, peak_figure("velocity"), "V",
      &ObjectiveSpec::velocity, &Reference::velocity, &LimitSpec::velocity, 1.76, true,
      "Weight of the velocity peak V.",
-     "Reference of the velocity peak; needed where its weight is > 0, and so are the others."},
+     "Reference of the velocity peak; needed where its weight is > 0, like the others."},
     {CostFigure::acceleration, Kind::peak, peak_figure("acceleration"), "A",
      &ObjectiveSpec::acceleration, &Reference::acceleration, &LimitSpec::acceleration, 5.53, true,
      "Weight of the acceleration peak A.",
@@ -53,7 +53,7 @@ constexpr bool in_order() {
         if (rows[i].figure != static_cast<CostFigure>(i)) return false;
     return true;
 }
-static_assert(in_order(), "a row stands where its figure does in CostFigure");
+static_assert(in_order(), "rows are in the order of CostFigure");
 
 }  // namespace
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The cost terms of a motion, one row a term:
+//
+// The cost terms of a motion, one row per term:
 //
 //   f = Σ weight · figure / reference,   the figure one of core/peaks.hpp, normalised.
 //
-// Reader, checks, model, files, charts and words iterate over the rows. The dimensions of the cam, which can
-// be weighed too, are listed by DimensionIndex (scene/cam_spec.hpp).
+// Reader, validation, model, files, charts and words iterate over the rows. The dimensions of the cam, which
+// may have weights too, are listed by DimensionIndex (scene/cam_spec.hpp).
 #pragma once
 
 #include "core/peak_figures.hpp"
@@ -19,7 +20,7 @@
 
 namespace camopt {
 
-/// The figures of a motion that an objective can weigh, in the order of the rows and of the columns.
+/// The figures of a motion in an objective, in the order of the rows and of the columns.
 enum class CostFigure { velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk };
 inline constexpr int cost_figure_count = 6;
 
@@ -44,10 +45,10 @@ struct CostTerm {
     [[nodiscard]] double weight_in(const ObjectiveSpec& objective) const { return objective.*weight; }
 };
 
-/// What the elastic follower train makes of a motion, beside the figures of the motion itself.
+/// The response of the elastic follower train, in addition to the figures of the motion.
 enum class ResponseFigure { residual, dynamic_acceleration };
 
-/// A term over the train's response. Its figure is no member of Peaks: it takes a train and a speed.
+/// A term over the train's response. Its figure is not a member of Peaks: it depends on a train and a speed.
 struct ResponseTerm {
     ResponseFigure figure{};
     const char* name{};    ///< "residual": the key below [objective] and [objective.reference]
@@ -72,7 +73,7 @@ struct ResponseTerm {
 /// Whether any term of this kind has a weight.
 [[nodiscard]] bool weighs_any(const ObjectiveSpec& objective, CostTerm::Kind kind);
 
-/// What objective.tie_break may be.
+/// Allowed values of objective.tie_break.
 inline constexpr std::array<TieBreak, 2> tie_breaks = {TieBreak::rms_jerk, TieBreak::none};
 
 }  // namespace camopt

@@ -12,7 +12,7 @@
 namespace camopt {
 namespace {
 
-// Angles closer than this share of the motion are one angle.
+// Angles closer than this part of the motion coincide.
 constexpr double same_angle = 1e-9;
 
 bool is_break(const FollowerMotion& motion, double angle) {

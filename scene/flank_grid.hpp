@@ -42,7 +42,7 @@ struct FlankGrid {
     }
 };
 
-/// Where the points stand.
+/// The locations of the points.
 struct FlankSampling {
     int sections = 8;  ///< evenly from h = from_height to to_height, both included; >= 2
     int angles = 201;  ///< evenly over the motion, its breakpoints besides; >= 2

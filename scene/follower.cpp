@@ -30,7 +30,7 @@ bool is_offset(DimensionIndex value) {
 // With p = base + roller radius, a centre distance, l arm length, e offset, f face offset:
 //   pushed by a roller or an edge: |e| < p        roller on an arm: |a − l| < p < a + l
 //   face on an arm: |base + f| < a
-// A dimension that a follower has not is 0.
+// A dimension that a follower does not have is 0.
 std::vector<std::vector<SignedDimension>> reach_of(FollowerType type) {
     if (has_dimension(type, offset))
         return {{{offset, 1.0}, {base_radius, -1.0}, {roller_radius, -1.0}},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The followers of a disk cam: one row each. Whoever lists followers, or asks what one of them is, reads the
-// rows; the formulas are in profiles/disk.
+// The followers of a disk cam: one row each. All code that lists followers, or asks for their properties,
+// reads the rows; the formulas are in profiles/disk.
 #pragma once
 
 #include <array>
@@ -17,15 +17,14 @@ enum class FollowerType {
     oscillating_flat
 };
 
-/// What touches the cam.
+/// The contact element.
 enum class ContactKind { roller, edge, flat };
 
-/// Index of a dimension wherever the dimensions of a cam stand in a row: vectors of values, of partials.
+/// Index of a dimension in all vectors over the dimensions of a cam: values, partials.
 enum class DimensionIndex { base_radius, roller_radius, offset, center_distance, arm_length, face_offset };
 inline constexpr int dimension_count = 6;
 [[nodiscard]] const char* name_of(DimensionIndex value);  ///< "base_radius", …
-/// Offsets may be negative, and are 0 where a scene does not give them; lengths are positive and must be
-/// given.
+/// Offsets may be negative, and default to 0; lengths are positive and required.
 [[nodiscard]] bool is_offset(DimensionIndex value);
 
 /// A dimension in a sum: sign · d.
@@ -39,7 +38,7 @@ struct Follower {
     const char* name;
     bool oscillates;  ///< it swings: its lift is an angle
     ContactKind contact;
-    bool has_face_width;  ///< cam.face_half_width limits how far the contact may wander
+    bool has_face_width;                           ///< cam.face_half_width limits the contact offset
     std::array<bool, dimension_count> dimensions;  ///< by DimensionIndex: which it has
 
     [[nodiscard]] constexpr bool has(DimensionIndex dimension) const {
@@ -61,7 +60,7 @@ inline constexpr std::array<Follower, 5> followers = {{
 [[nodiscard]] constexpr const Follower& follower_of(FollowerType type) {
     return followers[static_cast<std::size_t>(type)];
 }
-/// The cam can be built at rest where each of these sums is below 0.
+/// The cam can be built at rest if each of these sums is below 0.
 [[nodiscard]] std::vector<std::vector<SignedDimension>> reach_of(FollowerType type);
 
 [[nodiscard]] constexpr const char* name_of(FollowerType value) {
@@ -79,11 +78,11 @@ inline constexpr std::array<Follower, 5> followers = {{
 [[nodiscard]] constexpr bool has_flat_face(FollowerType value) {
     return follower_of(value).contact == ContactKind::flat;
 }
-/// A flat face that is pushed straight: its pressure angle is 0 and its contact wanders with s'.
+/// A flat face that is pushed straight: its pressure angle is 0 and its contact offset is proportional to s'.
 [[nodiscard]] constexpr bool has_pushed_face(FollowerType value) {
     return has_flat_face(value) && !is_oscillating(value);
 }
-/// A flat face on an arm: it may turn back on itself.
+/// A flat face on an arm: it may reverse.
 [[nodiscard]] constexpr bool has_turning_face(FollowerType value) {
     return has_flat_face(value) && is_oscillating(value);
 }
@@ -91,7 +90,7 @@ inline constexpr std::array<Follower, 5> followers = {{
 [[nodiscard]] constexpr bool has_dimension(FollowerType follower, DimensionIndex dimension) {
     return follower_of(follower).has(dimension);
 }
-/// The followers that have it, as a message says it: "translating_roller" or "translating_knife", in quotes.
+/// The followers that have it, in words for messages: "translating_roller" or "translating_knife", in quotes.
 [[nodiscard]] std::string followers_with(DimensionIndex dimension);
 /// The same of cam.face_half_width.
 [[nodiscard]] std::string followers_with_face_width();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A follower as a forward check puts it down on finished points of a cam: its shape and its guide, and
-// nothing of how a cam is made for it. m, rad.
 //
-// Frame. It stands still; its origin is the cam's centre. It is the mechanism's own frame turned by −turn and
+// A follower as a forward check places it on finished points of a cam: its shape and its guide, independent
+// of the formulas that generate a cam. m, rad.
+//
+// Frame: fixed; its origin is the cam's centre. It is the mechanism's own frame rotated by −turn and
 // then, where `mirrored`, reflected in the x axis, so that a swinging follower has its pivot on the +x axis
 // and moves away from the cam where its position grows.
 //   pushed:   along +y at x = offset; its position is y of the roller's centre, of the edge or of the face
@@ -33,8 +34,8 @@ struct FollowerGeometry {
     double rest_distance = 0.0;
     double turn = 0.0;      ///< of the frame
     bool mirrored = false;  ///< the frame
-    /// The points are the outer flank of a groove: the roller stands at the least position at which it
-    /// touches one of them from inside, instead of the largest from outside.
+    /// The points are the outer flank of a groove: the roller is at the least position at which it touches
+    /// one of them from inside, instead of the largest from outside.
     bool from_inside = false;
     bool falls = false;  ///< without a linkage: the output is −lift, not the lift
     /// The output s for the angle of the arm from +x in the mechanism's own frame; NaN out of reach. None:
@@ -47,14 +48,14 @@ struct FollowerGeometry {
     [[nodiscard]] double arm_angle(double psi) const;
 };
 
-/// A lever that carries a roller, both where the output is 0.
+/// A lever that carries a roller, both at output 0.
 struct RollerLever {
     Eigen::Vector2d pivot;  ///< seen from the cam's centre
     double arm = 0.0, roller_radius = 0.0;
     double angle = 0.0;  ///< of the arm, from +x
 };
 
-/// The follower that a roller on a lever is, without its linkage.
+/// The follower formed by a roller on a lever, without its linkage.
 [[nodiscard]] FollowerGeometry follower_on_lever(const RollerLever& lever);
 
 }  // namespace camopt

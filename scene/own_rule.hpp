@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Cost terms and limits that a program brings along: figures of one point of the motion that camopt does not
-// know. They stand beside the built-in ones in objective, limits, proof, relaxation and reports.
+//
+// User-defined cost terms and limits of a program: figures of one point of the motion that camopt does not
+// know. They are treated like the built-in ones in objective, limits, proof, relaxation and reports.
 //
 //   term:   f += weight · max(0, max_x g(x, y, y', y'', y''')) / reference
 //   limit:  g(x, y, y', y'', y''') <= limit   at every cam angle
 //
 // x in units of the rise (of a program: of its first spline segment), y in lifts, ' is d/dx; g in a unit of
-// the program's own. Scene files do not know them.
+// the program. Not available in scene files.
 #pragma once
 
 #include "core/curvature.hpp"
@@ -29,11 +30,11 @@ struct FormulaValue {
     double by_x = 0.0;                                  ///< partial by x alone
 };
 
-/// Twice continuously differentiable, the same for the same point, callable by several threads at once.
-/// Exceptions come through solve().
+/// Twice continuously differentiable, deterministic, callable by several threads at once. Exceptions
+/// propagate through solve().
 using MotionFormula = std::function<FormulaValue(const MotionPoint& point)>;
 
-/// From a function of (y, y', y'', y''') written once for any number type:
+/// From a function of (y, y', y'', y''') generic over the number type:
 ///     motion_formula([](const auto& y, const auto& v, const auto& a, const auto& j) { return v * a; })
 /// with exact partials (forward automatic differentiation).
 template <class Function>
@@ -52,10 +53,10 @@ template <class Function>
     };
 }
 
-/// `shape`: of g over all (y, y', y'', y''') at every x. `general` is always right and costs a search without
-/// a proof; where it says `linear` or `convex`, solve() proves the optimum, and throws ModelError at the
-/// first point where the Hessian contradicts it. `highest_order`: of the derivatives in g; where that
-/// derivative of the motion jumps, g may jump.
+/// `shape`: of g over all (y, y', y'', y''') at every x. `general` is always correct and needs a search
+/// without a proof; with `linear` or `convex`, solve() proves the optimum, and throws ModelError at the first
+/// point where the Hessian contradicts it. `highest_order`: of the derivatives in g; where that derivative of
+/// the motion jumps, g may jump.
 struct OwnTerm {
     std::string name;        ///< in reports: lower case words, "power_peak"
     double weight = 0.0;     ///< > 0
@@ -72,7 +73,7 @@ struct OwnLimit {
     Curvature shape = Curvature::general;
     int highest_order = 3;
     std::string unit;   ///< of g, for reports
-    double size = 0.0;  ///< of g, > 0: what a violation is measured by; 0: |limit|, or 1 where that is 0
+    double size = 0.0;  ///< of g, > 0: the scale of a violation; 0: |limit|, or 1 if that is 0
 
     [[nodiscard]] std::string key() const { return "own." + name; }
     [[nodiscard]] double scale() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A fault of a scene as an exception, wherever it is found: the one who knows the scene's file adds file and
-// line (input::fail_in_scene).
+// A fault of a scene as an exception: code that knows the scene's file adds file and line
+// (input::fail_in_scene).
 #pragma once
 
 #include "core/errors.hpp"

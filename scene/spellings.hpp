@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The units in which a limit may be written: what its key ends in, the unit as people write it, and its SI
-// value. The reader of scene files and scenes written in C++ share them.
+// The units of a limit: the suffix of its key, the unit for users, and its SI value. Shared by the reader of
+// scene files and scenes written in C++.
 #pragma once
 
 #include "core/units.hpp"
@@ -9,7 +9,7 @@
 
 namespace camopt {
 
-/// One way to write a quantity: key = name + suffix, SI value = written value · factor.
+/// One spelling of a quantity: key = name + suffix, SI value = written value · factor.
 struct Spelling {
     std::string_view suffix;  ///< "_mm"
     std::string_view unit;    ///< "mm"; empty: dimensionless

@@ -17,15 +17,15 @@
 namespace camopt {
 namespace {
 
-// Two numbers for one limit agree where they differ by less: far above the rounding of a change of unit, far
-// below what anyone would call another limit.
+// Two numbers for one limit agree if they differ by less: far above the rounding of a change of unit, far
+// below a deliberate difference.
 constexpr double same_number = 1e-9;
 
 [[noreturn]] void refuse(std::string_view member, const std::string& found, const std::string& allowed) {
     throw InputError(fmt::format("{}: found {}; allowed: {}", member, found, allowed));
 }
 
-/// By the unit, else by what the key ends in, else by the unit's value; null where nothing of it is known.
+/// By the unit, else by the suffix of the key, else by the unit's value; null if none is known.
 const Spelling* spelling_of(std::span<const Spelling> known, std::string_view member, std::string_view key,
                             std::string_view unit) {
     for (const Spelling& spelling : known)
@@ -38,7 +38,7 @@ std::string member_of(std::string_view name) {
     return fmt::format("limits.{}", name);
 }
 
-/// The unit of the limit; refuses one that it cannot have.
+/// The unit of the limit; refuses an invalid one.
 const Spelling& peak_spelling(const PeakLimitRow& row, const PeakLimit& limit, const MotionSpec& motion) {
     const std::string member = member_of(row.name());
     const Spelling* const known = spelling_of(row.spellings, member, limit.key, limit.unit);
@@ -72,14 +72,14 @@ void complete(const PeakLimitRow& row, PeakLimit& limit, const MotionSpec& motio
             : motion.lift * std::pow(*motion.speed / motion.unit_angle(), row.order()) / spelling.factor;
     limit.unit = spelling.unit;
     if (limit.key.empty()) limit.key = fmt::format("{}{}", member, spelling.suffix);
-    if (!(scale > 0.0) || !std::isfinite(scale)) return;  // validate() says what is wrong with the motion
+    if (!(scale > 0.0) || !std::isfinite(scale)) return;  // validate() reports faults of the motion
     if (limit.given == 0.0)
         limit.given = scale == 1.0 ? limit.normalised : as_written(limit.normalised * scale);
     if (limit.normalised == 0.0) limit.normalised = limit.given / scale;
     const double other = limit.normalised * scale;
     if (std::abs(other - limit.given) > same_number * std::max(std::abs(other), std::abs(limit.given)))
-        refuse(member, fmt::format("normalised {} beside given {}", limit.normalised, limit.given),
-               "one of them, or two that say the same");
+        refuse(member, fmt::format("normalised {} together with given {}", limit.normalised, limit.given),
+               "one of them, or two equal values");
 }
 
 void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {
@@ -93,7 +93,7 @@ void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {
         for (const Spelling& one : known)
             if (one.factor == limit.unit_value) spelling = &one;
     if (!spelling && limit.unit.empty() && limit.key.empty()) spelling = &known.front();
-    if (spelling) {  // else it is in a unit of the embedder's own
+    if (spelling) {  // else it is in a unit of the embedder
         limit.unit = spelling->unit;
         limit.unit_value = spelling->factor;
     }

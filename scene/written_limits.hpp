@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a scene written in C++ may leave out of its limits, filled in as a scene file would have said it.
+//
+// Completes the limits of a scene written in C++, as a scene file would give them.
 //
 // A limit on a peak (PeakLimit) is given by its normalised number, or by the number in a unit:
 //     given = normalised · lift · (speed / unit angle)^order / unit,   order 1, 2, 3.
@@ -11,9 +12,9 @@
 
 namespace camopt {
 
-/// The scene with every key, unit and number of its limits filled in; one that is complete comes back as it
-/// is. What is wrong beside is left to validate(). Throws InputError for two numbers that contradict each
-/// other, a unit that the limit cannot have, and a limit in time without a speed.
+/// The scene with every key, unit and number of its limits; a complete one is unchanged. Other faults are
+/// left to validate(). Throws InputError for two numbers that contradict each other, an invalid unit, and a
+/// limit in time without a speed.
 [[nodiscard]] Scene with_written_limits(Scene scene);
 
 }  // namespace camopt

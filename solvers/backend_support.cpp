@@ -109,7 +109,7 @@ NativeOption text_option(std::string name, std::string default_value,
 
 namespace {
 
-/// A choice that this build leaves out is refused before the work; nothing stands in for it.
+/// A choice that this build does not have is refused before the solve; nothing is substituted.
 void refuse_absent(const SolverEntry& entry, const NativeOption& option, const OptionValue& value) {
     const auto* word = std::get_if<std::string>(&value);
     if (word == nullptr || std::ranges::find(option.absent, *word) == option.absent.end()) return;
@@ -117,7 +117,7 @@ void refuse_absent(const SolverEntry& entry, const NativeOption& option, const O
     for (const std::string& choice : option.choices)
         if (std::ranges::find(option.absent, choice) == option.absent.end()) there.push_back(choice);
     throw UnavailableError(
-        fmt::format("option '{}' of {}: '{}' is not built into this camopt; there are {}; {}", option.name,
+        fmt::format("option '{}' of {}: '{}' is not built into this camopt; available: {}; {}", option.name,
                     entry.name, *word, fmt::join(there, ", "), option.remedy));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What every backend needs and none should write twice: the table of its own options and the check against
-// it, the check of what it is given, and the guard between its frames and the Nlp (wall clock, stop request,
-// exceptions, values that are not finite). For code inside solvers/; users need registry.hpp.
+// Common code of all backends: the table of native options and its validation, the validation of arguments,
+// and the guard between the library's frames and the Nlp (wall clock, stop request, exceptions, values that
+// are not finite). For code inside solvers/; users need registry.hpp.
 #pragma once
 
 #include "solvers/registry.hpp"
@@ -41,7 +41,7 @@ void check_native_options(const SolverEntry& entry, const std::map<std::string, 
 /// The value of a native number (an integer is taken too) or integer, or the default.
 [[nodiscard]] double number_or(const BackendOptions& options, const std::string& name, double otherwise);
 
-/// Everything a backend may rely on. Throws InputError for options (validate(), the native ones) and for a
+/// The preconditions of every backend. Throws InputError for options (validate(), the native ones) and for a
 /// start of the wrong size or with entries that are not finite; ModelError for a shape whose sizes do not
 /// match or whose bounds are NaN.
 void check_backend_input(const SolverEntry& entry, const Nlp& problem, const Eigen::VectorXd& start,
@@ -52,7 +52,7 @@ void check_backend_input(const SolverEntry& entry, const Nlp& problem, const Eig
 
 [[noreturn]] void throw_unavailable(const SolverEntry& entry);
 
-/// Stands between a backend's frames and the outside world. The first reason to stop is the one that is kept.
+/// Wraps all evaluations of a backend. The first reason to stop is stored.
 class SolveGuard {
  public:
     SolveGuard(const BackendOptions& options, const SolveControl& control);
@@ -61,8 +61,7 @@ class SolveGuard {
     [[nodiscard]] bool must_stop() noexcept;
     [[nodiscard]] bool stopping() const noexcept { return reason_.has_value(); }
 
-    /// Calls the function unless an exception is already on its way; false where it throws (kept for
-    /// rethrow()).
+    /// Calls the function unless an exception is pending; false if it throws (stored for rethrow()).
     template <class Function>
     [[nodiscard]] bool call(Function&& function) noexcept {
         if (exception_) return false;
@@ -81,7 +80,7 @@ class SolveGuard {
     /// One short line for control.progress, at most every half second. Never throws.
     void report(int iteration, double cost, double violation) noexcept;
 
-    /// Throws the kept exception, if any.
+    /// Throws the stored exception, if any.
     void rethrow() const {
         if (exception_) std::rethrow_exception(exception_);
     }

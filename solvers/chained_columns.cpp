@@ -13,8 +13,8 @@ namespace camopt {
 
 namespace {
 
-// Rows whose smallest columns lie this close share a copy. Measured on the states form, three variables a
-// knot: from 24 to 48 is fastest; 3 takes half as long again, and from 96 on it begins to fill in.
+// Rows whose smallest columns lie this close share a copy. Measured on the states form, three variables per
+// knot: from 24 to 48 is fastest; 3 takes half as long again, and from 96 on it causes fill.
 constexpr int group_width = 24;
 
 std::vector<bool> in_hessian(const NlpShape& shape) {

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The same problem with its dense columns cut into local copies.
 //
-// A variable v that many rows see (a peak, a dimension) makes a sparse factorization fill in. Here each group
-// of rows sees a copy of its own, and linear rows tie the copies together:
+// The same problem with its dense columns split into local copies, which avoids fill.
+//
+// A variable v in many rows (a peak, a dimension) makes a sparse factorization fill in. Here each group of
+// rows
+// has its own copy, and linear rows tie the copies together:
 //
 //     g_i(x, v),  i in group k   →   g_i(x, v_k),      v_k − v_{k+1} = 0.
 //
-// Rows are laid along the chain by the smallest index of their other columns, so that neighbours in the chain
-// are neighbours in x. The bounds of v, its part of the cost, and rows without other columns stay with the
-// first copy, which keeps the place of v. Variables: those of the base problem, then the further copies;
+// Rows are ordered along the chain by the smallest index of their other columns, so that neighbours in the
+// chain are neighbours in x. The bounds of v, its part of the cost, and rows without other columns stay with
+// the first copy, which has the index of v. Variables: those of the base problem, then the further copies;
 // rows: those of the base problem, then the ties.
 //
 // Exact for a column that enters linearly: one without an entry in the pattern of the Hessian, so that
-// g_i(x, v) = h_i(x) + a_i v with a number a_i. Others are left as they are. The a_i are read once, at a
-// given point.
+// g_i(x, v) = h_i(x) + a_i v with a number a_i. Others are unchanged. The a_i are read once, at a given
+// point.
 //
 // Multipliers of the base problem are those of its own rows and variables: the ties cancel in the sum over
 // the copies.
@@ -29,14 +31,15 @@
 
 namespace camopt {
 
-/// Columns worth chaining: without Hessian entries, in at least `share` of the rows. None where more than
-/// `most` qualify: a problem that is dense altogether has nothing to gain.
+/// Columns worth chaining: without Hessian entries, in at least `share` of the rows. None if more than `most`
+/// qualify: an entirely dense problem gains nothing.
 [[nodiscard]] std::vector<int> dense_columns(const NlpShape& shape, double share = 0.05, int most = 12);
 
 class ChainedColumns final : public Nlp {
  public:
     /// `base` must outlive this. `point`: where the constants a_i are read; size variables. Throws ModelError
-    /// for a column that does not exist or has an entry in the Hessian, and whatever base.jacobian() throws.
+    /// for a column that does not exist or has an entry in the Hessian, and the exceptions of
+    /// base.jacobian().
     ChainedColumns(const Nlp& base, const std::vector<int>& columns, const ConstVectorRef& point);
 
     [[nodiscard]] double cost(const ConstVectorRef& x) const override;

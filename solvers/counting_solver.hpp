@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A backend that counts what it evaluates, without the backend or the problem knowing.
+// A backend that counts its evaluations.
 #pragma once
 
 #include "core/counting_nlp.hpp"
@@ -7,7 +7,7 @@
 
 namespace camopt {
 
-/// Wraps every problem it is given in a CountingNlp; the counts of all of them add up.
+/// Wraps every problem in a CountingNlp; the counts of all of them are summed.
 class CountingSolver final : public Solver {
  public:
     explicit CountingSolver(std::unique_ptr<Solver> solver) : solver_(std::move(solver)) {}

@@ -7,8 +7,8 @@ namespace camopt {
 
 namespace {
 
-/// Local knots u_{1} … u_{2p} around a segment, measured from its left end: the B-splines on the segment need
-/// no others.
+/// Local knots u_{1} … u_{2p} around a segment, measured from its left end: the B-splines on the segment
+/// depend on no others.
 Eigen::VectorXd local_knots(const SplineSpace& space, int segment) {
     const int p = space.degree();
     const int first = space.first_basis_function(segment);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// B-splines and local polynomials, both ways.
+// Conversion between B-splines and local polynomials.
 //
 // On segment i with t = x − x_i a spline is Σ_m a_m t^m and also Σ_j c_j N_j(x) over the degree + 1 basis
-// functions that live there, j = first_basis_function(i) … + degree. Source: de Boor, A Practical Guide to
+// functions with support there, j = first_basis_function(i) … + degree. Source: de Boor, A Practical Guide to
 // Splines (recurrence, blossom); nothing here is specific to a degree.
 #pragma once
 

@@ -15,8 +15,8 @@ namespace camopt {
 
 namespace {
 
-/// What the rounding of a piece's coefficients grows to in a control point: those of t^m are known to 1/h^m
-/// of their last digit.
+/// Amplification of a piece's round-off in a control point: coefficients of t^m are accurate to 1/h^m of
+/// their last digit.
 double growth(const Eigen::RowVectorXd& weights, double width) {
     double sum = 0.0, power = 1.0;
     for (Eigen::Index m = 0; m < weights.size(); ++m, power /= width) sum += std::abs(weights[m]) * power;
@@ -91,8 +91,8 @@ Eigen::VectorXd SplineCurve::coefficients() const {
     const int step = p - continuity();
     Eigen::VectorXd result(space_.dimension());
     for (int j = 0; j < result.size(); ++j) {
-        // Any segment of the support gives the same number, but not the same rounding: from a narrow one the
-        // knots of the others lie far away.
+        // Any segment of the support gives the same number, but not the same round-off: seen from a narrow
+        // one the knots of the others are distant.
         const int last = std::min(j / step, space_.segments() - 1);
         const int first = j <= p ? 0 : (j - p + step - 1) / step;
         double least = std::numeric_limits<double>::infinity();

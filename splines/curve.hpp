@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A piecewise polynomial motion y(x) of degree p on breakpoints x_0 < … < x_n with continuity C^k.
 //
-// On segment i, with t = x − x_i:  y = Σ_{m=0}^{p} a_{i,m} t^m.  Its B-spline form is over clamped knots: end
-// knots p + 1 fold, interior breakpoints p − k fold. No units: x in rises, y in lifts. Outside [x_0, x_n]:
-// InputError.
+// On segment i, with t = x − x_i:  y = Σ_{m=0}^{p} a_{i,m} t^m.  Its B-spline form has clamped knots: end
+// knots of multiplicity p + 1, interior breakpoints of multiplicity p − k. No units: x in rises, y in lifts.
+// Outside [x_0, x_n]: InputError.
 #pragma once
 
 #include "core/motion.hpp"
@@ -17,8 +17,9 @@ namespace camopt {
 
 class SplineCurve final : public Motion {
  public:
-    /// pieces: (degree + 1) x segments, column i holds a_{i,0} … a_{i,p}. The caller promises the continuity
-    /// (to round-off); throws InputError for sizes that do not match or values that are not finite.
+    /// pieces: (degree + 1) x segments, column i holds a_{i,0} … a_{i,p}. The caller guarantees the
+    /// continuity (to round-off); throws InputError for sizes that do not match or values that are not
+    /// finite.
     SplineCurve(SplineSpace space, Eigen::MatrixXd pieces);
 
     /// From B-spline control points over the clamped knots of the space.
@@ -41,7 +42,7 @@ class SplineCurve final : public Motion {
     /// Coefficients (ascending powers of t) of the r-th derivative on segment i; degree − r + 1 of them, at
     /// least 1.
     [[nodiscard]] Eigen::VectorXd derivative_polynomial(int segment, int order) const;
-    /// The same into `out`, which has their size.
+    /// The same into `out`, which has the right size.
     void derivative_polynomial(int segment, int order, Eigen::Ref<Eigen::VectorXd> out) const;
 
     [[nodiscard]] std::vector<double> knots() const { return space_.knots(); }

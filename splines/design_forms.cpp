@@ -65,7 +65,7 @@ LocalMap quintic_state_map(int segment, double h) {
     return map;
 }
 
-/// Whether symmetry leaves the continuity of the derivative of `order` to be asked for at the mirror image of
+/// Whether symmetry leaves the continuity of the derivative of `order` to be imposed at the mirror image of
 /// `doubled_place` (2 · breakpoint; odd for the middle of a segment): left of the middle always, right of it
 /// never, and in the middle only where mirroring changes the derivative's sign.
 bool needs_continuity(const DesignRequest& request, int order, int doubled_place) {
@@ -159,7 +159,7 @@ DesignForm coefficients_form(const DesignRequest& request) {
     const auto state = [](const std::array<double, 3>& values) {
         return Eigen::Vector3d(values[0], values[1], values[2]);
     };
-    // Three control points at each end belong to its state alone, where there are six.
+    // Three control points at each end belong to its state alone, if there are six.
     const Eigen::MatrixXd first = state_of_monomials(p, 0.0) * form.maps.front().matrix;
     fix(form, 0, first.leftCols<3>().partialPivLu().solve(state(request.begin_state)));
     if (space.dimension() >= 6) {
@@ -244,7 +244,7 @@ DesignForm ordinates_form(const DesignRequest& request) {
 // ---- symmetry
 // -------------------------------------------------------------------------------------------------
 
-/// Every form mirrors entry by entry: place k faces place (last − k), with a sign for odd derivatives.
+/// Every form mirrors entry by entry: index k corresponds to (last − k), with a sign for odd derivatives.
 void add_symmetry_rows(DesignForm& form, const DesignRequest& request) {
     const bool odd = request.symmetry == Symmetry::odd;
     const double sum = request.begin_state[0] + request.end_state[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three forms of a design vector before anything is eliminated: entries, local maps, built-in rows.
+// The three forms of a design vector before elimination: entries, local maps, built-in rows.
 #pragma once
 
 #include "splines/design_vector.hpp"
@@ -19,10 +19,10 @@ struct DesignEntry {
 
 struct DesignForm {
     std::vector<DesignEntry> entries;
-    std::vector<LocalMap> maps;            ///< one a segment, columns count all entries
+    std::vector<LocalMap> maps;            ///< one per segment, columns count all entries
     std::vector<Equality> rows;            ///< continuity and symmetry: independent by construction
-    std::vector<PointCondition> leftover;  ///< end states the form could not build in
-    /// Every entry moves every segment: beside a narrow one the weights of the others are small, and their
+    std::vector<PointCondition> leftover;  ///< end states not built into the form
+    /// Every entry affects every segment: next to a narrow one the weights of the others are small, but their
     /// entries are not.
     bool dense = false;
 };

@@ -12,8 +12,8 @@ namespace camopt {
 
 namespace {
 
-// A mismatch larger than this, relative to the sizes that meet in the row, is a contradiction and not
-// rounding.
+// A mismatch larger than this, relative to the terms of the row, is a contradiction; a smaller one is
+// round-off.
 constexpr double contradiction = 1e-9;
 
 /// A row of the system; `condition` is null for symmetry.
@@ -45,8 +45,8 @@ std::vector<Candidate> candidates_of(const DesignForm& form, const SplineSpace& 
     return candidates;
 }
 
-/// Names the exact points of a dependency: the row itself where the user asked for it, else the first such
-/// one it leans on.
+/// Names the exact points of a dependency: the row itself if the user requested it, else the first such row
+/// it depends on.
 ConditionConflict conflict_of(const DependentRow& dependent, const std::vector<Candidate>& candidates) {
     const Candidate& own = candidates[dependent.row];
     ConditionConflict conflict{own.name(), {}, {}};
@@ -65,7 +65,7 @@ ConditionConflict conflict_of(const DependentRow& dependent, const std::vector<C
     return conflict;
 }
 
-/// row_i = Σ f_k row_k with a different right side: row_i less the combination says 0 = mismatch.
+/// row_i = Σ f_k row_k with a different right-hand side: row_i less the combination says 0 = mismatch.
 std::vector<ConflictRow> contradiction_rows(const DependentRow& dependent,
                                             const std::vector<Candidate>& candidates) {
     const double sign = dependent.mismatch > 0.0 ? -1.0 : 1.0;
@@ -77,7 +77,7 @@ std::vector<ConflictRow> contradiction_rows(const DependentRow& dependent,
     return rows;
 }
 
-/// One of a group is of no interest: the others of it say the rest.
+/// One of a group is not reported: the others represent it.
 bool was_asked_for(const DependentRow& dependent, const std::vector<Candidate>& candidates) {
     const auto by_itself = [&](int row) {
         return candidates[row].asked() && !candidates[row].condition->in_group;
@@ -88,11 +88,11 @@ bool was_asked_for(const DependentRow& dependent, const std::vector<Candidate>& 
                                [&](const auto& part) { return by_itself(part.first); });
 }
 
-// A weight this small beside the largest of its row is what rounding leaves of zero: a derivative of a basis
-// function at the place where it vanishes.
+// A weight this small relative to the largest of its row is the round-off of zero: a derivative of a basis
+// function at a zero of it.
 constexpr double negligible_weight = 1e-13;
 
-// Exact points this close to saying the same make ill-conditioned rows: cos of the angle between them.
+// Nearly parallel exact points make ill-conditioned rows: cos of the angle between them.
 constexpr double nearly_parallel = 0.99;
 
 double inner_product(const AffineRow& one, const AffineRow& other) {
@@ -114,7 +114,7 @@ double length(const AffineRow& row) {
 }  // namespace
 
 AffineRow unlike(AffineRow row, const std::vector<AffineRow>& others) {
-    // Each step takes one direction away; there are no more than others.
+    // Each step removes one direction.
     for (std::size_t step = 0; step < others.size(); ++step) {
         const auto alike = std::ranges::find_if(others, [&](const AffineRow& other) {
             return std::abs(inner_product(row, other)) > nearly_parallel * length(row) * length(other);
@@ -157,7 +157,7 @@ ConditionSelection select_conditions(const DesignRequest& request) {
         AffineRow& row = candidates[i].row;
         const double size = largest(row);
         const double scale =
-            size > 0.0 ? size : 1.0;  // unit rows: sizes of different derivatives do not compare
+            size > 0.0 ? size : 1.0;  // unit rows: magnitudes of different derivatives are not comparable
         row.offset /= scale;
         right[static_cast<Eigen::Index>(i)] = -row.offset;
         for (std::size_t k = 0; k < row.columns.size(); ++k) {

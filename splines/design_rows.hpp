@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which exact points of a request can be kept together, which follow from the others, and which contradict
-// them.
+// Which exact points of a request are compatible, redundant or contradictory.
 //
-// The question is asked of the control points, where continuity and the end states are built in: then only
-// symmetry and the points themselves are rows, and the answer holds for every form of the design vector.
+// The rank is determined for the control points, where continuity and the end states are built in: then only
+// symmetry and the points are rows, and the result holds for every form of the design vector.
 #pragma once
 
 #include "splines/design_forms.hpp"
@@ -17,17 +16,17 @@ struct ConditionSelection {
     std::vector<ConditionConflict> redundant, contradictions;
 };
 
-/// A redundant condition counts as a finding only where the user asked for it.
+/// A redundant condition is reported only if the user requested it.
 [[nodiscard]] ConditionSelection select_conditions(const DesignRequest& request);
 
-/// The condition as a row over the entries that are not fixed: weights · x + offset = 0. A weight that is
-/// nothing beside the largest of the row, fixed entries counted, is rounding and left out: where only such
-/// ones are left the fixed entries decide alone whether the condition holds.
+/// The condition as a row over the free entries: weights · x + offset = 0. A weight that is negligible
+/// relative to the largest of the row, fixed entries included, is round-off and omitted: if only such weights
+/// remain, the fixed entries alone decide whether the condition holds.
 [[nodiscard]] AffineRow condition_row(const DesignForm& form, const SplineSpace& space,
                                       const PointCondition& condition, const std::vector<int>& new_index);
 
 /// The same condition, given that the others hold, as a row that is not nearly parallel to any of them: two
-/// points d apart become a point and a slope, so that the rows' condition does not grow like 1/d.
+/// points at a distance d become a point and a slope, so that the condition number does not grow like 1/d.
 [[nodiscard]] AffineRow unlike(AffineRow row, const std::vector<AffineRow>& others);
 
 }  // namespace camopt

@@ -15,9 +15,9 @@
 namespace camopt {
 
 namespace {
-// A weight smaller than this beside the row's largest is rounding.
+// A weight smaller than this relative to the row's largest is round-off.
 constexpr double negligible = 1e-15;
-// A sum this small beside its terms is the rounding of zero.
+// A sum this small relative to its terms is the round-off of zero.
 constexpr double cancelled = 1e-13;
 }  // namespace
 
@@ -67,8 +67,8 @@ AffineRow functional_of(const LocalMap& map, double t, int order) {
             weight += term;
             size += std::abs(term);
         });
-        // At the end of a segment the other end's entries cancel out: what is left of them is rounding, and a
-        // row of nothing else must not pass for one.
+        // At the end of a segment the entries of the other end cancel: the remainder is round-off and must
+        // not form a row.
         row.weights[k] = std::abs(weight) <= cancelled * size ? 0.0 : weight;
     }
     return row;
@@ -85,7 +85,7 @@ DesignVector DesignVector::make(const DesignRequest& request) {
     design.begin_state_ = request.begin_state;
     design.end_state_ = request.end_state;
 
-    // Entries whose value is known leave the vector; everything else moves up.
+    // Entries of known value leave the vector; the others are renumbered.
     std::vector<int> new_index(form.entries.size(), -1);
     for (std::size_t j = 0; j < form.entries.size(); ++j) {
         if (form.entries[j].fixed) continue;
@@ -96,7 +96,7 @@ DesignVector DesignVector::make(const DesignRequest& request) {
     }
 
     ConditionSelection selection;
-    // Nothing to select where the ends have room and nothing else is asked for: the usual case, at any size.
+    // Nothing to select if the ends are free and no points are requested: the usual case, at any size.
     if (!request.conditions.empty() || request.space.dimension() < 6) selection = select_conditions(request);
     design.redundant_ = std::move(selection.redundant);
     design.contradictions_ = std::move(selection.contradictions);
@@ -117,7 +117,7 @@ DesignVector DesignVector::make(const DesignRequest& request) {
 void DesignVector::add_equality(AffineRow row, std::string name) {
     double largest = 0.0;
     for (const double weight : row.weights) largest = std::max(largest, std::abs(weight));
-    if (largest == 0.0) return;  // all its entries are fixed: nothing left to ask
+    if (largest == 0.0) return;  // all its entries are fixed: no condition remains
     const double rounding = kind_ == DesignKind::ordinates ? 0.0 : negligible * largest;
     AffineRow kept{row.offset, {}, {}};
     for (std::size_t k = 0; k < row.columns.size(); ++k) {
@@ -196,7 +196,7 @@ Eigen::VectorXd DesignVector::entry_bounds(const Eigen::MatrixXd& derivative_bou
             double factorial = 1.0;
             for (int m = 0; m <= p; ++m) {
                 if (m > 0) factorial *= m;
-                // 0 · ∞ is no bound either: a weight of zero asks nothing of an unbounded derivative.
+                // 0 · ∞ is not a bound: a weight of zero does not constrain an unbounded derivative.
                 if (weights[m] != 0.0) bound += std::abs(weights[m]) * derivative_bounds(m, i) / factorial;
             }
             bounds[j] = std::min(bounds[j], bound);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Design vectors: three ways to write one spline as numbers x an optimizer can move.
 //
-//   ordinates     y at the interior breakpoints (the paper's); the end states fill in the rest. Dense.
-//   coefficients  B-spline control points, those the end states fix left out. Local.
-//   states        y, y', y'' at the breakpoints, continuity carried as sparse rows. Local, the best
-//   conditioned.
+// Design vectors: three parametrizations of one spline by numbers x that an optimizer can move.
+//
+//   ordinates     y at the interior breakpoints (the paper's); the end states determine the rest. Dense.
+//   coefficients  B-spline control points except those fixed by the end states. Local.
+//   states        y, y', y'' at the breakpoints, continuity as sparse rows. Local, the best conditioned.
 //
 // In every form the local polynomial of segment i is affine in x:  a_i = offset_i + M_i x[columns_i].
-// What the form does not build in by itself (continuity of `states`, set points, symmetry) is a sparse row
-// E x = e. Rows that follow from the others are left out; rows that contradict them are named.
+// Conditions that the form does not build in (continuity of `states`, set points, symmetry) are sparse rows
+// E x = e. Redundant rows are omitted; contradictory rows are named.
 #pragma once
 
 #include "core/text/choices.hpp"
@@ -42,8 +42,8 @@ struct PointCondition {
     Side side = Side::right;
     double value = 0.0;
     std::string name;
-    bool asked = true;  ///< by the user: worth a word when it is redundant
-    /// One of several that say one thing together: of no interest when it follows from the others.
+    bool asked = true;  ///< by the user: reported when it is redundant
+    /// One of several that state one condition together: not reported when it follows from the others.
     bool in_group = false;
 };
 
@@ -66,12 +66,12 @@ struct ConflictRow {
     double multiplier = 0.0;
 };
 
-/// A condition that follows from others, or cannot hold together with them.
+/// A redundant or contradictory condition.
 struct ConditionConflict {
     std::string condition;
     std::vector<std::string> others;
-    /// Of a contradiction: rows and multipliers with Σ multiplier · weights = 0 and Σ multiplier · offset >
-    /// 0, so that they cannot all be met. Empty for a redundant condition.
+    /// Of a contradiction: rows and multipliers with Σ multiplier · weights = 0 and Σ multiplier · offset > 0
+    /// (Farkas), so that they cannot all hold. Empty for a redundant condition.
     std::vector<ConflictRow> rows;
 };
 
@@ -81,8 +81,8 @@ struct LocalMap {
     Eigen::MatrixXd matrix;  ///< (degree + 1) x columns
     Eigen::VectorXd offset;  ///< degree + 1
 
-    /// offset + matrix · x[columns], added up in more digits than a double has: on a segment of width h the
-    /// displacements of its ends, nearly equal, meet with weights of 1/h³ and more.
+    /// offset + matrix · x[columns], summed in more than double precision: on a segment of width h the
+    /// displacements of its ends, nearly equal, have weights of 1/h³ and more.
     [[nodiscard]] Eigen::VectorXd polynomial(const Eigen::VectorXd& x) const;
 };
 
@@ -93,8 +93,8 @@ struct Equality {
 
 class DesignVector {
  public:
-    /// Throws InputError where the form cannot span the space (ordinates with continuity below degree − 1),
-    /// the conditions lie outside it, or symmetry meets breakpoints that are not symmetric.
+    /// Throws InputError if the form cannot span the space (ordinates with continuity below degree − 1), the
+    /// conditions lie outside it, or breakpoints under symmetry are not symmetric.
     [[nodiscard]] static DesignVector make(const DesignRequest& request);
 
     [[nodiscard]] DesignKind kind() const { return kind_; }
@@ -120,11 +120,10 @@ class DesignVector {
     [[nodiscard]] const std::vector<Equality>& equalities() const { return equalities_; }
     [[nodiscard]] const std::vector<ConditionConflict>& redundant() const { return redundant_; }
     [[nodiscard]] const std::vector<ConditionConflict>& contradictions() const { return contradictions_; }
-    /// size() less the independent rows: how many numbers really are free.
+    /// Degrees of freedom: size() less the independent rows.
     [[nodiscard]] int freedom() const { return size() - static_cast<int>(equalities_.size()); }
 
-    /// The entries to report: for ordinates the free ones, counted from the beginning; for the other forms
-    /// all.
+    /// The entries to report: for ordinates the free ones, counted from the start; for the other forms all.
     [[nodiscard]] std::vector<int> reported_entries() const;
 
     /// The x whose curve has the given values: exact for a curve of this space.
@@ -148,7 +147,7 @@ class DesignVector {
     std::vector<Equality> equalities_;
     std::vector<ConditionConflict> redundant_, contradictions_;
     Symmetry symmetry_ = Symmetry::none;
-    std::vector<int> fixed_entries_;  ///< entries one condition fixes by itself
+    std::vector<int> fixed_entries_;  ///< entries fixed by one condition alone
 };
 
 }  // namespace camopt

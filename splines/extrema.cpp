@@ -11,9 +11,8 @@ namespace camopt {
 
 namespace {
 
-// An optimum touches its peaks at many places, each to the tolerance of a solve, some 1e-9 of the peak;
-// places this close are the same peak reached again, and which of them is higher by the last digits says
-// nothing.
+// An optimum reaches its peaks at many locations, each to the tolerance of a solve, some 1e-9 of the peak;
+// values this close are the same peak, and their order in the last digits is meaningless.
 constexpr double same_peak = 1e-8;
 
 double mean_square(const SplineCurve& curve, int order) {
@@ -51,7 +50,7 @@ void add_candidates_on_segment(const SplineSpace& space, int segment, const Eige
 
 namespace {
 
-/// Of functions given one by one, in the order of their segments.
+/// Of functions one by one, in the order of their segments.
 class LargestMagnitude {
  public:
     explicit LargestMagnitude(const SplineSpace& space) : space_(space) {}
@@ -63,13 +62,13 @@ class LargestMagnitude {
             add({std::abs(candidate.value), candidate.at, candidate.side});
     }
 
-    /// The largest value, at the first place that comes to it within `same_peak`.
+    /// The largest value, at the first location within `same_peak` of it.
     [[nodiscard]] Extremum largest() const {
         Extremum largest = records_.back();
         const auto first = std::ranges::find_if(records_, [&](const Extremum& record) {
             return record.value >= largest.value - same_peak * largest.value;
         });
-        if (first != records_.end()) largest = {largest.value, first->at, first->side};  // else: no number
+        if (first != records_.end()) largest = {largest.value, first->at, first->side};  // else: NaN
         return largest;
     }
 
@@ -87,8 +86,8 @@ class LargestMagnitude {
     }
 
     const SplineSpace& space_;
-    std::vector<Extremum> records_;  ///< summits, each above all before it
-    bool climbing_ = true;           ///< whether the way up to the last of them may go on
+    std::vector<Extremum> records_;  ///< local maxima, each above all before it
+    bool climbing_ = true;           ///< whether the ascent to the last of them may continue
     std::vector<Extremum> candidates_;
 };
 

@@ -14,7 +14,7 @@ namespace camopt {
 namespace {
 
 constexpr std::array<const char*, 6> derivative_name = {"y", "y'", "y''", "y'''", "y''''", "y'''''"};
-// Places nearer than this part of the motion are one.
+// Locations closer than this part of the motion coincide.
 constexpr double same_place = 1e-12;
 
 }  // namespace
@@ -65,8 +65,8 @@ void FreeKnotForm::add_ends(const DesignRequest& request) {
         }
         return;
     }
-    // What mirroring changes the sign of is the half of its offset in the middle; where the middle is no
-    // breakpoint, so are all derivatives.
+    // Where mirroring changes the sign, the value in the middle is half the offset; if the middle is not a
+    // breakpoint, this holds for all derivatives.
     const int highest = space_.segments() % 2 == 0 ? continuity() : degree();
     for (int order = 0; order <= highest; ++order) {
         if (mirror_sign(order) > 0.0) continue;
@@ -100,7 +100,7 @@ void FreeKnotForm::add_condition(const PointCondition& condition) {
     }
     if (at <= begin() + same) {
         if (condition.order >= 3) add_equality({0, true, 0.0}, condition.order, value, condition.name);
-        return;  // the rest is the state at the begin
+        return;  // the rest is the state at the start
     }
     if (at >= end_ - same) {
         add_equality({segments_ - 1, true, 1.0}, condition.order, value, condition.name);
@@ -112,7 +112,7 @@ void FreeKnotForm::add_condition(const PointCondition& condition) {
     if (const int right = breakpoint(segment + 1); right >= 0) lower_[right] = std::max(lower_[right], at);
 }
 
-/// Leaves out what is said already: a symmetric motion says much twice.
+/// Omits duplicates: a symmetric motion states many conditions twice.
 void FreeKnotForm::add_equality(const FreePlace& place, int order, double value, const std::string& name) {
     const bool known = std::ranges::any_of(equalities_, [&](const FreeEquality& other) {
         return other.order == order && other.place.segment == place.segment &&

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A spline whose interior breakpoints move too. Segment i is written by its derivatives at its left end,
+//
+// A spline with free interior breakpoints. Segment i is represented by its derivatives at its left end,
 //
 //   y^{(r)}(t_i + τ) = Σ_{m=r}^{p} a_{i,m} τ^{m−r} / (m − r)!,
 //
-// a polynomial in a and in the breakpoints t: nothing is divided by a length, so a segment that becomes short
-// does no harm, and dy^{(r)}/dτ = y^{(r+1)}. Continuity and exact points are rows; end states are rows or
+// a polynomial in a and in the breakpoints t: nothing is divided by a length, so a short segment is
+// harmless, and dy^{(r)}/dτ = y^{(r+1)}. Continuity and exact points are rows; end states are rows or
 // fixed entries. A symmetric motion is modelled up to its middle: the rest is its mirror image.
 //
 // Entries: a_{i,0} … a_{i,p} for every modelled segment i, then t_1 … t_{m−1}. x in rises, y in lifts.
@@ -20,7 +21,7 @@
 
 namespace camopt {
 
-/// A place on a segment: the fraction `at` of it (it moves along), or the fixed x `at`.
+/// A location on a segment: the fraction `at` of it (it moves along), or the fixed x `at`.
 struct FreePlace {
     int segment = 0;
     bool moves = true;
@@ -36,7 +37,7 @@ struct FreeEquality {
     std::string name;
 };
 
-/// y … y^{(5)} at a place and what moves it.
+/// y … y^{(5)} at a location and its dependence on the breakpoints.
 struct FreePoint {
     double x = 0.0, tau = 0.0;
     std::array<double, 8> derivative{};    ///< those above the degree are 0
@@ -45,15 +46,15 @@ struct FreePoint {
 
 class FreeKnotForm {
  public:
-    /// Of a request for fixed breakpoints: they are where the search starts. Exact points stay on the segment
-    /// that holds them there. Segments stay longer than `least_part` of the mean one (or than the shortest at
+    /// From a request with fixed breakpoints, the start of the search. Exact points stay on the segment that
+    /// contains them there. Segments stay longer than `least_part` of the mean one (or than the shortest at
     /// the start). Throws InputError for symmetry on breakpoints that are not symmetric.
     FreeKnotForm(const DesignRequest& request, double least_part);
 
     [[nodiscard]] int degree() const { return space_.degree(); }
     [[nodiscard]] int continuity() const { return space_.continuity(); }
     [[nodiscard]] Symmetry symmetry() const { return symmetry_; }
-    /// Segments that are modelled: all, or those up to the middle (which may cut one in two).
+    /// Modelled segments: all, or those up to the middle (which may divide one).
     [[nodiscard]] int segments() const { return segments_; }
     [[nodiscard]] double begin() const { return space_.begin(); }
     /// Where the model ends: the end of the motion, or its middle.
@@ -86,9 +87,9 @@ class FreeKnotForm {
     [[nodiscard]] double mirror_sign(int order) const;
     [[nodiscard]] double mirror_offset(int order) const;
 
-    /// All breakpoints of the motion, ascending and apart by the least lengths whatever x.
+    /// All breakpoints of the motion, ascending and separated by the least lengths for any x.
     [[nodiscard]] std::vector<double> breakpoints(const Eigen::VectorXd& x) const;
-    /// The spline behind x on breakpoints(x); as continuous as x keeps the equalities.
+    /// The spline of x on breakpoints(x); as continuous as x satisfies the equalities.
     [[nodiscard]] SplineCurve curve(const Eigen::VectorXd& x) const;
     /// The entries of a spline of this degree and number of segments.
     [[nodiscard]] Eigen::VectorXd values_of(const SplineCurve& curve) const;

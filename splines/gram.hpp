@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+//
 // Energies of a spline as exact quadratic forms of its design vector.
 //
 //   (1/L) ∫ (y^{(r)})² dx = |R x + r|² = xᵀ Q x + 2 bᵀ x + c,   L = end − begin,
-// by integrating the local polynomials in closed form, so without quadrature error. Values and slopes come
-// from R x + r, which is y^{(r)} itself by orthonormal polynomials on each segment: a sum of squares. The
-// three parts of xᵀ Q x + 2 bᵀ x + c are larger than their sum by the square of (width of a motion / width of
-// a segment)^r, and their sum has lost as many digits.
+// from the local polynomials in closed form, without quadrature error. Values and slopes come from R x + r,
+// which is y^{(r)} in orthonormal polynomials on each segment: a sum of squares. The three parts of
+// xᵀ Q x + 2 bᵀ x + c exceed their sum by the square of (width of a motion / width of a segment)^r, and their
+// sum suffers that cancellation.
 #pragma once
 
 #include "splines/design_vector.hpp"

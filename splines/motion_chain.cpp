@@ -12,17 +12,17 @@
 namespace camopt {
 
 namespace {
-// Joints that differ by less than this part of the whole are the same place.
+// Joints that differ by less than this part of the whole coincide.
 constexpr double same_joint = 1e-12;
-// Relative error of x = x0 + x_scale · own and of the way back.
+// Relative round-off of x = x0 + x_scale · own and its inverse.
 constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
 
 Side opposite(Side side) {
     return side == Side::left ? Side::right : Side::left;
 }
 
-/// x in the shape's own units. What the way there and back has rounded away from a breakpoint returns to it,
-/// so that each side of a jump stays on its side.
+/// x in the shape's units. Round-off is moved back to a breakpoint, so that each side of a jump stays on its
+/// side.
 double own_place(const ChainPart& part, const std::vector<double>& own_breakpoints, double x) {
     const double own = (x - part.x0) / part.x_scale;
     const double rounded = rounding * (std::abs(x) + std::abs(part.x0)) / std::abs(part.x_scale);
@@ -49,7 +49,7 @@ MotionPoint point_of(const ChainPart& part, const std::vector<double>& own_break
 std::optional<std::array<Interval, 5>> ranges_of(const ChainPart& part, const Interval& x) {
     std::array<Interval, 5> own{Interval(part.y0)};
     if (!part.shape) return own;
-    // Not beyond the shape by rounding.
+    // Clamped to the shape's end against round-off.
     const auto place = [&](double at) {
         return std::clamp((at - part.x0) / part.x_scale, part.shape->begin(), part.shape->end());
     };
@@ -89,7 +89,7 @@ MotionChain::MotionChain(std::vector<ChainPart> parts) : parts_(std::move(parts)
 }
 
 MotionPoint MotionChain::at(double x, Side side) const {
-    // At its ends a chain has one side only, even where a part goes on beyond.
+    // At its ends a chain has one side only, even if a part continues past them.
     if (x <= begin()) side = Side::right;
     if (x >= end()) side = Side::left;
     std::size_t index = 0;

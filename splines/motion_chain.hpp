@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Motions one after another: a whole turn of dwells, laws and splines as one Motion.
+// A sequence of motions: one revolution of dwells, laws and splines as one Motion.
 //
-// On its stretch each part follows y(x) = y0 + y_scale · shape((x − x0) / x_scale); a dwell has no shape and
+// On its interval each part follows y(x) = y0 + y_scale · shape((x − x0) / x_scale); a dwell has no shape and
 // stays at y0. The r-th derivative is y_scale / x_scale^r · shape^{(r)}. x_scale < 0 mirrors the shape: it is
-// run through from its end to its begin, and its left side is seen from the right.
+// traversed from its end to its begin, and its left side is seen from the right.
 #pragma once
 
 #include "core/motion.hpp"
@@ -20,13 +20,13 @@ struct ChainPart {
     double y0 = 0.0, y_scale = 1.0;
 };
 
-/// Where y to its fourth derivative lie over `x`, a stretch inside the part between two breakpoints of its
-/// shape; empty where the shape does not say.
+/// Enclosures of y to its fourth derivative over `x`, inside the part between two breakpoints of its shape;
+/// nullopt if the shape has none.
 [[nodiscard]] std::optional<std::array<Interval, 5>> ranges_of(const ChainPart& part, const Interval& x);
 
 class MotionChain final : public Motion {
  public:
-    /// Throws InputError where there is no part, or a part does not begin where the one before it ended.
+    /// Throws InputError for an empty list, or if a part does not begin where the one before it ended.
     explicit MotionChain(std::vector<ChainPart> parts);
 
     [[nodiscard]] double begin() const override { return parts_.front().begin; }

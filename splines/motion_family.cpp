@@ -52,8 +52,8 @@ void MotionFamily::add_pieces() {
                 pieces_.push_back({space.breakpoints()[i] - stretch.shift,
                                    space.breakpoints()[i + 1] - stretch.shift, s, i});
             }
-            // There and back by the shift is not exact, and a place beyond the end by the last digit is one
-            // of the next stretch.
+            // Shifting back and forth is not exact; a point past the end by the last digit belongs to the
+            // next interval.
             pieces_[pieces_.size() - static_cast<std::size_t>(last - first + 1)].begin = stretch.begin;
             pieces_.back().end = stretch.end;
         }
@@ -83,7 +83,7 @@ std::optional<double> MotionFamily::place(int index) const {
     const DesignVector& design = runs_[static_cast<std::size_t>(run)].design;
     if (design.kind() != DesignKind::states) return {};
     const double own = design.place(index - first_entry(run));
-    for (const Stretch& stretch : stretches_)  // of a run that lies across the start: either side will do
+    for (const Stretch& stretch : stretches_)  // of a run across the start: either side is valid
         if (stretch.run == run && own - stretch.shift >= stretch.begin && own - stretch.shift <= stretch.end)
             return own - stretch.shift;
     return {};

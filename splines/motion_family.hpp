@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The motions an optimizer chooses from: y(x) = y_0(x) + Σ_j x_j φ_j(x), over dwells, fixed shapes and
-// splines.
+// The search space of motions: y(x) = y_0(x) + Σ_j x_j φ_j(x), over dwells, fixed shapes and splines.
 //
-// Adjacent spline stretches make one run: one spline with the full continuity at their joints, written by one
-// DesignVector. A run ends at rest beside a dwell (y' = y'' = 0) and with the state of a fixed shape beside
-// one. A displacement at a joint that nothing fixes is an entry of its own. A closed family ends where it
-// began; a run may lie across that place. A family of one spline run is what DRD and RR need.
+// Adjacent spline intervals form one run: one spline with full continuity at their joints, represented by one
+// DesignVector. A run ends at rest next to a dwell (y' = y'' = 0) and with the state of a fixed shape next to
+// one. A free displacement at a joint is a separate entry. A closed family ends where it began; a run may
+// extend across that point. DRD and RR are families of one spline run.
 #pragma once
 
 #include "splines/curve.hpp"
@@ -37,12 +36,12 @@ struct FamilyRequest {
     bool end_jerk_zero = false;             ///< y''' = 0 where a run meets a dwell
 };
 
-/// The displacement at a joint that no entry moves: given, or carried there by dwells and a closed turn.
+/// The displacement at a joint that no entry moves: given, or propagated by dwells and closure.
 [[nodiscard]] std::optional<double> known_displacement(const AffineRow& row);
 
 class MotionFamily {
  public:
-    /// One stretch of x. `from`, `to`: the displacement at its ends, as rows of the entries.
+    /// One interval of x. `from`, `to`: the displacement at its ends, as rows of the entries.
     struct Stretch {
         StretchRequest::Kind kind = StretchRequest::Kind::spline;
         double begin = 0.0, end = 0.0;
@@ -51,7 +50,7 @@ class MotionFamily {
         std::shared_ptr<const Motion> shape;
         AffineRow from, to;
     };
-    /// A part of a stretch on which one formula holds.
+    /// A part of an interval with one formula.
     struct Piece {
         double begin = 0.0, end = 0.0;
         int stretch = 0;
@@ -59,7 +58,7 @@ class MotionFamily {
     };
 
     MotionFamily(DesignVector single);  // NOLINT(google-explicit-constructor)
-    /// Throws InputError where the stretches do not join, or displacements contradict each other.
+    /// Throws InputError if the intervals do not join, or displacements contradict each other.
     [[nodiscard]] static MotionFamily make(const FamilyRequest& request);
 
     [[nodiscard]] int size() const { return size_; }
@@ -80,7 +79,7 @@ class MotionFamily {
     [[nodiscard]] const SplineSpace& run_space(int index) const { return runs_[index].design.space(); }
     /// The first entry of a run's design vector.
     [[nodiscard]] int first_entry(int run) const { return runs_[run].first; }
-    /// Entries after those of all runs: displacements (and states) at joints that nothing fixes.
+    /// Entries after those of all runs: free displacements (and states) at joints.
     [[nodiscard]] int first_joint_entry() const { return first_joint_; }
 
     [[nodiscard]] AffineRow functional(double x, int order, Side side = Side::right) const;

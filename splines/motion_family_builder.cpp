@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From stretches to a family: displacements at the joints, runs of splines, what ties them together.
+// Builds a family from intervals: displacements at the joints, runs of splines, and the rows that connect
+// them.
 #include "core/errors.hpp"
 #include "splines/motion_family.hpp"
 
@@ -25,7 +26,7 @@ AffineRow constant(double value) {
 /// y, y', y'' at one end of a run, as rows of the joint entries (columns count from 0).
 using EndState = std::array<AffineRow, 3>;
 
-/// A stretch of splines between others: stretches first … first + count − 1, counted cyclically.
+/// A run of spline intervals: first … first + count − 1, counted cyclically.
 struct RunPlan {
     int first = 0, count = 0;
 };
@@ -75,7 +76,7 @@ struct MotionFamily::Builder {
         return std::move(family);
     }
 
-    /// What the spline makes of a joint between two splines that nothing gives a displacement.
+    /// Default for a free joint between two splines.
     void find_levels_inside_runs() {
         const auto row_at = [&](double x, Side side) {
             AffineRow all = family.functional(x, 0, side), row{all.offset, {}, {}};
@@ -92,8 +93,8 @@ struct MotionFamily::Builder {
         }
     }
 
-    /// Displacements at joints: given, carried along dwells, or an entry. Joints inside a run without a given
-    /// displacement are the spline's own affair.
+    /// Displacements at joints: given, propagated along dwells, or an entry. Joints inside a run without a
+    /// given displacement belong to the spline.
     void find_levels() {
         std::vector<std::optional<double>> known(static_cast<std::size_t>(stretches) + 1);
         const auto set = [&](int joint, double value) {
@@ -153,8 +154,8 @@ struct MotionFamily::Builder {
         return plans;
     }
 
-    /// The state beside a stretch that is no spline: at rest beside a dwell or an open end, the shape's
-    /// beside a shape. `at_end`: of the neighbour.
+    /// The state next to an interval that is not a spline: at rest next to a dwell or an open end, the
+    /// shape's next to a shape. `at_end`: of the neighbour.
     [[nodiscard]] EndState beside(int neighbour, bool at_end, const AffineRow& level) const {
         EndState state{level, constant(0.0), constant(0.0)};
         const bool open = neighbour < 0 || (!request.closed && neighbour >= stretches);
@@ -186,7 +187,7 @@ struct MotionFamily::Builder {
     }
 
     [[nodiscard]] double length() const { return stretch(stretches - 1).end - stretch(0).begin; }
-    /// What to add to a stretch's x to get the run's own.
+    /// The shift from an interval's x to the run's x.
     [[nodiscard]] double shift_of(int index) const { return index >= stretches ? length() : 0.0; }
 
     [[nodiscard]] DesignRequest design_request(const RunPlan& plan) const {
@@ -224,8 +225,8 @@ struct MotionFamily::Builder {
                 Symmetry::none};
     }
 
-    /// A design vector is affine in its end states and only its offsets move with them, so the column of a
-    /// joint entry is the difference two end states make.
+    /// A design vector is affine in its end states, which affect only its offsets, so the column of a joint
+    /// entry is the difference of two end states.
     void add_run(const RunPlan& plan, const std::pair<EndState, EndState>& ends) {
         DesignRequest asked = design_request(plan);
         const auto with = [&](int joint) {
@@ -294,7 +295,7 @@ struct MotionFamily::Builder {
         }
     }
 
-    /// y, y', y'' agree through the joint entries; what is smoother still becomes rows.
+    /// y, y', y'' agree through the joint entries; higher continuity adds rows.
     void close_ring() {
         const Run& run = family.runs_.front();
         const SplineSpace& space = run.design.space();

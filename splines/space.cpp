@@ -11,7 +11,7 @@
 namespace camopt {
 
 namespace {
-// Points computed from angles may miss the ends by a few units in the last place.
+// Points computed from angles may exceed the ends by a few units in the last place.
 constexpr double overshoot = 1e-12;
 }  // namespace
 

@@ -2,7 +2,8 @@
 // The space of piecewise polynomials of degree p on breakpoints x_0 < … < x_n that are C^k at the interior
 // ones.
 //
-// Dimension N = (p + 1) + (n − 1)(p − k). Clamped knots: ends p + 1 fold, interior breakpoints p − k fold.
+// Dimension N = (p + 1) + (n − 1)(p − k). Clamped knots: ends of multiplicity p + 1, interior breakpoints of
+// multiplicity p − k.
 #pragma once
 
 #include "core/numbers/extremum.hpp"
@@ -31,11 +32,11 @@ class SplineSpace {
 
     [[nodiscard]] double knot(int index) const;
     [[nodiscard]] std::vector<double> knots() const;
-    /// First of the degree + 1 basis functions that live on a segment.
+    /// First of the degree + 1 basis functions with support on a segment.
     [[nodiscard]] int first_basis_function(int segment) const { return segment * (degree_ - continuity_); }
 
-    /// The segment that holds x; at a breakpoint the one on `side`. Throws InputError outside [begin, end]
-    /// (an overshoot by round-off is pulled in).
+    /// The segment that contains x; at a breakpoint the one on `side`. Throws InputError outside [begin, end]
+    /// (a round-off excess is clamped).
     [[nodiscard]] int segment_of(double x, Side side = Side::right) const;
 
     /// Whether the breakpoints lie symmetrically about the middle, to round-off.

@@ -225,7 +225,7 @@ std::string followers_text() {
                         kind.swings ? "lift_deg" : "lift_mm", kind.touches_with, fmt::join(kind.keys, ", "));
     }
     return text +
-           "\nEach line: name, key of its lift, what touches the cam, its dimensions: keys of [cam] or of "
+           "\nEach line: name, key of its lift, contact with the cam, its dimensions: keys of [cam] or of "
            "the "
            "table before the dot. Most are numbers or ranges { min = …, max = … }; docs/scene_file.md has "
            "every key with its unit, default and meaning.\n";

@@ -141,11 +141,12 @@ std::string keys_of_scenes() {
 }
 
 constexpr std::string_view description =
-    "camopt reads a scene (one TOML file: what must move, with what cam, what counts, what may not be "
+    "camopt reads a scene (one TOML file: motion, cam, objective and limits that must not be "
     "exceeded), finds "
     "the spline of least weighted peaks of velocity, acceleration and jerk, and proves a lower bound that no "
-    "spline of that space can pass. Where no curve keeps all limits it proves that, and says how much each "
-    "would have to give. With a [cam] table motion and cam are designed together.";
+    "spline of that space can improve on. If no curve satisfies all limits it proves this and reports how "
+    "much each "
+    "would have to be relaxed. With a [cam] table motion and cam are designed together.";
 
 constexpr std::string_view files =
     "With --out a folder is written: report.html and report.md, result.json, certificate.json (the proof, "

@@ -40,7 +40,7 @@ FrontRequest front_request(const ParetoWords& words, const Scene& scene) {
 void refuse_other_sweeps(const SweepRequest& request) {
     if (request.weights.empty() && request.vary.empty() && request.shard.empty() && !request.resume) return;
     throw InputError(
-        "--pareto: found --weights, --vary, --shard or --resume beside it; allowed: one or the other");
+        "--pareto: found together with --weights, --vary, --shard or --resume; allowed: one or the other");
 }
 
 /// With the scene's own dimensions in force: where it has no optimum the laws stand there all the same.

@@ -38,7 +38,7 @@ void refuse_other_studies(const SweepRequest& request) {
         request.pareto.goals.empty())
         return;
     throw InputError(
-        "--surface: found --weights, --vary, --shard or --pareto beside it; allowed: one or the other");
+        "--surface: found together with --weights, --vary, --shard or --pareto; allowed: one or the other");
 }
 
 /// Rows of an earlier run of the same scene.
@@ -75,8 +75,7 @@ std::string end_words(const TradeOffSurface& surface, double asked_for) {
         case SurfaceEnd::solves:
             return "; --most ended it";
         case SurfaceEnd::own_gaps:
-            return fmt::format("; not the {} asked for: single solves leave more unproved",
-                               short_text(asked_for));
+            return fmt::format("; not the requested {}: some solves have larger gaps", short_text(asked_for));
         case SurfaceEnd::interrupted:
             return "; interrupted, --resume goes on";
         case SurfaceEnd::no_motion:

@@ -34,8 +34,9 @@ std::vector<SweepFolder> open_parts(const std::vector<std::string>& paths) {
         parts.push_back(SweepFolder::open(path));
         const std::string other = difference(parts.back().identity(), parts.front().identity());
         if (!other.empty())
-            throw InputError(fmt::format("{} is no part of the sweep in {}: {}; allowed: shards of one sweep",
-                                         path, paths.front(), other));
+            throw InputError(
+                fmt::format("{} is not part of the sweep in {}: {}; allowed: shards of one sweep", path,
+                            paths.front(), other));
     }
     return parts;
 }
@@ -46,7 +47,7 @@ std::map<int, const SweepFolder*> owners(const std::vector<SweepFolder>& parts) 
     for (const SweepFolder& part : parts)
         for (const int chunk : part.finished_chunks())
             if (const auto [place, is_new] = owner.emplace(chunk, &part); !is_new)
-                throw InputError(fmt::format("{} stand in {} and in {} too; allowed: each row once",
+                throw InputError(fmt::format("{} are in {} and in {}; allowed: each row once",
                                              rows_text(part, chunk), place->second->path().string(),
                                              part.path().string()));
     const SweepFolder& first = parts.front();
@@ -54,7 +55,7 @@ std::map<int, const SweepFolder*> owners(const std::vector<SweepFolder>& parts) 
         if (owner.contains(chunk)) continue;
         for (const SweepFolder& part : parts)
             if (part.shard().holds(chunk))
-                throw InputError(fmt::format("{} are missing: {} is not finished; go on there with --resume",
+                throw InputError(fmt::format("{} are missing: {} is not finished; continue it with --resume",
                                              rows_text(first, chunk), part.path().string()));
         throw InputError(fmt::format("{} are missing: no given folder holds their shard; allowed: all shards",
                                      rows_text(first, chunk)));

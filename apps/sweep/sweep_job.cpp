@@ -153,7 +153,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
     file_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     leave_to_parent();
-    throw InputError("another camopt is at work in " + folder.string() +
+    throw InputError("another camopt is running in " + folder.string() +
                      "; wait for it, or take another folder");
 }
 
@@ -217,9 +217,8 @@ SweepShard sweep_shard(const SweepRequest& request) {
         const std::optional<int> count = integer(text.substr(slash + 1));
         if (index && count && *index >= 1 && *index <= *count) return {*index, *count};
     }
-    throw InputError(
-        fmt::format("--shard {}: found no part of a whole; allowed: i/N with i from 1 to N, for example 2/3",
-                    request.shard));
+    throw InputError(fmt::format(
+        "--shard {}: not a fraction; allowed: i/N with i from 1 to N, for example 2/3", request.shard));
 }
 
 ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene, std::string_view units) {
@@ -241,7 +240,7 @@ ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene, std::string
     if (shard.is_whole() && table.rows.size() <= most_drawn_rows)
         write_sweep_pictures(folder, table, units);
     else if (shard.is_whole())
-        text += fmt::format("  no sweep.svg and sweep.html: they are drawn of at most {} rows\n",
+        text += fmt::format("  no sweep.svg and sweep.html: they are drawn for at most {} rows\n",
                             most_drawn_rows);
     text += shard.is_whole() ? fmt::format("  wrote {}\n", folder.table_path().string())
                              : fmt::format("  kept in {}; join the shards with camopt sweep merge\n",

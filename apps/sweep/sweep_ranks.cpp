@@ -71,7 +71,7 @@ SweepFolder folder_of_rank_zero(const SweepRequest& request, const SweepJob& job
     const std::string other = difference(found, job.identity(found.columns, found.chunking));
     if (!other.empty())
         throw InputError(
-            fmt::format("{} and rank 0 do not mean the same sweep: {}; allowed: the same scene, "
+            fmt::format("{} and rank 0 have different sweeps: {}; allowed: the same scene, "
                         "tables and camopt on all machines",
                         who, other));
     return folder;
@@ -220,7 +220,7 @@ class HandingOut {
             chunks_.gone(rank);
             if (!chunks_.anybody_left())
                 throw std::runtime_error(
-                    fmt::format("no rank has a worker left; of rank {}: {}", rank, message.text));
+                    fmt::format("no worker is left on any rank; rank {}: {}", rank, message.text));
         }
     }
 

@@ -179,8 +179,8 @@ CAMOPT_C_API void camopt_solution_free(camopt_solution* solution);
 
 typedef enum camopt_verdict {
     CAMOPT_OPTIMAL = 0,   ///< proved: no motion of this spline space is better by more than the gap asked for
-    CAMOPT_LOCAL = 1,     ///< no better motion near it; not proved to be the best of all
-    CAMOPT_FEASIBLE = 2,  ///< keeps every limit
+    CAMOPT_LOCAL = 1,     ///< no better motion near it; not proved to be the global optimum
+    CAMOPT_FEASIBLE = 2,  ///< satisfies every limit
     CAMOPT_INFEASIBLE = 3,  ///< no motion keeps the limits
     CAMOPT_FAILED = 4       ///< nothing was found that keeps the limits, and nothing is proved
 } camopt_verdict;
@@ -246,7 +246,7 @@ CAMOPT_C_API camopt_error camopt_parameter_count(const camopt_solution* solution
 CAMOPT_C_API camopt_error camopt_parameter_at(const camopt_solution* solution, size_t index,
                                               camopt_parameter* parameter);
 
-/// A limit of the scene, as written and as kept.
+/// A limit of the scene, as written, and the value reached.
 typedef struct camopt_constraint {
     size_t size;
     const char* name;  ///< "pressure_angle"

@@ -50,7 +50,7 @@ void CallbackControl::finish() const {
     } catch (const std::exception& error) {
         throw Failure(CAMOPT_ERROR_CALLBACK, std::string("a callback threw: ") + error.what());
     } catch (...) {
-        throw Failure(CAMOPT_ERROR_CALLBACK, "a callback threw something that is no std::exception");
+        throw Failure(CAMOPT_ERROR_CALLBACK, "a callback threw an exception that is not a std::exception");
     }
 }
 

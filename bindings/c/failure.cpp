@@ -21,7 +21,7 @@ camopt_error noted(camopt_error code, const char* text) noexcept {
         thread_text() = text;
         fixed_text = nullptr;
     } catch (...) {
-        fixed_text = "no memory was left, not even for the words";
+        fixed_text = "no memory was left, not even for the message";
     }
     return code;
 }
@@ -47,7 +47,7 @@ camopt_error code_of_exception() noexcept {
     } catch (const std::exception& error) {
         return noted(CAMOPT_ERROR_INTERNAL, error.what());
     } catch (...) {
-        return noted(CAMOPT_ERROR_INTERNAL, "something was thrown that is no std::exception");
+        return noted(CAMOPT_ERROR_INTERNAL, "an exception was thrown that is not a std::exception");
     }
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A place where a function of the cam angle is largest (or least), and how much it is there.
+// The location and value of a maximum (or minimum) of a function of the cam angle.
 #pragma once
 
 namespace camopt {
 
-/// Which of two one-sided values is meant where a derivative jumps (the jerk of a cubic spline at a
-/// breakpoint).
+/// Which one-sided value is meant where a derivative jumps (the jerk of a cubic spline at a breakpoint).
 enum class Side { left, right };
 
 /// value: signed value of the function at `at` (x, the cam angle in units of the rise), seen from `side`.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Enclosures: [lower, upper] holds every value a formula takes while its variables run over theirs.
+// Interval arithmetic: [lower, upper] encloses every value that a formula takes while its variables run over
+// their intervals.
 //
-// Every result is widened by more than its rounding error (least_widening of its size), so that what is
-// enclosed stays so in double arithmetic without touching the rounding mode. Division by an interval that
-// holds 0, the root of one that holds a negative number: everything, (-infinity, infinity).
+// Every result is widened by more than its rounding error (least_widening of its size), so enclosures hold in
+// double arithmetic without changing the rounding mode. Division by an interval that contains 0 and the root
+// of one that contains a negative number give (-infinity, infinity).
 #pragma once
 
 #include <algorithm>
@@ -29,7 +30,7 @@ struct Interval {
 
 namespace enclosing {
 
-// Four roundings of a double: sines and roots of the library are good to one or two.
+// Four roundings of a double: library sines and roots are accurate to one or two.
 inline constexpr double least_widening = 4.0 * std::numeric_limits<double>::epsilon();
 
 /// `low` and `high` were computed with one rounding each.
@@ -60,7 +61,7 @@ inline constexpr double least_widening = 4.0 * std::numeric_limits<double>::epsi
     if (b.holds(0.0)) return Interval::everything();
     return a * enclosing::widened(1.0 / b.upper, 1.0 / b.lower);
 }
-/// Never below 0, as a product of a with itself is not seen to be.
+/// Never below 0, which the product of a with itself would allow (dependency problem).
 [[nodiscard]] inline Interval square(const Interval& a) {
     const double p = a.lower * a.lower, q = a.upper * a.upper;
     const Interval result = enclosing::widened(a.holds(0.0) ? 0.0 : std::min(p, q), std::max(p, q));
@@ -73,13 +74,13 @@ inline constexpr double least_widening = 4.0 * std::numeric_limits<double>::epsi
 }
 [[nodiscard]] inline Interval cos(const Interval& a) {
     constexpr double pi = std::numbers::pi;
-    // Angles of a mechanism; beyond a few turns the multiples of pi are not known well enough.
+    // Angles of a mechanism; beyond a few revolutions the multiples of pi are not accurate enough.
     constexpr double farthest = 100.0;
     if (!(a.width() < 2.0 * pi) || std::abs(a.lower) > farthest || std::abs(a.upper) > farthest)
         return {-1.0, 1.0};
     const double at_lower = std::cos(a.lower), at_upper = std::cos(a.upper);
     double least = std::min(at_lower, at_upper), most = std::max(at_lower, at_upper);
-    // An extreme at k pi is taken to be inside a little too early rather than too late.
+    // Include an extreme at k pi slightly too early rather than too late.
     constexpr double near = 1e-12;
     for (double k = std::ceil((a.lower - near) / pi); k * pi <= a.upper + near; ++k)
         (std::fmod(std::abs(k), 2.0) == 0.0 ? most : least) = std::fmod(std::abs(k), 2.0) == 0.0 ? 1.0 : -1.0;
@@ -95,7 +96,7 @@ namespace enclosing {
 [[nodiscard]] inline bool is_zero(const Interval& a) {
     return a.lower == 0.0 && a.upper == 0.0;
 }
-/// Most partials of most formulas are 0, and stay so whatever they meet.
+/// Most partials of most formulas are 0 and remain 0.
 [[nodiscard]] inline Interval partial_product(const Interval& a, const Interval& b) {
     return is_zero(a) || is_zero(b) ? Interval(0.0) : a * b;
 }
@@ -108,7 +109,7 @@ namespace enclosing {
 
 }  // namespace enclosing
 
-/// What both hold; they are known to hold something together.
+/// The intersection, known to be nonempty.
 [[nodiscard]] inline Interval common(const Interval& a, const Interval& b) {
     return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
 }

@@ -9,8 +9,7 @@ namespace camopt {
 
 namespace {
 
-/// The sign change of a polynomial that is monotone on [a, b] with p(a) p(b) < 0: Newton, kept inside the
-/// bracket.
+/// The root of a polynomial that is monotone on [a, b] with p(a) p(b) < 0: Newton's method with a bracket.
 double bracketed_root(const Eigen::Ref<const Eigen::VectorXd>& coefficients, double a, double b) {
     const Eigen::VectorXd slope = differentiated(coefficients);
     const bool rising = evaluate_polynomial(coefficients, b) > 0.0;
@@ -29,7 +28,7 @@ double bracketed_root(const Eigen::Ref<const Eigen::VectorXd>& coefficients, dou
     return t;
 }
 
-/// Of bounded size: nothing is allocated where a maximum is ruled out.
+/// Of bounded size: no allocation where a maximum is excluded.
 using Bernstein = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 28, 1>;
 
 /// b_j = Σ_{k<=j} C(j,k) / C(n,k) c_k.
@@ -75,7 +74,7 @@ std::vector<double> sign_changes(const Eigen::Ref<const Eigen::VectorXd>& coeffi
                                  double upper) {
     std::vector<double> changes;
     if (coefficients.size() <= 1) return changes;
-    if (coefficients.size() == 2) {  // most calls end here
+    if (coefficients.size() == 2) {  // most calls return here
         const double a = evaluate_polynomial(coefficients, lower),
                      b = evaluate_polynomial(coefficients, upper);
         if (a * b < 0.0) changes.push_back(std::clamp(-coefficients[0] / coefficients[1], lower, upper));
@@ -90,7 +89,7 @@ std::vector<double> sign_changes(const Eigen::Ref<const Eigen::VectorXd>& coeffi
         if (value_a * value_b < 0.0) {
             changes.push_back(bracketed_root(coefficients, a, b));
         }
-        // A zero hit exactly keeps the sign from before it, so that a crossing through it is still seen.
+        // An exact zero keeps the sign before it, so that a crossing through it is still found.
         if (value_b != 0.0) {
             a = b;
             value_a = value_b;

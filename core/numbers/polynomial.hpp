@@ -19,14 +19,13 @@ namespace camopt {
 [[nodiscard]] Eigen::VectorXd product(const Eigen::Ref<const Eigen::VectorXd>& left,
                                       const Eigen::Ref<const Eigen::VectorXd>& right);
 
-/// Every t in (lower, upper) where p changes its sign, ascending, to round-off. Found between the sign
-/// changes of p' (recursively), so none is missed; a root where p only touches zero is not a sign change.
+/// Every sign change t of p in (lower, upper), ascending, to round-off. Found between the sign changes of p'
+/// (recursively), so none is missed; a root where p only touches zero is not a sign change.
 [[nodiscard]] std::vector<double> sign_changes(const Eigen::Ref<const Eigen::VectorXd>& coefficients,
                                                double lower, double upper);
 
-/// The largest value on [0, 1] and the first place of it, to round-off; empty where the polynomial is nowhere
-/// above `floor`, which for most is seen without a root: in Bernstein form it never leaves the range of its
-/// coefficients. At most 28 coefficients.
+/// The largest value on [0, 1] and its first location, to round-off; nullopt where the polynomial does not
+/// exceed `floor`, which the Bernstein coefficients usually prove without a root. At most 28 coefficients.
 [[nodiscard]] std::optional<Extremum> maximum_above(const Eigen::Ref<const Eigen::VectorXd>& coefficients,
                                                     double floor);
 

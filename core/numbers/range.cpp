@@ -8,7 +8,7 @@
 namespace camopt {
 namespace {
 
-// An included bound is met by a value that a change of unit moved by rounding (360° in rad and back).
+// An inclusive bound also accepts a value moved by the rounding of a change of unit (360° in rad and back).
 constexpr double rounding = 1e-14;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The interval a number of a scene may lie in, with the words an error message uses for it.
-// Both the check of a Scene and the key table of the scene reader are written with it.
+// The interval allowed for a number of a scene, with its words in error messages. Used by the validation of a
+// Scene and by the key table of the scene reader.
 #pragma once
 
 #include <limits>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A function of the cam angle over a stretch of it: where its values, its slopes and its second derivatives
-// lie.
+// Enclosures of a function of the cam angle over an interval: of its values, first and second derivatives.
 //
-// Formulas that are generic over the scalar take it as they take numbers, and give the enclosure of the whole
-// formula: from them maxima are bounded, not sampled. Of a single angle (stretch of length 0) the enclosure
-// is as wide as rounding.
+// Formulas that are generic over the scalar accept it like numbers and return the enclosure of the whole
+// formula; maxima are bounded by it instead of sampled. For a single angle the enclosure is as wide as
+// rounding.
 #pragma once
 
 #include "core/numbers/interval.hpp"
@@ -77,7 +76,7 @@ struct RangeAlong {
     return composed(cosine, -sin(a.value), -cosine, a);
 }
 
-/// A follower's s, s', s'' along a stretch of the cam angle.
+/// A follower's s, s', s'' over an interval of the cam angle.
 struct StateAlong {
     RangeAlong s, velocity, acceleration;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A function of several numbers over a box of them: where its values, its first and its second partials lie.
+// Enclosures of a function of several variables over a box: of its values, first and second partials.
 //
-// Formulas that are generic over the scalar take it as they take numbers and give the enclosure of the whole
-// formula with its partials: from them planes are laid that never lie above the formula
-// (objectives/boxes/rule_over_box.hpp). Over a single point the enclosure is as wide as rounding.
+// Formulas that are generic over the scalar accept it like numbers and return the enclosure of the whole
+// formula with its partials; they give linear underestimators of the formula
+// (objectives/boxes/rule_over_box.hpp). For a single point the enclosure is as wide as rounding.
 #pragma once
 
 #include "core/numbers/interval.hpp"
@@ -18,7 +18,7 @@ namespace camopt {
 
 class RangeOver {
  public:
-    /// Variables at most: y to y''' and the dimensions of a cam that may move.
+    /// Largest number of variables: y to y''' and the variable dimensions of a cam.
     static constexpr int most = 10;
 
     Interval value;
@@ -152,7 +152,7 @@ class RangeOver {
     const Interval cosine = cos(a.value);
     return composed(cosine, -sin(a.value), -cosine, a);
 }
-/// Everything where a reaches ±1: its slope is infinite there.
+/// (-infinity, infinity) where a reaches ±1: the slope is infinite there.
 [[nodiscard]] inline RangeOver asin(const RangeOver& a) {
     if (!(a.value.lower > -1.0 && a.value.upper < 1.0)) {
         const Interval all = Interval::everything();
@@ -162,7 +162,7 @@ class RangeOver {
     const Interval first = Interval(1.0) / sqrt(Interval(1.0) - square(a.value));
     return composed(angle, first, a.value * (first * (first * first)), a);
 }
-/// +1 or −1 of what has one sign; everything otherwise.
+/// +1 or −1 if the sign is known; (-infinity, infinity) otherwise.
 [[nodiscard]] inline Interval sign_of(const RangeOver& a) {
     if (a.value.lower > 0.0) return {1.0};
     if (a.value.upper < 0.0) return {-1.0};

@@ -12,17 +12,17 @@ namespace camopt {
 
 namespace {
 
-// Samples between two breakpoints of the motion; where the figure may be larger than the best of them it is
-// looked at closer.
+// Samples between two breakpoints of the motion; cells where the figure may exceed the best sample are
+// refined.
 constexpr int samples = 24;
-constexpr int golden_sections = 40;  // to 4e-9 of two samples; differences do the rest
+constexpr int golden_sections = 40;  // to 4e-9 of two samples; finite differences refine further
 constexpr int newton_steps = 3;
 constexpr double step_of_bracket = 0.01;  // for differences of fourth order
-// Between two samples a figure may rise above them by this many of its second differences there. A parabola
-// needs an eighth of one.
+// Between two samples a figure may exceed them by this many of its second differences. A parabola needs an
+// eighth of one.
 constexpr double mistrust = 4.0;
 constexpr int most_halvings = 10;
-// Of the figure: second differences of rounding.
+// Of the figure: round-off in second differences.
 constexpr double search_rounding = 1e-13;
 
 /// Newton steps on the slope, both derivatives by differences, where the figure is smooth there.
@@ -40,9 +40,10 @@ double polished(const FigureAlong& figure, double place, double left, double rig
     return std::clamp(place, left, right);
 }
 
-/// Golden sections: a place to the root of rounding, a value to rounding; then the place too.
+/// Golden sections: the location to the square root of round-off, the value to round-off; then Newton for the
+/// location.
 Extremum refined(const FigureAlong& figure, double left, double right) {
-    // From right to left: of equal values the first is taken.
+    // From right to left: of equal values the first is kept.
     const auto at = [&](double mirrored) { return figure(-mirrored, Side::right); };
     const GoldenSection top = golden_maximum(at, -right, -left, golden_sections,
                                              [](const GoldenSection& now) { return !(now.high > now.low); });
@@ -55,7 +56,7 @@ class Search {
  public:
     Search(const FigureAlong& figure, double begin) : figure_(figure), best_{-infinity, begin} {}
 
-    /// One after the other; samples + 1 make a piece.
+    /// Consecutive; samples + 1 make a piece.
     void add(const Extremum& sample) {
         samples_.push_back(sample);
         see(sample);
@@ -81,7 +82,7 @@ class Search {
     void golden_top(double left, double right) {
         if (best_.value < infinity) see(refined(figure_, left, right));
     }
-    /// The bend at sample k, of an end that of its neighbour.
+    /// The second difference at sample k; at an end that of its neighbour.
     [[nodiscard]] static double bend(Piece piece, int k) {
         const int middle = std::clamp(k, 1, samples - 1);
         return std::abs(piece[middle - 1].value - 2.0 * piece[middle].value + piece[middle + 1].value);
@@ -102,7 +103,7 @@ class Search {
         see(middle);
         const double bend = std::abs(left.value - 2.0 * middle.value + right.value);
         const double largest = std::max({left.value, middle.value, right.value});
-        if (!std::isfinite(bend)) return;  // nothing to say there, or as large as can be
+        if (!std::isfinite(bend)) return;  // undefined there, or infinite
         if (largest + mistrust * bend <= best_.value || bend <= search_rounding * std::abs(best_.value))
             return;
         if (halvings == most_halvings) return golden_top(left.at, right.at);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The largest value of a smooth figure along a motion: samples between its breakpoints, and closer wherever
-// the figure bends so much that it may be larger than the best of them. Samples, not a proof. A top inside a
-// piece is known to rounding, its place to about 1e-10 of the piece.
+// The largest value of a smooth figure along a motion: samples between its breakpoints, refined where the
+// second difference allows a larger value than the best sample. Not an enclosure. A maximum inside a piece is
+// accurate to round-off, its location to about 1e-10 of the piece.
 #pragma once
 
 #include "core/numbers/extremum.hpp"
@@ -15,12 +15,12 @@ namespace camopt {
 /// A figure at x; where the motion jumps, as seen from `side`.
 using FigureAlong = std::function<double(double x, Side side)>;
 
-/// breakpoints: ascending, at least two; between neighbours the figure is smooth. NaN (nothing to say there)
-/// counts as nothing; where there is nothing at all: -infinity.
+/// breakpoints: ascending, at least two; between neighbours the figure is smooth. NaN (undefined there) is
+/// skipped; if it is undefined everywhere: -infinity.
 [[nodiscard]] Extremum largest_along(const std::vector<double>& breakpoints, const FigureAlong& figure);
 
-/// Where largest_along looks first, piece by piece: what several figures of one motion share there can be
-/// made once for all of them.
+/// The first samples of largest_along, piece by piece: what several figures of one motion share at them can
+/// be computed once.
 struct SamplePlace {
     double at = 0.0;
     Side side = Side::right;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Searches along one number: the top of a function by golden sections, the border of a property by bisection.
+// One-dimensional searches: the maximum of a function by golden sections, the boundary of a property by
+// bisection.
 //
-// Nothing here allocates or throws; what the function throws passes through.
+// Nothing here allocates or throws; exceptions of the function propagate.
 #pragma once
 
 #include <algorithm>
@@ -9,20 +10,20 @@
 
 namespace camopt {
 
-/// Where golden sections ended: the interval, the two places inside it and their values.
+/// The result of golden sections: the interval, the two points inside it and their values.
 struct GoldenSection {
     double low = 0.0, high = 0.0;
     double left = 0.0, right = 0.0;
     double left_value = 0.0, right_value = 0.0;
 
-    /// The better of the two places.
+    /// The better of the two points.
     [[nodiscard]] double place() const { return left_value > right_value ? left : right; }
     [[nodiscard]] double value() const { return std::max(left_value, right_value); }
 };
 
-/// Narrows [low, high], which holds one top of `function`, by 0.618 a section, until `sections` are done or
-/// `enough(GoldenSection)` says so. A place is known to the root of the function's rounding, its value to
-/// rounding. For a least value search −function.
+/// Narrows [low, high], which contains one maximum of `function`, by a factor of 0.618 per section, until
+/// `sections` are done or `enough(GoldenSection)` returns true. The location is accurate to the square root
+/// of the function's round-off, its value to round-off. For a minimum search −function.
 template <class Function, class Enough>
 [[nodiscard]] GoldenSection golden_maximum(const Function& function, double low, double high, int sections,
                                            const Enough& enough) {
@@ -55,8 +56,8 @@ struct Border {
     double without = 0.0;  ///< and not here
 };
 
-/// Halves the border of a property that holds at `with` and not at `without`, until `steps` are done or
-/// `enough(Border)` says so. 60 steps lead to neighbouring numbers from any interval of their own size.
+/// Bisects the boundary of a property that holds at `with` and not at `without`, until `steps` are done or
+/// `enough(Border)` returns true. 60 steps lead to neighbouring doubles from any interval of their magnitude.
 template <class Property, class Enough>
 [[nodiscard]] Border bisected(const Property& holds, Border border, int steps, const Enough& enough) {
     for (int k = 0; k < steps && !enough(std::as_const(border)); ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A square in formulas that are generic over the scalar: of an enclosure it is never below 0, as a product of
-// it with itself is not seen to be (core/numbers/range_along.hpp, range_over.hpp).
+// The square in formulas that are generic over the scalar: an enclosure of it is never below 0, unlike that
+// of a product with itself (core/numbers/range_along.hpp, range_over.hpp).
 #pragma once
 
 namespace camopt {

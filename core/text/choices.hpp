@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Choices that a scene names and the numerics below it know.
+// Choices that a scene names and the numerical code knows.
 #pragma once
 
 #include <initializer_list>

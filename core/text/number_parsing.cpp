@@ -11,7 +11,7 @@
 namespace camopt {
 namespace {
 
-/// std::from_chars knows no locale. The one sign it does not take is '+'.
+/// std::from_chars is independent of the locale, but rejects a leading '+'.
 template <typename Number>
 std::optional<Number> whole(std::string_view text) {
     const std::size_t begin = text.starts_with('+') && !text.starts_with("+-") ? 1 : 0;

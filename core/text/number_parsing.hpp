@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Numbers in texts that programs write: 1234.5 whatever the locale of the process says.
+// Numbers in files that programs write, 1234.5, regardless of the locale of the process.
 //
-// A sign, digits with a point, an exponent; no white space, no hexadecimal; "inf" and "nan" are no numbers.
+// A sign, digits with a point, an exponent; no white space, no hexadecimal; "inf" and "nan" are not numbers.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace camopt {
 
-/// The number that the text is; none where it is none, or not as a whole.
+/// The number that the whole text represents; nullopt otherwise.
 [[nodiscard]] std::optional<double> number_in(std::string_view text);
 
-/// The whole number that the text is, as a whole.
+/// The integer that the whole text represents.
 [[nodiscard]] std::optional<long long> integer_in(std::string_view text);
 
-/// number_in for texts that camopt brings along. Throws ModelError where it is none.
+/// number_in for built-in texts. Throws ModelError if it is not a number.
 [[nodiscard]] double required_number(std::string_view text);
 
 }  // namespace camopt

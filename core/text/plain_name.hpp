@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program may call things of its own, so that scene files and reports can name them.
+// Names of user-defined objects, as scene files and reports write them.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace {
 
 struct Letter {
     char32_t code = 0;
-    std::size_t bytes = 0;  ///< 0: no UTF-8
+    std::size_t bytes = 0;  ///< 0: not UTF-8
 };
 
 /// The first letter of a text that is not empty.

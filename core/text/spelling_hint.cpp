@@ -9,9 +9,9 @@
 namespace camopt {
 namespace {
 
-// Longer words are no slip of anything.
+// Longer words are not misspellings.
 constexpr std::size_t longest_word = 64;
-// More would be a list of everything.
+// More candidates would not be a hint.
 constexpr std::size_t most_words = 4;
 
 char lower_case(char c) {
@@ -56,7 +56,7 @@ bool holds_all(const std::string& candidate, const std::vector<std::string>& par
 
 std::vector<std::string> words_like(std::string_view word, const std::vector<std::string>& candidates) {
     if (word.size() > longest_word) return {};
-    // Two slips in a long word, one in a short one: more would suggest words that have nothing to do with it.
+    // Two edits in a long word, one in a short one: more would suggest unrelated words.
     std::size_t least = (word.size() < 5 ? 1 : 2) + 1;
     const std::string* nearest = nullptr;
     for (const std::string& candidate : candidates) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of the words that are allowed a wrong one was meant to be: for error messages.
+// Suggestions for a misspelled word, for error messages.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace camopt {
 
-/// The candidates that a wrong word may mean, nearest first: the one that differs by a slip or two of the
-/// keyboard (upper and lower case count as the same), else those that hold every part of it ("flat" is a part
-/// of "translating_flat"; parts end at '_', '.' and '-'). Few or none.
+/// The candidates for a misspelled word, nearest first: those within an edit or two (upper and lower case
+/// count as the same), else those that contain every part of it ("flat" is a part of "translating_flat";
+/// parts end at '_', '.' and '-').
 [[nodiscard]] std::vector<std::string> words_like(std::string_view word,
                                                   const std::vector<std::string>& candidates);
 

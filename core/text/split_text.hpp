@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts without their blank ends, and their parts between separators: views into what is given.
+// Texts without surrounding blanks, and their parts between separators: views into the argument.
 #pragma once
 
 #include <string_view>
@@ -14,7 +14,7 @@ namespace camopt {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// Each part trimmed: one more than there are separators, so that an empty text has one empty part.
+/// Each part trimmed: one more than there are separators, so an empty text has one empty part.
 [[nodiscard]] inline std::vector<std::string_view> split_text(std::string_view text, char separator,
                                                               std::string_view blanks = " \t\r\n") {
     std::vector<std::string_view> parts;

@@ -24,7 +24,7 @@ namespace {
     throw InputError(fmt::format("cannot {} {}: {}", what, path.string(), reason));
 }
 
-/// Waits until the bytes are on the disk. False: they may not be; errno says why.
+/// Waits until the bytes are on the disk. False: they may not be; errno has the reason.
 bool is_on_disk(const std::filesystem::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return false;

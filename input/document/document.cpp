@@ -26,13 +26,13 @@ double Node::as_number() const {
 
 namespace {
 
-// Long texts are cut: the reader of a message needs to recognise the value, not to read it again.
+// Long texts are truncated: the message identifies the value.
 constexpr std::size_t longest_shown_text = 60;
 
 std::string shown_text(const std::string& text) {
     std::size_t length = std::min(text.size(), longest_shown_text);
     while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xc0U) == 0x80U)
-        --length;  // no half letter
+        --length;  // no partial UTF-8 character
     std::string escaped;
     for (const char letter : text.substr(0, length)) {
         if (letter == '"' || letter == '\\') escaped += '\\';
@@ -53,7 +53,7 @@ std::string quoted_text(std::string_view text) {
         if (letter == '"' || letter == '\\') escaped += '\\';
         escaped += letter;
     }
-    return '"' + printable(escaped) + '"';  // what it writes out is TOML's own spelling
+    return '"' + printable(escaped) + '"';  // output uses TOML's own spelling
 }
 
 bool is_bare(std::string_view name) {
@@ -130,7 +130,7 @@ std::string value_text(const Node& node) {
         case NodeKind::date_or_time:
             break;
     }
-    throw InputError("a scene is written as TOML: found a date or time; allowed: what scenes hold");
+    throw InputError("a scene is written as TOML: found a date or time; allowed: the value types of a scene");
 }
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A TOML document as a plain tree that remembers where every key and value stands, in the order of the file.
-// Errors: InputError "FILE:LINE:COLUMN: …" for text that is no TOML. Internal to input/.
+// A TOML document as a plain tree with the location of every key and value, in the order of the file. Errors:
+// InputError "FILE:LINE:COLUMN: …" for text that is not TOML. Internal to input/.
 #pragma once
 
 #include "core/errors.hpp"
@@ -21,7 +21,7 @@ struct Place {
     int setting = 0;            ///< 0: not by a program; else which of its settings, < 0: implied by one
 };
 
-/// Something wrong at a place, with the prefix that says where.
+/// A fault at a location, with the location as prefix.
 class PlacedError : public InputError {
  public:
     PlacedError(const Place& where, const std::string& message) : InputError(message), place_(where) {}
@@ -61,23 +61,23 @@ struct Member {
     Node value;
 };
 
-/// `source_name` stands in front of every error.
+/// `source_name` begins every message.
 [[nodiscard]] Node parse_document(std::string_view toml, std::string_view source_name);
 
-/// The value behind KEY= of an override: TOML, or a bare word, which is a string. Every place in it is the
+/// The value after KEY= of an override: TOML, or a bare word, which is a string. Every location in it is the
 /// override.
 [[nodiscard]] Node parse_override_value(std::string_view value, const Place& place);
 
-/// "scene.toml:7:12: spline.degree: ", "--set spline.degree=4: spline.degree: ", or of what a program set
-/// "spline.degree: ". An empty key is left out.
+/// "scene.toml:7:12: spline.degree: ", "--set spline.degree=4: spline.degree: ", or for a program
+/// "spline.degree: ". An empty key is omitted.
 [[nodiscard]] std::string error_prefix(std::string_view source_name, const Place& place,
                                        std::string_view key);
 
-// A document written as TOML again: parse_document(document_text(root)) is the same tree but for its places.
-// Comments and the layout of the file it came from are gone. Internal to input/.
+// Writes a document as TOML: parse_document(document_text(root)) is the same tree except for locations.
+// Comments and layout are lost. Internal to input/.
 
-/// The tables of the root as sections, everything in them on one line a key. Numbers in the fewest digits
-/// that read back as the same double. Throws InputError for a date or time: no scene holds one.
+/// The tables of the root as sections, each key on one line. Numbers with the fewest digits that read back as
+/// the same double. Throws InputError for a date or time, which no scene has.
 [[nodiscard]] std::string document_text(const Node& root);
 
 /// One value of it: 30.0, "DRD", [0.0, 0.5], {min = 20, max = 60}.

@@ -26,7 +26,7 @@ struct KeyPart {
     std::optional<std::size_t> index;
 };
 
-/// Nothing where the text is no name, or no name with an index.
+/// Nullopt if the text is not a name, or not a name with an index.
 std::optional<KeyPart> key_part(std::string_view text) {
     KeyPart part;
     if (const std::size_t bracket = text.find('['); bracket != std::string_view::npos) {
@@ -49,7 +49,7 @@ std::optional<KeyPart> key_part(std::string_view text) {
 }
 
 std::vector<KeyPart> key_parts(std::string_view key, const Place& place) {
-    // No scene has deeper keys, and every part is a level of recursion later.
+    // No scene has deeper keys; every part costs a level of recursion.
     constexpr std::size_t most_parts = 8;
     const std::string_view whole = key;
     std::vector<KeyPart> parts;
@@ -63,7 +63,7 @@ std::vector<KeyPart> key_parts(std::string_view key, const Place& place) {
     }
     if (place.setting != 0)
         fail(place, "",
-             fmt::format("found \"{}\", which is no dotted key; allowed: for example motion.rise_deg or "
+             fmt::format("found \"{}\", which is not a dotted key; allowed: for example motion.rise_deg or "
                          "motion.segments[1].to",
                          printable(whole)));
     fail(place, "", fmt::format("found no dotted key before '='; allowed: {}", example));
@@ -89,22 +89,21 @@ void set(Node& table, std::string_view table_path, const std::string& name, Node
     table.members.erase(std::remove_if(found + 1, table.members.end(), same), table.members.end());
 }
 
-/// The entry of an array that stands in the table.
+/// The entry of an array in the table.
 Node& entry(Node& table, const KeyPart& part, const std::string& path, const Place& place) {
     Member* member = table.find(part.name);
-    if (!member) fail(place, path, "found no such array in the scene; allowed: an entry that is there");
+    if (!member) fail(place, path, "found no such array in the scene; allowed: an existing entry");
     Node& array = member->value;
     if (array.kind != NodeKind::array)
         fail(place, path,
              fmt::format("found {}, not an array; allowed: set {} as a whole", array.shown(), path));
     if (*part.index >= array.items.size())
         fail(place, path,
-             fmt::format("found {} entries, counted from 0; allowed: an entry that is there",
-                         array.items.size()));
+             fmt::format("found {} entries, counted from 0; allowed: an existing entry", array.items.size()));
     return array.items[*part.index];
 }
 
-/// The table that a part of the key leads to; made where it is absent.
+/// The table for a part of the key; created if missing.
 Node& inner_table(Node& table, const KeyPart& part, const std::string& path, const Place& place) {
     if (!part.index && !table.find(part.name)) {
         Place implied = place;
@@ -123,7 +122,8 @@ Node& inner_table(Node& table, const KeyPart& part, const std::string& path, con
                             : ""));
 }
 
-/// Where a key leads: the table that holds its last part, and both as the key table and as the user say them.
+/// The target of a key: the table that holds its last part, and both as in the key table and as written by
+/// the user.
 struct Destination {
     Node* table = nullptr;
     KeyPart last;
@@ -151,7 +151,7 @@ Setting parsed_setting(std::string_view text, const Place& place) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) fail(place, "", fmt::format("found no '='; allowed: {}", example));
     const std::string_view key = trimmed(text.substr(0, equals));
-    (void)key_parts(key, place);  // a wrong key is told before a wrong value
+    (void)key_parts(key, place);  // a wrong key is reported before a wrong value
     return {std::string(key), parse_override_value(trimmed(text.substr(equals + 1)), place)};
 }
 

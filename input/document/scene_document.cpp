@@ -18,7 +18,7 @@ struct SceneDocument::State {
     SceneSource source;
     KnownNames known;
     std::string given;  ///< the text it was made from
-    int settings = 0;   ///< so many were made, kept or not
+    int settings = 0;   ///< number of settings made, retained or not
 
     [[nodiscard]] Place next_place() {
         return {.line = 1, .column = 1, .override_text = {}, .setting = ++settings};
@@ -28,7 +28,7 @@ struct SceneDocument::State {
 namespace {
 
 Node scalar_node(double value) {
-    // Beyond it not every integer is a double.
+    // Larger integers may not be exact doubles.
     constexpr double exact_integers = 9007199254740992.0;
     Node node;
     const bool is_integer = value == std::trunc(value) && std::abs(value) <= exact_integers;
@@ -77,7 +77,7 @@ struct NodeOf {
     }
 };
 
-/// Whether the key table has this key, or lets a backend have keys of its own there.
+/// Whether the key table has this key, or the table may have keys of a backend.
 bool is_known(std::string_view key) {
     std::string table;
     while (true) {
@@ -127,17 +127,17 @@ void SceneDocument::unset(std::string_view key) {
     Setting unknown{std::string(key), {}};
     unknown.value.place = place;
     apply_setting(changed.source.root, unknown);
-    check_given_keys(changed.source);  // throws: it says which keys there are
+    check_given_keys(changed.source);  // throws, listing the keys
 }
 
-/// What a reading of the whole scene says of this very setting is a fault of it; what it says of others is
-/// left to those who use the scene.
+/// A fault of this setting in a reading of the whole scene is reported; other faults are left to the user of
+/// the scene.
 void SceneDocument::adopt(State&& changed) {
     try {
         (void)read_document(changed.source, changed.known);
     } catch (const PlacedError& error) {
         if (error.place().setting == changed.settings) throw;
-    } catch (const InputError&) {  // NOLINT(bugprone-empty-catch): of the scene as a whole
+    } catch (const InputError&) {  // NOLINT(bugprone-empty-catch): concerns the scene as a whole
     }
     changed.given.clear();
     *state_ = std::move(changed);

@@ -74,7 +74,7 @@ std::pair<std::string_view, std::optional<std::size_t>> split_index(std::string_
     return {part.substr(0, bracket), index};
 }
 
-/// Members of Scene that are called otherwise in the file ("return" is a word of C++), or may be.
+/// Members of Scene with another name in the file ("return" is a keyword of C++), or possibly so.
 std::string_view other_name(std::string_view member) {
     if (member == "return_angle") return "return";
     if (const LimitRow* row = limit_named(member); row != nullptr && row->swinging.name != nullptr)
@@ -95,7 +95,7 @@ void SceneSource::fail_member(std::string_view member, std::string_view what) co
         std::optional<Given> given;
         if (node) given = find_in(*node, table_path, quantity);
         if (node && !given) given = find_in(*node, table_path, other_name(quantity));
-        // A table of the file is no quantity of the key table.
+        // A table of the file is not a quantity of the key table.
         const Member* const table = node && !given ? node->find(quantity) : nullptr;
         key = joined_key(key, given ? std::string_view(given->member->name) : quantity);
         table_path = joined_key(table_path, quantity);

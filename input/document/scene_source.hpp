@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A parsed scene file seen through the key table: quantities by name whatever their unit, errors with their
-// place. Internal to input/.
+// A parsed scene file through the key table: quantities by name in any unit, errors with their location.
+// Internal to input/.
 #pragma once
 
 #include "input/document/document.hpp"
@@ -25,7 +25,7 @@ struct Given {
     [[nodiscard]] const Node& value() const { return member->value; }
     /// SI value of a number.
     [[nodiscard]] double number() const { return member->value.as_number() * spelling->factor; }
-    /// A number or a range of one, in SI, with the key and the unit it was written in.
+    /// A number or a range of one, in SI, with its key and unit as written.
     [[nodiscard]] Dimension dimension() const;
 };
 
@@ -34,17 +34,17 @@ class SceneSource {
     std::string name;  ///< of the file
     Node root;
 
-    /// The value at a dotted path of tables; nullptr where it is not there or is no table.
+    /// The value at a dotted path of tables; nullptr if it is missing or not a table.
     [[nodiscard]] const Node* table(std::string_view path) const;
 
-    /// A quantity of a table, whatever its unit.
+    /// A quantity of a table, in any unit.
     [[nodiscard]] std::optional<Given> find(std::string_view table_path, std::string_view quantity) const;
     [[nodiscard]] static std::optional<Given> find_in(const Node& table, std::string_view table_path,
                                                       std::string_view quantity);
 
     [[nodiscard]] std::optional<double> number(std::string_view table_path, std::string_view quantity) const;
 
-    /// What is written replaces the target.
+    /// A given value replaces the target.
     void read_number(std::string_view table_path, std::string_view quantity, double& target) const;
     template <typename Integer>
     void read_integer(std::string_view table_path, std::string_view quantity, Integer& target) const {
@@ -66,18 +66,18 @@ class SceneSource {
             if (given->value().text == name_of(value)) target = value;
     }
 
-    /// Throws InputError "PLACE: key: what".
+    /// Throws InputError "LOCATION: key: what".
     [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const;
 
-    /// Throws for a member of the Scene: its place and its key as written, or those of the nearest table.
+    /// Throws for a member of the Scene: its location and its key as written, or those of the nearest table.
     [[noreturn]] void fail_member(std::string_view member, std::string_view what) const;
 };
 
 /// "motion" + "type" = "motion.type"; at the top level just the key.
 [[nodiscard]] std::string joined_key(std::string_view table, std::string_view key);
 
-/// A parsed document → validated Scene: checks keys, values and what must hold between them; throws
-/// InputError for the first fault.
+/// A parsed document → validated Scene: checks keys, values and their relations; throws InputError for the
+/// first fault.
 [[nodiscard]] Scene read_document(const SceneSource& source, const KnownNames& known);
 
 }  // namespace camopt::input

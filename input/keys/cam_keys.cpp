@@ -33,8 +33,8 @@ std::vector<KeyRow> force_rows() {
         {"forces", "spring_rate", number, spring_rate, not_negative, {}, "0",
          "Rate of the return spring: per length for translating, per angle for oscillating followers."},
         {"forces", "preload", number, force_or_moment, any, {}, "0",
-         "Force (translating) or moment (oscillating) that presses the follower on the cam at displacement 0, "
-         "standing still: spring, weight, load."},
+         "Force (translating) or moment (oscillating) that presses the follower against the cam at displacement 0, "
+         "at rest: spring, weight, load."},
         {"forces", "contact_width", number, length, positive, {}, "none",
          "Width of the line of contact; the Hertz pressure needs it."},
         {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam."},
@@ -72,7 +72,7 @@ std::vector<KeyRow> dynamics_rows() {
         {"dynamics", "natural_frequency", number, frequency, positive, {}, "or a stiffness",
          "Of the output on its spring, with the cam (or the stage before it) held and the return spring on; undamped."},
         {"dynamics", "stiffness", number, train_spring, positive, {}, "or a natural frequency",
-         "Of the spring between the output and what stands before it.", Availability::now, "natural_frequency"},
+         "Of the spring between the output and the mass or cam before it.", Availability::now, "natural_frequency"},
         {"dynamics", "damping_ratio", number, plain, damping_ratios, {}, "0",
          "Damping of the output in parts of critical."},
         {"dynamics", "damping", number, damper, not_negative, {}, "0", "The same as a damper.",
@@ -80,7 +80,7 @@ std::vector<KeyRow> dynamics_rows() {
         {"dynamics", "return_spring", number, train_spring, not_negative, {}, "0",
          "Rate of the spring that presses the output back to the cam."},
         {"dynamics", "preload", number, force_or_moment, not_negative, {}, "0",
-         "What the return spring presses with at displacement 0. Without spring and preload the cam guides the follower both ways."},
+         "What the return spring presses with at displacement 0. Without spring and preload the cam guides the follower in both directions."},
         {"dynamics", "speed_range", numbers, speed, positive, {}, "motion.speed",
          "Two speeds: terms and limits of the train hold from the first to the second."},
         {"dynamics", "stage", tables, plain, any, {}, "none",
@@ -89,7 +89,7 @@ std::vector<KeyRow> dynamics_rows() {
         {"dynamics.stage", "inertia", number, inertia, positive, {}, "needed",
          "The same where the lift is an angle.", Availability::now, "mass"},
         {"dynamics.stage", "stiffness", number, train_spring, positive, {}, "required",
-         "Of the spring to what stands before it."},
+         "Of the spring to the mass or cam before it."},
         {"dynamics.stage", "damping_ratio", number, plain, damping_ratios, {}, "0",
          "c / (2 sqrt(k m)) of this mass on this spring."},
     };

@@ -27,7 +27,7 @@ class KeyCheck {
 
  private:
     const SceneSource& source_;
-    bool complete_;  ///< what is missing is a fault
+    bool complete_;  ///< a missing key is a fault
 
     /// `table`: the name in the key table; `path`: as the user would write it, with indices.
     void check_table(const Node& node, std::string_view table, const std::string& path) const {
@@ -48,7 +48,7 @@ class KeyCheck {
                              fmt::format("missing; allowed: {}", row.allowed(row.spellings.front())));
     }
 
-    /// cam.type as it is written; empty where it is not.
+    /// cam.type as written; empty if missing.
     [[nodiscard]] std::string_view cam_type() const {
         const auto type = source_.find("cam", "type");
         return type ? std::string_view(type->value().text) : std::string_view{};
@@ -56,14 +56,14 @@ class KeyCheck {
     [[nodiscard]] bool is_of_this_cam(const KeyRow& row) const { return row.is_for(cam_type()); }
     void refuse_other_cam(const Given& given, const std::string& key) const {
         if (is_of_this_cam(*given.row)) return;
-        // Without a type the missing type is what is wrong.
+        // Without a type the missing type is the fault.
         if (given.row->table == "cam" && cam_type().empty()) return;
         source_.fail(given.member->place, key,
                      fmt::format("found a key for cams of type {0}; allowed: only with cam.type = {0}{1}",
                                  given.row->cam_types_text('"'), chosen_elsewhere(key)));
     }
 
-    /// Where this type of cam says what another says by `key`: which follower it has. Empty: no such key.
+    /// For another type of cam, where `key` selects the follower. Empty: no such key.
     [[nodiscard]] std::string chosen_elsewhere(std::string_view key) const {
         const auto choosing = [](const CamKind& kind) {
             return joined_key(kind.choosing_table, kind.choosing_key);
@@ -71,12 +71,12 @@ class KeyCheck {
         const CamKind* const own = cam_kind(cam_type());
         if (own == nullptr || std::ranges::find(cam_kinds(), key, choosing) == cam_kinds().end()) return {};
         return own->choosing_key.empty()
-                   ? fmt::format("; cam.type = \"{}\" says what follows already: leave this key out",
+                   ? fmt::format("; cam.type = \"{}\" already determines this value: remove the key",
                                  own->type)
                    : fmt::format("; with cam.type = \"{}\" the key {} chooses it", own->type, choosing(*own));
     }
 
-    /// What may stand in a table beside this type of cam; a [cam] without a type is taken for a disk cam.
+    /// The tables allowed with this type of cam; a [cam] without a type counts as a disk cam.
     [[nodiscard]] std::vector<std::string> keys_of_this_cam(std::string_view table) const {
         const std::string_view type =
             table == "cam" && cam_type().empty() ? std::string_view(cam_kinds().front().type) : cam_type();
@@ -92,9 +92,9 @@ class KeyCheck {
                                      const std::string& key) const {
         const std::vector<std::string> allowed = keys_of_this_cam(table);
         std::string hint = spelling_hint(member.name, allowed);
-        if (const KeyRow* const row = find_row(table, member.name))  // the unit forgotten
+        if (const KeyRow* const row = find_row(table, member.name))  // the unit is missing
             hint = fmt::format("; did you mean '{}'?", row->key(row->spellings.front()));
-        if (const std::string meant = key_meant(table, member.name); !meant.empty())  // another word
+        if (const std::string meant = key_meant(table, member.name); !meant.empty())  // a synonym
             hint = did_you_mean({meant});
         for (const KeyRow& row : scene_keys())  // in the wrong table
             if (hint.empty() && match_key(row.table, member.name).row != nullptr)
@@ -108,9 +108,10 @@ class KeyCheck {
             if (&other == given.member) break;
             const KeyRow* row = match_key(given.row->table, other.name).row;
             if (row == given.row || row->name == given.row->instead_of || row->instead_of == given.row->name)
-                source_.fail(given.member->place, joined_key(path, given.member->name),
-                             fmt::format("found beside {}, which says the same; allowed: only one of the two",
-                                         joined_key(path, other.name)));
+                source_.fail(
+                    given.member->place, joined_key(path, given.member->name),
+                    fmt::format("found together with {}, which means the same; allowed: only one of the two",
+                                joined_key(path, other.name)));
         }
     }
 

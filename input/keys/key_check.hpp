@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks a parsed scene file against the key table, in the order of the file: unknown keys, wrong types,
+// Validates a parsed scene file against the key table, in the order of the file: unknown keys, wrong types,
 // values out of range, two spellings of a quantity, missing keys. Errors: InputError, UnavailableError.
 // Internal to input/.
 #pragma once
@@ -10,7 +10,7 @@ namespace camopt::input {
 
 void check_keys(const SceneSource& source);
 
-/// The same of what is given, without asking for what is missing: of a scene that is still being made.
+/// The same without missing keys: for a scene under construction.
 void check_given_keys(const SceneSource& source);
 
 /// Names, and the words around their list in an error message.
@@ -19,7 +19,7 @@ struct AllowedNames {
     std::string_view before = {}, after = {};
 };
 
-/// Throws where the text is none of the names.
+/// Throws if the text is not one of the names.
 void check_name(const SceneSource& source, const Given& given, const std::string& key,
                 const AllowedNames& allowed);
 

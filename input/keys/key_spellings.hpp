@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The units in which quantities may be written, and the ranges several keys share. Internal to input/.
+// The units of quantities, and ranges shared by several keys. Internal to input/.
 #pragma once
 
 #include "core/units.hpp"

@@ -77,8 +77,8 @@ constexpr std::array rotations = {
     CamSynonym{"anticlockwise", "counterclockwise"},
 };
 
-/// A word of rises, dwells and returns, as other programs name motions: D, R and F. Its dwells at the ends
-/// are there in every motion.
+/// A word of rises, dwells and returns in the notation of other programs: D, R and F. Dwells at the ends are
+/// implied in every motion.
 std::string motion_meant(std::string_view text) {
     std::string strokes;
     for (const char c : text) {

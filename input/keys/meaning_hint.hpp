@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Words from elsewhere for what a scene file calls otherwise: "swing_deg" is lift_deg, a follower "flat" is
-// translating_flat or oscillating_flat, a motion "DRDR" is a program. For error messages. Internal to input/.
+// Suggestions for terms of other programs: "swing_deg" is lift_deg, a follower "flat" is translating_flat or
+// oscillating_flat, a motion "DRDR" is a program. For error messages. Internal to input/.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace camopt::input {
 
-/// The key of the table that another name of the same quantity means, with the unit that was written; empty
-/// where none is known. "swing_deg" in "motion" → "lift_deg".
+/// The key of the table that a synonym means, with the written unit; empty if none is known. "swing_deg" in
+/// "motion" → "lift_deg".
 [[nodiscard]] std::string key_meant(std::string_view table, std::string_view written);
 
-/// "; did you mean …?" for a text that is none of the choices of a key; empty where nothing is near.
-/// `path`: "motion.type".
+/// "; did you mean …?" for a text that is not a choice of a key; empty if nothing is similar. `path`:
+/// "motion.type".
 [[nodiscard]] std::string choice_hint(std::string_view path, std::string_view text,
                                       const std::vector<std::string>& choices);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Look-up in the key table and its rows as words: error messages and the Markdown of docs/scene_file.md.
+// Look-up in the key table, and its rows in words: error messages and the Markdown of docs/scene_file.md.
 #include "input/keys/scene_keys.hpp"
 
 #include <fmt/format.h>

@@ -61,8 +61,8 @@ Rows motion() {
     return {
         {"motion", "type", text, plain, any, {"DRD", "RR", "program"}, "required",
          "`\"DRD\"`: rise between two dwells. `\"RR\"`: rise and return without a dwell at the top. "
-         "`\"program\"`: the segments of a whole turn; `rise`, `return`, `symmetric` and `via` have no place "
-         "in it; its segments have `via` of their own."},
+         "`\"program\"`: the segments of one revolution, without `rise`, `return`, `symmetric` and `via` outside "
+         "them; each segment may have its own `via`."},
         {"motion", "lift", number, lift, positive, {}, "1 mm",
          "Lift of the follower; an angle for a swinging or indexing output."},
         {"motion", "rise", number, angle, within_turn, {}, "180 deg", "Cam angle of the rise."},
@@ -82,11 +82,11 @@ Rows motion() {
         {"motion", "segments", tables, plain, any, {}, "none",
          "The segments of a program, one table each, from displacement 0 on."},
         {"motion", "closed", boolean, plain, any, {}, "true",
-         "The program is a whole turn: its angles add up to 360 deg and it ends at displacement 0."},
+         "The program is one revolution: its angles add up to 360 deg and it ends at displacement 0."},
         {"motion.segments", "kind", text, plain, any, {"dwell", "law", "spline"}, "required",
          "`\"dwell\"` keeps the displacement, `\"law\"` is a classical law, `\"spline\"` is optimised."},
         {"motion.segments", "angle", number_or_range, angle, within_turn, {}, "required",
-         "Cam angle of the segment; a range is searched, and the angles still add up to a turn (closed programs, "
+         "Cam angle of the segment; a range is searched, and the angles still add up to 360 deg (closed programs, "
          "two ranges or more)."},
         {"motion.segments", "law", text, plain, any, {}, "none",
          "A law of the catalogue; kind `\"law\"` only, and needed there."},
@@ -98,7 +98,7 @@ Rows motion() {
     };
 }
 
-/// Set points of the whole motion, or of a segment: `unit` says what places are measured in.
+/// Set points of the whole motion, or of a segment: `unit` is that of their locations.
 Rows set_points(const char* table, const char* unit) {
     static const std::string in_rise = "Where, in units of the rise (DRD 0 to 1, RR 0 to 1 + return/rise) or as "
                                        "a cam angle.";
@@ -131,14 +131,14 @@ Rows measured() {
         {"measured", "table", text, plain, any, {}, "none",
          "A CSV file in the scene's folder (or a path from there). Its first line names the columns, in any "
          "order: `theta_deg` or `theta_rad`, the cam angle from the start of the motion, and `s_mm`, `s_in`, "
-         "`s_m`, `s_deg` or `s_rad`; others are left alone."},
+         "`s_m`, `s_deg` or `s_rad`; others are ignored."},
         {"measured", "theta", numbers, angle, any, {}, "none",
          "The angles themselves, ascending over the whole motion.", Availability::now, "table"},
         {"measured", "s", numbers, lift, any, {}, "none", "The displacements at these angles.",
          Availability::now, "table"},
         {"measured", "use", text, plain, any, {"compare", "start"}, "\"compare\"",
          "`\"compare\"`: what the optimum gains over it. `\"start\"`: searches begin from it, too."},
-        {"measured", "name", text, plain, any, {}, "the file's", "What reports call it."},
+        {"measured", "name", text, plain, any, {}, "the file's", "Its name in reports."},
     };
 }
 
@@ -165,7 +165,7 @@ Rows spline() {
     };
 }
 
-/// As the manual lists them: what is convex before what is not.
+/// In the order of the manual: convex terms before others.
 std::vector<const CostTerm*> listed_terms() {
     std::vector<const CostTerm*> terms;
     for (const CostTerm& term : cost_terms()) terms.push_back(&term);
@@ -237,9 +237,9 @@ Rows solver() {
         {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7 where convex, 1e-4 otherwise",
          "Proved relative gap below which the verdict is optimal."},
         {"solver", "max_seconds", number, plain, positive, {}, "60",
-         "Wall time of search, proof, tie-break and explanation together; then what was found so far is kept."},
+         "Wall time of search, proof, tie-break and explanation together; then the best motion so far is returned."},
         {"solver", "explain_seconds", number, plain, not_negative, {}, "5",
-         "Of these: for the search for changes that make an infeasible scene feasible."},
+         "Part of this time: for the search for changes that make an infeasible scene feasible."},
         {"solver", "explain_changes", integer, plain, Range::between(1, 1000), {}, "3",
          "That search ends as soon as it has found so many useful changes."},
         {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1 where convex, 8 otherwise",
@@ -304,7 +304,7 @@ void add_words_of_variants(Rows& rows) {
         }
 }
 
-/// Empty where it has nothing to do with a kind, or all have it.
+/// Empty if it belongs to no kind, or to all.
 std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
     std::vector<std::string_view> types;
     for (const CamKind& kind : cam_kinds())
@@ -333,7 +333,7 @@ KeyTable all_rows() {
 }  // namespace
 
 const std::vector<KeyRow>& scene_keys() {
-    // A program may add kinds: a table for each number of them, so that rows handed out stay.
+    // A program may add kinds: one table per number of kinds, so that returned rows remain valid.
     static std::mutex mutex;
     static std::map<std::size_t, KeyTable> tables;
     const std::lock_guard lock(mutex);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every key of a scene file, one row a key: type, units, range, default, meaning.
-// The reader refuses what no row names and checks every value against its row; docs/scene_file.md is rendered
-// from it.
+// Every key of a scene file, one row per key: type, units, range, default, meaning. The reader refuses keys
+// without a row and validates every value against its row; docs/scene_file.md is generated from it.
 #pragma once
 
 #include "scene/key_row.hpp"
@@ -28,16 +27,16 @@ struct KeyMatch {
     const Spelling* spelling = nullptr;
 };
 
-/// The row and spelling of a written key; row == nullptr where the table has no such key.
+/// The row and spelling of a written key; row == nullptr if the table has no such key.
 [[nodiscard]] KeyMatch match_key(std::string_view table, std::string_view key);
 
 /// "number or range": the type as the manual and the lists name it.
 [[nodiscard]] std::string_view type_words(KeyType type);
 
-/// Every key of a table as it may be written, in order.
+/// Every key of a table in all its spellings, in order.
 [[nodiscard]] std::vector<std::string> written_keys(std::string_view table);
 
-/// The table as Markdown, one section a TOML table.
+/// The table as Markdown, one section per TOML table.
 [[nodiscard]] std::string scene_keys_markdown();
 
 }  // namespace camopt::input

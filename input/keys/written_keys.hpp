@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene file sets, key by key, with unit and meaning: what a report lists so that it says everything.
+// The keys set in a scene file, with unit and meaning, for a complete report.
 #pragma once
 
 #include <string>
@@ -15,9 +15,8 @@ struct WrittenKey {
     std::string meaning;  ///< of the key table; empty: an option of a solver
 };
 
-/// Every key that holds a value, in the order of the text; the tables and arrays of tables that hold others
-/// are not among them. Keys that no table row names are listed too. Throws InputError for text that is no
-/// TOML.
+/// Every key with a value, in the order of the text, without the tables and arrays of tables that contain
+/// others. Keys without a table row are listed too. Throws InputError for text that is not TOML.
 [[nodiscard]] std::vector<WrittenKey> keys_written_in(std::string_view toml, std::string_view source_name);
 
 }  // namespace camopt::input

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every law, solver and kind of cam there is, the program's own among them: what input::read_scene is told of
-// names.
+// All laws, solvers and kinds of cams, including those added by the program: the names for input::read_scene.
 #pragma once
 
 #include "input/scene_reader.hpp"

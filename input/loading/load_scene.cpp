@@ -9,7 +9,7 @@ namespace camopt {
 
 namespace {
 
-/// What the formulas of the train refuse is told with its place in the file.
+/// Faults found by the formulas of the train are reported with their location in the file.
 void complete(Scene& scene, const input::SceneOrigin& origin) {
     try {
         complete_dynamics(scene);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene file, or its text, and all that camopt knows by name: laws, solvers, kinds of cams, the program's
-// own among them. What comes back can be solved.
+// Loads a scene from a file or a text with all names that camopt knows: laws, solvers, kinds of cams,
+// including those added by the program. The result can be solved.
 #pragma once
 
 #include "input/loading/known_names.hpp"
@@ -13,12 +13,12 @@
 
 namespace camopt {
 
-/// `settings`: "KEY=VALUE" as `--set` takes them, on top of the file. Throws InputError
-/// "FILE:LINE:COLUMN: key: found …; allowed: …".
+/// `settings`: "KEY=VALUE" as for `--set`, applied to the file. Throws InputError "FILE:LINE:COLUMN: key:
+/// found …; allowed: …".
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, std::span<const std::string> settings = {});
 
-/// The same of a text; `name` stands in the place of FILE. It may name a table (measured.table) only where a
-/// `folder` to look in is given.
+/// The same for a text; `name` replaces FILE. It may name a table (measured.table) only if a `folder` is
+/// given.
 [[nodiscard]] Scene scene_of_toml(std::string_view toml, std::span<const std::string> settings = {},
                                   std::string_view name = "scene",
                                   const std::optional<std::filesystem::path>& folder = {});

@@ -39,7 +39,7 @@ std::vector<double> scaled(std::vector<double> numbers, double factor) {
     return numbers;
 }
 
-/// The row of "measured.theta[17]"; none of anything else.
+/// The row of "measured.theta[17]"; nullopt for other members.
 std::optional<std::size_t> row_of(std::string_view member) {
     const std::size_t open = member.find('[');
     if (open == std::string_view::npos || !member.ends_with(']')) return std::nullopt;
@@ -115,7 +115,7 @@ class TableReader {
             fmt::format("{}:{}: found {}; allowed: {}", table_.file, std::max(line_, 1), found, allowed));
     }
 
-    /// The next one that says something.
+    /// The next line with content.
     std::optional<std::string_view> next_line() {
         while (!text_.empty()) {
             const std::size_t end = text_.find('\n');
@@ -181,10 +181,10 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, const Moti
     const auto theta = source.find("measured", "theta"), s = source.find("measured", "s");
     if (table) {
         if (!known.folder)
-            source.fail(
-                table->value().place, "measured.table",
-                "found a file in a scene that is none itself; allowed: the numbers, theta_deg and s_mm, "
-                "or a scene file that names its table");
+            source.fail(table->value().place, "measured.table",
+                        "found a file name in a scene that was not read from a file; allowed: the numbers, "
+                        "theta_deg and s_mm, "
+                        "or a scene file that names its table");
         input.table = read_measured_table(*known.folder / table->value().text);
         require_unit_of_lift(source, table->value().place, "measured.table", input.table->s_unit, motion);
         input.motion.angle = scaled(input.table->theta, input.table->theta_unit.factor);

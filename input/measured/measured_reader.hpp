@@ -17,36 +17,35 @@ namespace camopt::input {
 
 // A CSV file of a measured motion: a line that names the columns, then rows of numbers.
 //
-// Columns are found by their names, whatever their order; others are left alone. They are parted by commas,
-// semicolons or tabs, whichever the first line has; numbers have a decimal point whatever the locale. Empty
-// lines and lines that begin with # are skipped. Internal to input/.
+// Columns are found by their names, in any order; others are ignored. They are separated by commas,
+// semicolons or tabs, as in the first line; numbers have a decimal point in any locale. Empty lines and lines
+// that begin with # are skipped. Internal to input/.
 struct MeasuredTable {
-    std::string file;              ///< as messages name it
+    std::string file;              ///< its name in messages
     std::string theta_key, s_key;  ///< "theta_deg", "s_mm"
     Spelling theta_unit, s_unit;
     std::vector<double> theta, s;  ///< as written
     std::vector<int> lines;        ///< of each row, from 1
 };
 
-/// Throws InputError "FILE:LINE: …" for columns that are missing, twice or in other units, cells that are no
-/// finite number, angles that do not ascend, and files that cannot be read.
+/// Throws InputError "FILE:LINE: …" for columns that are missing, twice or in other units, cells that are not
+/// finite numbers, angles that do not ascend, and files that cannot be read.
 [[nodiscard]] MeasuredTable read_measured_table(const std::filesystem::path& file);
 [[nodiscard]] MeasuredTable measured_table_of(std::string_view text, const std::string& name);
 
 struct MeasuredInput {
     MeasuredMotion motion;
-    std::optional<MeasuredTable> table;  ///< where it came from a file: its lines, for messages
+    std::optional<MeasuredTable> table;  ///< if from a file: its lines, for messages
 };
 
-/// Throws InputError for what is missing, a file that cannot be read, units that do not fit the lift.
+/// Throws InputError for a missing key, a file that cannot be read, units that do not fit the lift.
 [[nodiscard]] std::optional<MeasuredInput> read_measured(const SceneSource& source, const MotionSpec& motion,
                                                          const KnownNames& known);
 
-/// A fault of the measured motion at the line of its file; nothing where it is of something else.
+/// A fault of the measured motion at the line of its file; no effect for other faults.
 void fail_in_table(const SceneSource& source, const MeasuredInput& measured, const SceneFault& fault);
 
-/// Puts the numbers of a table that the scene names into the scene, in its place. Nothing happens where it
-/// names none.
+/// Replaces the table that the scene names by its numbers. No effect if it names none.
 void write_out_tables(Node& root, const std::filesystem::path& folder);
 
 }  // namespace camopt::input

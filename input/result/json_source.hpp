@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A value of a JSON document that knows where it stands, so that what is wrong with it can be said; JSON
-// values in words, for messages. Internal to input/ and to the reader of result folders.
+// A value of a JSON document with its location, for messages. Internal to input/ and to the reader of result
+// folders.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,10 +15,10 @@ namespace camopt::input {
 
 class JsonSource {
  public:
-    /// Throws InputError for text that is no JSON.
+    /// Throws InputError for text that is not JSON.
     JsonSource(std::string_view text, std::string_view source_name);
 
-    [[nodiscard]] JsonSource at(const char* key) const;  ///< of an object; InputError where it is not there
+    [[nodiscard]] JsonSource at(const char* key) const;  ///< of an object; InputError if missing
     [[nodiscard]] bool has(const char* key) const;
     [[nodiscard]] bool is_null() const { return value_->is_null(); }
     [[nodiscard]] std::vector<JsonSource> items() const;  ///< of a list
@@ -35,7 +35,7 @@ class JsonSource {
     [[nodiscard]] std::vector<std::pair<std::string, JsonSource>> members() const;
 
     [[noreturn]] void fail(std::string_view what) const;
-    [[nodiscard]] std::string shown() const;  ///< for messages, cut where it is long
+    [[nodiscard]] std::string shown() const;  ///< for messages, truncated if long
 
  private:
     using Json = nlohmann::ordered_json;
@@ -48,7 +48,7 @@ class JsonSource {
     std::string file_, path_;
 };
 
-/// The value as it is written, cut where it is long; an object or a list by what it is.
+/// The value as written, truncated if long; an object or a list by its kind.
 [[nodiscard]] std::string json_words(const nlohmann::ordered_json& value);
 
 }  // namespace camopt::input

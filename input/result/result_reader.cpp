@@ -57,7 +57,7 @@ PartRecord read_part(const JsonSource& json, std::size_t curves) {
 std::optional<ForwardCheckRecord> read_forward_check(const JsonSource& json) {
     if (json.is_null()) return {};
     ForwardCheckRecord check;
-    // What was not finite stands as null.
+    // Nonfinite values are stored as null.
     const auto number = [&](const char* key) {
         const JsonSource value = json.at(key);
         return !value.is_null() ? value.number() : infinity;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// result.json → plain values: what cannot be made again from the scene and the delivered motion. Doubles come
-// back bit for bit as they were delivered. Which of them are still those of the motion is asked where a
-// Solution is made of them (studies/restored/restored_solution.hpp).
-// Errors: InputError "FILE: KEY: found …; allowed: …".
+// result.json → plain values: those that cannot be recomputed from the scene and the delivered motion.
+// Doubles round-trip bit for bit. Whether they still belong to the motion is verified when a Solution is made
+// of them (studies/restored/restored_solution.hpp). Errors: InputError "FILE: KEY: found …; allowed: …".
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +21,7 @@ struct CurveRecord {
     Eigen::MatrixXd pieces;
 };
 
-/// One part of the chain (splines/motion_chain.hpp): a dwell where it names neither a curve nor a law.
+/// One part of the chain (splines/motion_chain.hpp): a dwell if it names neither a curve nor a law.
 struct PartRecord {
     double begin = 0.0, end = 0.0;
     std::optional<int> curve;  ///< index in ResultRecord::curves
@@ -79,7 +78,7 @@ struct ResultRecord {
     std::vector<std::string> notes;
 };
 
-/// Throws InputError for text that is no result of this version of camopt, and for one without a motion.
+/// Throws InputError for text that is not a result of this version of camopt, and for one without a motion.
 [[nodiscard]] ResultRecord read_result(std::string_view json, std::string_view source_name);
 
 }  // namespace camopt::input

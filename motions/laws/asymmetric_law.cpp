@@ -13,13 +13,13 @@ namespace camopt {
 
 namespace {
 
-/// How far a sum of symmetric derivatives, or a jump of one, may differ from 0 by rounding, as a part of the
-/// law's largest derivative of that order: closed forms give some 1e-14.
+/// Tolerance on a sum of symmetric derivatives, or on a jump of one, as a part of the law's largest
+/// derivative of that order: closed forms have round-off of some 1e-14.
 constexpr double same_split = 1e-10;
-/// Places in a half where the symmetry is looked at; the fastest wave of the catalogue has 10 half waves.
+/// Samples in a half for the test of symmetry; the fastest wave of the catalogue has 10 half waves.
 constexpr int kPlaces = 128;
 
-/// Greatest magnitude of each derivative of the law, seen from both sides of many places.
+/// Largest magnitude of each derivative of the law, from both sides of the samples.
 LawDerivatives scales(const Law& law) {
     LawDerivatives scale{};
     for (int i = 0; i <= 2 * kPlaces; ++i) {
@@ -60,7 +60,7 @@ void require_suitable(const std::unique_ptr<Law>& law, double split) {
     }
 }
 
-/// y, y', … of a part whose x and y are `stretch` times those of f, but for the constant of y.
+/// y, y', … of a part whose x and y are `stretch` times those of f, except for the constant of y.
 template <class T>
 std::array<T, 5> stretched(std::array<T, 5> y, double stretch) {
     double factor = stretch;
@@ -125,7 +125,7 @@ LawDerivatives AsymmetricLaw::evaluate(double x, Side side) const {
     const auto found = std::find_if(pieces_.begin(), pieces_.end(), holds);
     const Piece& piece = found == pieces_.end() ? pieces_.back() : *found;
     const double u = base_place(piece, x);
-    // Rounding of u must not lead into the neighbouring piece of the base law.
+    // Rounding of u must not lead to the neighbouring piece of the base law.
     return of_base(piece, base_->derivatives(u, u == piece.base_end ? Side::left : Side::right));
 }
 

@@ -23,7 +23,7 @@
 
 namespace camopt {
 
-/// A narrower part multiplies the jerk by more than 2500 and is a jump for every purpose.
+/// A narrower part multiplies the jerk by more than 2500: practically a jump.
 inline constexpr double kNarrowestPart = 0.01;
 
 class AsymmetricLaw : public Law {

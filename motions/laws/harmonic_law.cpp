@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Velocity left over at x = 1, as a part of the mean velocity, that is rounding and no fault of the shape.
+/// Residual velocity at x = 1, as a part of the mean velocity, that counts as round-off.
 constexpr double kRestTolerance = 1e-12;
 
 void require_cover(const LawInfo& info, const std::vector<AccelerationPiece>& shape) {
@@ -32,8 +32,9 @@ void require_cover(const LawInfo& info, const std::vector<AccelerationPiece>& sh
         throw ModelError(fmt::format("{}: the pieces end at x = {}, not 1", info.key, reached));
 }
 
-/// How far the two expansions may differ at x = 1/2, as a part of the sum of the coefficients' magnitudes
-/// times the derivative's growth with the degree: rounding of Horner's rule is some 1e-15 of that.
+/// Tolerance on the difference of the two expansions at x = 1/2, as a part of the sum of the coefficients'
+/// magnitudes times the derivative's growth with the degree: Horner's rule has a round-off of some 1e-15 of
+/// that.
 constexpr double kMeeting = 1e-13;
 
 std::vector<double> mirrored(std::vector<double> coefficients) {

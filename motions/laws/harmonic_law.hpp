@@ -29,7 +29,7 @@ struct AccelerationPiece {
     std::vector<HarmonicTerm> terms;
 };
 
-/// Shapes the classical laws are put together from, of height `height` (signed).
+/// Shapes that compose the classical laws, of height `height` (signed).
 [[nodiscard]] AccelerationPiece zero_piece(double begin, double end);
 [[nodiscard]] AccelerationPiece constant_piece(double begin, double end, double height);
 /// From 0 up to the height.

@@ -13,7 +13,7 @@ namespace camopt {
 
 namespace {
 
-/// How far x may lie outside [0, 1]: some roundings of a cam angle divided by a rise angle.
+/// Tolerance of x outside [0, 1]: some roundings of a cam angle divided by a rise angle.
 constexpr double end_rounding = 1e-12;
 
 }  // namespace

@@ -3,7 +3,7 @@
 //
 //   y(0) = 0, y(1) = 1, y'(0) = y'(1) = 0;  x = cam angle / rise angle, y = displacement / lift, ' is d/dx.
 //
-// A law stands between two dwells (`TopEnd::dwell`), but for those for cams with one dwell (the double
+// A law lies between two dwells (`TopEnd::dwell`), except those for cams with one dwell (the double
 // harmonic and its like): at their top the return follows at once and mirrors the rise, y(1 + t) = y(1 - t)
 // (`TopEnd::turning_point`). What lies outside counts: a jump of y'' at x = 0 or at a dwell's end is an
 // impulse of the jerk.
@@ -34,13 +34,13 @@ struct LawParameter {
 };
 
 struct LawInfo {
-    std::string key;     ///< as scenes write it
-    std::string title;   ///< for people
+    std::string key;     ///< as in scenes
+    std::string title;   ///< for reports
     std::string source;  ///< who described it
     /// Highest derivative (up to 4) that is continuous everywhere, the joints at x = 0 and x = 1 included.
     int continuity = 0;
     TopEnd top = TopEnd::dwell;
-    /// Its ends rest (y' = 0). One whose ends move stands in programs only, between splines.
+    /// Its ends rest (y' = 0). Laws with moving ends occur only in programs, between splines.
     bool rests = true;
     std::vector<LawParameter> parameters;
 };

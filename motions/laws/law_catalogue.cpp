@@ -23,11 +23,11 @@ namespace camopt {
 
 namespace {
 
-// Whether a law that a program brought is one.
+// Validation of a law that a program added.
 
-// Of the size of a derivative: what sums of a few hundred products leave.
+// Of the size of a derivative: the round-off of sums of a few hundred products.
 constexpr double law_rounding = 1e-9;
-// Stretches between two breakpoints, in each of which the integral is taken.
+// Intervals between two breakpoints, in each of which the integral is checked.
 constexpr int law_stretches = 16;
 constexpr std::array<const char*, 4> derivative_words = {"y", "y'", "y''", "y'''"};
 
@@ -50,7 +50,7 @@ struct LawStretch {
     double begin, end;
 };
 
-/// y^(order) over a stretch against the integral of the derivative after it.
+/// y^(order) over an interval against the integral of the next derivative.
 void check_stretch(const Law& law, std::size_t order, const LawStretch& stretch) {
     const double half = 0.5 * (stretch.end - stretch.begin), middle = stretch.begin + half;
     double size = 1.0, integral = 0.0;
@@ -67,11 +67,11 @@ void check_stretch(const Law& law, std::size_t order, const LawStretch& stretch)
         fmt::format("{} that grows by {:.12g} from x = {:.6g} to {:.6g}, where the integral of {} is {:.12g}",
                     derivative_words[order], grown, stretch.begin, stretch.end, derivative_words[order + 1],
                     integral),
-        "derivatives that belong together, with a breakpoint wherever a formula changes");
+        "consistent derivatives, with a breakpoint wherever a formula changes");
 }
 
-/// Throws InputError saying what does not hold: a plain key, the ends of a rise from standstill to
-/// standstill, derivatives that belong together.
+/// Throws InputError naming what does not hold: a plain key, the ends of a rise from rest to rest, consistent
+/// derivatives.
 void check_own_law(const Law& law) {
     check_key(law);
     check_end(law, 0.0, 0, 0.0);
@@ -222,7 +222,7 @@ std::unique_ptr<Law> double_harmonic() {
     return harmonic(std::move(info), {{0.0, 1.0, 0.0, {{pi, 0.0, 1.0}, {2.0 * pi, 0.0, -1.0}}}});
 }
 
-/// y = x. Its ends do not rest: it stands in programs only, between splines that take its velocity.
+/// y = x. Its ends do not rest: it occurs only in programs, between splines that take its velocity.
 std::unique_ptr<Law> constant_velocity() {
     LawInfo info =
         make_info("constant_velocity", "Constant velocity (programs only: its ends move)", kHandbook, 0);
@@ -291,7 +291,7 @@ std::span<const LawInfo> law_catalogue() {
 
 void add_law(const LawMaker& make) {
     const std::unique_ptr<Law> law = make ? make() : nullptr;
-    if (!law) throw InputError("add_law: found nothing that makes a law; allowed: a function that gives one");
+    if (!law) throw InputError("add_law: found an empty function; allowed: a function that returns a law");
     check_own_law(*law);
     laws().add(law->info(), make, [&] {
         throw InputError(fmt::format(

@@ -17,24 +17,24 @@
 
 namespace camopt {
 
-/// Narrower pieces than this cannot be told from jumps in double precision; parameters keep this distance.
+/// Pieces narrower than this are indistinguishable from jumps in double precision; parameters keep this
+/// distance.
 inline constexpr double kNarrowestPiece = 1e-9;
-/// The share of the acceleration part in the asymmetric laws of the catalogue: a softer, longer
-/// deceleration, as the return spring has to supply it. A choice of this catalogue; other splits by
-/// make_asymmetric.
+/// The share of the acceleration part in the asymmetric laws of the catalogue: a softer, longer deceleration,
+/// which the return spring has to supply. A choice of this catalogue; other splits by make_asymmetric.
 inline constexpr double kCatalogueSplit = 0.4;
 
-/// Every law that make_law knows, with the parameters it gives them: the classical ones, then those added.
-/// What was returned stays as it was when another law is added.
+/// Every law that make_law knows, with its parameters: the classical ones, then those added. A returned list
+/// remains valid when another law is added.
 [[nodiscard]] std::span<const LawInfo> law_catalogue();
 
 /// Makes a law; called from several threads at once.
 using LawMaker = std::function<std::unique_ptr<Law>()>;
 
-/// Adds a law of the program to the catalogue, for good: scenes name it by its key, tables and comparisons
-/// list it. Its formula is checked first: the ends of a rise, and each derivative against the integral of the
-/// next between its breakpoints. Throws InputError where it is none, and for a key that is taken or no plain
-/// name (lower case letters, digits, _).
+/// Adds a law of the program to the catalogue permanently: scenes name it by its key, tables and comparisons
+/// list it. Its formula is validated first: the ends of a rise, and each derivative against the integral of
+/// the next between its breakpoints. Throws InputError if it is invalid, and for a key that is taken or not a
+/// plain name (lower case letters, digits, _).
 void add_law(const LawMaker& make);
 
 /// The law with its customary parameters.

@@ -17,10 +17,10 @@ namespace {
 
 /// The fastest wave in the catalogue is the torque of Freudenstein 1-3-5: 20 half waves in its one piece.
 constexpr int kCells = 256;
-constexpr int most_bisections = 200;  // far more than lead to neighbouring numbers
-/// Two peaks of one height differ by roundings only; the first of them is the one reported.
+constexpr int most_bisections = 200;  // more than enough to reach neighbouring doubles
+/// Peaks of equal height differ only by rounding; the first of them is reported.
 constexpr double kSameHeight = 1e-13;
-/// A jump of y'' below this part of its peak is rounding, not an impulse.
+/// A jump of y'' below this part of its peak is round-off, not an impulse.
 constexpr double kSmallestJump = 1e-9;
 
 enum class Quantity { velocity, acceleration, jerk, torque };
@@ -43,7 +43,7 @@ ValueAndSlope pick(const LawDerivatives& d, Quantity quantity) {
     return {d[1] * d[2], d[2] * d[2] + d[1] * d[3]};
 }
 
-/// Largest and least value so far; the first place wins among equals.
+/// Largest and smallest value so far; the first location wins among equals.
 struct Range {
     Extremum highest{-std::numeric_limits<double>::infinity(), 0.0, Side::right};
     Extremum lowest{std::numeric_limits<double>::infinity(), 0.0, Side::right};

@@ -61,7 +61,7 @@ std::unique_ptr<Law> make_one_dwell_cycloidal() {
 
 std::unique_ptr<Law> make_one_dwell_modified_trapezoid(double ta) {
     LawInfo info = one_dwell("one_dwell_modified_trapezoid", "Modified trapezoid", ta, kWidestTrapezoid);
-    // Closer to the widest than any piece may be narrow, it is the widest.
+    // A width within the narrowest piece of the maximum is set to the maximum.
     const bool flat = kWidestTrapezoid - ta >= kNarrowestPiece;
     if (!flat) ta = kWidestTrapezoid;
     const double zero = flat ? 0.5 + ta * (0.5 - 1.0 / pi) : 2.0 * ta;

@@ -12,7 +12,7 @@ double magnitude_of(const Interval& a) {
     return std::max(std::abs(a.lower), std::abs(a.upper));
 }
 
-// Sums of a few products, rounded by far less than this part of them.
+// Relative round-off of sums of a few products, rounded up generously.
 constexpr double outward = 1.0 + 1e-12;
 
 }  // namespace

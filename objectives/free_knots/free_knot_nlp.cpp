@@ -11,9 +11,9 @@ namespace camopt {
 namespace {
 
 constexpr int orders = 6;       // y … y^{(5)}
-constexpr int rule_orders = 4;  // those a rule sees
+constexpr int rule_orders = 4;  // those in a rule
 
-/// The lowest derivative a rule looks at, and whether it looks at no other.
+/// The lowest derivative in a rule, and whether it is the only one.
 int lowest_order(const PointRule& rule) {
     if (!rule.linear()) return 0;
     const RuleValue affine =
@@ -85,7 +85,7 @@ FreeKnotNlp::Row FreeKnotNlp::placed_row(Row::Kind kind, const FreePlace& place,
     row.first = first;
     for (int m = first; m <= form_->degree(); ++m)
         row.columns.push_back(form_->coefficient(place.segment, m));
-    if (first < form_->degree() && !(place.moves && place.at == 0.0)) {  // else nothing moves the value
+    if (first < form_->degree() && !(place.moves && place.at == 0.0)) {  // else the value is constant
         const int left = form_->breakpoint(place.segment);
         const int right = form_->breakpoint(place.segment + 1);
         if (left >= 0) row.columns.push_back(left);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The Nlp of a CamModel whose spline breakpoints are variables too, on finitely many places of its segments.
+// The Nlp of a CamModel with free spline breakpoints, on finitely many points of its segments.
 //
 // Variables: entries of a FreeKnotForm in units of their typical size, then the parameters of the model in
 // units of their references. Rows, in this order: equalities of the form, distances of breakpoints, rows on
-// the parameters, sampled rules in the order given. A sample sits at a fraction of its segment and moves with
+// the parameters, sampled rules in the order given. A sample is at a fraction of its segment and moves with
 // it: its row is g(y, y', y'', y'''; q) <= 0 with y^{(r)} a polynomial of the entries (free_knot_form.hpp),
 // so partials and second partials are exact. Not convex.
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace camopt {
 
-/// Rule `rule` enforced at a fraction of a modelled segment, or at the mirror image of that place.
+/// Rule `rule` enforced at a fraction of a modelled segment, or at its mirror image.
 struct FreeSample {
     int rule = 0, segment = 0;
     double fraction = 0.0;
@@ -27,7 +27,7 @@ struct FreeSample {
 
 class FreeKnotNlp final : public Nlp {
  public:
-    /// Of the model only parameters, rules, rows on parameters and scales are used; no tie-break energy.
+    /// Only parameters, rules, rows on parameters and scales of the model are used; no tie-break energy.
     FreeKnotNlp(std::shared_ptr<const CamModel> model, std::shared_ptr<const FreeKnotForm> form,
                 std::vector<FreeSample> samples);
 
@@ -77,7 +77,7 @@ class FreeKnotNlp final : public Nlp {
     void add_cost_terms();
     void fix_patterns();
     void push(Row row, double lower, double upper, RowKind kind);
-    /// The columns of a place whose row depends on a_{i,first} and higher.
+    /// The columns of a location whose row depends on a_{i,first} and higher.
     [[nodiscard]] Row placed_row(Row::Kind kind, const FreePlace& place, int first) const;
     /// a_{i,order} … a_{i,p}, t_i, t_{i+1} for segment_energy(); -1 for an end that is fixed.
     [[nodiscard]] std::vector<int> energy_columns(int segment, int order) const;
@@ -100,7 +100,7 @@ class FreeKnotNlp final : public Nlp {
     std::vector<Row> rows_;
     Eigen::VectorXd scale_, linear_cost_;
     std::vector<RmsTerm> rms_;
-    /// Where each contribution to the Hessian goes, in the order hessian() visits them.
+    /// The slot of each contribution to the Hessian, in the order in which hessian() visits them.
     HessianSlots hessian_slots_;
 };
 

@@ -11,12 +11,12 @@ namespace camopt {
 
 namespace {
 
-// Breakpoints stay this part of the mean distance apart. Cubic: two that meet would make the acceleration
-// jump, which costs an infinite jerk, so a weight on the jerk keeps them apart anyway. Quintic: they would
-// like to meet in threes, where the jerk may jump, but a smooth jerk is what the degree was chosen for, and
-// its divisions by powers of the distance would lose their digits.
+// Least distance of breakpoints, as a part of the mean. Cubic: two that coincide would make the acceleration
+// jump, an infinite jerk, so a weight on the jerk separates them anyway. Quintic: three would tend to
+// coincide, where the jerk may jump; but a smooth jerk is the reason for that degree, and divisions by powers
+// of the distance would lose digits.
 constexpr double least_part_cubic = 0.01, least_part_quintic = 0.1;
-// The first grid is dense at once, with Chebyshev points: rows that come later push the breakpoints about.
+// The first grid is dense, with Chebyshev points: rows added later shift the breakpoints.
 constexpr int steps_a_degree = 2;
 constexpr double pi = 3.14159265358979323846;
 
@@ -54,7 +54,7 @@ void FreeKnotProblem::start_grid() {
         const int order = rule.highest_order();
         const int degree = rule.linear() ? form_->degree() - order : form_->degree();
         for (const bool mirrored : {false, true}) {
-            // Peaks have a rule for either sign: mirroring says nothing new.
+            // Peaks have a rule for either sign: their mirror images are redundant.
             if (mirrored && (form_->symmetry() == Symmetry::none || !rule.limit())) continue;
             for (int i = 0; i < form_->segments(); ++i) {
                 add_sample(r, i, 0.0, mirrored);
@@ -74,7 +74,7 @@ bool FreeKnotProblem::add_sample(int rule, int segment, double fraction, bool mi
         const bool same_row = other_rule == rule && other_segment == segment && other_mirrored == mirrored;
         if (same_row && other <= fraction + same_sample) return false;
     }
-    // Where two segments meet without a jump, the end of one is the begin of the next.
+    // If two segments join without a jump, the end of one is the begin of the next.
     const bool jumps = model_->rules[rule]->highest_order() > form_->continuity();
     if (!jumps && fraction <= same_sample && places_.contains({rule, segment - 1, mirrored, 1.0}))
         return false;
@@ -149,7 +149,8 @@ int FreeKnotProblem::refine(std::span<const Violation> worst) {
                         ? scene_.spline.segments
                         : static_cast<int>(scene_.spline.breakpoints.size()) - 1;
     for (const Violation& violation : worst) {
-        if (violation.rule >= static_cast<int>(model_->rules.size())) continue;  // rows that are always there
+        if (violation.rule >= static_cast<int>(model_->rules.size()))
+            continue;  // rows that are always present
         const double at = violation.where.at;
         int segment = std::clamp(
             static_cast<int>(violation.where.side == Side::left ? std::ceil(at) - 1.0 : std::floor(at)), 0,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A DRD or RR scene whose interior breakpoints are variables, as a ContinuousProblem.
+// A DRD or RR scene with free interior breakpoints, as a ContinuousProblem.
 //
-// x as in free_knot_nlp.hpp. Whatever stands for a curve here is asked of the CamProblem with the breakpoints
-// of x fixed: completion, peaks, maxima of violation. A violation's `where.at` counts segments: i + fraction
-// for the place that part of the way along segment i of the whole motion, so that it stays with the segment.
-// Not convex; box() knows nothing.
+// x as in free_knot_nlp.hpp. Completion, peaks and maxima of violation are computed by the CamProblem with
+// the breakpoints of x fixed. A violation's `where.at` counts segments: i + fraction for the point at that
+// part of segment i of the whole motion, so that it stays with the segment. Not convex; box() has no bounds.
 #pragma once
 
 #include "core/continuous_problem.hpp"
@@ -20,16 +19,15 @@
 
 namespace camopt {
 
-/// The scene with these breakpoints, kept.
+/// The scene with these breakpoints, stored.
 [[nodiscard]] Scene with_breakpoints(Scene scene, std::vector<double> breakpoints);
 
-/// The scene's own breakpoints: where a search for free ones starts.
+/// The scene's own breakpoints: the start of the search for free ones.
 [[nodiscard]] std::vector<double> start_breakpoints(const Scene& scene);
 
 class FreeKnotProblem final : public ContinuousProblem {
  public:
-    /// `scene`: DRD or RR; its breakpoints are where the search starts, and decide on which segment an exact
-    /// point lies.
+    /// `scene`: DRD or RR; its breakpoints are the start of the search, and assign exact points to segments.
     FreeKnotProblem(Scene scene, const Peaks& reference);
 
     [[nodiscard]] const Nlp& grid() const override { return *grid_; }
@@ -42,10 +40,10 @@ class FreeKnotProblem final : public ContinuousProblem {
 
     [[nodiscard]] const FreeKnotForm& form() const { return *form_; }
     [[nodiscard]] std::vector<double> breakpoints(const Eigen::VectorXd& x) const;
-    /// The problem with the breakpoints of x fixed, and x written for it.
+    /// The problem with the breakpoints of x fixed, and x converted for it.
     [[nodiscard]] CamProblem fixed_problem(const Eigen::VectorXd& x) const;
     [[nodiscard]] Eigen::VectorXd fixed_point(const CamProblem& fixed, const Eigen::VectorXd& x) const;
-    /// A point of a problem with fixed breakpoints, written for this one.
+    /// A point of a problem with fixed breakpoints, converted for this one.
     [[nodiscard]] Eigen::VectorXd free_point(const CamProblem& fixed, const Eigen::VectorXd& x) const;
 
  private:

@@ -12,7 +12,7 @@ namespace camopt {
 
 namespace {
 
-/// Degree of a rule along a spline piece, as far as the first grid cares: curved ones like a high one.
+/// Assumed degree of a rule along a spline piece for the first grid: curved ones count as high.
 int degree_along(const PointRule& rule, int spline_degree) {
     return rule.linear() ? spline_degree - rule.highest_order() : spline_degree;
 }
@@ -66,7 +66,7 @@ void CamProblem::start_rule(int index) {
             if (degree >= 2) add_sample(index, 0.5 * (piece.begin + piece.end), Side::right);
             continue;
         }
-        // Where the motion is fixed, only the cam's dimensions can still move the rule.
+        // If the motion is fixed, only the cam's dimensions can change the rule.
         if (rule->parameters().empty() && stretch.from.columns.empty() && stretch.to.columns.empty())
             continue;
         const bool dwell = stretch.kind == StretchRequest::Kind::dwell;
@@ -105,7 +105,7 @@ bool CamProblem::add_whole_sample(const RuleSample& sample) {
     return true;
 }
 
-/// The row of a rule of the whole motion; the first at a setting brings those that belong beside it.
+/// The row of a rule of the whole motion; the first at a setting adds its companion rows.
 void CamProblem::refine_whole(const Violation& violation) {
     const WholeMotionRule& rule = *model_->rules[violation.rule]->whole();
     const RuleSample sample{violation.rule, violation.where.at, violation.where.side, violation.setting};
@@ -114,7 +114,7 @@ void CamProblem::refine_whole(const Violation& violation) {
         add_whole_sample({sample.rule, sample.at, sample.side, std::move(setting)});
 }
 
-/// The rows of new samples; how many.
+/// Adds the rows of new samples; returns their number.
 int CamProblem::append_rows() {
     const std::span<const RuleSample> fresh = std::span(samples_).subspan(on_grid_);
     if (!fresh.empty()) grid_->append(fresh);
@@ -174,7 +174,7 @@ std::vector<Violation> CamProblem::violations_of(bool limits_only, const Eigen::
             continue;
         }
         for (const Extremum& maximum : rule_maxima(rule, model_->design, chain, own_parameters(r, x))) {
-            // What has no value (an arm that cannot reach) is as broken as can be.
+            // Undefined (an arm that cannot reach) counts as an infinite violation.
             const double scale = rule->scale_at(maximum.at);
             if (scale == 0.0) continue;
             const double amount = std::isfinite(maximum.value) ? maximum.value / scale : infinity;
@@ -200,7 +200,7 @@ std::vector<Violation> CamProblem::violations_of(bool limits_only, const Eigen::
     return found;
 }
 
-/// A row at a maximum, and one on either side of it on the way to the nearest samples.
+/// A row at a maximum, and one on either side of it towards the nearest samples.
 void CamProblem::add_around(const Violation& violation) {
     const MotionFamily& family = model_->design;
     const double at = violation.where.at;
@@ -217,15 +217,15 @@ void CamProblem::add_around(const Violation& violation) {
     if (right - at > 0.0) add_sample(violation.rule, at + bracket * (right - at), Side::right);
 }
 
-/// Where the rows of a rule press around one of its maxima.
+/// Predicted location of a maximum from the active rows around it.
 struct CamProblem::Pressed {
     double at = 0.0;     ///< the mean of the rows on either side, weighted by their multipliers
-    double reach = 0.0;  ///< how far the place may be from it
+    double reach = 0.0;  ///< uncertainty of the location
 };
 
-/// Of the nearest rows on either side of a maximum, those at the ends of its piece included. In the optimum
-/// of all angles one place presses instead of the two: its row is the mean of theirs but for what is curved
-/// between them, which goes with the square of their distance.
+/// Of the nearest rows on either side of a maximum, including those at the ends of its piece. At the
+/// continuous optimum one row is active instead of the two: it is their weighted mean up to the curvature
+/// between them, which is of second order in their distance.
 std::optional<CamProblem::Pressed> CamProblem::pressed_around(const Violation& violation,
                                                               const Eigen::VectorXd& row_multipliers) const {
     const double at = violation.where.at;
@@ -273,7 +273,7 @@ void CamProblem::add_pressed(const Violation& violation, const Pressed& pressed)
 void CamProblem::add_samples(std::span<const Violation> worst) {
     for (const Violation& violation : worst) {
         if (violation.rule >= static_cast<int>(places_.size()))
-            continue;  // rows on parameters are always there
+            continue;  // rows on parameters are always present
         violation.setting.empty() ? add_around(violation) : refine_whole(violation);
     }
 }
@@ -284,7 +284,7 @@ int CamProblem::refine(std::span<const Violation> worst) {
 }
 
 int CamProblem::refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) {
-    std::vector<std::optional<Pressed>> pressed(worst.size());  // before other rows come between
+    std::vector<std::optional<Pressed>> pressed(worst.size());  // before other rows are inserted
     for (std::size_t k = 0; k < worst.size(); ++k) {
         const bool of_places = worst[k].rule < static_cast<int>(places_.size()) && worst[k].setting.empty();
         if (of_places && grid_->shape().convex) pressed[k] = pressed_around(worst[k], row_multipliers);

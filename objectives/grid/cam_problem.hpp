@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The place where curve and cam meet: a CamModel as a ContinuousProblem.
+// A CamModel as a ContinuousProblem: the motion's design vector and the cam's rules on a grid of angles.
 //
 // x = design entries and parameters in optimizer units (grid_nlp.hpp). Rules hold at every cam angle: their
 // continuous maxima come from rule_maxima.hpp.
@@ -34,7 +34,7 @@ class CamProblem final : public ContinuousProblem {
     int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) override;
     [[nodiscard]] Box box(double incumbent, double relaxation) const override;
     [[nodiscard]] bool convex(double incumbent) const override;
-    /// A smooth random motion (a beam loaded at random places) and random dimensions, from a seed.
+    /// A smooth random motion (a beam under random loads) and random dimensions, from a seed.
     [[nodiscard]] Eigen::VectorXd random_start(unsigned seed) const;
 
     [[nodiscard]] const CamModel& model() const { return *model_; }
@@ -73,12 +73,12 @@ class CamProblem final : public ContinuousProblem {
 
     std::shared_ptr<const CamModel> model_;
     std::vector<RuleSample> samples_;
-    /// Samples of each rule by (piece, x), to find neighbours and repetitions.
+    /// Samples of each rule by (piece, x), to find neighbours and duplicates.
     std::vector<std::map<std::pair<int, double>, int>> places_;
     std::unique_ptr<GridNlp> grid_;
     std::unique_ptr<EqualityProjection> projection_;
     Eigen::VectorXd scales_;   ///< of the design entries
-    std::size_t on_grid_ = 0;  ///< samples that have their rows
+    std::size_t on_grid_ = 0;  ///< samples that already have rows
 };
 
 }  // namespace camopt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be said of every motion as good as one at hand: bounds for proofs.
+// Bounds valid for every motion at least as good as the incumbent, for proofs.
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/grid/curve_bounds.hpp"
 
@@ -10,12 +10,12 @@ namespace camopt {
 
 namespace {
 
-// In lifts: no cam follows a motion that strays farther, so proofs need not look there.
+// In lifts: no cam follows a motion beyond this range, so proofs need not cover it.
 constexpr double farthest_displacement = 1e3;
-// Limits of the motions that a proof speaks of may be relaxed by the tolerance of the solve: what is said of
-// their shape is said of limits relaxed by this, more than any tolerance in use.
+// Proofs may relax the limits by the tolerance of the solve: bounds on motions assume limits relaxed by this,
+// more than any tolerance in use.
 constexpr double relaxed_limits = 1e-6;
-// Steps with which the range of displacements is bounded.
+// Steps for bounding the range of displacements.
 constexpr int range_samples = 200;
 
 /// y^{(r)} of the family over the normalised one: the largest and the smallest over the stretches.
@@ -34,8 +34,8 @@ double smallest_stretch_factor(const CamModel& model, int order) {
     return smallest;
 }
 
-/// Bounds of y' and y'' where only those of higher derivatives are known, from that of y. Divided differences
-/// of y over a spline stretch of length l are y' and y''/2 at some of its places, so that
+/// Bounds of y' and y'' from those of y and of higher derivatives. Divided differences
+/// of y over a spline stretch of length l are y' and y''/2 at some points of it, so that
 /// |y'| <= 2 B_0 / l + l B_2 and |y''| <= 16 B_0 / l² + l B_3.
 void bound_lower_derivatives(const MotionFamily& family, std::array<double, 4>& sup) {
     double slope = 0.0, bend = 0.0;  // the largest over the splines
@@ -46,14 +46,14 @@ void bound_lower_derivatives(const MotionFamily& family, std::array<double, 4>& 
         bend = std::max(bend, own);
         slope = std::max(slope, 2.0 * sup[0] / length + length * own);
     }
-    if (!(slope > 0.0)) return;  // nothing but laws and dwells
+    if (!(slope > 0.0)) return;  // only laws and dwells
     sup[2] = std::min(sup[2], bend);
     sup[1] = std::min(sup[1], slope);
 }
 
 }  // namespace
 
-/// What a curve of at most the incumbent's cost cannot exceed: parameters, and with them derivatives.
+/// Bounds for a curve of at most the incumbent's cost: on parameters, and through them on derivatives.
 struct CamProblem::SupportedBounds {
     Eigen::VectorXd parameters;      ///< upper bounds, in units of their references
     std::array<double, 4> sup, rms;  ///< of |y^{(r)}| and of its root mean square, anywhere
@@ -100,7 +100,7 @@ Box CamProblem::box(double incumbent, double relaxation) const {
     const SupportedBounds known = supported_bounds(incumbent, relaxation);
     Box box;
     box.upper = Eigen::VectorXd::Constant(grid_->shape().variables(), infinity);
-    // Displacements at joints lie within what the velocity allows from the known beginning.
+    // Displacements at joints are bounded by the velocity and the known start.
     const double reach = std::min(known.sup[0], known.sup[1] * (family.end() - family.begin()));
     const std::array<double, 3> joint_bound = {reach, known.sup[1], known.sup[2]};
     for (int entry = family.first_joint_entry(); entry < family.size(); ++entry) {
@@ -133,22 +133,22 @@ Box CamProblem::box(double incumbent, double relaxation) const {
                 std::min(box.upper[variable], std::max(std::abs(of.lower), std::abs(of.upper)));
         }
         if (parameter.kind != Parameter::Kind::peak && parameter.kind != Parameter::Kind::rms) continue;
-        // A peak nothing else bounds may be taken as the curve's own.
+        // A peak without another bound may be taken as the curve's own.
         const double largest = own[parameter.order] / smallest_stretch_factor(model, parameter.order);
         box.upper[variable] = std::min(box.upper[variable], largest / parameter.reference);
     }
     return box;
 }
 
-/// From the nearest known points on either side, with the bounds on velocity and, from a standstill, on
-/// acceleration: how far y can go.
+/// From the nearest known points on either side, with the bounds on velocity and, from rest, on acceleration:
+/// how far y can move.
 std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
     const std::vector<KnownPoint>& points = model_->known_points;
     if (points.size() < 2) return {-infinity, infinity};
     const SupportedBounds known = supported_bounds(incumbent, relaxed_limits);
     SlopeRange slope{-known.sup[1], known.sup[1]};
     for (const PlacedRule& rule : model_->rules) {
-        // Without an incumbent nothing is known to keep the limits.
+        // Without an incumbent the limits need not be satisfied.
         if (!std::isfinite(incumbent) || !rule.holds_everywhere()) continue;
         const SlopeRange own = rule->slope_range();
         slope.least = std::max(slope.least, own.least - relaxed_limits * std::abs(own.least));

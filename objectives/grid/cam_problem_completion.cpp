@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From any x to one whose equalities hold and whose peaks are those of its motion.
+// Completion: from any x to one whose equalities hold and whose peaks are those of its motion.
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/whole_motion_rule.hpp"
@@ -55,7 +55,7 @@ void CamProblem::complete_program_peaks(const MotionChain& chain, Eigen::VectorX
     }
 }
 
-/// The peaks of the terms that the program brought.
+/// The peaks of user-defined terms.
 void CamProblem::complete_own_peaks(const MotionChain& chain, Eigen::VectorXd& x) const {
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
@@ -67,7 +67,7 @@ void CamProblem::complete_own_peaks(const MotionChain& chain, Eigen::VectorXd& x
     }
 }
 
-/// What the follower train makes of the motion.
+/// The response of the follower train to the motion.
 void CamProblem::complete_responses(const MotionChain& chain, Eigen::VectorXd& x) const {
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
@@ -79,7 +79,7 @@ void CamProblem::complete_responses(const MotionChain& chain, Eigen::VectorXd& x
     }
 }
 
-/// Peaks and root mean squares become those of the motion behind x; dimensions keep their range.
+/// Peaks and root mean squares are set to those of the motion of x; dimensions are clamped to their range.
 void CamProblem::complete_parameters(Eigen::VectorXd& x) const {
     if (model_->stretch_scales.empty())
         complete_peaks(curve(x), x);

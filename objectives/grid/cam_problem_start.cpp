@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a search begins: the smoothest motion, or one bent at random.
+// Starting points: the smoothest motion, or a random perturbation of it.
 #include "objectives/grid/cam_problem.hpp"
 
 #include <Eigen/SparseLU>
@@ -12,11 +12,11 @@ namespace camopt {
 
 namespace {
 
-// Random starting motions: this many loads, bending the smoothest motion by up to this part of a lift.
+// Random starting motions: this many loads, which perturb the smoothest motion by up to this part of a lift.
 constexpr int random_loads = 3;
 constexpr double farthest_random_move = 0.3;
 constexpr int move_samples = 64;
-/// max |a − b| over samples: only the size of a random move hangs on it.
+/// max |a − b| over samples: affects only the size of a random perturbation.
 double largest_move(const Motion& a, const Motion& b) {
     double largest = 0.0;
     for (int k = 0; k <= move_samples; ++k) {
@@ -63,7 +63,7 @@ Eigen::VectorXd CamProblem::smoothest(const Eigen::VectorXd& load) const {
 }
 
 Eigen::VectorXd CamProblem::start() const {
-    // Close to every optimum, unique, and one linear system away. Dimensions start in the middle.
+    // Close to every optimum, unique, and the solution of one linear system. Dimensions start in the middle.
     const Eigen::Index size = model_->design.size();
     Eigen::VectorXd x = Eigen::VectorXd::Zero(grid_->shape().variables());
     x.head(size) = smoothest(Eigen::VectorXd::Zero(size));
@@ -79,7 +79,7 @@ Eigen::VectorXd CamProblem::random_start(unsigned seed) const {
     const MotionFamily& design = model_->design;
     const Eigen::Index size = design.size();
     Eigen::VectorXd x = start();
-    // Plain arithmetic on the engine: the standard's distributions differ from library to library.
+    // Arithmetic on the engine's output: the standard's distributions differ between libraries.
     std::mt19937 engine(seed);
     const auto uniform = [&engine](double low, double high) {
         return low + (high - low) * static_cast<double>(engine()) / 4294967295.0;

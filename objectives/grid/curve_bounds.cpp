@@ -13,7 +13,7 @@ Eigen::MatrixXd derivative_bounds(const SplineSpace& space, const KnownBounds& k
     const double length = space.end() - space.begin();
     std::array<double, 4> sup = known.sup;
     for (int r = 3; r >= 1; --r) {
-        // Integrating from both ends, the worst point is where the two estimates meet.
+        // Integrating from both ends, the worst point is where the two estimates are equal.
         const double ends = 0.5 * (std::abs(known.begin_state[r - 1]) + std::abs(known.end_state[r - 1]));
         const double farther = std::max(std::abs(known.begin_state[r - 1]), std::abs(known.end_state[r - 1]));
         sup[r - 1] = std::min({sup[r - 1], ends + 0.5 * length * sup[r], farther + length * known.rms[r]});

@@ -35,7 +35,7 @@ EqualityProjection::EqualityProjection(const std::vector<Equality>& rows, const 
 
 Eigen::VectorXd EqualityProjection::project(Eigen::VectorXd x) const {
     if (matrix_.rows() == 0 || normal_.info() != Eigen::Success) return x;
-    // The first step removes the defect, the next ones its rounding.
+    // The first step removes the residual, the next ones its round-off.
     constexpr int most_steps = 4;
     double defect = (matrix_ * x + offset_).cwiseAbs().maxCoeff();
     for (int step = 0; step < most_steps && defect > 0.0; ++step) {

@@ -150,7 +150,7 @@ const RuleValue& GridNlp::affine_rule(const RuleSample& place) {
     return *known;
 }
 
-/// Multiplied out, with the derivatives and entries alone that the rule is made of.
+/// Multiplied out, with only the derivatives and entries that occur in the rule.
 AffineRow GridNlp::linear_rule_row(const RuleSample& place, const RuleValue& affine) const {
     AffineRow sum{affine.value, {}, {}};
     for (int order = 0; order < 4; ++order) {
@@ -177,7 +177,7 @@ void GridNlp::add_linear_row(int sample) {
     const RuleValue* const affine = whole ? nullptr : &affine_rule(place);
     const AffineRow sum = whole ? whole->row(model_->design, place.at, place.side, place.setting)
                                 : linear_rule_row(place, *affine);
-    // Where violations count for more, the row is larger by as much: a backend sees one tolerance.
+    // Rows are scaled by the weight of their violations: a backend has one tolerance.
     const double unit = whole ? 1.0 : rule.scale() / rule.scale_at(place.at);
     Row row;
     row.offset = unit * sum.offset;

@@ -34,7 +34,7 @@ class GridNlp final : public Nlp {
  public:
     GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> samples);
 
-    /// Rows of more samples, after those that are there.
+    /// Appends rows of more samples.
     void append(std::span<const RuleSample> samples);
 
     [[nodiscard]] double cost(const ConstVectorRef& x) const override;
@@ -50,7 +50,8 @@ class GridNlp final : public Nlp {
     [[nodiscard]] int first_sample_row() const { return first_sample_row_; }
 
  private:
-    /// One row: affine rows keep their numbers, others the map (y … y''') = offset + matrix · x[columns].
+    /// One row: affine rows have their coefficients, others the map (y … y''') = offset + matrix ·
+    /// x[columns].
     struct Row {
         std::vector<int> columns;     ///< of the Jacobian, ascending
         std::vector<double> weights;  ///< affine rows
@@ -83,11 +84,11 @@ class GridNlp final : public Nlp {
     Eigen::VectorXd scale_;  ///< of the design entries
     std::vector<Row> rows_;
     int first_sample_row_ = 0;
-    /// Of linear rules that are the same everywhere, as they are asked for; the last is of one that is not.
+    /// Cached rows of linear rules that do not depend on x; the last is of one that does.
     std::vector<std::optional<RuleValue>> affine_;
     Eigen::VectorXd linear_cost_;
     std::vector<RmsTerm> rms_;
-    /// Where each contribution to the Hessian goes, in the order hessian() visits them.
+    /// The slot of each contribution to the Hessian, in the order in which hessian() visits them.
     HessianSlots hessian_slots_;
 };
 

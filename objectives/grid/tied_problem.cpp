@@ -18,7 +18,7 @@ QuadraticForm jerk_energy(const CamModel& model) {
 
 }  // namespace
 
-/// The rows of another grid, and its cost with the energy.
+/// The rows of another grid, with the energy added to its cost.
 class TiedProblem::Grid final : public Nlp {
  public:
     Grid(const Nlp& base, const QuadraticForm& energy, double weight)
@@ -44,7 +44,7 @@ class TiedProblem::Grid final : public Nlp {
     void hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
                  std::span<double> out) const override {
         std::ranges::fill(out, 0.0);
-        // Entries of the base were claimed first, each of them once.
+        // Entries of the base were claimed first, each once.
         const auto own = static_cast<std::size_t>(base_.shape().hessian.size());
         base_.hessian(x, sigma, lambda, out.first(own));
         auto add = slots_.into(out);
@@ -127,7 +127,7 @@ int TiedProblem::refine_pressed(std::span<const Violation> worst, const Eigen::V
     return added;
 }
 
-/// The problem's own: a motion of at most this cost with the energy has at most this cost without it.
+/// The problem's own bounds: a motion of at most this cost with the energy has at most this cost without it.
 Box TiedProblem::box(double incumbent, double relaxation) const {
     return problem_.box(incumbent, relaxation);
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A CamProblem with an energy in its cost that breaks ties among its optima:
+//
+// Tie-break: a CamProblem with a small energy added to its cost,
 //
 //   f + weight · e,   e = mean square of y''' over its reference²,
 //
-// on the problem's own grid: what one of the two refines, both have. For a weight small enough the optimum
-// is, among the optima of the problem, the one of least ∫ y'''².
+// on the problem's own grid, which both refine. For a weight small enough the optimum is, among the optima of
+// the problem, the one of least ∫ y'''².
 #pragma once
 
 #include "objectives/grid/cam_problem.hpp"
@@ -19,9 +20,9 @@ class TiedProblem final : public ContinuousProblem {
     TiedProblem(CamProblem& problem, double weight);
     ~TiedProblem() override;
 
-    /// Of the same energy from now on; > 0.
+    /// Changes the weight of the energy; > 0.
     void set_weight(double weight);
-    /// e of the motion behind x.
+    /// e of the motion of x.
     [[nodiscard]] double energy(const Eigen::VectorXd& x) const;
 
     [[nodiscard]] const Nlp& grid() const override;

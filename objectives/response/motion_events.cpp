@@ -6,7 +6,7 @@
 namespace camopt {
 namespace {
 
-constexpr double no_dwell = 1e-9;  // of x: a shorter dwell is the rounding of a full turn
+constexpr double no_dwell = 1e-9;  // of x: a shorter dwell is round-off of a full revolution
 
 MotionEvent event_before_dwell(double end, double turn) {
     MotionEvent event;
@@ -15,7 +15,7 @@ MotionEvent event_before_dwell(double end, double turn) {
     return event;
 }
 
-/// Segment by segment from the one after a dwell on, around the turn.
+/// Segment by segment from the one after a dwell on, cyclically.
 std::vector<MotionEvent> program_events(const MotionSpec& motion) {
     const auto& segments = motion.segments;
     const std::size_t count = segments.size();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What sets a follower train vibrating: everything between two dwells, and the dwell after it, in which it
-// rings.
+// Excitation of a follower train: everything between two dwells, and the dwell after it, with free vibration.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -9,7 +8,7 @@
 
 namespace camopt {
 
-/// Stretches of x that follow each other: one, or two where it runs across the end of a closed turn.
+/// Consecutive stretches of x: one, or two if it crosses the end of a closed program.
 struct MotionStretch {
     double begin = 0.0, end = 0.0;
 };
@@ -17,13 +16,13 @@ struct MotionStretch {
 struct MotionEvent {
     std::vector<MotionStretch> moving;
     std::vector<MotionStretch>
-        dwell;  ///< may lie beyond the motion: DRD and RR rest for the rest of the turn
+        dwell;  ///< may lie beyond the motion: DRD and RR rest for the rest of the revolution
 };
 
 /// In the order of the cam angle. A closed program without a dwell has none.
 [[nodiscard]] std::vector<MotionEvent> motion_events(const MotionSpec& motion);
 
-/// One rise from rest over [0, 1], and the rest of the turn: what laws are compared by.
+/// One rise from rest over [0, 1], and a dwell for the rest: used to compare laws.
 [[nodiscard]] MotionEvent single_rise(double unit_angle);
 
 }  // namespace camopt

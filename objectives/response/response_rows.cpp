@@ -29,7 +29,7 @@ AffinePiece spline_piece(const MotionFamily& family, const MotionFamily::Piece& 
     return result;
 }
 
-/// A fixed shape between two displacements, as fine as its own slope needs.
+/// A fixed shape between two displacements, subdivided as its slope requires.
 void add_shape(std::vector<AffinePiece>& pieces, const MotionFamily::Stretch& stretch,
                const TrainFormulas& formulas) {
     const double width = stretch.end - stretch.begin;
@@ -95,7 +95,7 @@ MatrixXd EventRows::advanced(const TrainAtSpeed& train, std::size_t pieces, doub
         for (std::size_t k = 0; k < piece.slope.size(); ++k, power *= part)
             add_product(state, step.drive.col(static_cast<Eigen::Index>(k)), piece.slope[k], power);
     };
-    // Where y' jumps (a joint of laws that move, or of the rounding of a spline) the train is kicked.
+    // A jump of y' (a joint of moving laws, or round-off of a spline) is an impulse on the train.
     const auto kick = [&](const AffinePiece* from, const AffinePiece* to) {
         if (from)
             for (const AffineRow& row : from->slope) add_product(state, train.kick(), row, -1.0);
@@ -117,7 +117,7 @@ MatrixXd EventRows::state_at(const TrainAtSpeed& train, double x) const {
         const AffinePiece& piece = pieces_[i];
         if (x < piece.begin - same_event_x || x > piece.begin + piece.width + same_event_x) continue;
         const double t = std::clamp((x - piece.begin) / piece.width, 0.0, 1.0);
-        // t = 0 is the piece's own begin, after the kick there.
+        // t = 0 is the piece's begin, after the impulse there.
         return advanced(train, i, std::max(t, 1e-300));
     }
     return advanced(train, pieces_.size(), 0.0);

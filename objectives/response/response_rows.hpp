@@ -24,7 +24,7 @@ class EventRows {
 
     /// X at x on the event, as states x (entries + 1): the last column does not depend on the entries.
     [[nodiscard]] Eigen::MatrixXd state_at(const TrainAtSpeed& train, double x) const;
-    /// X once it is over.
+    /// X at its end.
     [[nodiscard]] Eigen::MatrixXd state_at_end(const TrainAtSpeed& train) const;
 
  private:

@@ -16,15 +16,15 @@
 namespace camopt {
 namespace {
 
-// In lifts: a law that vibrates less than this at the worst speed has no residual to divide by.
+// In lifts: a law with less vibration than this at the worst speed has no residual to divide by.
 constexpr double least_reference_residual = 1e-9;
-// Directions beside the first of a speed: with them the rows are an octagon about the cone.
+// Further directions per speed: the rows form an octagon around the cone.
 constexpr int directions = 8;
-// Of the first grid: speeds while the slowest mode turns once more over the motion, and places of a stretch.
+// Of the first grid: speeds per cycle of the slowest mode over the motion, and samples per stretch.
 constexpr double speeds_a_turn = 6.0;
 constexpr int first_places = 16;
 
-/// What one rule asks of the train.
+/// The response that one rule limits.
 struct Asked {
     ResponseKind kind = ResponseKind::residual;
     std::string name;
@@ -47,7 +47,7 @@ double end_of(const MotionEvent& event) {
     return event.moving.back().end;
 }
 
-/// What is to be kept small of one event at one speed; of the contact force its negative.
+/// The response to be limited, of one event at one speed; of the contact force its negative.
 Extremum worst_of_event(const TrainAtSpeed& train, const EventPieces& pieces, ResponseKind kind, double end) {
     const EventResponse response(train, pieces);
     switch (kind) {
@@ -61,8 +61,8 @@ Extremum worst_of_event(const TrainAtSpeed& train, const EventPieces& pieces, Re
     return response.largest(train.contact_force(), -1.0, true);
 }
 
-/// Evenly over the range, by the turns of the slowest mode that it spans: the response is an entire function
-/// of the speed, and from so many speeds there is little left for it to do between them.
+/// Uniformly over the range, by the cycles of the slowest mode that it spans: the response is an entire
+/// function of the speed, and varies little between so many speeds.
 std::vector<double> first_speeds(const Scene& scene, double length) {
     const auto [low, high] = response_speeds(scene);
     if (!(high > low)) return {low};
@@ -83,8 +83,8 @@ bool same_pieces(const std::vector<SlopePiece>& one, const std::vector<SlopePiec
     });
 }
 
-/// The speeds at which a motion does worst. The optimizer asks for those of one motion several times in a
-/// row, by terms and limits of one kind: the last motion is remembered.
+/// The worst speeds of a motion. The optimizer asks for those of one motion several times in a row, by terms
+/// and limits of one kind: the last motion is cached.
 class WorstSpeeds {
  public:
     struct Event {
@@ -171,7 +171,7 @@ class ResponseRule final : public WholeMotionRule {
     std::vector<int> parameters_;
     std::vector<MotionEvent> events_;
     std::shared_ptr<WorstSpeeds> speeds_;  ///< shared by the rules of a model
-    /// A rule belongs to one model and its copies, whose families are the same: made once.
+    /// A rule belongs to one model and its copies, whose families are equal: computed once.
     mutable std::mutex mutex_;
     mutable std::vector<EventRows> rows_;
 };
@@ -193,7 +193,7 @@ void ResponseRule::add_places(std::vector<Place>& all, double speed, std::size_t
     for (const double sign : {1.0, -1.0}) {
         if (force && sign > 0.0) continue;
         std::vector<double> setting = {speed, number, sign};
-        // All that break the rule, and the largest whatever it is.
+        // All violations of the rule, and the largest value in any case.
         std::vector<Extremum> places = response.maxima(reading, sign, f_at(q), true);
         if (places.empty()) places.push_back(response.largest(reading, sign, true));
         for (const Extremum& place : places)

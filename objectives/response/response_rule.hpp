@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Terms and limits on what an elastic follower train makes of a motion, as linear rules.
 //
-//   residual             Σ_modes |r_k · X(end)| <= level: for every direction φ  Σ Re(e^{−iφ_k} r_k · X) <=
-//   level dynamic_acceleration ± x''_n <= level, at every x contact force        least − F <= 0, at every x
+// Terms and limits on the response of an elastic follower train, as linear rules.
+//
+//   residual              Σ_modes |r_k · X(end)| <= level, for every direction φ:
+//                         Σ Re(e^{−iφ_k} r_k · X) <= level
+//   dynamic_acceleration  ± x''_n <= level, at every x
+//   contact force         least − F <= 0, at every x
 //
 // at every speed of the range. X is linear in the motion, so each is a linear row for its setting, and the
 // residual's rows together are a second-order cone. setting = (speed, event, then directions or the sign).
@@ -31,12 +34,12 @@ struct WorstResponse {
 /// The same of one rise from rest, of a law on [0, 1].
 [[nodiscard]] WorstResponse worst_response_of_rise(const Scene& scene, ResponseKind kind, const Motion& law);
 
-/// What a term divides by: the number of the scene, or the reference law's own. Throws InputError where the
-/// law has none (it does not vibrate at this speed).
+/// The divisor of a term: the number of the scene, or the reference law's own. Throws InputError if the law
+/// has none (it does not vibrate at this speed).
 [[nodiscard]] double response_reference(const Scene& scene, const ResponseTerm& term);
 [[nodiscard]] ResponseKind kind_of(ResponseFigure figure);
 
-/// Adds the terms and limits that the scene asks for, nothing where it has no dynamics.
+/// Adds the terms and limits of the scene's dynamics, if any.
 void add_response_rules(CamModel& model, const Scene& scene);
 
 }  // namespace camopt

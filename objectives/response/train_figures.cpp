@@ -11,14 +11,14 @@
 namespace camopt {
 namespace {
 
-// Of x: pieces begin and end at the breakpoints of stretches but for rounding.
+// Of x: tolerance on pieces that begin and end at the breakpoints of stretches.
 constexpr double same_x = 1e-9;
-// Samples of the speed: turns of a mode over the motion between two, and bounds on their number.
+// Samples of the speed: cycles of a mode over the motion between two, and bounds on their number.
 constexpr double turns_between_speeds = 1.0 / 16.0;
 constexpr int least_speeds = 9, most_speeds = 257;
-// Narrows two steps of the speed to 1e-5 of them: the maximum itself is then right to 1e-11.
+// Narrows two steps of the speed to 1e-5 of them: the maximum is then accurate to 1e-11.
 constexpr int golden_sections = 24;
-// Local maxima below this part of the largest are not narrowed.
+// Local maxima below this part of the largest are not refined.
 constexpr double near_largest = 0.8;
 
 void add_pieces(std::vector<SlopePiece>& found, const std::vector<SlopePiece>& all,
@@ -29,7 +29,7 @@ void add_pieces(std::vector<SlopePiece>& found, const std::vector<SlopePiece>& a
             if (piece.begin > stretch.begin - same_x && piece.begin + piece.width < stretch.end + same_x)
                 found.push_back(piece);
         if (found.size() > before || all.empty()) continue;
-        // Beyond the motion it rests where it ended.
+        // Beyond the motion it rests at its end.
         const SlopePiece& last = all.back();
         double displacement = last.displacement;
         for (Eigen::Index k = 0; k < last.slope.size(); ++k)
@@ -122,13 +122,13 @@ std::vector<SpeedMaximum> maxima_over_speeds(const Scene& scene, double length,
                                              const std::function<double(double)>& function) {
     const auto [low, high] = response_speeds(scene);
     if (!(high > low)) return {{low, function(low)}};
-    // Turns of the slowest mode over the motion at either end of the range. Faster modes turn more often, but
-    // ring weaker; their samples follow from the same number.
+    // Cycles of the slowest mode over the motion at either end of the range. Faster modes have more cycles
+    // but smaller amplitudes; their samples follow from the same number.
     const double first = scene.dynamics->formulas->natural_frequencies().front();
     const double turns = first * scene.motion.unit_angle() * length / units::turn * (1.0 / low - 1.0 / high);
     const int count = static_cast<int>(
         std::clamp(std::ceil(turns / turns_between_speeds) + 1.0, double{least_speeds}, double{most_speeds}));
-    // Even in 1 / speed, in which phases are.
+    // Uniform in 1 / speed, to which phases are proportional.
     std::vector<SpeedMaximum> samples;
     for (int k = 0; k < count; ++k) {
         const double part = static_cast<double>(k) / (count - 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an elastic follower train makes of a motion: from rest over each event (motion_events.hpp), at one
-// speed or at the worst of a range.
+// The response of an elastic follower train to a motion: from rest over each event (motion_events.hpp), at
+// one speed or at the worst of a range.
 #pragma once
 
 #include "core/numbers/extremum.hpp"
@@ -31,12 +31,12 @@ class EventResponse {
     [[nodiscard]] double residual() const;
     /// Mode by mode with its phase.
     [[nodiscard]] Eigen::VectorXcd residual_modes() const;
-    /// Local maxima of sign · reading above `floor`; with_dwell: while it rings as well.
+    /// Local maxima of sign · output above `floor`; with_dwell: including the free vibration.
     [[nodiscard]] std::vector<Extremum> maxima(const TrainAtSpeed::Reading& reading, double sign,
                                                double floor, bool with_dwell) const;
-    /// The largest of them, whatever it is.
+    /// The largest of them, without a floor.
     [[nodiscard]] Extremum largest(const TrainAtSpeed::Reading& reading, double sign, bool with_dwell) const;
-    /// Of |reading|.
+    /// Of |output|.
     [[nodiscard]] Extremum largest_magnitude(const TrainAtSpeed::Reading& reading, bool with_dwell) const;
 
  private:
@@ -51,9 +51,9 @@ class EventResponse {
 /// From the first to the last speed of the range, rad/s; twice the same where there is none.
 [[nodiscard]] std::array<double, 2> response_speeds(const Scene& scene);
 
-/// Places of a function of the speed that are looked at: the local maxima over the range, the largest first.
-/// Sampled so closely that the phase at the end of `length` of x changes by less than a sixteenth of a turn
-/// of the slowest mode between two, then narrowed; only those count that come near the largest.
+/// Local maxima of a function of the speed over the range, the largest first. Sampled so densely that the
+/// phase at the end of `length` of x changes by less than a sixteenth of a cycle of the slowest mode between
+/// two, then refined; only those near the largest count.
 struct SpeedMaximum {
     double speed = 0.0, value = 0.0;
 };

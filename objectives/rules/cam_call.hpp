@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One state of a cam as the formula of a limit sees it, in the algebra in which the limit is wanted: values
-// with first and second partials, enclosures over a box, enclosures along a stretch of a motion. A formula
-// that is generic over the call gives all three.
+// One state of a cam, the argument of the formula of a limit, in one of three algebras: values with first and
+// second partials, enclosures over a box, enclosures along a stretch of a motion. A formula that is generic
+// over the call gives all three.
 //
 // SI: m, rad, s' and s'' by the cam angle.
 #pragma once
@@ -37,7 +37,7 @@ struct CamCall {
     }
 
  private:
-    /// index: where its partial 1 stands; < 0: a constant.
+    /// index: of its partial 1; < 0: a constant.
     [[nodiscard]] MechanismValue variable(double value, int index) const {
         const auto size = static_cast<Eigen::Index>(3 + active.size());
         MechanismValue result{value, MechanismValue::Gradient::Zero(size),
@@ -47,7 +47,7 @@ struct CamCall {
     }
 };
 
-/// What CamCallOver and CamCallAlong share: a quantity that is not enclosed makes the whole unknown.
+/// Common to CamCallOver and CamCallAlong: a quantity without an enclosure makes the whole unknown.
 template <class Range>
 class EnclosedCall {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contact force, camshaft torque and Hertz pressure, and the contact that the last two take for granted.
+// Contact force, camshaft torque and Hertz pressure, and the contact that the last two assume.
 #include "core/errors.hpp"
 #include "objectives/rules/cam_limit_parts.hpp"
 #include "objectives/rules/cam_limits.hpp"
@@ -15,15 +15,14 @@ namespace {
 
 using enum MechanismQuantity;
 
-// Torque and pressure speak of a follower that touches a regular cam. Where no limit of the scene says so,
-// its regularity (1 − r κ; flat: radius/base radius) and the height of its contact over the cam centre (in
-// units of the cam) stay above this: any cam that a machine can make is far inside, and no rounding reaches
-// through it.
+// Torque and pressure assume contact with a regular cam. Unless a limit of the scene ensures it, its
+// regularity (1 − r κ; flat: radius/base radius) and the height of its contact over the cam centre (in units
+// of the cam) stay above this: manufacturable cams are far inside, and round-off cannot cross it.
 constexpr double least_contact = 1e-6;
-// Forces far below the largest say nothing of the size of a pressure.
+// For forces far below the largest the pressure is ill-conditioned.
 constexpr double least_force_share = 1e-2;
-// A pressure grows with the root of the force: twice this relative excess of the force is one of the
-// pressure.
+// A pressure is proportional to the square root of the force: twice this relative excess of the force is one
+// of the pressure.
 constexpr double pressure_scale = 2.0;
 
 /// F = m ω² s'' + k s + F_0 (or the moment of an arm).
@@ -35,7 +34,7 @@ struct Force {
         return spec.mass * speed * speed * call.acceleration() + spec.spring_rate * call.displacement() +
                spec.preload;
     }
-    /// The size of the inertia's force.
+    /// The magnitude of the inertia force.
     [[nodiscard]] double swing(const MotionScale& scale) const {
         return spec.mass * speed * speed * scale.lift / (scale.unit_angle * scale.unit_angle);
     }
@@ -71,11 +70,11 @@ void refuse_hertz_pressure(const Limits& limits, const WrittenLimit& limit, cons
     }
 }
 
-/// p² = F/(lever π b R c) <= p_max², c the compliance, as F <= R · lever · π b p_max² c: no division, so that
-/// nothing flips where the cam's radius or the lever passes through zero. Where F is not positive nothing
-/// presses. 1/R = 1/ρ_cam + 1/r = 1/(r · regularity) for a roller.
-/// In a groove with a clearance the roller touches a surface that is not quite its pitch curve's offset by
-/// its own radius: F (1 − (R − r) κ) <= r (1 − R κ) · lever · … of disk_sides.hpp.
+/// p² = F/(lever π b R c) <= p_max², c the compliance, as F <= R · lever · π b p_max² c: without a division,
+/// so that no sign changes where the cam's radius or the lever passes through zero. There is no pressure
+/// where F is not positive. 1/R = 1/ρ_cam + 1/r = 1/(r · regularity) for a roller. In a groove with a
+/// clearance the contact surface is not the pitch curve's offset by the roller radius: F (1 − (R − r) κ) <= r
+/// (1 − R κ) · lever · … of disk_sides.hpp.
 void add_hertz_pressure(Limits& limits, const WrittenLimit& limit, const Force& force, int station) {
     const double carried =
         force.spec.compliance() * std::numbers::pi * *force.spec.contact_width * limit.value * limit.value;
@@ -109,12 +108,12 @@ void add_height(Limits& limits, const std::string& key, int station) {
 
 void add_contact(Limits& limits, const std::string& key) {
     const LimitSpec& written = limits.scene().limits;
-    // A limit of 0 leaves a cusp, on which nothing can press.
+    // A limit of 0 allows a cusp, on which the pressure is infinite.
     const auto& radius = limit_on(written, LimitedFigure::convex_radius);
     const auto& margin = limit_on(written, LimitedFigure::regularity);
     const bool regular = (radius && radius->value > 0.0) || (margin && margin->value >= least_contact);
     const PressureLimits pressure = pressure_limits(written);
-    // |N| cos φm <= D sin φm to both sides holds the height up too.
+    // |N| cos φm <= D sin φm to both sides implies a positive height.
     const bool held = pressure.rise && pressure.back;
     for (int station = 0; station < limits.cam().stations(); ++station) {
         if (!regular) add_regularity(limits, {least_contact, key + " (undercut)"}, station);

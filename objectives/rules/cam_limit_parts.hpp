@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of cam_limits.cpp: each adds the rules of its own kind of limit. Private.
+// The parts of cam_limits.cpp: each adds the rules of one kind of limit. Private.
 #pragma once
 
 #include "objectives/rules/cam_rule.hpp"
@@ -14,7 +14,7 @@ namespace camopt::cam_limit_parts {
 
 using Rules = std::vector<std::shared_ptr<const CamRule>>;
 
-// A relative violation of something near zero says nothing: scales stay above this part of the whole.
+// A violation relative to something near zero is meaningless: scales stay above this part of the whole.
 inline constexpr double least_scale = 1e-3;
 
 /// Collects the rules of one cam.
@@ -28,12 +28,11 @@ class Limits {
     [[nodiscard]] const std::vector<double>& dimensions() const { return variables_->cam.dimensions; }
     [[nodiscard]] MechanismSetting setting() const { return {dimensions(), active_}; }
     [[nodiscard]] const std::vector<int>& active() const { return active_; }
-    /// A length by which geometry is made dimensionless, m.
+    /// The unit of length for dimensionless geometry, m.
     [[nodiscard]] double length() const { return cam().length(dimensions()); }
     /// Of the roller at a station, m; 0 without one.
     [[nodiscard]] double roller(int station) const;
-    /// The surface lies this much farther from the roller's centre than its radius: half a groove's
-    /// clearance.
+    /// The surface is this much further from the roller's centre than its radius: half a groove's clearance.
     [[nodiscard]] double wider_by(int station) const;
     /// The shape of a quantity.
     [[nodiscard]] bool is_linear(MechanismQuantity which) const {
@@ -54,7 +53,7 @@ class Limits {
     Rules rules_;
 };
 
-/// regularity >= margin at one station; nothing where nothing undercuts.
+/// regularity >= margin at one station; nothing for kinds without undercut.
 void add_regularity(Limits& limits, const WrittenLimit& limit, int station);
 void add_pressure(Limits& limits);
 void add_forces(Limits& limits);

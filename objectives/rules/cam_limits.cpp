@@ -61,7 +61,7 @@ namespace {
 using namespace cam_limit_parts;
 using enum MechanismQuantity;
 
-// A flat oscillating face turns back on itself where 1 + σψ' vanishes; it stays this far away.
+// A flat oscillating face reverses where 1 + σψ' vanishes; it stays this far away.
 constexpr double least_face_turn = 1e-3;
 
 /// (r + shift) κ − 1 with the curvature of the station: the convex radius stays above shift, the concave one
@@ -89,7 +89,7 @@ void add_radii(Limits& limits, int station) {
         const double scale = least > 0.0 ? std::max(least_scale, least / (nominal + least)) : 1.0;
         add_radius(limits, *limit, least + wider, scale, station);
     }
-    // The roller itself fits into any hollow larger than it.
+    // A roller fits into any hollow larger than itself.
     const auto& concave = limit_on(written, LimitedFigure::concave_radius);
     const bool moves = limits.variables().is_variable(limits.cam().roller_radius_at(station));
     if (concave && (moves || concave->value > nominal)) {
@@ -110,7 +110,7 @@ void add_flat_radius(Limits& limits) {
     limits.add(std::move(formula));
 }
 
-/// 1 + σψ' of an oscillating flat face stays positive: where it vanishes the face touches nothing.
+/// 1 + σψ' of an oscillating flat face stays positive: where it vanishes there is no contact.
 void add_face_turn(Limits& limits, const std::string& key) {
     const double sense = limits.cam().face_turn();
     if (sense == 0.0) return;
@@ -137,7 +137,7 @@ void add_face_width(Limits& limits) {
     }
 }
 
-/// The limit that speaks of the shape of the cam's surface, if any: what keeps it makes contact possible.
+/// The limit on the shape of the cam's surface, if any: satisfying it ensures contact.
 const WrittenLimit* limit_of_contact(const Scene& scene) {
     const bool press = scene.forces && scene.motion.speed;
     for (const LimitedFigure figure : {LimitedFigure::convex_radius, LimitedFigure::regularity,

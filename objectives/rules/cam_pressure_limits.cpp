@@ -60,7 +60,7 @@ void add_side(Limits& limits, const WrittenLimit& limit, PressureSide side, bool
     formula.linear = shape(-infinity, infinity) == Curvature::linear;
     formula.shape = shape;
     if (!at_rest) formula.slopes = limits.cam().pressure_slopes(side, limits.dimensions());
-    // Both flanks of a groove have one normal: one rule speaks of both.
+    // Both flanks of a groove have one normal: one rule covers both.
     const int last = limits.cam().stations() - 1;
     if (limits.cam().binds(pressure_numerator, last)) return limits.add_at(std::move(formula), side.station);
     limits.add(std::move(formula));

@@ -9,7 +9,7 @@ namespace camopt {
 
 namespace {
 
-// Of the longest dimension: a cam nearer than this to where it stops being one has no digits left.
+// Relative to the longest dimension: a cam closer to the limit of its reach than this is ill-conditioned.
 constexpr double least_reach = 1e-6;
 
 void add_inequality(CamModel& model, const CamSpec& spec,
@@ -32,7 +32,7 @@ void add_inequality(CamModel& model, const CamSpec& spec,
     const double margin = least_reach * longest;
     if (row.parameters.empty() || most <= -margin) return;
     row.upper -= margin;
-    // Measured by the longest dimension.
+    // Normalised by the longest dimension.
     for (double& weight : row.weights) weight /= longest;
     row.upper /= longest;
     model.parameter_rows.push_back(std::move(row));

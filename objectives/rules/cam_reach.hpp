@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// That the cam can be built at rest, where its dimensions move: each sum of CamMechanism::reach is a linear
-// row of its own, where the ranges do not keep it anyhow.
+// The cam can be built at rest, where its dimensions are variable: each sum of CamMechanism::reach is a
+// linear row, unless the ranges imply it.
 #pragma once
 
 #include "objectives/rules/model.hpp"

@@ -49,7 +49,7 @@ std::optional<RangeAlong> CamRule::range_along(const Interval& x, const std::arr
                                                const Eigen::VectorXd& q) const {
     if (!formula_.along) return {};
     ++*cam_->profile_points;
-    // By x, as the rule's slope along the motion is: only s', s'' themselves are by the cam angle.
+    // By x, like the rule's slope along the motion: only s', s'' are by the cam angle.
     const std::array<double, 3> unit = units();
     const auto along = [&](std::size_t order) {
         const Interval by(unit[order]);
@@ -84,7 +84,7 @@ RuleValue CamRule::normalised(const MechanismValue& physical) const {
         const auto place = static_cast<std::size_t>(i);
         return i < 3 ? unit[place] : cam_->variables[place - 3].reference;
     };
-    // y''' stands between y'' and the parameters, and no quantity depends on it.
+    // y''' is between y'' and the parameters, and no quantity depends on it.
     const auto place_of = [](Eigen::Index i) { return i < 3 ? i : i + 1; };
     for (Eigen::Index i = 0; i + 1 < size; ++i) {
         rule.gradient[place_of(i)] = unit_of(i) * physical.gradient[i];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A limit of a cam of any kind at one cam angle and one station: a formula of (s, s', s'', dimensions), in
-// three algebras: values with partials, enclosures over boxes, enclosures along a stretch of a motion. Knows
-// the cam by its interface (scene/cam_mechanism.hpp) alone.
+// three algebras: values with partials, enclosures over boxes, enclosures along a stretch of a motion. It
+// uses the cam only through its interface (scene/cam_mechanism.hpp).
 //
-// A formula is in SI. The rule brings it to the normalised (y, y', y'', y'''; q) of the optimizer by the
+// A formula is in SI. The rule converts it to the normalised (y, y', y'', y'''; q) of the optimizer by the
 // chain rule: s^{(r)} = lift / unit_angle^r · y^{(r)}, each variable dimension = reference · q.
 #pragma once
 
@@ -30,19 +30,19 @@ struct CamFormula {
     std::vector<double> places = {};  ///< x where alone it holds; empty: everywhere
     MechanismQuantity figure = MechanismQuantity::pressure_numerator;  ///< what the limit is on
 
-    /// <= 0 is kept; dimensionless, of order one.
+    /// <= 0 is satisfied; dimensionless, of order one.
     std::function<MechanismValue(const CamCall&)> value = {};
-    /// The same over a box of states and dimensions, or that times something positive.
+    /// The same over a box of states and dimensions, or that times a positive factor.
     std::function<std::optional<RangeOver>(const CamCallOver&)> over = {};
     /// The same along a stretch of the cam angle.
     std::function<std::optional<RangeAlong>(const CamCallAlong&)> along = {};
     /// Over all s from `least` to `most`; none: general.
     std::function<Curvature(double least, double most)> shape = {};
     bool linear = false;                       ///< linear over all of them
-    Interval slopes = Interval::everything();  ///< of s' by the cam angle that it allows at all
+    Interval slopes = Interval::everything();  ///< of s' by the cam angle: the admissible range
 };
 
-/// All three from one text, generic over the call.
+/// All three from one formula, generic over the call.
 template <class Formula>
 [[nodiscard]] CamFormula cam_formula(std::string name, const Formula& formula) {
     CamFormula result;
@@ -55,10 +55,10 @@ template <class Formula>
 
 class CamRule final : public PointRule {
  public:
-    /// Throws ModelError where more dimensions move than a MechanismValue has room for.
+    /// Throws ModelError for more variable dimensions than a MechanismValue can have.
     CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula);
 
-    /// Whether its stations are all places of the cam that the limit speaks of; else it holds at them alone.
+    /// Whether its stations are all that the limit covers; else it holds at them only.
     [[nodiscard]] bool at_every_station() const {
         return cam_->cam.formulas->has_all_stations(formula_.figure);
     }

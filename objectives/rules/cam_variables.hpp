@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cam of a problem, of whatever kind: which of its dimensions the optimizer moves, and the others at
-// their numbers.
+// The cam of a problem, of any kind: which of its dimensions the optimizer varies, and the values of the
+// others.
 #pragma once
 
 #include "profiles/sampling.hpp"
@@ -16,22 +16,22 @@ namespace camopt {
 
 struct CamVariables {
     struct Variable {
-        int dimension = 0;       ///< its place among the cam's dimensions
+        int dimension = 0;       ///< its index among the cam's dimensions
         int parameter = 0;       ///< index among the problem's parameters
         double reference = 1.0;  ///< m or rad in one unit of the parameter
     };
     DrivenMechanism cam;
     MotionScale scale;
     std::vector<Variable> variables;
-    /// How many points of the cam were evaluated: shared by all rules of a problem; threads may count at
-    /// once.
+    /// Number of evaluated points of the cam: shared by all rules of a problem; threads may count
+    /// concurrently.
     std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
 
     /// The dimensions for all parameters of a problem.
     [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& parameters) const;
     /// The dimensions for a rule's own parameters q, one for each of the variables.
     [[nodiscard]] std::vector<double> dimensions_for(const Eigen::VectorXd& q) const;
-    /// The dimension moves.
+    /// The dimension is variable.
     [[nodiscard]] bool is_variable(int dimension) const;
 };
 

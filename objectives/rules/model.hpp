@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What is to be minimized and kept, as plain data: parameters, rules, rows on the parameters, and the cost
+//
+// The optimization model as plain data: parameters, rules, rows on the parameters, and the cost
 //
 //   f = Σ_p weight_p q_p  +  Σ_k weight_k / 2 (m_k(x) / q_k + q_k).
 //
-// m_k is a mean square (rms term): at its least over q_k > 0 the bracket is weight_k · sqrt(m_k), jointly
+// m_k is a mean square (rms term): at the minimum over q_k > 0 the bracket is weight_k · sqrt(m_k), jointly
 // convex in (x, q_k) with a sparse Hessian. Every quantity is in units of its reference, so f is near one.
 #pragma once
 
@@ -20,13 +21,12 @@
 
 namespace camopt {
 
-/// A root mean square of a motion that moves is of order one; this bound only keeps the division by it away
-/// from zero.
+/// A root mean square of a moving motion is of order one; this bound only prevents a division by zero.
 inline constexpr double least_rms = 1e-4;
 
-/// A variable beside the design vector: a peak, the torque peak max |y' y''|, a root mean square, a dimension
-/// of the cam, the magnitude of another parameter, the peak of a term that the program brought, or what an
-/// elastic follower train makes of the motion.
+/// A variable besides the design vector: a peak, the torque peak max |y' y''|, a root mean square, a
+/// dimension of the cam, the magnitude of another parameter, the peak of a user-defined term, or a response
+/// of an elastic follower train.
 struct Parameter {
     enum class Kind { peak, torque, rms, dimension, magnitude, own, response };
     std::string name;
@@ -35,13 +35,13 @@ struct Parameter {
     double reference = 1.0;  ///< the variable is in units of this
     double weight = 0.0;     ///< in the cost
     double lower = 0.0, upper = infinity;  ///< dimension: its range, in units of the reference
-    /// own, response: what defines it, also where a relaxation does without the rule.
+    /// own, response: its definition, also where a relaxation omits the rule.
     std::shared_ptr<const PointRule> defined_by = {};
 };
 
 /// A rule and where it holds.
 struct PlacedRule {
-    /// What y is measured from: 0, or the displacement at an end of the stretch (linear rules only).
+    /// The origin of y: 0, or the displacement at an end of the stretch (linear rules only).
     enum class Datum { zero, begin, end };
 
     std::shared_ptr<const PointRule> rule;      ///< shared by a problem and its tie-break
@@ -62,16 +62,16 @@ struct PlacedRule {
     const PointRule& operator*() const { return *rule; }
 };
 
-/// In lifts: a segment whose ends are closer than this stands, and is measured by the lift. Far above the
-/// rounding of a displacement, far below what a machine could make.
+/// In lifts: a segment whose ends are closer than this is stationary, and normalised by the lift. Far above
+/// the rounding of a displacement, far below manufacturing accuracy.
 inline constexpr double standing_displacement = 1e-9;
 
-/// What a displacement is measured by: |h|; the lift where a segment stands. In lifts.
+/// What a displacement is normalised by: |h|; the lift for a stationary segment. In lifts.
 [[nodiscard]] double measured_displacement(double displacement);
 
-/// How a stretch is normalised: y^{(r)} of the family is |displacement| / angle^r times the normalised one.
-/// Where the design moves the displacement: the largest it may have, so that peaks come out too small, never
-/// too large.
+/// Normalisation of a stretch: y^{(r)} of the family is |displacement| / angle^r times the normalised one. If
+/// the design moves the displacement: its largest value, so that peaks are underestimated, never
+/// overestimated.
 struct StretchScale {
     double angle = 1.0;         ///< its length in x
     double displacement = 1.0;  ///< in lifts, > 0
@@ -93,7 +93,7 @@ struct ParameterRow {
     double scale = 1.0;
 };
 
-/// A displacement that every motion of the model has; at_rest: with y' = 0.
+/// A displacement common to every motion of the model; at_rest: with y' = 0.
 struct KnownPoint {
     double x = 0.0, y = 0.0;
     bool at_rest = false;
@@ -107,20 +107,19 @@ struct CamModel {
     std::vector<PlacedRule> rules;
     std::vector<ParameterRow> parameter_rows;
     std::vector<DesignRow> design_rows;
-    /// What dimensions that are numbers add to the cost.
+    /// The constant cost of fixed dimensions.
     double cost_constant = 0.0;
     /// Set where the scene has a disk cam; where it has another mechanism.
     std::shared_ptr<const CamVariables> cam;
     double jerk_reference = 1.0;  ///< of the energy that breaks ties (tied_problem.hpp)
-    /// Entries of a motion that searches begin from first; empty: none.
+    /// Entries of a motion that is the first start of a search; empty: none.
     Eigen::VectorXd start_design;
     /// Typical sizes of y, y', y'': design entries are optimized in these units.
     std::array<double, 3> entry_scale{1.0, 1.0, 1.0};
     /// Of each design entry: these sizes times its factor, which a short stroke makes large; none: 1.
     std::vector<double> entry_factors;
     std::vector<StretchScale> stretch_scales;  ///< one a stretch; none: DRD and RR, all 1
-    /// Displacements a sensible motion stays within: where rules are expected to be convex. What is proved is
-    /// proved with bounds of its own.
+    /// Expected range of displacements: where rules are expected to be convex. Proofs use their own bounds.
     double least_displacement = -0.25, most_displacement = 1.25;
     std::vector<KnownPoint> known_points;  ///< ascending, both ends among them; fewer than 2: unknown
 

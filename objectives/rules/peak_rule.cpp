@@ -25,7 +25,7 @@ RuleValue PeakRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q)
 
 double BoundRule::scale_at(double x) const {
     if (bound_.contact == 0) return 1.0;
-    // So near to the ends that y, which leaves them from rest, is below 1e-10 of its stroke.
+    // So close to the ends that y, which leaves them from rest, is below 1e-10 of its stroke.
     constexpr double at_the_end = 1e-9;
     const double along = std::clamp((x - bound_.begin) / (bound_.end - bound_.begin), 0.0, 1.0);
     const double scale = std::pow(4.0 * along * (1.0 - along), bound_.contact);

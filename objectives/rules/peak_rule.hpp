@@ -14,11 +14,11 @@ class BoundRule final : public PointRule {
     struct Bound {
         int order = 0, sign = 1;
         double bound = 0.0;                ///< of sign · y^{(order)}
-        double scale = 1.0;                ///< passing the bound by this is a violation of 100 %; > 0
-        bool starts_without_rows = false;  ///< as PointRule says
-        /// Of a rule that lies on its bound at both ends of a stroke, from `begin` to `end`, and leaves it
-        /// with the power `contact` of the distance: violations count by (4 ξ (1 − ξ))^contact, ξ = 0 … 1
-        /// along the stroke.
+        double scale = 1.0;                ///< exceeding the bound by this is a violation of 100 %; > 0
+        bool starts_without_rows = false;  ///< as in PointRule
+        /// Of a rule that is active at both ends of a stroke, from `begin` to `end`, and leaves its bound
+        /// with the power `contact` of the distance: violations are scaled by (4 ξ (1 − ξ))^contact, ξ = 0 …
+        /// 1 along the stroke.
         int contact = 0;
         double begin = 0.0, end = 1.0;
     };

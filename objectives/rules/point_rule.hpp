@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A rule at one cam angle: g(y, y', y'', y'''; q) <= 0 for every x.
 //
-// A rule sees one point of the motion and a few parameters q (the peak variables, the cam's dimensions), in
-// their normalised units, and gives its value with first and second partials. It never sees
-// the design vector: constant sparse maps do the chain rule (grid_nlp.hpp).
+// A rule depends on one point of the motion and a few parameters q (the peak variables, the cam's
+// dimensions), in their normalised units, and gives its value with first and second partials. It is
+// independent of the design vector: constant sparse maps apply the chain rule (grid_nlp.hpp).
 #pragma once
 
 #include "core/curvature.hpp"
@@ -27,10 +27,10 @@ struct RuleValue {
     double value = 0.0;
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
-    double by_place = 0.0;  ///< partial by x alone, for rules that depend on it besides the point
+    double by_place = 0.0;  ///< partial by x alone, for rules that depend on it explicitly
 };
 
-/// Values of y' that a rule allows at all.
+/// The admissible values of y'.
 struct SlopeRange {
     double least = -infinity, most = infinity;
 };
@@ -40,11 +40,11 @@ class WholeMotionRule;
 class PointRule {
  public:
     virtual ~PointRule() = default;
-    /// Itself, where it looks at more than one point (whole_motion_rule.hpp).
+    /// This rule, if it depends on more than one point (whole_motion_rule.hpp).
     [[nodiscard]] virtual const WholeMotionRule* whole() const { return nullptr; }
-    /// Of a limit of the scene: its key, as the user wrote it.
+    /// Of a limit of the scene: its key as written by the user.
     [[nodiscard]] virtual std::string name() const = 0;
-    /// Of the rows that keep it, without a place.
+    /// Of the rows that enforce it, without a location.
     [[nodiscard]] virtual RowOrigin origin() const {
         RowOrigin origin;
         origin.rule = name();
@@ -54,47 +54,46 @@ class PointRule {
     }
     /// Which parameters of the problem are q_1 … q_m.
     [[nodiscard]] virtual const std::vector<int>& parameters() const = 0;
-    /// Affine in the point and in q: its continuous maxima are then found exactly.
+    /// Affine in the point and in q: its continuous maxima are then exact.
     [[nodiscard]] virtual bool linear() const = 0;
-    /// `least`, `most`: extremes of y over the motions in question; ±infinity where nothing is known.
+    /// `least`, `most`: extremes of y over the motions in question; ±infinity: unknown.
     [[nodiscard]] virtual Curvature curvature(double least, double most) const {
         static_cast<void>(least);
         static_cast<void>(most);
         return linear() ? Curvature::linear : Curvature::general;
     }
-    /// Whatever y, for the parameters at their numbers; everything where the rule has parameters.
+    /// For any y, with the parameters at their values; everything if the rule has parameters.
     [[nodiscard]] virtual SlopeRange slope_range() const { return {}; }
     /// The highest derivative of y in the formula: where it jumps, the rule may jump.
     [[nodiscard]] virtual int highest_order() const { return 3; }
     /// A hard limit of the user's scene, as opposed to a peak variable's definition.
     [[nodiscard]] virtual bool limit() const = 0;
-    /// Holds at these x alone, ascending; empty: at every cam angle.
+    /// Holds only at these x, ascending; empty: at every cam angle.
     [[nodiscard]] virtual const std::vector<double>& places() const {
         static const std::vector<double> everywhere;
         return everywhere;
     }
-    /// The first grid has no rows of it: most motions satisfy it anyway, and the exchange adds those that
-    /// are violated.
+    /// The first grid has no rows of it: most motions satisfy it anyway, and the exchange adds violated rows.
     [[nodiscard]] virtual bool starts_without_rows() const { return false; }
     /// Size of the limit: a value of `scale` is a violation of 100 %.
     [[nodiscard]] virtual double scale() const = 0;
-    /// The same at one place; 0 where conditions of the motion satisfy the rule with nothing to spare.
+    /// The same at one location; 0 where conditions of the motion make the rule active.
     [[nodiscard]] virtual double scale_at(double x) const {
         static_cast<void>(x);
         return scale();
     }
     /// Along a piece on which y to its third derivative are the polynomials `derivatives` of one variable:
-    /// the rule as a polynomial of it, whose maxima are then found exactly. Empty where it is none; linear
-    /// rules need not say.
+    /// the rule as a polynomial of it, whose maxima are then exact. Nullopt if it is not one; optional for
+    /// linear rules.
     [[nodiscard]] virtual Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& derivatives,
                                                 const Eigen::VectorXd& q) const {
         static_cast<void>(derivatives);
         static_cast<void>(q);
         return {};
     }
-    /// Along a stretch `x` on which y to its fourth derivative lie in `derivatives`: what encloses the rule,
+    /// Along a stretch `x` on which y to its fourth derivative lie in `derivatives`: enclosures of the rule,
     /// its slope and its second derivative by x. Returns nullopt if no enclosure is implemented: the maxima
-    /// are then searched by samples.
+    /// are then sampled.
     [[nodiscard]] virtual std::optional<RangeAlong> range_along(const Interval& x,
                                                                 const std::array<Interval, 5>& derivatives,
                                                                 const Eigen::VectorXd& q) const {
@@ -103,9 +102,9 @@ class PointRule {
         static_cast<void>(q);
         return {};
     }
-    /// Over a box of (y, y', y'', y''', q_1 … q_m) at x = `at`: what encloses the rule times something
-    /// positive, with its partials by them. The factor is the rule's own choice, one that leaves little that
-    /// is curved. Returns nullopt if no enclosure is implemented; bounds then omit the rule.
+    /// Over a box of (y, y', y'', y''', q_1 … q_m) at x = `at`: enclosures of the rule times a positive
+    /// factor, with its partials. The rule chooses a factor that reduces curvature. Returns nullopt if no
+    /// enclosure is implemented; bounds then omit the rule.
     [[nodiscard]] virtual std::optional<RangeOver> range_over(std::span<const Interval> box,
                                                               double at) const {
         static_cast<void>(box);

@@ -11,7 +11,7 @@ namespace camopt {
 
 namespace {
 
-constexpr double at_rest = 1e-9;  // of a law's mean velocity: less is rounding
+constexpr double at_rest = 1e-9;  // of a law's mean velocity: less is round-off
 
 void add_program(std::vector<double>& places, const Scene& scene) {
     const MotionSpec& motion = scene.motion;

@@ -2,7 +2,7 @@
 // The epigraph of the torque peak: sign · y' y'' / reference − Q <= 0, with Q the peak variable in units of
 // `reference`. Two of them, sign = ±1, make Q >= max |y' y''| / reference.
 //
-// y' y'' is what the torque of an inertial load follows. The rule is bilinear: of no definite curvature.
+// y' y'' is proportional to the torque of an inertial load. The rule is bilinear, hence indefinite.
 #pragma once
 
 #include "objectives/rules/point_rule.hpp"

@@ -6,7 +6,7 @@
 namespace camopt {
 
 RuleValue WholeMotionRule::evaluate(const MotionPoint&, const Eigen::VectorXd&) const {
-    throw ModelError(name() + ": a rule of the whole motion was asked at a single point");
+    throw ModelError(name() + ": a rule of the whole motion was evaluated at a single point");
 }
 
 }  // namespace camopt

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A rule that looks at the motion as a whole, and is linear in it: g(motion; q; setting) <= 0 for every
-// setting.
+// A rule over the whole motion, linear in it: g(motion; q; setting) <= 0 for every setting.
 //
-// A setting is what beside a place belongs to one row: a speed of the cam, a direction. Rows are added where
-// the rule is largest over places and settings together.
+// A setting identifies a row besides its location: a speed of the cam, a direction. Rows are added where the
+// rule is largest over locations and settings together.
 #pragma once
 
 #include "core/numbers/extremum.hpp"
@@ -28,17 +27,17 @@ class WholeMotionRule : public PointRule {
     /// The rule at q = 0 by the entries of the family.
     [[nodiscard]] virtual AffineRow row(const MotionFamily& family, double at, Side side,
                                         std::span<const double> setting) const = 0;
-    /// The rows of the first grid: so many that a motion which keeps them cannot be far off between them.
+    /// The rows of the first grid: so many that a motion that satisfies them is nearly feasible between them.
     /// Values do not count.
     [[nodiscard]] virtual std::vector<Place> first() const = 0;
-    /// Further settings whose rows belong beside those of this one.
+    /// Further settings whose rows are added together with those of this one.
     [[nodiscard]] virtual std::vector<std::vector<double>> beside(std::span<const double> setting) const = 0;
-    /// Which row it is: "310 rpm".
+    /// Identifies the row: "310 rpm".
     [[nodiscard]] virtual std::string remark(std::span<const double> setting) const = 0;
 
     [[nodiscard]] bool linear() const final { return true; }
     [[nodiscard]] const WholeMotionRule* whole() const final { return this; }
-    /// It sees no single point; throws ModelError.
+    /// It does not depend on a single point; throws ModelError.
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const final;
 };
 

@@ -136,7 +136,7 @@ std::string comparison_csv(const Comparison& comparison) {
         line.number(has_radius ? std::optional(*row.base->radius / units::millimetre) : std::nullopt);
         line.words(fmt::format("{}", fmt::join(broken_limits(row), "; ")));
         std::string note = row.misfit;
-        if (row.base && !row.base->radius) note = "no base radius tried helps: " + row.base->broken;
+        if (row.base && !row.base->radius) note = "no base radius tried suffices: " + row.base->broken;
         text += line.words(note).finish();
     }
     return text;

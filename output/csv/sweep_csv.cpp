@@ -242,8 +242,8 @@ SweepTable read_sweep_csv(std::string_view text, std::string_view name) {
     const std::vector<CsvRecord> records = csv_records(text, name);
     if (records.empty()) throw InputError(fmt::format("{}:1: found nothing; allowed: a sweep.csv", name));
     if (!text.ends_with('\n'))
-        throw InputError(fmt::format("{}:{}: found a line without an end; allowed: a whole sweep.csv", name,
-                                     records.back().line));
+        throw InputError(fmt::format("{}:{}: found a line without an end; allowed: a complete sweep.csv",
+                                     name, records.back().line));
     SweepTable table;
     table.columns = read_columns(records.front(), name);
     const std::vector<std::string> columns = sweep_csv_columns(table.columns);

@@ -356,9 +356,9 @@ const std::vector<TableColumn>& table_columns() {
 }
 
 std::string UniformTable::words() const {
-    std::string said =
-        fmt::format("{} rows over the {}, 0 to {} deg", rows,
-                    whole_turn ? "whole turn" : "motion, which is not a whole turn", short_text(end_deg, 9));
+    std::string said = fmt::format("{} rows over the {}, 0 to {} deg", rows,
+                                   whole_turn ? "revolution" : "motion, which is not one revolution",
+                                   short_text(end_deg, 9));
     if (last_step_deg > 0.0)
         said += fmt::format("; the last step is {} deg: the step does not divide the angle",
                             short_text(last_step_deg, 6));

@@ -127,7 +127,7 @@ NcWork groove_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
 NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     check_closed(shape);
     if (shape.has_two_disks())
-        throw InputError("an NC program: found two disks; allowed: either of them (made_pieces)");
+        throw InputError("an NC program: found two disks; allowed: one of them (made_pieces)");
     require(std::isfinite(options.thickness) && options.thickness > 0.0, "the thickness must be > 0 m",
             options.thickness);
     require(std::isfinite(options.tip_beyond) && options.tip_beyond >= 0.0,

@@ -47,13 +47,14 @@ void check_solid(const ProfileShape& shape, const DrawingSpec& drawing) {
     check_closed(shape);
     static_cast<void>(thickness_of(drawing));
     if (shape.has_two_disks())
-        throw InputError("plane cam: found two disks; allowed: either of them (made_pieces)");
+        throw InputError("plane cam: found two disks; allowed: one of them (made_pieces)");
     const auto undercut = [](const ProfileShape& side) {
         return !cusp_angles(side).empty() || !(side.at(side.begin()).regularity > 0.0);
     };
     if (undercut(shape) || (shape.other && undercut(other_side(shape))))
         throw InputError(
-            "plane cam: found an undercut one, whose outline crosses itself; allowed: a cam that leads its "
+            "plane cam: found an undercut one, whose outline intersects itself; allowed: a cam that guides "
+            "its "
             "follower everywhere (limits.cam_radius_min_mm = 0)");
     if (drawing.bore && !(drawing.reach() > 0.0 && drawing.reach() < least_radius(shape)))
         throw InputError(
@@ -302,10 +303,10 @@ std::vector<PlateEdge> edges_of(const std::vector<ArcVertex>& vertices) {
 
 void check_closed(const ProfileShape& shape) {
     if (shape.closed) return;
-    throw InputError(
-        fmt::format("plane cam: found an open one{}; allowed: a cam of a whole turn (motion.type \"RR\" or a "
-                    "program that comes back to displacement 0), to be milled or made a solid",
-                    shape.open_because.empty() ? "" : " (" + shape.open_because + ")"));
+    throw InputError(fmt::format(
+        "plane cam: found an open one{}; allowed: a cam of one revolution (motion.type \"RR\" or a "
+        "program that returns to displacement 0), to be milled or made a solid",
+        shape.open_because.empty() ? "" : " (" + shape.open_because + ")"));
 }
 
 double disk_volume(const ProfileShape& shape, const DrawingSpec& drawing) {

@@ -90,7 +90,7 @@ std::string guide_svg(const Solution& solution, const GuideWalls& walls) {
     LegendColumn column(canvas, length, 8 + dimension_entries(solution) + figure_entries(solution));
     column.sample("wall-left", "left wall");
     column.sample("wall-right", "right wall");
-    column.sample("pitch", "way of the roller's centre");
+    column.sample("pitch", "path of the roller's centre");
     column.sample("roller", "roller at both ends");
     column.heading("dimensions");
     add_dimensions(column, solution);

@@ -12,7 +12,7 @@ namespace camopt {
 /// One a tenth of a degree.
 [[nodiscard]] int default_profile_points(const Motion& motion, const MotionScale& scale);
 
-// guide.svg: the guide of an inverse cam in its body, to scale: both walls, the way of the roller's centre,
+// guide.svg: the guide of an inverse cam in its body, to scale: both walls, the path of the roller's centre,
 // the roller at both ends of the motion, the body's pivot; dimensions and figures beside it. The body's
 // frame.
 

@@ -84,7 +84,7 @@ class MechanismPage {
         canvas.text(picture_left, 38, title, "title");
         const ProfileCanvas on = fitted_canvas(canvas, box_.with_room());
         const ShownUnit length = shown_units(solution_.scene).length;
-        draw_length_frame(on, length, "x, y in " + length.name + " (frame that stands still)");
+        draw_length_frame(on, length, "x, y in " + length.name + " (fixed frame)");
         on.polyline(cam_, closed_, closed_ ? "cam" : "sector");
         on.polyline(pitch_, closed_, "pitch");
         if (!closed_) on.line(cam_.front(), cam_.back(), "open");
@@ -223,7 +223,7 @@ class MechanismPage {
         column.sample("ghost", "at both ends of the motion");
         if (std::ranges::any_of(
                 now_, [](const MechanismShape& s) { return s.kind == MechanismShape::Kind::guide; }))
-            column.sample("guide", "way of the slider");
+            column.sample("guide", "path of the slider");
         column.heading("dimensions");
         add_dimensions(column, solution_);
         column.words(fmt::format("turns {}", name_of(mechanism_.formulas->rotation())));

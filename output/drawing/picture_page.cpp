@@ -36,7 +36,7 @@ void add_lines(LegendColumn& column, const ProfileShape& shape, bool undercut) {
     column.sample("follower", fmt::format("follower at θ = {}°", short_text(shape.start / degree)));
     column.sample("ghost", "follower every 60°");
     column.sample("mark", "contact every 30°");
-    if (!shape.closed && !shape.open_because.empty()) column.sample("open", "open: nothing given");
+    if (!shape.closed && !shape.open_because.empty()) column.sample("open", "open: not given");
     if (undercut) column.sample("undercut", "undercut");
 }
 
@@ -132,7 +132,7 @@ void add_figures(LegendColumn& column, const Solution& solution) {
 
 void add_opening(LegendColumn& column, const Solution& solution) {
     const std::string why = open_because(solution);
-    column.words("OPEN: nothing closes the cam", "warning");
+    column.words("OPEN: the cam is not closed", "warning");
     column.words(why.substr(0, why.find(": ")));
 }
 

@@ -107,12 +107,12 @@ std::string words_of_clamp(const NcJob& job, const Machine& machine, const Blank
     const double diameter = 2.0 * clamp.radius / units::millimetre;
     if (is_plane(machine))
         return fmt::format(
-            "fixture: the cam is held by its bore, clamps lie within diameter {:g} mm about its axis, no "
-            "more than {:g} mm above the blank",
+            "fixture: the cam is held by its bore, clamps lie within diameter {:g} mm about its axis, at "
+            "most "
+            "{:g} mm above the blank",
             diameter, (clamp.upper - job.blank.upper) / units::millimetre);
-    return fmt::format(
-        "fixture: the cam is held at both ends by what lies within diameter {:g} mm about its axis",
-        diameter);
+    return fmt::format("fixture: the cam is clamped at both ends within diameter {:g} mm about its axis",
+                       diameter);
 }
 
 /// Moves of each pass, from the first feed to the last.
@@ -187,8 +187,8 @@ std::span<const NcMove> roughing_moves(std::span<const NcMove> moves, const Cutt
 std::string spindle_fault(const NcWords& words, SpindleSense spindle) {
     const bool clockwise = spindle == SpindleSense::clockwise;
     if (!(clockwise ? words.counterclockwise : words.clockwise)) return {};
-    return clockwise ? "the program turns the spindle counterclockwise (M4), wanted is clockwise (M3)"
-                     : "the program turns the spindle clockwise (M3), wanted is counterclockwise (M4)";
+    return clockwise ? "the program turns the spindle counterclockwise (M4), clockwise (M3) is required"
+                     : "the program turns the spindle clockwise (M3), counterclockwise (M4) is required";
 }
 
 }  // namespace
@@ -196,7 +196,7 @@ std::string spindle_fault(const NcWords& words, SpindleSense spindle) {
 std::string CheckedProgram::fault() const {
     if (!travel.good()) return travel.fault;
     if (!poses.within_rounding)
-        return fmt::format("line {}: WRONG: a block is farther off than the printed digits explain",
+        return fmt::format("line {}: WRONG: a block deviates more than the printed digits explain",
                            poses.line);
     if (!direction.fault.empty()) return direction.fault;
     return spindle_fault.empty() ? unfinished : spindle_fault;
@@ -219,7 +219,7 @@ CheckedProgram checked_program(const Machine& machine, const PostProcessor& post
         work.job.remarks.push_back(words_of_clamp(work.job, machine, *result.clamp));
     else
         work.job.warnings.emplace_back(
-            "the cutter leaves no room about the cam's axis to hold the cam by its bore");
+            "the cutter leaves no space about the cam's axis to hold the cam by its bore");
     result.program = nc_program(machine, post, work.job);
     result.warnings = warnings_of(post, work.job);
     verify(result, machine, post, work);
@@ -284,11 +284,10 @@ std::string nc_check_text(const CheckedProgram& result) {
     const auto add = [&](const std::string& line) { text += line + "\n"; };
     if (result.travel.good()) {
         add(fmt::format(
-            "  rapids             {}, all {:.4f} mm or more from the blank, at whatever speed each axis runs",
+            "  rapids             {}, all {:.4f} mm or more from the blank, at any speed of each axis",
             result.travel.rapids, result.least_distance / units::millimetre));
-        add(fmt::format(
-            "  feeds              {}, at no point of their way more than {:.4f} mm inside the finished cam",
-            result.travel.feeds, result.most_depth / units::millimetre));
+        add(fmt::format("  feeds              {}, nowhere more than {:.4f} mm inside the finished cam",
+                        result.travel.feeds, result.most_depth / units::millimetre));
     }
     if (result.travel.good() && result.clamp)
         add(fmt::format("  fixture            no move comes within diameter {:g} mm about the cam's axis",
@@ -297,7 +296,7 @@ std::string nc_check_text(const CheckedProgram& result) {
         add(fmt::format("  direction          climb in {} blocks along the flanks, conventional in {}",
                         result.direction.climb, result.direction.conventional));
     for (const std::string& warning : result.warnings) add("  WARNING            " + warning);
-    add(fault.empty() ? "  verdict            every block is where it belongs, within the printed digits"
+    add(fault.empty() ? "  verdict            every block is correct within the printed digits"
                       : fmt::format("  verdict            REFUSED: {}", fault));
     const auto add_surfaces = [&](const char* what, const std::vector<SurfaceFinding>& surfaces) {
         add(what);
@@ -305,9 +304,8 @@ std::string nc_check_text(const CheckedProgram& result) {
             add(fmt::format("  {}: {} to {}, at {} points", surface.name, mm(surface.check.least_stock),
                             mm(surface.check.stock), surface.check.points));
     };
-    add_surfaces("What the cutter leaves of the wanted surface (above 0: stock, below 0: gouged):",
-                 result.surfaces);
-    if (!result.roughed.empty()) add_surfaces("What roughing left of it:", result.roughed);
+    add_surfaces("Deviation of the cut surface (above 0: stock, below 0: gouged):", result.surfaces);
+    if (!result.roughed.empty()) add_surfaces("Deviation after roughing:", result.roughed);
     return text;
 }
 

@@ -89,7 +89,7 @@ class Compensation {
         const double turn = turn_between(one, next);
         if (turn * side_ <= straight_on) return beside(one.end, one.end_direction);
         if ((one.move->arc || next.move->arc) && turn * side_ > tangential)
-            refuse(*next.move, "an inner corner beside an arc under G41 or G42 is not understood");
+            refuse(*next.move, "an inner corner next to an arc under G41 or G42 is not supported");
         const Eigen::Vector2d middle = (one.end_direction + next.begin_direction).normalized();
         return one.end + side_ * radius_ / std::cos(0.5 * turn) * left_of(middle);
     }

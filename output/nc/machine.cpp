@@ -42,7 +42,8 @@ class TableTilting final : public Machine {
     Eigen::VectorXd values(const ToolPose& pose) const override {
         const Eigen::Vector3d &o = pose.axis, &t = pose.tip;
         if (std::hypot(o.x(), o.y()) < least_tilt_distance)
-            throw InputError("the tool stands along the cam's axis: the turn of the table is undetermined");
+            throw InputError(
+                "the tool is parallel to the cam's axis: the angle of the table is undetermined");
         const double rotary = std::atan2(o.x(), o.y());
         const double s0 = std::sin(rotary), c0 = std::cos(rotary);
         const double tilt = std::atan2(-o.z(), o.x() * s0 + o.y() * c0);

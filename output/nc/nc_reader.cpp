@@ -81,7 +81,7 @@ class Reader {
             } else if (letter >= 'A' && letter <= 'Z') {
                 words.push_back({letter, number_at(line, ++place)});
             } else {
-                refuse(fmt::format("'{}' is not understood", letter));
+                refuse(fmt::format("'{}' is not supported", letter));
             }
         }
         return words;
@@ -117,7 +117,7 @@ class Reader {
             if (!unit_) refuse("a length before G20 or G21");
             center_[word.letter == 'I' ? 0 : 1] = word.value * *unit_;
         } else if (std::string_view("GNOSTM").find(word.letter) == std::string_view::npos) {
-            refuse(fmt::format("the word {}{} is not understood", word.letter, word.value));
+            refuse(fmt::format("the word {}{} is not supported", word.letter, word.value));
         }
         return false;
     }
@@ -125,7 +125,7 @@ class Reader {
     void take_machine_word(double code) {
         if (code == tool_change) {
             if (!moves_.empty())
-                refuse("M6 after the first move: where the next tool's tip is would be a guess");
+                refuse("M6 after the first move: the position of the next tool's tip is unknown");
             words_.tool_call = true;
         }
         if (code == spindle_clockwise) words_.clockwise = true;
@@ -153,7 +153,7 @@ class Reader {
         } else if (code == 93.0 || code == 94.0) {
             inverse_time_ = code == 93.0;
         } else if (std::find(harmless.begin(), harmless.end(), code) == harmless.end()) {
-            refuse(fmt::format("G{} is not understood: where the tool goes would be a guess", code));
+            refuse(fmt::format("G{} is not understood: the path of the tool is unknown", code));
         }
     }
 
@@ -176,7 +176,7 @@ class Reader {
         const bool named = post_axis(post_, machine_.axes()[0]).letter == "X" &&
                            post_axis(post_, machine_.axes()[1]).letter == "Y";
         if (!plane_is_xy_ || !named || machine_.axes().size() != 3)
-            refuse(fmt::format("{} is understood after G17, on three axes X Y Z", what));
+            refuse(fmt::format("{} is supported after G17, on three axes X Y Z", what));
     }
     void check_compensation(const std::vector<Word>& words) {
         if (!std::exchange(compensation_named_, false)) {
@@ -197,7 +197,7 @@ class Reader {
         const Eigen::Vector2d center = from_.head<2>() + offset;
         const double differ = std::abs(offset.norm() - (values_.head<2>() - center).norm());
         if (differ > 2.0 * arc_rounding * half_last_digit(post_, AxisKind::linear))
-            refuse(fmt::format("the ends of the arc are not equally far from its centre: {:.3g} mm differ",
+            refuse(fmt::format("the ends of the arc have different distances from its centre: {:.3g} mm",
                                differ / units::millimetre));
         return {center, (*motion_ == Motion::clockwise) == (mirror() > 0)};
     }
@@ -208,12 +208,12 @@ class Reader {
         const bool round = *motion_ == Motion::clockwise || *motion_ == Motion::counterclockwise;
         if (round) move.arc = arc();
         if (!round && (center_[0] || center_[1])) refuse("I and J without G2 or G3");
-        if (move.rapid && compensation_ != 0) refuse("a rapid under G41 or G42 is not understood");
+        if (move.rapid && compensation_ != 0) refuse("a rapid under G41 or G42 is not supported");
         move.compensation = static_cast<CompensationSide>(compensation_ * mirror());
         if (!move.rapid) {
             if (!values_.allFinite()) refuse("G1 while an axis has no value yet");
             if (feed_ && !(*feed_ > 0.0)) refuse("F must be > 0");
-            if (inverse_time_ && !feed_) refuse("a block under G93 needs an F of its own");
+            if (inverse_time_ && !feed_) refuse("a block under G93 needs its own F");
             if (!inverse_time_ && !feed_ && !feed_known_) refuse("G1 without a feed");
             if (!inverse_time_) feed_known_ = true;
             if (inverse_time_) move.seconds = 60.0 / *feed_;

@@ -88,13 +88,13 @@ class Travel {
         }
         if (task_.rapids_above) {
             refuse(
-                fmt::format("a rapid {} over the blank; it takes {}, beside the blank too: "
+                fmt::format("a rapid {} over the blank; {} is required, also next to the blank: "
                             "table and clamps are there",
                             mm(distance), mm(task_.least_distance)));
             return true;
         }
         if (from.allFinite() && to.allFinite()) return false;
-        refuse(fmt::format("a rapid {} over the blank while not every axis has a value; it takes {}",
+        refuse(fmt::format("a rapid {} over the blank while not every axis has a value; {} is required",
                            mm(distance), mm(task_.least_distance)));
         return true;
     }
@@ -111,10 +111,10 @@ class Travel {
             const ToolPose pose = machine_.pose(values);
             const double over = -pose.axis.dot(pose.tip) - task_.blank.support(-pose.axis);
             if (over < task_.least_distance - rounding)
-                return refuse(
-                    fmt::format("a rapid {} over the blank as the table stands; it takes {}, beside the "
-                                "blank too: table and clamps are there",
-                                mm(over), mm(task_.least_distance)));
+                return refuse(fmt::format(
+                    "a rapid {} over the blank at this angle of the table; {} is required, also next to the "
+                    "blank too: table and clamps are there",
+                    mm(over), mm(task_.least_distance)));
         }
     }
 
@@ -138,14 +138,14 @@ class Travel {
         if (&body == &task_.blank) check_.nearest = std::min(check_.nearest, distance);
         const double around = half.head<3>().norm() + half.tail(half.size() - 3).sum();
         if (distance < task_.least_distance) {
-            refuse(distance > 0.0 ? fmt::format("a rapid may come within {} of the {}; {} are kept",
+            refuse(distance > 0.0 ? fmt::format("a rapid may come within {} of the {}; {} is required",
                                                 mm(distance), name, mm(task_.least_distance))
                                   : fmt::format("a rapid may touch the {}", name));
             return;
         }
         if (distance - around >= task_.least_distance - rounding) return;
         if (++pieces_ > most_pieces)
-            return refuse(fmt::format("a rapid that could not be shown to keep off the {}", name));
+            return refuse(fmt::format("a rapid that could not be proved to stay off the {}", name));
         Eigen::Index widest = 0;
         half.maxCoeff(&widest);
         Eigen::VectorXd middle = to, other = from;
@@ -186,7 +186,7 @@ class Travel {
             around <= apart + rounding)
             return;
         if (++pieces_ > most_pieces)
-            return refuse("a feed that could not be shown to stay out of the finished cam");
+            return refuse("a feed that could not be proved to stay out of the finished cam");
         const double middle = 0.5 * (begin + end);
         feed(from, move, begin, middle);
         feed(from, move, middle, end);

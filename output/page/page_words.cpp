@@ -33,31 +33,31 @@ struct PlainVerdict {
     std::string meaning;
 };
 
-/// For who never heard of a bound.
+/// For readers who do not know what a bound is.
 PlainVerdict plain_verdict(const Certificate& certificate) {
     const std::string gap = gap_words(certificate);
     const std::string proved = gap.empty() ? gap : "Proved: it is " + gap + ".";
     switch (certificate.verdict) {
         case Verdict::optimal:
-            return {"good", "The best motion, and proved to be it",
-                    "It keeps every limit, and no motion of this spline does better by the weights of the "
+            return {"good", "The best motion, and proved optimal",
+                    "It satisfies every limit, and no motion of this spline is better for the weights of the "
                     "scene."};
         case Verdict::local:
             return {"good", "A good motion: no small change makes it better",
-                    "It keeps every limit. " +
-                        (gap.empty() ? "That a quite different motion is better is not ruled out." : proved)};
+                    "It satisfies every limit. " +
+                        (gap.empty() ? "A quite different motion may still be better." : proved)};
         case Verdict::feasible:
-            return {"fair", "A motion that keeps every limit",
-                    gap.empty() ? "Whether it is the best one is not known: the search ended before."
-                                : proved + " The search for a better one ended before."};
+            return {"fair", "A motion that satisfies every limit",
+                    gap.empty() ? "Whether it is the best one is not known: the search ended early."
+                                : proved + " The search for a better one ended early."};
         case Verdict::infeasible:
-            return {"bad", "No motion keeps all of these limits",
-                    "This is proved, not only tried: something in the scene has to give way."};
+            return {"bad", "No motion satisfies all of these limits",
+                    "This is proved: something in the scene has to change."};
         case Verdict::failed:
             break;
     }
     return {"bad", "No motion was found",
-            "And no proof that there is none either; see the notes and the appendix."};
+            "Infeasibility is not proved either; see the notes and the appendix."};
 }
 
 std::string active_sentence(const Solution& solution) {
@@ -67,8 +67,8 @@ std::string active_sentence(const Solution& solution) {
             active.push_back(fmt::format("{} ({} at {} deg)", key_words(row.key).words, limit_text(row),
                                          degrees_at(solution, row.at)));
     if (solution.constraints.empty()) return "The scene sets no limits.";
-    if (active.empty()) return "Every limit is kept with room to spare: none of them shapes the motion.";
-    return fmt::format("What shapes it: {}. More room there would make the motion better.",
+    if (active.empty()) return "Every limit is satisfied with a margin: none is active.";
+    return fmt::format("Active: {}. Relaxing these limits would improve the motion.",
                        fmt::join(active, "; "));
 }
 
@@ -110,7 +110,7 @@ Json open_verdict_part(const Solution& solution) {
         {"tone", "open"},
         {"headline", found ? "Not proved yet" : "No motion found yet"},
         {"sentences",
-         Json::array({fmt::format("Solved to {} for the picture; the proof follows once the sliders rest.",
+         Json::array({fmt::format("Solved to {} for the picture; the proof follows when the sliders stop.",
                                   short_text(solution.scene.solver.tolerance, 1))})}};
 }
 
@@ -180,15 +180,15 @@ Json reference_part(const Solution& solution, PageReference wish) {
     if (law.loss_percent)
         sentences.push_back(
             *law.loss_percent >= noticed
-                ? fmt::format("In its place the {} law would lose {} % of the objective.", name,
+                ? fmt::format("The {} law would be {} % worse in the objective.", name,
                               short_text(*law.loss_percent, 3))
-                : fmt::format("By the weights of the scene the {} law would be no worse.", name));
+                : fmt::format("For the weights of the scene the {} law would be no worse.", name));
     else if (std::isinf(law.objective))
         sentences.push_back(fmt::format("The {} law has no finite objective here.", name));
     if (const std::string changes = peak_changes(solution, law); !changes.empty())
-        sentences.push_back(fmt::format("Its peaks against this motion: {}.", changes));
+        sentences.push_back(fmt::format("Its peaks compared with this motion: {}.", changes));
     const std::vector<std::string> broken = broken_limits(law);
-    if (!broken.empty()) sentences.push_back(fmt::format("It would break: {}.", fmt::join(broken, "; ")));
+    if (!broken.empty()) sentences.push_back(fmt::format("It would violate: {}.", fmt::join(broken, "; ")));
     return {{"title", name}, {"sentences", std::move(sentences)}};
 }
 
@@ -225,7 +225,7 @@ TextTable limit_rows_of(const Solution& solution) {
         table.rows.push_back(
             {key_words(row.key).words, limit_text(row), reached_text(row, value_digits),
              reached_degrees(solution, row),
-             std::string(row.active ? "shapes the motion" : "kept") + (row.verified ? ", verified" : "")});
+             std::string(row.active ? "active" : "satisfied") + (row.verified ? ", verified" : "")});
     return table;
 }
 
@@ -238,7 +238,7 @@ TextTable dimension_rows(const Solution& solution) {
         const bool given = found != spec.dimensions.end();
         table.rows.push_back({words_of(dimension.name), dimension.text,
                               !given                       ? "follows"
-                              : found->value.is_variable() ? "chosen by the optimiser"
+                              : found->value.is_variable() ? "chosen by the optimizer"
                                                            : "given"});
     }
     return table;
@@ -249,7 +249,7 @@ TextTable dimension_rows(const Solution& solution) {
 Json tables_part(const Solution& solution) {
     Json all = Json::array();
     if (!solution.relaxation.empty())
-        all.push_back(table_json("changes", "What would have to change", relaxation_table(solution)));
+        all.push_back(table_json("changes", "Suggested changes", relaxation_table(solution)));
     if (!solution.motion) return all;
     all.push_back(
         table_json("peaks", "Peaks of the motion", peak_rows(solution),
@@ -262,7 +262,7 @@ Json tables_part(const Solution& solution) {
     all.push_back(table_json("dimensions", "Dimensions", dimension_rows(solution),
                              cam_text(solution.scene.cam.value()) + "."));
     all.push_back(
-        table_json("cam", "Figures of the cam", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}})));
+        table_json("cam", "Cam properties", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}})));
     return all;
 }
 

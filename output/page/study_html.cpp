@@ -157,10 +157,10 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
     const auto on_front = std::ranges::count(table.rows, true, &SweepRow::on_front);
     std::vector<std::string> sentences = {
         fmt::format("{} solves over {}.", table.rows.size(), fmt::join(identity.axes, ", ")),
-        fmt::format(
-            "{} have a motion that keeps every limit, {} of them proved optimal; {} are on the Pareto front.",
-            feasible, optimal, on_front)};
-    page.set_verdict(feasible > 0 ? "good" : "bad", "What the sweep found", sentences);
+        fmt::format("{} have a motion that satisfies every limit, {} of them proved optimal; {} are on the "
+                    "Pareto front.",
+                    feasible, optimal, on_front)};
+    page.set_verdict(feasible > 0 ? "good" : "bad", "Results of the sweep", sentences);
     Settings settings;
     const bool with_scenes = table.rows.size() <= static_cast<std::size_t>(most_scenes_of_page);
     for (const SweepRow& row : table.rows) {
@@ -193,7 +193,7 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
         "front", "Pareto front",
         column_of(table.rows, [](const SweepRow& row) { return words_json(row.on_front ? "yes" : ""); }),
         true);
-    page.add_column("active", "limits that shape it",
+    page.add_column("active", "active limits",
                     column_of(table.rows,
                               [](const SweepRow& row) {
                                   return words_json(fmt::format("{}", fmt::join(row.active_limits, "; ")));
@@ -210,9 +210,10 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
         std::string command = fmt::format("camopt solve {}", shell_word(identity.scene_file));
         for (const std::string& setting : identity.settings) command += " --set " + shell_word(setting);
         page.set_without_scenes(
-            fmt::format("This page carries no scenes: the sweep has more than {} rows. The scene of a row is "
-                        "solved by the command line:",
-                        most_scenes_of_page),
+            fmt::format(
+                "This page contains no scenes: the sweep has more than {} rows. The scene of a row is "
+                "solved by the command line:",
+                most_scenes_of_page),
             command);
     }
     return page.html();

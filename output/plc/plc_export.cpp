@@ -106,7 +106,7 @@ std::string unit_words(const MasterCurve& curve, const PlcResult& result) {
 }
 
 std::string drift_words(const MasterCurve& curve, const PlcResult& result) {
-    return fmt::format("the period of the slave is rounded to whole units: {} {} are added each turn",
+    return fmt::format("the period of the slave is rounded to whole units: {} {} are added per cycle",
                        short_text(result.drift_per_turn, loss_digits), curve.slave_unit());
 }
 
@@ -169,7 +169,7 @@ std::vector<std::string> plc_header(const Solution& solution, const MasterCurve&
     lines.push_back(range_words(curve));
     lines.push_back(unit_words(curve, result));
     lines.push_back(count_words(result));
-    lines.push_back("read back and evaluated so, the whole turn, " + loss_words(solution, curve, result));
+    lines.push_back("read back and evaluated over the whole cycle, " + loss_words(solution, curve, result));
     if (result.slave_at_start != 0.0)
         lines.push_back(fmt::format("slave positions count from the start, which is {} {}",
                                     short_text(result.slave_at_start, 9), curve.slave_unit()));

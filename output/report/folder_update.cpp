@@ -21,8 +21,8 @@ namespace camopt {
 namespace {
 
 constexpr const char* mark_text =
-    "camopt was stopped while it put new files into this folder: files of two runs may lie side by side.\n"
-    "Run the command again; this file goes when it ends well.\n";
+    "camopt was stopped while it wrote to this folder: it may contain files of two runs.\n"
+    "Run the command again; this file is removed on success.\n";
 
 void move_file(const std::filesystem::path& from, const std::filesystem::path& to) {
     std::error_code error;

@@ -111,7 +111,7 @@ std::string scene_section(const RunOrigin& origin) {
     const bool ends = origin.scene_text.ends_with('\n');
     return fmt::format(
         "\n## The scene, key by key\n\nWhat is not listed has its default (`camopt list keys`).\n\n{}\n"
-        "## The scene file\n\nIn a file of its own it repeats this report: `camopt solve FILE --out DIR`.\n\n"
+        "## The scene file\n\nSaved as a file it repeats this report: `camopt solve FILE --out DIR`.\n\n"
         "{}toml\n{}{}{}\n",
         markdown_text(table), fence, printable_lines(origin.scene_text), ends ? "" : "\n", fence);
 }
@@ -143,20 +143,20 @@ std::string infeasible_section(const Solution& solution) {
     TextTable table = relaxation_table(solution);
     for (std::vector<std::string>& row : table.rows) row[0] = fmt::format("`{}`", row[0]);
     return text + "\n" + markdown_text(table) +
-           "\nEach number is rounded to the side that does and was put into the scene: a solve found a "
+           "\nEach number is rounded to the feasible side and was tried in the scene: a solve found a "
            "motion "
-           "with it. The edge itself stands in result.json.\n";
+           "with it. The exact limit is in result.json.\n";
 }
 
 std::string asked(const Scene& scene) {
-    std::string text = "## What was asked\n\n";
+    std::string text = "## The scene\n\n";
     for (const std::string& line : scene_lines(scene)) text += fmt::format("- {}\n", line);
     return text;
 }
 
 std::string any_curve_line(const Scene& scene) {
     const std::string left_out = left_out_of_any_curve(scene);
-    return "Least objective of any curve whatever, spline or not" +
+    return "Least objective of any curve, spline or not" +
            (left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
 }
 
@@ -180,9 +180,9 @@ std::string verdict_section(const Solution& solution) {
     if (solution.motion) line("Objective", certificate.objective, 10);
     const bool searched = !solution.solver.convex && solution.solver.starts > 0;
     if (certificate.lower_bound)
-        line(certificate.proof_kind == ProofKind::any_curve_limit ? "No curve of any kind is better than this"
+        line(certificate.proof_kind == ProofKind::any_curve_limit ? "Lower bound for curves of any kind"
              : searched && certificate.proof_kind != ProofKind::boxes
-                 ? "No curve of this spline space is better than this (bound of the convex relaxation)"
+                 ? "Lower bound in this spline space (convex relaxation)"
                  : "Proved lower bound",
              *certificate.lower_bound, 10);
     if (certificate.gap) line("Relative gap between them", *certificate.gap, 3);
@@ -229,9 +229,9 @@ std::string verification_words(const std::vector<ConstraintReport>& limits) {
     if (std::ranges::any_of(limits, verified))
         text +=
             "\nVerified: along all of the motion, enclosed by interval arithmetic where no exact formula "
-            "gives the largest value; nothing is passed between places either.\n";
+            "gives the largest value; the limits hold between samples too.\n";
     if (!std::ranges::all_of(limits, verified))
-        text += "\nLimits that are not verified were looked at in closely spaced places.\n";
+        text += "\nLimits that are not verified were sampled at closely spaced angles.\n";
     return text;
 }
 
@@ -240,10 +240,10 @@ std::string limits_section(const Solution& solution) {
     if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
     std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
     for (const ConstraintReport& row : solution.constraints)
-        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key, limit_text(row), reached_text(row),
-                            reached_degrees(solution, row),
-                            std::string(row.active ? "active: it shapes the motion" : "not active") +
-                                (row.verified ? "; verified" : ""));
+        text += fmt::format(
+            "| `{}` | {} | {} | {} | {} |\n", row.key, limit_text(row), reached_text(row),
+            reached_degrees(solution, row),
+            std::string(row.active ? "active" : "not active") + (row.verified ? "; verified" : ""));
     return text + verification_words(solution.constraints);
 }
 

@@ -67,8 +67,7 @@ class TolerantComparison {
         const auto inside = [&path](const std::string& key) { return path.empty() ? key : path + "." + key; };
         for (const auto& [key, value] : found.items()) {
             const auto own = allowed.find(key);
-            if (own == allowed.end())
-                return fmt::format("{}: found a key that is none of it", printable(inside(key)));
+            if (own == allowed.end()) return fmt::format("{}: found an unknown key", printable(inside(key)));
             const bool place = (key == "at" || key == "at_deg") && value.is_number() && own->is_number();
             if (place) continue;
             if (std::string text = difference(value, *own, inside(key)); !text.empty()) return text;
@@ -115,7 +114,7 @@ void check_written(const std::string& text, const ResultFolder& read, const std:
         json_difference(Json::parse(text), Json::parse(result_json(read.solution, read.origin)), same_figure);
     if (difference.empty()) return;
     throw InputError(
-        fmt::format("{}: {}, which is what the motion and its scene give: the folder was changed "
+        fmt::format("{}: {}, as computed from the motion and its scene: the folder was changed "
                     "after the solve, or its files are of two runs",
                     printable(file), difference));
 }
@@ -157,7 +156,7 @@ ResultFolder read_result_folder(const std::filesystem::path& folder, const Scene
     std::error_code error;
     if (std::filesystem::exists(folder / incomplete_mark, error))
         throw InputError(
-            fmt::format("{}: found {}: files of two runs may lie side by side; allowed: a complete "
+            fmt::format("{}: found {}: it may contain files of two runs; allowed: a complete "
                         "result folder",
                         printable(folder.string()), incomplete_mark));
     const std::string result_file = (folder / "result.json").string();

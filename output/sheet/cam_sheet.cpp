@@ -446,9 +446,10 @@ class CamSheetMaker {
         if (!shape_.closed)
             notes.push_back(
                 fmt::format("OPEN: {}. Dwell arcs end at the dashed line.",
-                            shape_.open_because.empty() ? "not a whole turn" : shape_.open_because));
+                            shape_.open_because.empty() ? "not one revolution" : shape_.open_because));
         if (solution_.cam->summary.undercut())
-            notes.emplace_back("UNDERCUT: the outline crosses itself; this cam cannot be made as designed.");
+            notes.emplace_back(
+                "UNDERCUT: the outline intersects itself; this cam cannot be made as designed.");
         if (solution_.cam->summary.cusp())
             notes.emplace_back("CUSP: the least radius of curvature is 0, an edge that wears.");
         notes.push_back("Follower: " + follower_text() + ".");

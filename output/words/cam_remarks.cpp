@@ -40,11 +40,11 @@ std::string undercut_remark(const Solution& solution) {
     const std::string where = degrees_at(solution, summary.regularity.at);
     if (summary.cusp())
         return fmt::format(
-            "A CUSP at {} deg: the cam comes to a point there, just short of undercut; a limit {} above 0 "
+            "A CUSP at {} deg: the radius of the cam is 0 there, the limit of undercut; a limit {} above 0 "
             "rounds it.",
             where, limit);
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
-    return fmt::format("UNDERCUT at {} deg: {}; a limit {} of 0 or more rules undercut out.", where, words,
+    return fmt::format("UNDERCUT at {} deg: {}; a limit {} of 0 or more prevents undercut.", where, words,
                        limit);
 }
 
@@ -73,8 +73,8 @@ std::string limited_remark(const Solution& solution) {
             limits += fmt::format("{}the {} at {} deg", limits.empty() ? "" : ", ", key_words(row.key).words,
                                   degrees_at(solution, row.at));
     const std::string ends = dimensions_at_their_ends(solution);
-    if (limits.empty() && ends.empty()) return "No limit shapes it: none is active.";
-    return fmt::format("What limits it: {}{}{}.", limits, limits.empty() || ends.empty() ? "" : "; ", ends);
+    if (limits.empty() && ends.empty()) return "No limit is active.";
+    return fmt::format("Active limits: {}{}{}.", limits, limits.empty() || ends.empty() ? "" : "; ", ends);
 }
 
 /// "on this rise", "on the return": the stroke that decides, and where it lies where there may be several.
@@ -90,7 +90,8 @@ std::string stroke_words(const Solution& solution, const SmallestCamReport& smal
 std::string smallest_remark(const Solution& solution, const SmallestCamReport& smallest) {
     const ShownUnits shown = shown_units(solution.scene);
     return fmt::format(
-        "The smallest cam: with a pressure angle of {} any motion whatever needs a prime radius above {} {}; "
+        "Smallest possible cam: for a pressure angle of {} every motion needs a prime radius of at least {} "
+        "{}; "
         "this cam has {}.",
         shown.angle.text(smallest.pressure_angle), shown.length.text(smallest.prime_radius),
         stroke_words(solution, smallest), shown.length.text(smallest.given));
@@ -106,8 +107,9 @@ std::string rest_of_the_turn(const Solution& solution) {
     if (motion.type == MotionType::rr)
         return fmt::format("The motion takes {} deg; the other {} deg of the cam are a dwell on its base.",
                            short_text(angle / degree), short_text(rest / degree));
-    return fmt::format("The profile is the sector of the motion, {} deg; the rest of the turn is left open.",
-                       short_text(angle / degree));
+    return fmt::format(
+        "The profile is the sector of the motion, {} deg; the rest of the revolution is left open.",
+        short_text(angle / degree));
 }
 
 constexpr int force_samples = 3600;  // over the motion, for changes of sign
@@ -156,8 +158,8 @@ std::string crossover_remark(const Solution& solution) {
         text += (i == 0 ? "" : ", ") + degrees_at(solution, places[i]);
     if (places.size() > most_places) text += ", …";
     return fmt::format(
-        "The load goes over between {} and {} {} times in the motion, at {} deg: the play between "
-        "them is heard there.",
+        "The load changes between {} and {} {} times in the motion, at {} deg: the play between "
+        "them causes impacts there.",
         sides[0].name, sides[1].name, places.size(), text);
 }
 
@@ -167,9 +169,8 @@ std::string lift_off_remark(const Solution& solution, const ForceSummary& forces
         just_reached * std::max(std::abs(forces.least_force.value), std::abs(forces.largest_force.value));
     if (forces.least_force.value > none) return {};
     if (forces.least_force.value >= -none)
-        return fmt::format(
-            "The force on the cam just reaches 0 at {} deg: the follower stays on it without any reserve.",
-            degrees_at(solution, forces.least_force.at));
+        return fmt::format("The force on the cam just reaches 0 at {} deg: contact has no margin.",
+                           degrees_at(solution, forces.least_force.at));
     // Where the follower is down a stiffer spring presses no harder.
     const bool raised = solution.motion->at(forces.least_force.at).derivative[0] > raised_follower;
     return fmt::format("The follower LIFTS OFF the cam at {} deg: it needs {}more preload.",
@@ -180,7 +181,7 @@ std::string check_remark(const Solution& solution, const ForwardCheckReport& che
     const CamMechanism& cam = *solution.cam->cam.formulas;
     const std::string where = degrees_at(solution, check.at);
     if (!std::isfinite(check.deviation))
-        return fmt::format("Forward check: at {} deg no place was found where the {} touches the cam.", where,
+        return fmt::format("Forward check: at {} deg no point was found where the {} touches the cam.", where,
                            cam.is_direct() ? "follower" : "roller");
     const std::string found =
         fmt::format("{} {}",
@@ -189,9 +190,9 @@ std::string check_remark(const Solution& solution, const ForwardCheckReport& che
                     shown_units(solution.scene).motion[0].first.text(check.deviation, check_digits));
     const std::string run = cam.check_words(check.points);
     if (cam.is_direct())
-        return fmt::format("Forward check: {}, and nothing else, {} ({} of the prime radius, at {} deg).",
-                           run, found, short_text(check.relative, check_digits), where);
-    return fmt::format("Forward check: {}, and nothing else: the output {} (at {} deg).", run, found, where);
+        return fmt::format("Forward check: {} alone {} ({} of the prime radius, at {} deg).", run, found,
+                           short_text(check.relative, check_digits), where);
+    return fmt::format("Forward check: {} alone: the output {} (at {} deg).", run, found, where);
 }
 
 /// Of a cam that drives both ways.
@@ -212,7 +213,7 @@ std::string play_remark(const Solution& solution, const ForwardCheckReport::Play
         "The groove is {} wide where it is narrowest, the roller {}: it {}. Play of the follower, "
         "{} of clearance: {}.",
         shown.length.text(*play.least_groove_width, 7), shown.length.text(2.0 * roller),
-        fits ? "fits all round" : "DOES NOT FIT", shown.length.text(clearance), range);
+        fits ? "fits everywhere" : "DOES NOT FIT", shown.length.text(clearance), range);
 }
 
 }  // namespace

@@ -121,17 +121,18 @@ const ComparisonRow* best_law(const Comparison& comparison) {
 
 std::string comparison_sentence(const Comparison& comparison) {
     const ComparisonRow* best = best_law(comparison);
-    if (!best) return "No law of the catalogue keeps every limit with a finite objective.";
+    if (!best) return "No law of the catalogue satisfies every limit with a finite objective.";
     if (!best->loss_percent)
-        return fmt::format("The best law that keeps every limit: {}, objective {}.", best->title,
+        return fmt::format("The best law that satisfies every limit: {}, objective {}.", best->title,
                            short_text(best->objective));
-    const std::string sentence = fmt::format(
-        "The best law that keeps every limit: {}, {} against the optimum", best->title, loss_words(*best));
+    const std::string sentence =
+        fmt::format("The best law that satisfies every limit: {}, {} compared with the optimum", best->title,
+                    loss_words(*best));
     if (*best->loss_percent >= 0.0) return sentence + ".";
     // Of a proved optimum only the spline can be to blame; a search may have missed a better one.
     return sentence + (comparison.optimum.certificate.verdict == Verdict::optimal
-                           ? ": the spline is coarse, more segments would pass that law."
-                           : ": the optimum is not proved; more starts or more segments may pass that law.");
+                           ? ": the spline is coarse; more segments would improve on that law."
+                           : ": the optimum is not proved; more starts or segments may improve on that law.");
 }
 
 std::string objective_words(const Comparison& comparison) {

@@ -44,10 +44,10 @@ struct PhysicalPeak {
 /// Whether any row has something to say of a base radius.
 [[nodiscard]] bool has_bases(const Comparison& comparison);
 
-/// The best law that keeps every limit; null where none does.
+/// The best law that satisfies every limit; null where none does.
 [[nodiscard]] const ComparisonRow* best_law(const Comparison& comparison);
 
-/// One or two sentences: what the laws lose at least, or that none keeps every limit.
+/// One or two sentences: what the laws lose at least, or that none satisfies every limit.
 [[nodiscard]] std::string comparison_sentence(const Comparison& comparison);
 
 /// "0.4 V/1.76 + 0.4 A/5.528 + 0.2 J/69.47".

@@ -114,12 +114,12 @@ bool has_key_of(const std::vector<std::string>& keys, const OneLimit& limit) {
 std::string alone_sentence(const OneLimit& limit, const std::string& words, const Solution& solution) {
     const std::string law = law_of(limit, solution.scene.motion);
     if (!law.empty())
-        return fmt::format("{} cannot be kept: the motion there is the law {}, whatever the splines do.",
-                           words, law);
+        return fmt::format(
+            "{} cannot be satisfied: the motion there is the law {}, regardless of the splines.", words, law);
     const bool any = solution.explanation && has_key_of(solution.explanation->any_motion, limit);
     constexpr const char* makes = "that makes the lift in its angle";
-    if (any) return fmt::format("{} cannot be kept by any motion {}.", words, makes);
-    return fmt::format("{} cannot be kept: no {} {} does.", words, spline_words(solution.scene), makes);
+    if (any) return fmt::format("{} cannot be satisfied by any motion {}.", words, makes);
+    return fmt::format("{} cannot be satisfied by any {} {}.", words, spline_words(solution.scene), makes);
 }
 
 std::string capitalised(std::string text) {
@@ -167,8 +167,9 @@ std::string conflict_sentence(const Solution& solution) {
         if (limits.size() == 1 || known) alone.push_back(limit);
     }
     if (!alone.empty()) return alone_sentences(alone, solution);
-    return fmt::format("{} fights {}: no {} keeps all limits.", capitalised(text_of(limits.front(), motion)),
-                       joined(limits, 1, motion), spline_words(solution.scene));
+    return fmt::format("{} conflicts with {}: no {} satisfies all limits.",
+                       capitalised(text_of(limits.front(), motion)), joined(limits, 1, motion),
+                       spline_words(solution.scene));
 }
 
 std::string sufficient_changes(const std::vector<Relaxation>& rows) {
@@ -208,16 +209,14 @@ void tell_hopeless(std::vector<std::string>& all, const std::vector<Relaxation>&
     for (const Relaxation& row : rows)
         if (!row.needed) (row.ruled_out ? ruled_out : tried).push_back(row);
     if (!ruled_out.empty())
-        all.push_back(fmt::format("No change of one of these alone helps: {}.", hopeless_changes(ruled_out)));
+        all.push_back(fmt::format("Changes proved ineffective separately: {}.", hopeless_changes(ruled_out)));
     if (!tried.empty())
-        all.push_back(
-            fmt::format("No value tried of one of these alone helps: {}.", hopeless_changes(tried)));
+        all.push_back(fmt::format("Changes tried separately without success: {}.", hopeless_changes(tried)));
 }
 
 void tell_finest(std::vector<std::string>& all, const Explanation& explanation) {
     if (explanation.finest > 0)
-        all.push_back(
-            fmt::format("More segments do not help: as many as {} were tried.", explanation.finest));
+        all.push_back(fmt::format("More segments were tried without success, up to {}.", explanation.finest));
 }
 
 /// The set points without which there is a motion, as they were written.
@@ -244,7 +243,7 @@ void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
     const std::string seconds = short_text(explanation.seconds, 2),
                       allowed = short_text(explanation.allowed, 3);
     const char* const limit =
-        explanation.own_limit ? "solver.explain_seconds" : "what solver.max_seconds leaves";
+        explanation.own_limit ? "solver.explain_seconds" : "the rest of solver.max_seconds";
     std::string text;
     switch (explanation.end) {
         case ExplanationEnd::complete:
@@ -252,21 +251,21 @@ void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
             break;
         case ExplanationEnd::enough:
             text = fmt::format(
-                "The search for changes took {} s and ended with these (solver.explain_changes): others may "
+                "The search for changes took {} s and ended with these (solver.explain_changes); others may "
                 "help.",
                 seconds);
             break;
         case ExplanationEnd::time_limit:
-            text = fmt::format("The search for changes ended after {} s of {} s ({}): others may help.",
+            text = fmt::format("The search for changes ended after {} s of {} s ({}); others may suffice.",
                                seconds, allowed, limit);
             break;
         case ExplanationEnd::interrupted:
-            text =
-                fmt::format("The search for changes was interrupted after {} s: others may help.", seconds);
+            text = fmt::format("The search for changes was interrupted after {} s; others may suffice.",
+                               seconds);
             break;
     }
     if (!explanation.unsettled.empty())
-        text += fmt::format(" It did not settle: {}.", listed(explanation.unsettled));
+        text += fmt::format(" Not decided: {}.", listed(explanation.unsettled));
     all.push_back(std::move(text));
 }
 
@@ -274,7 +273,8 @@ void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
 
 std::string joint_sentence(const Solution& solution) {
     if (!solution.explanation || solution.explanation->together.empty()) return {};
-    return fmt::format("Together these would do: {}.", changes_together(solution.explanation->together));
+    return fmt::format("A combined change that suffices: {}.",
+                       changes_together(solution.explanation->together));
 }
 
 std::vector<std::string> infeasible_remarks(const Solution& solution) {
@@ -282,7 +282,7 @@ std::vector<std::string> infeasible_remarks(const Solution& solution) {
     const std::string conflict = conflict_sentence(solution);
     if (!conflict.empty()) all.push_back(conflict);
     const std::string changes = sufficient_changes(solution.relaxation);
-    if (!changes.empty()) all.push_back(fmt::format("One of these alone would do: {}.", changes));
+    if (!changes.empty()) all.push_back(fmt::format("Any one of these changes suffices: {}.", changes));
     tell_hopeless(all, solution.relaxation);
     if (!solution.explanation) return all;
     tell_set_points(all, solution);
@@ -297,8 +297,8 @@ TextTable relaxation_table(const Solution& solution) {
     for (const Relaxation& row : solution.relaxation)
         table.rows.push_back({row.key, short_text(row.given),
                               row.needed      ? needed_number(row) + also_words(row)
-                              : row.ruled_out ? "no change helps"
-                                              : "no value tried helps"});
+                              : row.ruled_out ? "proved ineffective"
+                                              : "tried without success"});
     return table;
 }
 

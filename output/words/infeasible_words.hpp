@@ -11,9 +11,9 @@
 namespace camopt {
 
 /// "The pressure angle limit at 23.4 deg fights the cam radius limit at 12 deg: no spline of 12 cubic
-/// segments keeps all limits." Which limits the proof rests on, heaviest first, and where; "cannot be kept"
-/// is said of those that are impossible by themselves, and of "any motion" only where that is proved of every
-/// motion. Empty where nothing is known of it.
+/// segments satisfies all limits." Which limits the proof rests on, heaviest first, and where; "cannot be
+/// kept" is said of those that are impossible by themselves, and of "any motion" only where that is proved of
+/// every motion. Empty where nothing is known of it.
 [[nodiscard]] std::string conflict_sentence(const Solution& solution);
 
 /// "lengthen the rise to 68.2 deg, or increase the base radius to 31.4 mm, or raise the pressure angle limit

@@ -104,7 +104,7 @@ std::string also_words(const Relaxation& row) {
         const KeyWords key = key_words(one.key);
         const std::string now = fmt::format("{} {}", short_text(one.solved, needed_digits), key.unit);
         const bool gives_way = one.solved < one.given;
-        text += gives_way ? fmt::format(", taken from {}, which keeps {}", key.words, now)
+        text += gives_way ? fmt::format(", taken from {}, which becomes {}", key.words, now)
                           : fmt::format(", with {}{} at {}",
                                         one.key.find('[') == std::string::npos ? "the " : "", key.words, now);
     }

@@ -139,7 +139,7 @@ TableSection laws_section(const ReferenceTable& table) {
 TableSection weights_section(const ReferenceTable& table) {
     TableSection section{
         "The effect of the weights, n = 10 (the paper's Table 4)",
-        "y4 of the paper's search beside that of the optimum; objectives under the row's own weights.",
+        "y4 of the paper's search and of the optimum; objectives under the row's own weights.",
         {{{"V"},
           {"A"},
           {"J"},

@@ -103,7 +103,7 @@ bool was_interrupted(const Certificate& certificate) {
 /// Of a motion without a proof that it is the best one: what is proved.
 std::string not_optimal_words(const Certificate& certificate) {
     const std::string gap = gap_words(certificate);
-    return gap.empty() ? "that it is optimal is not shown" : "proved to be " + gap;
+    return gap.empty() ? "optimality is not proved" : "proved to be " + gap;
 }
 
 std::string interrupted_sentence(const Solution& solution) {
@@ -113,10 +113,10 @@ std::string interrupted_sentence(const Solution& solution) {
                                                   : fmt::format(" in the search, after {} starts", starts);
     if (solution.certificate.verdict == Verdict::failed)
         return fmt::format(
-            "Interrupted{}: until then no motion that keeps every limit was found. Whether there is one is "
+            "Interrupted{}: no motion that satisfies every limit was found. Whether one exists is "
             "open.",
             where);
-    return fmt::format("Interrupted{}: the best motion found until then keeps every limit; {}.", where,
+    return fmt::format("Interrupted{}: the best motion found so far satisfies every limit; {}.", where,
                        not_optimal_words(solution.certificate));
 }
 
@@ -170,12 +170,11 @@ std::string verdict_sentence(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     const SolverReport& solver = solution.solver;
     if (was_found_wanting(solution))
-        return fmt::format(
-            "Failed: the motion that was found is not what the scene asks for{}, see the notes.",
-            because(certificate));
+        return fmt::format("Failed: the motion found does not match the scene{}, see the notes.",
+                           because(certificate));
     if (is_beyond_doubles(solution))
         return fmt::format(
-            "Failed: double precision does not hold the motion that was found{}, see the notes. Other "
+            "Failed: double precision cannot represent the motion found{}, see the notes. Other "
             "breakpoints may.",
             because(certificate));
     if (was_interrupted(certificate)) return interrupted_sentence(solution);
@@ -184,14 +183,14 @@ std::string verdict_sentence(const Solution& solution) {
         return verdict_sentence(certificate);
     const std::string gap = gap_words(certificate);
     if (certificate.verdict == Verdict::local)
-        return fmt::format("Local optimum, {}: no small change improves it{}", starts_text(solver.starts),
-                           gap.empty() ? ". That a better one exists is not ruled out."
-                                       : ", and it is proved to be " + gap + ".");
+        return fmt::format(
+            "Local optimum, {}: no small change improves it{}", starts_text(solver.starts),
+            gap.empty() ? ". A better one may exist." : ", and it is proved to be " + gap + ".");
     if (certificate.verdict == Verdict::feasible)
-        return fmt::format("Feasible, {}: every limit is kept; {}{}.", starts_text(solver.starts),
+        return fmt::format("Feasible, {}: every limit is satisfied; {}{}.", starts_text(solver.starts),
                            not_optimal_words(certificate), because(certificate));
     return fmt::format(
-        "Failed: no motion that keeps every limit was found from {} {}, and no proof that there is none{}.",
+        "Failed: no motion that satisfies every limit was found from {} {}; infeasibility is not proved{}.",
         solver.starts, solver.starts == 1 ? "start" : "starts", because(certificate));
 }
 
@@ -202,23 +201,23 @@ std::string verdict_sentence(const Certificate& certificate) {
                 return fmt::format(
                     "Proved optimal, with limits that lie within rounding of infeasible: no curve of this "
                     "spline "
-                    "space that keeps them to within {} of their size is better by more than the gap.",
+                    "space that satisfies them to within {} of their size is better by more than the gap.",
                     short_text(certificate.proof->limits_relaxed_by, 2));
             return "Proved optimal: no curve of this spline space is better by more than the gap.";
         case Verdict::local:
             if (const std::string gap = gap_words(certificate); !gap.empty())
-                return fmt::format("Feasible and stationary, and proved to be {}; solver.gap asks for less.",
+                return fmt::format("Feasible and stationary, and proved to be {}; solver.gap requires less.",
                                    gap);
-            return "Local optimum: feasible, and no small change improves it; not proved to be the best of "
-                   "all.";
+            return "Local optimum: feasible, and no small change improves it; not proved to be the "
+                   "global optimum.";
         case Verdict::feasible:
-            return fmt::format("Feasible: every limit is kept; {}{}.", not_optimal_words(certificate),
+            return fmt::format("Feasible: every limit is satisfied; {}{}.", not_optimal_words(certificate),
                                because(certificate));
         case Verdict::infeasible:
             if (certificate.reason == Reason::conditions_contradict) {
                 return "Infeasible: no curve of this spline space meets all the conditions, see the notes.";
             }
-            return "Infeasible, and proved so: no curve of this spline space keeps all the limits.";
+            return "Proved infeasible: no curve of this spline space satisfies all the limits.";
         case Verdict::failed:
             break;
     }
@@ -234,7 +233,7 @@ std::string objective_line(const Solution& solution, std::string_view separator)
     };
     if (std::isfinite(certificate.objective)) add("objective", certificate.objective, figures);
     if (certificate.lower_bound)
-        add(certificate.proof_kind == ProofKind::any_curve_limit ? "no curve below"
+        add(certificate.proof_kind == ProofKind::any_curve_limit ? "bound for all curves"
             : searched(solution) && certificate.proof_kind != ProofKind::boxes
                 ? "bound of the convex relaxation"
                 : "proved bound",
@@ -295,7 +294,7 @@ std::vector<std::string> solver_sentences(const Solution& solution) {
             fmt::format("Solver: {}{}; {}; {} s in all.", solver.name,
                         solver.choice.empty() ? "" : " (" + solver.choice + ")",
                         solver.termination == Termination::not_run
-                            ? std::string("it was not asked: the search for a first point settled the scene")
+                            ? std::string("not run: the search for a first point decided the scene")
                             : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
                                           words_of(name_of(solver.termination)), solver.iterations,
                                           solver.exchange_rounds),
@@ -309,7 +308,7 @@ std::vector<std::string> solver_sentences(const Solution& solution) {
         all.emplace_back(
             "To check the proof without camopt: certificate.json holds the rows, the multipliers, the box "
             "and "
-            "the bound; its entry how_to_check is the recipe, one sum.");
+            "the bound; its entry how_to_check describes the check, one sum.");
     return all;
 }
 

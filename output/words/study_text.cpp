@@ -144,11 +144,11 @@ constexpr const char* faults_title = "NOT COMPUTED OR NOT PROVED";
 constexpr const char* assumptions_title = "Chosen by us, not given by the paper";
 
 constexpr int table_line_width = 100;
-constexpr const char* title = "The best cubic spline beside the modified sine";
+constexpr const char* title = "The best cubic spline and the modified sine";
 constexpr const char* introduction =
     "Rise between two dwells; C2 cubic spline on n equal segments, y(x) + y(1 − x) = 1. Every optimum is "
     "found and "
-    "proved by camopt; what a paper of 1994 prints stands beside it. Source: T.-Y. Shon, M.-Y. Yang, "
+    "proved by camopt; compared with the values printed in a paper of 1994. Source:  T.-Y. Shon, M.-Y. Yang, "
     "\"Synthesis of "
     "Optimum CAM Curve by Cubic Spline\", 1994.";
 
@@ -266,15 +266,15 @@ std::string comparison_text(const Comparison& comparison) {
     std::string text;
     if (!solution.scene.title.empty()) text += printable(solution.scene.title) + "\n";
     text += verdict_sentence(solution) + "\n";
-    if (!solution.motion) text += "What each limit would have to give: camopt solve.\n";
+    if (!solution.motion) text += "For the suggested changes run camopt solve.\n";
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
     text += wrapped_text(comparison_sentence(comparison), "", comparison_line_width);
     text += "\n" + aligned_text(table_of(comparison));
     text += fmt::format("\nobjective: {}\n", objective_words(comparison));
     if (has_bases(comparison))
         text += wrapped_text(
-            "the smallest base radius at which the motion keeps every limit, the cam's other dimensions as "
-            "they are; none: no radius tried keeps them",
+            "the smallest base radius at which the motion satisfies every limit, the cam's other dimensions "
+            "unchanged; none: no radius tried satisfies them",
             base_title(comparison) + ": ", comparison_line_width);
     return text;
 }

@@ -22,7 +22,7 @@ namespace {
 using Eigen::Vector2d;
 using enum DimensionIndex;
 
-/// The vector seen from the cam that has turned by `angle`.
+/// The vector in the frame of a cam rotated by `angle`.
 Vector2d turned_back(const Vector2d& fixed, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * fixed.x() + s * fixed.y(), c * fixed.y() - s * fixed.x()};
@@ -36,7 +36,7 @@ void set_roller_values(const Roller& roller, double radius, ProfilePoint& point)
     point.pressure_angle = std::atan2(roller.pressure_numerator(), roller.pressure_denominator());
 }
 
-/// `turning` of the face against the cam, in units of the cam's own.
+/// `turning`: rotation of the face relative to the cam, in units of the cam's.
 void set_flat_values(const DiskCam& cam, double turned_radius, double turning, ProfilePoint& point) {
     point.cam_radius = turned_radius / turning;
     point.pitch_curvature = turning / turned_radius;
@@ -171,7 +171,7 @@ std::string dimension_fault(const DiskCam& cam) {
     return {};
 }
 
-/// The roller's circle (the knife's edge) leaves room for the cam's centre.
+/// The roller's circle (the knife's edge) must not contain the cam's centre.
 std::string center_fault(double distance, double radius) {
     if (distance > radius) return {};
     return fmt::format("at its lowest the follower's centre is {} from the cam centre and its radius is {}",
@@ -200,7 +200,7 @@ std::string oscillating_roller_fault(const DiskCam& cam, double least, double mo
     const double a = cam[center_distance], l = cam[arm_length], radius = cam[roller_radius];
     const double prime = cam[base_radius] + radius;
     if (!(std::abs(a - l) < prime && prime < a + l))
-        return fmt::format("a prime radius of {} does not lie between {} and {}, what the arm reaches",
+        return fmt::format("a prime radius of {} does not lie between {} and {}, the reach of the arm",
                            length_text(prime), length_text(std::abs(a - l)), length_text(a + l));
     const double start = formulas::oscillating_roller_start(prime, a, l);
     if (!(start + least > 0.0 && start + most < std::numbers::pi))
@@ -253,10 +253,9 @@ std::string form_fault(const DiskCam& cam, double least, double most) {
     const double rest = second_rest_position(cam);
     const bool swings = is_oscillating(cam.follower);
     if (!(rest - most > 0.0) || (swings && !(rest - least < std::numbers::pi)))
-        return fmt::format(
-            "the second roller would pass the {}: {} is left where the follower stands highest",
-            swings ? "line of centres" : "cam centre",
-            swings ? angle_text(rest - most) : length_text(rest - most));
+        return fmt::format("the second roller would pass the {}: {} is left at the largest displacement",
+                           swings ? "line of centres" : "cam centre",
+                           swings ? angle_text(rest - most) : length_text(rest - most));
     const std::string fault = one_disk_fault(second_disk(cam), -most, -least);
     return fault.empty() ? fault : "second disk: " + fault;
 }
@@ -273,7 +272,7 @@ std::string geometry_fault(const DiskCam& cam, double least, double most) {
 namespace camopt::expansion {
 namespace {
 
-// Where the follower stands on the base circle, by the dimensions.
+// Position of the follower on the base circle, by the dimensions.
 
 /// The start as a function of the prime radius (base radius without a roller) and further dimensions.
 template <int count>
@@ -329,7 +328,7 @@ QuantityValue start_of(const DiskCam& cam) {
 namespace camopt {
 namespace {
 
-// What limits speak of, with first and second partials.
+// The quantities of limits, with first and second partials.
 
 using expansion::acceleration_column, expansion::velocity_column;
 using expansion::Expander, expansion::Local;
@@ -355,8 +354,8 @@ std::array<Local, 4> arm_locals(const DiskCam& cam, DimensionIndex first, Dimens
              {column_of(second)}}};
 }
 
-/// `locals` make the roller with its position. The regularity follows from the curvature: expanded in the
-/// roller's radius too it would cost half as much again.
+/// `locals` and the position determine the roller. The regularity follows from the curvature: expanding it in
+/// the roller's radius too would cost half as much again.
 template <template <class> class Roller, std::size_t count>
 QuantityValue roller_quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which,
                               const std::array<Local, count>& locals) {

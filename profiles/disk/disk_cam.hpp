@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Disk cams: one point of the follower's motion makes one point of the cam.
 //
-// Frames. The cam centre is the origin. In the frame that stands still, the cam turns by σθ about +z, with
+// Frames. The cam centre is the origin. In the fixed frame the cam turns by σθ about +z, with
 // σ = +1 counterclockwise, −1 clockwise; θ >= 0 is the cam angle of the motion. Cam frame = Rot(−σθ) · fixed.
 //   translating: follower axis x = offset e, lift along +y; roller centre C = (e, s0 + s),
 //                s0 = sqrt((base + roller)² − e²); flat face: the line y = base + s.
@@ -52,9 +52,8 @@ struct DiskCam {
 /// The cam of a scene with each variable dimension in the middle of its range.
 [[nodiscard]] DiskCam middle_cam(const DiskSpec& spec);
 
-/// What s is added to: the follower's height s0 over the cam centre (m; of the roller centre, of a flat
-/// face), or the arm's angle ψ0 (rad), where it rests on the base circle. NaN where the dimensions do not
-/// reach.
+/// The origin of s: the follower's height s0 over the cam centre (m; of the roller centre, of a flat face),
+/// or the arm's angle ψ0 (rad), on the base circle. NaN if the dimensions do not reach.
 [[nodiscard]] double rest_position(const DiskCam& cam);
 
 /// Why this cam cannot be built at all (|offset| >= prime radius, arm that cannot reach, …); empty: it can.
@@ -74,8 +73,8 @@ struct ProfilePoint {
     /// Roller: 1 − r κ; knife: 1; flat: cam radius / base radius (its oscillating form times (1 + σψ')).
     /// <= 0: undercut.
     double regularity = 0.0;
-    /// Flat, m: where the face is touched. Translating: x from the follower's axis, σ s'; oscillating: from
-    /// the pivot's foot on the face towards the cam, a cos ψ / (1 + σψ').
+    /// Contact offset of a flat face, m. Translating: x from the follower's axis, σ s'; oscillating: from the
+    /// pivot's foot on the face towards the cam, a cos ψ / (1 + σψ').
     double contact_offset = 0.0;
 };
 
@@ -91,7 +90,7 @@ struct QuantityValue {
     Eigen::Matrix<double, quantity_variables, quantity_variables> hessian;
 };
 
-/// Throws ModelError where the follower has no such quantity. 0.1 to 2 µs.
+/// Throws ModelError if the follower has no such quantity. 0.1 to 2 µs.
 [[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which);
 
 }  // namespace camopt

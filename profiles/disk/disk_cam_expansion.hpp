@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+//
 // Private to profiles/: a formula of a disk cam with its partials.
 //
-// A formula knows few variables: the position p and some of s', s'', the dimensions, perhaps mirrored. It is
-// expanded to second order in them by automatic differentiation and carried over to the variables of a
+// A formula has few variables: the position p and some of s', s'', the dimensions, perhaps mirrored. It is
+// expanded to second order in them by automatic differentiation and transformed to the variables of a
 // QuantityValue by the chain rule. All of them but p = start(dimensions) + s are global variables or their
 // negatives, so with J the Jacobian of the local by the global variables and f the formula
 //   gradient = Jᵀ ∇f,   hessian = Jᵀ ∇²f J + ∂f/∂p ∇²p.
@@ -40,7 +41,7 @@ struct Expansion {
         QuantityValue result;
         result.value = value;
         result.gradient.noalias() = jacobian.transpose() * gradient;
-        // Eigen would hand matrices of this size to its kernels for large ones.
+        // Eigen would call its kernels for large matrices for this size.
         const Jacobian<n> half = hessian.lazyProduct(jacobian);
         result.hessian = jacobian.transpose().lazyProduct(half);
         return result;
@@ -56,7 +57,7 @@ struct Local {
     double sign = 1.0;
 };
 
-/// The start of the follower (what s is added to) with its partials.
+/// The start of the follower (the origin of s) with its partials.
 [[nodiscard]] QuantityValue start_of(const DiskCam& cam);
 
 /// One cam in one state, whose formulas are to be expanded.

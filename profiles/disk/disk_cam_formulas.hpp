@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+//
 // Private to profiles/: the formulas of the disk cams, generic over the scalar, so that double gives points
 // and automatic differentiation gives partials.
 //
-// They are those of the counterclockwise cam. A clockwise cam is its mirror image: the caller hands in
-// -offset (translating) or -velocity (oscillating). `position` is what the formulas know instead of s: the
+// They are those of the counterclockwise cam. A clockwise cam is its mirror image: the caller passes
+// -offset (translating) or -velocity (oscillating). The formulas depend on `position` instead of s: the
 // height of the roller centre or face over the cam centre (translating), the angle psi (oscillating);
 // position = start + s.
 #pragma once
@@ -37,8 +38,8 @@ template <class T>
     return asin(T((base_radius + face_offset) / center_distance));
 }
 
-/// How the roller centre moves in the cam frame: `along` and `across` are the parts of its speed whose ratio
-/// is the tangent of the pressure angle; `drift` and `push` bring in the change of both.
+/// Motion of the roller centre in the cam frame: `along` and `across` are the components of its speed whose
+/// ratio is the tangent of the pressure angle; `drift` and `push` are the change of both.
 template <class T>
 struct PitchMotion {
     T across, along, drift, push;
@@ -72,7 +73,7 @@ template <class T>
 struct OscillatingRoller {
     T position, velocity, acceleration, center_distance, arm_length;
 
-    /// Speed of the arm's end in the cam frame where the pivot stands above it.
+    /// Speed of the arm's end in the cam frame with the pivot above it.
     [[nodiscard]] T end_speed() const { return arm_length * T(velocity + 1.0); }
     [[nodiscard]] T pressure_numerator() const {
         using std::cos;
@@ -96,7 +97,7 @@ template <class T>
 struct OscillatingFlat {
     T position, velocity, acceleration, center_distance, face_offset;
 
-    /// Turning of the face against the cam, in units of the cam's own.
+    /// Rotation of the face relative to the cam, in units of the cam's.
     [[nodiscard]] T turning() const { return velocity + 1.0; }
     [[nodiscard]] T pressure_numerator() const { return face_offset * turning(); }
     [[nodiscard]] T pressure_denominator() const {
@@ -105,7 +106,7 @@ struct OscillatingFlat {
     }
     /// From the pivot's foot on the face to the contact point; also the lever of the contact force.
     [[nodiscard]] T contact_offset() const { return pressure_denominator() / turning(); }
-    /// cam_radius times `turning`: one division less, and the sign that tells undercut.
+    /// cam_radius times `turning`: one division less, and the sign that indicates undercut.
     [[nodiscard]] T turned_radius() const {
         using std::sin;
         const T inverse = T(1.0) / turning();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a scene may not ask of a disk cam: numbers out of their ranges, a cam that none of the ranges allows
-// at rest, a form whose second roller has no place. With p = base + roller radius:
+//
+// Faults of a disk cam in a scene: numbers out of their ranges, no buildable cam at rest for any values of
+// the
+// ranges, a form without space for its second roller. With p = base + roller radius:
 //   translating roller, knife: |offset| < p            oscillating roller: |a − l| < p < a + l
 //   oscillating flat: |base + face offset| < a         (a centre distance, l arm length)
 // The second roller of a conjugate cam, Δ the largest displacement given:
@@ -45,7 +47,7 @@ Fault face_fault(const DiskSpec& cam) {
     return SceneFault{"cam.face_half_width", fmt::format("{}", *cam.face_half_width), range.number_text()};
 }
 
-/// In the unit the dimension was written in.
+/// In the unit of the scene file.
 std::string length_text(double value, const Dimension& dimension) {
     const char* unit = "mm";
     double factor = 1e-3;
@@ -156,8 +158,8 @@ Fault second_slide_fault(const DiskSpec& cam, const std::array<double, dimension
     if (rest - highest > 0.0 && std::hypot(rest - highest, across) > second) return std::nullopt;
     return SceneFault{
         "cam.roller_distance",
-        fmt::format("{:.6g} mm, which leaves the second roller {:.6g} mm from the cam's centre where "
-                    "the follower stands highest",
+        fmt::format("{:.6g} mm, which leaves the second roller {:.6g} mm from the cam's centre at "
+                    "the largest displacement",
                     cam.form.roller_distance / shown_mm, (rest - highest) / shown_mm),
         fmt::format("more than its radius of {:.6g} mm, for every base and roller radius allowed",
                     second / shown_mm)};
@@ -180,7 +182,7 @@ Fault second_arm_fault(const DiskSpec& cam, const std::array<double, dimension_c
         fmt::format("{:.6g} deg, which puts the second arm {:.6g} to {:.6g} deg from the line of "
                     "centres, its roller {:.6g} mm from the cam's centre",
                     cam.form.arm_angle / deg, lowest / deg, rest / deg, distance / shown_mm),
-        fmt::format("between 0 and 180 deg, farther than its radius of {:.6g} mm, for every "
+        fmt::format("between 0 and 180 deg, with more than its radius of {:.6g} mm, for every "
                     "dimension allowed",
                     second / shown_mm)};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a scene's disk cam can be built and moved at all. Internal to profiles/disk.
+// Whether a scene's disk cam can be built and moved. Internal to profiles/disk.
 #pragma once
 
 #include "profiles/disk/disk_spec.hpp"
@@ -9,7 +9,7 @@
 
 namespace camopt {
 
-/// The first thing wrong with it for every choice of its dimensions within their ranges; none: nothing is.
+/// The first fault for every choice of its dimensions within their ranges; none: no fault.
 [[nodiscard]] std::optional<SceneFault> disk_fault(const DiskSpec& cam, const MotionSpec& motion);
 
 }  // namespace camopt

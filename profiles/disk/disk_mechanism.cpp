@@ -41,7 +41,7 @@ class DiskMechanism final : public CamMechanism {
     DiskMechanism(FollowerType follower, Rotation rotation, const FormSpec& form)
         : follower_(follower), rotation_(rotation), form_(form), which_(dimensions_of(follower)) {}
 
-    /// What follows the follower's own dimensions are the form's numbers, which it has already.
+    /// The numbers of the form, already stored, come after the follower's own dimensions.
     [[nodiscard]] DiskCam cam(std::span<const double> dimensions) const {
         DiskCam own{follower_, rotation_, {}, form_};
         for (std::size_t i = 0; i < which_.size(); ++i)
@@ -76,7 +76,7 @@ class DiskMechanism final : public CamMechanism {
         if (swings()) return own[DimensionIndex::center_distance];
         return own[DimensionIndex::base_radius] + own[DimensionIndex::roller_radius];
     }
-    /// Both flanks of a groove have one normal; a pushed face and a knife edge have limits of their own.
+    /// Both flanks of a groove have one normal; a pushed face and a knife edge have separate limits.
     [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
         if (which == MechanismQuantity::regularity) return !has_edge(follower_);
         if (which != MechanismQuantity::pressure_numerator) return true;
@@ -174,14 +174,14 @@ class DiskMechanism final : public CamMechanism {
 std::string DiskMechanism::undercut_words() const {
     if (has_edge(follower_)) return {};
     return fmt::format(
-        "the cam crosses itself there, the part that remains does not lead the follower as designed. A "
+        "the cam intersects itself there; the remaining part does not guide the follower as designed. A "
         "larger "
         "base radius{} {}",
         has_roller(follower_) ? " or a smaller roller" : "",
         is_oscillating(follower_) ? "may help" : "helps");
 }
 
-/// On the slide, or on an arm of its own.
+/// On the slide, or on a separate arm.
 void DiskMechanism::add_second_roller(std::vector<MechanismShape>& shapes, const DiskCam& own,
                                       const FollowerState& output, const Eigen::Vector2d& first) const {
     using Kind = MechanismShape::Kind;
@@ -195,7 +195,7 @@ void DiskMechanism::add_second_roller(std::vector<MechanismShape>& shapes, const
     shapes.push_back({Kind::circle, "second_roller", {center}, roller_radius_of(own, 1)});
 }
 
-/// A pushed follower hangs on a stem that is guided above the cam, a swinging one on an arm.
+/// A pushed follower is on a stem that is guided above the cam, a swinging one on an arm.
 std::vector<MechanismShape> DiskMechanism::shapes(const MechanismState& state) const {
     using Kind = MechanismShape::Kind;
     using Eigen::Vector2d;
@@ -228,8 +228,8 @@ std::vector<MechanismShape> DiskMechanism::shapes(const MechanismState& state) c
     return shapes;
 }
 
-/// The second roller of a conjugate cam runs on its own disk, in the mirror in which it falls where the first
-/// one rises.
+/// The second roller of a conjugate cam runs on its own disk, in a mirror image in which it falls when the
+/// first one rises.
 std::optional<FollowerGeometry> DiskMechanism::follower(std::span<const double> dimensions,
                                                         int station) const {
     using enum DimensionIndex;
@@ -254,14 +254,14 @@ std::vector<std::vector<CamMechanism::SignedIndex>> DiskMechanism::reach() const
     for (const auto& sum : reach_of(follower_)) {
         std::vector<SignedIndex>& own = all.emplace_back();
         own.reserve(sum.size());
-        // A dimension that the follower has not is 0.
+        // A dimension that the follower does not have is 0.
         for (const auto& [dimension, sign] : sum)
             if (has_dimension(follower_, dimension)) own.push_back({place_of(dimension), sign});
     }
     return all;
 }
 
-/// That of a separate second roller stands last among the numbers of the form.
+/// That of a separate second roller is last among the numbers of the form.
 int DiskMechanism::roller_radius_at(int station) const {
     if (station == 0 || !form_.is_conjugate() || !form_.second_roller_radius) return roller_radius();
     return static_cast<int>(which_.size() + form_dimensions(follower_, form_).size()) - 1;
@@ -316,8 +316,8 @@ Curvature DiskMechanism::pressure_shape(const PressureSide& side, const Mechanis
     return convex ? Curvature::convex : Curvature::general;
 }
 
-/// sign · N cos φm <= D sin φm bounds the arm's velocity whatever its angle: σψ' <= a/(l cos φm) − 1 for the
-/// upper side of a roller, >= −a/(l cos φm) − 1 for the lower one; f(1 + σψ') <= a tan φm for a face.
+/// sign · N cos φm <= D sin φm bounds the arm's velocity for any angle: σψ' <= a/(l cos φm) − 1 for the upper
+/// side of a roller, >= −a/(l cos φm) − 1 for the lower one; f(1 + σψ') <= a tan φm for a face.
 Interval DiskMechanism::pressure_slopes(const PressureSide& side, std::span<const double> dimensions) const {
     using enum DimensionIndex;
     if (!swings()) return Interval::everything();
@@ -329,7 +329,7 @@ Interval DiskMechanism::pressure_slopes(const PressureSide& side, std::span<cons
     const double reach =
         own[center_distance] / lever * (roller ? 1.0 / std::cos(side.limit) : std::tan(side.limit));
     const Interval all = Interval::everything();
-    // With the face on the other side of the arm the sides change places.
+    // With the face on the other side of the arm the sides are exchanged.
     const bool upper = (side.sign > 0) == (roller || own[face_offset] > 0.0);
     const Interval turned = upper ? Interval(all.lower, reach - 1.0) : Interval(-reach - 1.0, all.upper);
     const bool as_seen = (sense_of(own.rotation) > 0.0) != second;  // the second disk's ψ' is −ψ'
@@ -342,7 +342,7 @@ bool DiskMechanism::upper_side_rises(int station) const {
     return swings() ? sense_of(rotation_) > 0.0 : station == 0;
 }
 
-/// The follower's contact may lie beside the line that it is pushed along.
+/// The follower's contact may have an offset from its line of travel.
 bool DiskMechanism::leans_at_rest(int station, const MechanismSetting& setting) const {
     if (swings()) return true;
     if (station == 1 && form_.second_offset) return *form_.second_offset != 0.0;
@@ -389,7 +389,7 @@ MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismS
         return {none, Eigen::VectorXd::Constant(size, none), Eigen::MatrixXd::Constant(size, size, none)};
     }
     const QuantityValue all = camopt::quantity(cam(state.dimensions), state.output, which, station);
-    // The form's numbers are no variables of a quantity.
+    // The form's numbers are not variables of a quantity.
     std::array<int, quantity_variables> columns = {0, 1, 2};
     for (std::size_t k = 0; k < active.size(); ++k)
         columns[3 + k] = column_of(which_[static_cast<std::size_t>(active[k])]);

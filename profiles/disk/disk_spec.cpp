@@ -34,7 +34,7 @@ Fault foreign_dimension_fault(const DiskSpec& cam) {
     return std::nullopt;
 }
 
-/// What belongs to another form or follower is given.
+/// A given number belongs to another form or follower.
 Fault foreign_number_fault(const DiskSpec& cam) {
     const FormSpec& form = cam.form;
     const bool swings = is_oscillating(cam.follower);
@@ -81,7 +81,7 @@ std::optional<SceneFault> foreign_fault(const DiskSpec& cam) {
 
 namespace {
 
-/// In a unit of a scene file: as its number was written, else mm.
+/// In a unit of a scene file: as written, else mm.
 void complete_key(Dimension& dimension, const char* name) {
     if (!dimension.key.empty()) return;
     const Spelling* spelling = std::ranges::find(spellings::length, dimension.unit, &Spelling::factor);

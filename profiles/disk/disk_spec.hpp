@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A disk cam in its own words: follower, form, dimensions. m, rad; frames: profiles/disk/disk_cam.hpp.
+// A disk cam: follower, form, dimensions. m, rad; frames: profiles/disk/disk_cam.hpp.
 #pragma once
 
 #include "scene/cam_spec.hpp"
@@ -16,7 +16,7 @@ struct SceneFault;
 /// cam.type of a disk cam.
 inline constexpr const char* disk_type = "disk";
 
-/// How the cam holds its follower.
+/// Form closure or force closure of the follower.
 enum class CamForm {
     open,      ///< on one side: a force presses the follower on it
     grooved,   ///< its roller runs in a groove, between two flanks: the cam drives both ways
@@ -25,7 +25,7 @@ enum class CamForm {
 
 [[nodiscard]] const char* name_of(CamForm value);
 
-/// The form of a disk cam and the numbers it needs; those that another form needs are left alone. m, rad.
+/// The form of a disk cam and the numbers it needs; those of other forms are ignored. m, rad.
 struct FormSpec {
     CamForm type = CamForm::open;
     double groove_clearance = 0.0;      ///< groove: its width less the roller's diameter, half on either side
@@ -37,7 +37,7 @@ struct FormSpec {
 
     [[nodiscard]] bool is_grooved() const { return type == CamForm::grooved; }
     [[nodiscard]] bool is_conjugate() const { return type == CamForm::conjugate; }
-    /// The cam pulls the follower back too: no force has to press it on.
+    /// Form closure: the cam also drives the return, without a closing force.
     [[nodiscard]] bool drives_both_ways() const { return type != CamForm::open; }
 };
 
@@ -46,7 +46,7 @@ struct FormSpec {
 struct DiskSpec {
     FollowerType follower = FollowerType::translating_roller;
     Rotation rotation = Rotation::counterclockwise;
-    std::array<Dimension, dimension_count> dimensions{};  ///< those the follower has not are 0
+    std::array<Dimension, dimension_count> dimensions{};  ///< those that the follower does not have are 0
     std::optional<double> face_half_width = {};           ///< translating flat face, m: |s'| <= it
     FormSpec form = {};                                   ///< rollers only: others are open
 
@@ -58,26 +58,26 @@ struct DiskSpec {
     }
 };
 
-/// The dimensions a follower has, in the order in which they stand in a CamSpec.
+/// The dimensions of a follower, in the order of a CamSpec.
 [[nodiscard]] std::vector<DimensionIndex> dimensions_of(FollowerType follower);
 
-/// The numbers of the form that are given, as fixed dimensions with their keys.
+/// The given numbers of the form, as fixed dimensions with their keys.
 [[nodiscard]] std::vector<CamDimension> form_dimensions(FollowerType follower, const FormSpec& form);
 
-/// A number of a form by its name ("groove_wall"), m or rad; none: it is not given.
+/// A number of a form by its name ("groove_wall"), m or rad; none: not given.
 using FormNumbers = std::function<std::optional<double>(const char* name)>;
-/// All of them; what is not given is 0 or none.
+/// All of them; missing ones are 0 or none.
 void set_numbers(FormSpec& form, const FormNumbers& given);
 
-/// A number that this follower or this form has not; none: there is no such one.
+/// A number that this follower or form does not have; none: there is no such one.
 [[nodiscard]] std::optional<SceneFault> foreign_fault(const DiskSpec& cam);
 
-/// The cam as scenes hold it, without formulas (disk_spec of disk_mechanism.hpp adds them): type "disk", the
+/// The cam as scenes store it, without formulas (disk_spec of disk_mechanism.hpp adds them): type "disk", the
 /// choices "follower" and "form", a key for every dimension. Throws SceneError for a number that this
-/// follower or this form has not.
+/// follower or form does not have.
 [[nodiscard]] CamSpec blank_disk_spec(const DiskSpec& cam);
 
-/// Back again. Throws InputError for another type, and for a follower or a form that does not exist.
+/// The inverse. Throws InputError for another type, and for an unknown follower or form.
 [[nodiscard]] DiskSpec disk_of(const CamSpec& cam);
 
 }  // namespace camopt

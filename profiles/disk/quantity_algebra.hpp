@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Constants and variables as quantities of a disk cam. A QuantityValue is written in formulas as a RangeAlong
-// and a RangeOver are (core/partials.hpp).
+// Constants and variables as quantities of a disk cam. Formulas use a QuantityValue like a RangeAlong or a
+// RangeOver (core/partials.hpp).
 #pragma once
 
 #include "core/partials.hpp"
@@ -8,7 +8,7 @@
 
 namespace camopt {
 
-/// Where a dimension stands among the variables of a quantity; s, s', s'' stand at 0, 1, 2.
+/// The index of a dimension among the variables of a quantity; s, s', s'' have 0, 1, 2.
 [[nodiscard]] constexpr int column_of(DimensionIndex dimension) {
     return 3 + static_cast<int>(dimension);
 }

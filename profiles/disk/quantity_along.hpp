@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quantities of a disk cam over a stretch of the cam angle, and over a box of motions and dimensions:
-// enclosures of their values and derivatives, by the formulas of disk_cam.hpp (quantity_text.hpp).
+// Enclosures of quantities of a disk cam over an interval of the cam angle, and over a box of motions and
+// dimensions: of their values and derivatives, by the formulas of disk_cam.hpp (quantity_text.hpp).
 #pragma once
 
 #include "core/numbers/range_along.hpp"
@@ -11,11 +11,11 @@
 
 namespace camopt {
 
-/// Slopes and second derivatives by the cam angle. Everything where the formula may divide by zero somewhere
-/// in the stretch. Throws ModelError where the follower has no such quantity.
+/// Slopes and second derivatives by the cam angle. Unbounded where the formula may divide by zero somewhere
+/// in the interval. Throws ModelError if the follower has no such quantity.
 [[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which);
 
-/// s, s', s'' and the dimensions, each a number, a box of its own, or a function of what a box is of.
+/// s, s', s'' and the dimensions, each a number, a separate interval, or a function of the box's variables.
 struct StateOver {
     RangeOver s, velocity, acceleration;
     std::array<RangeOver, dimension_count> dimensions;
@@ -25,8 +25,8 @@ struct StateOver {
     }
 };
 
-/// With first and second partials by what the box is of; everything and errors as above. The dimensions of
-/// `cam` do not matter.
+/// With first and second partials by the box's variables; unbounded results and errors as above. The
+/// dimensions of `cam` do not matter.
 [[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which);
 
 /// As those of disk_sides.hpp.
@@ -35,8 +35,8 @@ struct StateOver {
 [[nodiscard]] RangeOver roller_on(const DiskCam& cam, const StateOver& state, int side);
 
 /// (factor κ − share)(speed of the roller centre)³ over the coefficient of s'', of followers with a pitch
-/// curve and with the curvature κ of a side: >= 0 where factor κ >= share, and linear in s''. Everything
-/// where that coefficient may vanish.
+/// curve and with the curvature κ of a side: >= 0 where factor κ >= share, and linear in s''. Unbounded where
+/// that coefficient may vanish.
 [[nodiscard]] RangeOver curvature_excess(const DiskCam& cam, const StateOver& state, const RangeOver& factor,
                                          double share, int side);
 

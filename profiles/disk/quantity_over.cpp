@@ -19,7 +19,7 @@ RangeOver flank_offset(const DiskCam& cam, const StateOver& state) {
     return state[roller_radius] + RangeOver(0.5 * clearance);
 }
 
-/// What s is added to.
+/// The origin of s.
 RangeOver rest_over(const DiskCam& cam, const StateOver& state) {
     const RangeOver& distance = state[center_distance];
     switch (cam.follower) {
@@ -88,7 +88,7 @@ RangeOver given_or_own(const std::optional<double>& given, const RangeOver& own)
     return given ? RangeOver(*given) : own;
 }
 
-/// The motion and the dimensions of the second disk, seen in the mirror (disk_sides.hpp), by those of the
+/// The motion and the dimensions of the second disk, in the mirror image (disk_sides.hpp), by those of the
 /// cam.
 StateOver second_over(const DiskCam& cam, const StateOver& state) {
     StateOver second{-state.s, -state.velocity, -state.acceleration, {}};

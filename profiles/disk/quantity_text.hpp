@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which formula of disk_cam_formulas.hpp each quantity of a follower is: one text for every number that a
-// formula may be of: double, automatic differentiation (disk_cam_expansion.hpp), RangeAlong (over a stretch
-// of the cam angle), RangeOver (over a box of the motion's state and the dimensions).
+// The formula of disk_cam_formulas.hpp for each quantity of a follower, generic over the number type: double,
+// automatic differentiation (disk_cam_expansion.hpp), RangeAlong (over an interval of the cam angle),
+// RangeOver (over a box of the motion's state and the dimensions).
 //
 // Lengths in m, curvatures in 1/m, the regularity without unit; velocities and accelerations by the cam angle
-// in the turning sense of the cam. Throws ModelError where the follower has no such quantity.
+// in the sense of rotation of the cam. Throws ModelError if the follower has no such quantity.
 #pragma once
 
 #include "core/errors.hpp"
@@ -89,8 +89,8 @@ template <class Number>
     refuse_quantity(name_of(FollowerType::oscillating_flat));
 }
 
-/// Of the side that an open cam of the same dimensions has. `Source` has the members s, velocity and
-/// acceleration, rest() (what s is added to), flank_offset() and number(dimension).
+/// Of the side of an open cam of the same dimensions. `Source` has the members s, velocity and acceleration,
+/// rest() (the origin of s), flank_offset() and number(dimension).
 template <class Number, class Source>
 [[nodiscard]] Number quantity_of_first_side(const DiskCam& cam, const Source& source,
                                             MechanismQuantity which) {

@@ -20,7 +20,7 @@ namespace {
 
 using Maker = std::shared_ptr<const CamMechanism> (*)(const CamSpec&);
 
-/// The formulas of each kind: a new kind is its leaf and a line here.
+/// The formulas of each kind: a new kind needs its leaf and a line here.
 const std::map<std::string, Maker>& makers() {
     static const std::map<std::string, Maker> all = {
         {disk_type, disk_formulas},        {remote_type, remote_mechanism},

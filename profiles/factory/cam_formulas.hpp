@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The formulas of every kind of cam: the one place that knows them all. A program that links a single kind
-// does without it.
+// The formulas of every kind of cam. The only code that depends on all of them; a program with a single kind
+// does not link it.
 #pragma once
 
 #include "scene/cam_mechanism.hpp"
@@ -10,8 +10,8 @@
 
 namespace camopt {
 
-/// What CamSpec::make may be of any kind, the program's own (add_cam_kind) among them. Throws InputError for
-/// a type or a choice that does not exist.
+/// CamSpec::make for any kind, including those added by the program (add_cam_kind). Throws InputError for an
+/// unknown type or choice.
 [[nodiscard]] std::shared_ptr<const CamMechanism> cam_formulas(const CamSpec& spec);
 
 }  // namespace camopt

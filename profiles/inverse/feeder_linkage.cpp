@@ -15,9 +15,9 @@ using Eigen::Vector2d;
 
 namespace {
 
-// Relative to L1: nearer than this the pin's direction from the rocker's pivot is noise.
+// Relative to L1: for a smaller distance the pin's direction from the rocker's pivot is ill-conditioned.
 constexpr double least_reach = 1e-9;
-// |cos phi| below this: the feeder would be a thousand million offsets away.
+// |cos phi| below this: the feeder would be 10⁹ offsets away.
 constexpr double least_cosine = 1e-9;
 
 Vector2d pin_at(const FeederLinkage& linkage, double body_angle) {
@@ -29,7 +29,7 @@ double angle_of(const Vector2d& direction) {
     return std::atan2(direction.y(), direction.x());
 }
 
-/// The angle plus whole turns, nearest to `reference`.
+/// The angle plus full revolutions, nearest to `reference`.
 double counted_on(double angle, double reference) {
     return reference + std::remainder(angle - reference, 2.0 * std::numbers::pi);
 }
@@ -103,7 +103,8 @@ FeederMotion feeder_motion(const FeederLinkage& linkage, const BodyMotion& body)
 
 inverse::Branch inverse::branch_of(const FeederLinkage& linkage) {
     const Vector2d pin = pin_at(linkage, 0.0), arm = pin - linkage.rocker_pivot;
-    // Of two points of the pin's circle on a ray, the nearer one is passed into the circle: P · e < 0 there.
+    // Of two points of the pin's circle on a ray, at the nearer one the ray enters the circle: P · e < 0
+    // there.
     return {arm.x() * linkage.feeder_offset < 0.0 ? -1.0 : 1.0, pin.dot(arm) < 0.0 ? 1.0 : -1.0,
             linkage.feeder_offset < 0.0 ? -1.0 : 1.0};
 }

@@ -21,7 +21,7 @@ namespace camopt {
 
 struct FeederLinkage {
     double pin_distance = 0.0;               ///< L1 > 0: pin from the body's pivot
-    double pin_angle = 0.0;                  ///< al0: of the pin where the body stands at theta = 0
+    double pin_angle = 0.0;                  ///< al0: of the pin where the body is at theta = 0
     Eigen::Vector2d rocker_pivot{0.0, 0.0};  ///< C
     double feeder_offset = 0.0;              ///< Lx, not 0: feeder's line from the rocker's pivot, along x
 

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Relative to the guide's size: the pieces of a guide given in micrometres still meet.
+// Relative to the guide's size: tolerance for joints of a guide given in micrometres.
 constexpr double meeting_tolerance = 1e-6;
 // cos mu below this (mu above 89.9 deg) counts as a guide along which L does not grow.
 constexpr double least_growth = 2e-3;
@@ -142,7 +142,7 @@ std::string fault_of(const GuidePolarSpline& spline) {
     for (std::size_t i = 0; i + 1 < spline.nodes.size(); ++i)
         if (!(spline.nodes[i + 1].distance > spline.nodes[i].distance))
             return fmt::format(
-                "a polar spline whose node {} does not lie farther from the pivot than node {}", i + 2,
+                "a polar spline whose node {} does not lie further from the pivot than node {}", i + 2,
                 i + 1);
     return {};
 }
@@ -170,8 +170,8 @@ Growth growth_of(const GuidePolarSpline&) {
     return {};  // L grows from node to node
 }
 
-/// L must grow at both ends; in between it then does: cos mu changes its sign once at most on a line or an
-/// arc of less than half a turn.
+/// L must grow at both ends; then it does in between: cos mu changes its sign at most once on a line or an
+/// arc of less than half a circle.
 std::string growth_fault(const GuidePiece& piece, double begin, double end) {
     if (!(begin > 0.0)) return "begins at the pivot; the least distance must be > 0";
     if (!(end > begin))

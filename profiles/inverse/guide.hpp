@@ -3,7 +3,7 @@
 //
 // The body turns about the origin; the roller's centre moves along the +x axis of the fixed frame at (L, 0).
 // In the body's frame the guide is psi(L), the polar angle of its point at the distance L from the pivot, so
-// the body stands at theta = -psi(L). A guide is a chain of lines, arcs and polar splines along which L
+// the body is at theta = -psi(L). A guide is a chain of lines, arcs and polar splines along which L
 // grows. With tau the angle of the tangent (towards growing L) and mu = tau - psi the pressure angle,
 //   tan mu = L psi',   psi'' = (kappa - sin mu / L) / (L cos³ mu) - tan mu / L²
 // for any plane curve of curvature kappa; ' is d/dL. Where kappa jumps, psi'' jumps.
@@ -64,7 +64,7 @@ class Guide {
     [[nodiscard]] Reach reach(double distance) const;
     /// At a joint the piece on `side`. Throws InputError beyond the reach.
     [[nodiscard]] GuidePoint at(double distance, Side side = Side::right) const;
-    /// Largest step of the tangent's angle at a joint: 0 for a G1 guide, but for round-off.
+    /// Largest step of the tangent's angle at a joint: 0 for a G1 guide, up to round-off.
     [[nodiscard]] double largest_kink() const;
 
  private:

@@ -13,7 +13,7 @@ namespace camopt {
 
 GuidePoints guide_points(const Guide& guide, int count, double offset) {
     if (count < 2)
-        throw InputError(fmt::format("{} points of the guide were asked for; it needs at least 2", count));
+        throw InputError(fmt::format("{} points of the guide were requested; it needs at least 2", count));
     const double step = (guide.end() - guide.begin()) / (count - 1);
     GuidePoints result;
     const auto add = [&](double distance, Side side) {

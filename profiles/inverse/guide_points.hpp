@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The guide as points, for drawings and for whoever makes it: its middle line and the two walls of the slot
-// in which a roller of radius r runs, middle ± r n, n the left normal. Body's frame, m.
+// The guide as points, for drawings and manufacturing: its middle line and the two walls of the slot for a
+// roller of radius r, middle ± r n, n the left normal. Body's frame, m.
 #pragma once
 
 #include "profiles/inverse/guide.hpp"
@@ -23,8 +23,8 @@ struct GuidePoints {
 /// right. Throws InputError for fewer than 2.
 [[nodiscard]] GuidePoints guide_points(const Guide& guide, int count, double offset = 0.0);
 
-/// Why a roller of this radius cannot run in the guide: it is rounder than the roller somewhere. Empty: it
-/// can. Curvature is looked at on a fine grid (1000 points a piece), both sides of every joint.
+/// Why a roller of this radius cannot run in the guide: its radius of curvature is smaller somewhere. Empty:
+/// it can. Curvature is sampled on a fine grid (1000 points per piece), both sides of every joint.
 [[nodiscard]] std::string wall_fault(const Guide& guide, double roller_radius);
 
 }  // namespace camopt

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The whole machine: the roller pushes, the guide swings the body, the rocker moves the feeder. And the guide
-// that a wanted motion of the feeder asks for.
 //
-//   theta = -psi(L),  theta' = -psi' L',  theta'' = -(psi'' L'² + psi' L'')            (psi by L, the rest by
-//   time) backwards: psi = -theta,  psi' = -theta'/L',  psi'' = -(theta'' + psi' L'') / L'²
+// The whole machine: the roller pushes, the guide swings the body, the rocker moves the feeder; and the guide
+// required for a given motion of the feeder.
+//
+//   theta = -psi(L),  theta' = -psi' L',  theta'' = -(psi'' L'² + psi' L'')    (psi by L, the rest by time)
+//   inverse: psi = -theta,  psi' = -theta'/L',  psi'' = -(theta'' + psi' L'') / L'²
 // Lengths m, angles rad, time s.
 #pragma once
 
@@ -30,7 +31,7 @@ struct InverseState {
 [[nodiscard]] BodyMotion body_on_guide(const Guide& guide, const RollerState& roller,
                                        Side guide_side = Side::right);
 
-/// The node of the guide that moves the feeder like this where the roller moves like that.
+/// The node of the guide for this motion of the feeder and that of the roller.
 struct GuideNode {
     InverseFault fault = InverseFault::none;
     PolarNode node;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Private to profiles/inverse/: from the feeder's motion back to the body and the guide, over any scalar, so
-// that automatic differentiation gives the partials. Only +, -, ·, /, sqrt: e is the unit vector from the
-// rocker's pivot to the pin, P · e = L1 cos(th - phi), P x e = L1 sin(phi - th). ' is by whatever the
-// roller's and the feeder's motion are by: time, or the cam angle.
+// Private to profiles/inverse/: inverse kinematics from the feeder's motion to the body and the guide, over
+// any scalar, so that automatic differentiation gives the partials. Only +, -, ·, /, sqrt: e is the unit
+// vector from the rocker's pivot to the pin, P · e = L1 cos(th - phi), P x e = L1 sin(phi - th). ' is by the
+// independent variable of the roller's and the feeder's motion: time, or the cam angle.
 #pragma once
 
 #include "core/numbers/range_along.hpp"
@@ -22,7 +22,7 @@ struct Branch {
 };
 [[nodiscard]] Branch branch_of(const FeederLinkage& linkage);
 
-/// What of the linkage the way back needs; the pin's angle only shifts the body's.
+/// The linkage data for the inverse kinematics; the pin's angle only shifts the body's.
 template <class T>
 struct LinkageNumbers {
     T pin_distance, pivot_x, pivot_y, offset;
@@ -48,7 +48,7 @@ struct Backwards {
     T discriminant;            ///< < 0: the rocker misses the pin
 };
 
-/// Over a box nothing is decided: a root of what may be negative is everything.
+/// Over a box no branch is decided: the root of a possibly negative interval is unbounded.
 template <class T>
 [[nodiscard]] bool misses(const T& discriminant) {
     return !(discriminant > 0.0);

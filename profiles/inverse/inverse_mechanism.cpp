@@ -23,7 +23,7 @@ namespace {
 using enum InverseNumber;
 constexpr int station_count = 2;
 constexpr int angle_column = 3;   // of the partials: s, s', s'', θ, numbers
-constexpr int reach_places = 64;  // displacements at which the reach is looked at
+constexpr int reach_places = 64;  // displacements at which the reach is tested
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 double number(std::span<const double> numbers, InverseNumber which) {
@@ -46,7 +46,7 @@ inverse::Roller<T> roller_at(const std::array<T, inverse_number_count>& numbers,
     return {T(of(roller_rest) + T(root * root)), T(2.0 * T(root * rate)), T(2.0 * T(rate * rate))};
 }
 
-/// What a quantity depends on besides numbers.
+/// The arguments of a quantity besides numbers.
 struct Wall {
     inverse::Branch branch;
     double side = 1.0;
@@ -80,7 +80,8 @@ class InverseMechanism final : public CamMechanism {
     [[nodiscard]] std::string type() const override { return inverse_type; }
     [[nodiscard]] bool has_guide() const override { return true; }
     [[nodiscard]] std::string undercut_words() const override {
-        return "a wall of the guide crosses itself there and does not lead the roller as designed. A smaller "
+        return "a wall of the guide intersects itself there and does not guide the roller as designed. A "
+               "smaller "
                "roller or a longer stroke helps";
     }
     [[nodiscard]] std::string check_words(int points) const override {
@@ -123,7 +124,7 @@ class InverseMechanism final : public CamMechanism {
                                                            const MechanismStateAlong& state,
                                                            int station) const override;
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
-    /// The body turns as its guide tells it to.
+    /// The rotation of the body given by its guide.
     [[nodiscard]] double turned(const MechanismState& state) const override {
         const GuideNode found = node_at(state.dimensions, state.output, state.theta);
         return found.fault == InverseFault::none ? -found.node.angle : nowhere;
@@ -274,7 +275,7 @@ MechanismPoint InverseMechanism::point(double theta, const MechanismState& state
     return point;
 }
 
-/// Body with its pin, slotted rocker, feeder; the roller, which comes along +x.
+/// Body with its pin, slotted rocker, feeder; the roller, which moves along +x.
 std::vector<MechanismShape> InverseMechanism::shapes(const MechanismState& state) const {
     using Kind = MechanismShape::Kind;
     using Eigen::Vector2d;

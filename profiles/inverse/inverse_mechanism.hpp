@@ -24,7 +24,7 @@
 
 namespace camopt {
 
-/// What CamSpec::make is of such a cam. Throws InputError for a spec of another type.
+/// CamSpec::make of such a cam. Throws InputError for a spec of another type.
 [[nodiscard]] std::shared_ptr<const CamMechanism> inverse_mechanism(const CamSpec& spec);
 
 /// A scene's cam of this kind with every number at 0, complete.

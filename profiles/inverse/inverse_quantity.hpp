@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What limits of an inverse cam are made of, from the feeder's motion, with exact first and second partials.
+//
+// Quantities in limits of an inverse cam, from the feeder's motion, with exact first and second partials.
 //
 //   pressure_numerator   -L theta'     tan mu = numerator / denominator; m/s
 //   pressure_denominator L'            m/s; does not depend on the feeder

@@ -22,7 +22,7 @@ double nearer_side(double found, double left, double right) {
 
 std::vector<NodeRow> node_method(const Guide& guide, const RollerStroke& stroke, int nodes) {
     if (nodes < 3)
-        throw InputError(fmt::format("{} nodes were asked for; central differences need at least 3", nodes));
+        throw InputError(fmt::format("{} nodes were requested; central differences need at least 3", nodes));
     const double step = (stroke.end - stroke.begin) / (nodes - 1);
     std::vector<NodeRow> rows(static_cast<std::size_t>(nodes));
     for (std::size_t i = 0; i < rows.size(); ++i) {

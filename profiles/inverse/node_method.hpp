@@ -27,7 +27,7 @@ struct NodeRow {
 struct NodeMethodError {
     double velocity = 0.0, velocity_time = 0.0;          ///< largest error of theta', rad/s, and where
     double acceleration = 0.0, acceleration_time = 0.0;  ///< of theta'', rad/s²
-    /// Of theta'' at nodes that lie farther from every joint of the guide than one time step.
+    /// Of theta'' at nodes further from every joint of the guide than one time step.
     double acceleration_away = 0.0;
 };
 

@@ -14,7 +14,7 @@ namespace camopt {
 
 namespace {
 
-// Relative: strokes given to six digits still meet.
+// Relative: tolerance for strokes given to six digits.
 constexpr double law_meeting_tolerance = 1e-6;
 
 }  // namespace
@@ -63,7 +63,7 @@ RollerLaw::RollerLaw(std::vector<RollerStroke> strokes) : strokes_(std::move(str
 
 RollerState RollerLaw::at(double time, Side side) const {
     if (!(time >= begin() && time <= end()))
-        throw InputError(fmt::format("the roller's motion lasts from {} to {} s; {} s was asked for", begin(),
+        throw InputError(fmt::format("the roller's motion lasts from {} to {} s; {} s was requested", begin(),
                                      end(), time));
     std::size_t index = 0;
     while (index + 1 < strokes_.size() &&

@@ -37,8 +37,8 @@ class RollerLaw {
 
 [[nodiscard]] RollerState state_of(const RollerStroke& stroke, double time);
 
-/// The time within the stroke at which the roller is at `distance`; NaN where it never is. The stroke must
-/// not turn back inside; of two times the one inside [begin, end].
+/// The time within the stroke at which the roller is at `distance`; NaN if it never is. The stroke must not
+/// reverse inside; of two times the one inside [begin, end].
 [[nodiscard]] double time_at(const RollerStroke& stroke, double distance);
 
 }  // namespace camopt

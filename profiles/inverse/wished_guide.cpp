@@ -24,8 +24,8 @@ PolarNode node_at(const FeederWish& wish, const Motion& motion, double x) {
     const GuideNode node =
         wanted_guide(wish.linkage, state_of(wish.stroke, time), wished_feeder(wish, motion, time));
     if (node.fault != InverseFault::none)
-        throw InputError(fmt::format("the machine cannot move the feeder as wished at {:.6g} s: {}", time,
-                                     name_of(node.fault)));
+        throw InputError(fmt::format("the machine cannot produce the required feeder motion at {:.6g} s: {}",
+                                     time, name_of(node.fault)));
     return node.node;
 }
 
@@ -118,7 +118,7 @@ void take_shape(const Guide& guide, GuideFigures& figures) {
 void FeederWish::validate() const {
     linkage.validate();
     const auto refuse = [](const std::string& words) {
-        throw InputError("the wished feeder motion: " + words);
+        throw InputError("the required feeder motion: " + words);
     };
     if (!(from < to) || !(guide_begin > 0.0 && guide_begin <= from) || !(guide_end >= to))
         refuse(
@@ -126,7 +126,7 @@ void FeederWish::validate() const {
                         guide_begin, guide_end, from, to));
     if (!std::isfinite(time_at(stroke, from)) || !std::isfinite(time_at(stroke, to)))
         refuse(fmt::format("the roller's stroke does not pass both {} and {} m", from, to));
-    if (!(std::abs(upper - lower) > 0.0)) refuse("lower and upper place of the feeder are the same");
+    if (!(std::abs(upper - lower) > 0.0)) refuse("lower and upper position of the feeder are the same");
 }
 
 double FeederWish::rise_time() const {
@@ -146,7 +146,7 @@ FollowerState wished_feeder(const FeederWish& wish, const Motion& motion, double
 Guide wished_guide(const FeederWish& wish, const Motion& motion, int nodes) {
     wish.validate();
     if (nodes < 2)
-        throw InputError(fmt::format("{} nodes of the guide were asked for; it needs at least 2", nodes));
+        throw InputError(fmt::format("{} nodes of the guide were requested; it needs at least 2", nodes));
     if (motion.begin() != 0.0 || motion.end() != 1.0)
         throw InputError("the feeder's motion must be a rise between two dwells, x from 0 to 1");
     GuidePolarSpline spline;

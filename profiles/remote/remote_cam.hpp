@@ -28,8 +28,8 @@ namespace camopt {
 
 class RemoteCam final : public CamMechanism {
  public:
-    /// Takes type, sense and branches from the spec; of the dimensions only their middles, to tell on which
-    /// side of the cam the lever works. Throws InputError for a choice it does not know.
+    /// Takes type, sense and branches from the spec; of the dimensions only their middles, to determine on
+    /// which side of the cam the lever works. Throws InputError for an unknown choice.
     explicit RemoteCam(const CamSpec& spec);
 
     [[nodiscard]] std::string type() const override { return remote_type; }
@@ -89,13 +89,13 @@ class RemoteCam final : public CamMechanism {
     friend struct RemoteEvaluation;
 };
 
-/// The linkage run forwards, by positions alone: lever -> output. For checks that must not know ψ(s).
+/// The linkage run forwards, by positions alone: lever -> output. For checks independent of ψ(s).
 class RemoteLinkageForward {
  public:
     /// The branches are those of `cam` at output s = 0.
     RemoteLinkageForward(const RemoteCam& cam, std::span<const double> dimensions);
 
-    /// s for an angle of the roller's arm from +x; NaN where the linkage does not reach.
+    /// s for an angle of the roller's arm from +x; NaN if the linkage does not reach.
     [[nodiscard]] double output(double angle) const;
 
  private:
@@ -107,7 +107,7 @@ class RemoteLinkageForward {
     [[nodiscard]] double slid(const Eigen::Vector2d& joint, double coupler) const;
 };
 
-/// What CamSpec::make is of such a cam. Throws InputError for a choice that does not exist.
+/// CamSpec::make of such a cam. Throws InputError for an unknown choice.
 [[nodiscard]] std::shared_ptr<const CamMechanism> remote_mechanism(const CamSpec& spec);
 
 /// A scene's cam of this kind with every dimension at 0 and every choice at its default, complete.

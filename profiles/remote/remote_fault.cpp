@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a linkage reaches over its whole motion, and which dyad does not and by how much. Looked at in
-// places so dense that what happens between them is less than anybody builds.
+// Whether a linkage reaches over its whole motion, and which dyad does not and by how much. Sampled so
+// densely that what happens between samples is below manufacturing accuracy.
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_numbers.hpp"
 

@@ -81,7 +81,7 @@ struct Dyad {
     double branch;  ///< +1: left of the line from the pivot to the far joint, −1: right
 };
 
-/// How the arm of a dyad follows the far joint of its coupler.
+/// The relation of a dyad's arm to the far joint of its coupler.
 template <class T>
 Turning<T> follow(const Dyad<T>& dyad, const Joint<T>& far) {
     using std::sqrt;
@@ -104,7 +104,7 @@ Turning<T> follow(const Dyad<T>& dyad, const Joint<T>& far) {
     return {{T(arm.x / dyad.arm), T(arm.y / dyad.arm)}, first, second};
 }
 
-/// A linkage with its numbers: output s -> where the roller's arm points.
+/// A linkage with its numbers: from output s to the direction of the roller's arm.
 template <class T>
 struct Linkage {
     RemoteLinkage type = RemoteLinkage::lever;
@@ -141,7 +141,7 @@ struct Linkage {
     }
     /// Its output arm; two dyads.
     [[nodiscard]] Turning<T> rocker(const T& s) const { return follow(rocker_dyad(), slider(s)); }
-    /// The joint of the coupler far from the lever; not for a lever alone.
+    /// The joint of the coupler far from the lever; absent for a lever alone.
     [[nodiscard]] Joint<T> far_joint(const T& s) const {
         if (type == RemoteLinkage::lever_coupler_slider) return slider(s);
         Turning<T> input = swinging_output(s);
@@ -190,7 +190,7 @@ struct RollerState {
     }
 };
 
-/// The output's state put through the linkage; arm: linkage.roller_arm(output[0]), all that is not cheap.
+/// The output's state through the linkage; arm: linkage.roller_arm(output[0]), the expensive part.
 template <class T>
 RollerState<T> roller_state(const Linkage<T>& linkage, const Turning<T>& arm, const std::array<T, 3>& output,
                             double sense) {

@@ -29,7 +29,7 @@ std::vector<KeyRow> remote_rows() {
         {"cam", "roller_arm", number_or_range, length, positive, {}, "required for remote",
          "From the lever's pivot to the roller's centre."},
         {"cam", "lever_pivot_x", number_or_range, length, any, {}, "required for remote",
-         "Of the pivot of the lever that carries the roller; all coordinates are of one frame that stands still."},
+         "Of the pivot of the lever that carries the roller; all coordinates are in one fixed frame."},
         {"cam", "lever_pivot_y", number_or_range, length, any, {}, "required for remote", "The same."},
         {"cam", "center_x", number_or_range, length, any, {}, "0", "Of the cam's centre."},
         {"cam", "center_y", number_or_range, length, any, {}, "0", "Of the cam's centre."},
@@ -67,7 +67,7 @@ std::vector<KeyRow> remote_rows() {
         {"linkage", "slider_y", number_or_range, length, any, {}, "required with a slider",
          "Of the slider's joint at displacement 0."},
         {"linkage", "slider_angle", number_or_range, angle, any, {}, "90 deg",
-         "Direction of the slider's way, from +x."},
+         "Direction of the slider's path, from +x."},
         {"linkage", "output_angle", number_or_range, angle, any, {}, "required without a slider",
          "Angle of the swinging output (roller's arm, rocker's arm) at displacement 0, from +x; the lift turns it "
          "counterclockwise."},

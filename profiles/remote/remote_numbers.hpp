@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Private to profiles/remote: a RemoteCam's formulas with its numbers put in.
+// Private to profiles/remote: a RemoteCam's formulas with its numbers.
 #pragma once
 
 #include "profiles/remote/remote_cam.hpp"

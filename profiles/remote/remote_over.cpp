@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The limits of a remote follower over a box of the output's motion and of dimensions, by the formulas of
-// remote_formulas.hpp. Each is divided by its coefficient of the highest derivative, so that it is linear in
-// that: what is curved is a function of s, or of s and s'.
+// remote_formulas.hpp. Each is divided by its coefficient of the highest derivative and is thus linear in it:
+// the curved part is a function of s, or of s and s'.
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_numbers.hpp"
 
@@ -34,7 +34,7 @@ std::optional<RangeOver> RemoteCam::pressure_over(double limit, int sign, const 
     const auto own = evaluation_over(*this, state);
     const RangeOver cosine = cos(Interval(limit)), sine = sin(Interval(limit));
     const bool at_contact = pressure_point_ == PressurePoint::contact_point;
-    // N = ±(C_along − σ l ψ_s s' [− r |V|/l]): without s', where the root is not there.
+    // N = ±(C_along − σ l ψ_s s' [− r |V|/l]): independent of s' if there is no root.
     const auto roller = own.roller({state.s, at_contact ? state.velocity : RangeOver(0.0), RangeOver(0.0)});
     const RangeOver excess = sign * (cosine * own.numerator(roller)) - sine * own.denominator(roller);
     if (at_contact) return excess;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int output_variables = 3;
 
-/// What is asked for, as a formula of a RemoteEvaluation and the roller's state.
+/// The requested quantity, as a formula of a RemoteEvaluation and the roller's state.
 struct QuantityFormula {
     MechanismQuantity which;
 
@@ -77,7 +77,8 @@ SecondOrder<n> widened(const SecondOrder<n - 2>& narrow) {
     return wide;
 }
 
-/// By the output and n − 3 dimensions. The linkage knows nothing of s' and s'': it is followed without them.
+/// By the output and n − 3 dimensions. The linkage does not depend on s' and s'': it is evaluated without
+/// them.
 template <int n, class Formula>
 SecondOrder<n> expanded(const RemoteCam& cam, const MechanismState& state, const Formula& formula,
                         const std::array<int, n - output_variables>& by) {

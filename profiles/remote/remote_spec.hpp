@@ -12,7 +12,7 @@ namespace camopt {
 /// cam.type of such a cam.
 inline constexpr const char* remote_type = "remote";
 
-/// The linkages between the cam's lever and the output, by what they are composed of.
+/// The linkages between the cam's lever and the output, by their components.
 enum class RemoteLinkage {
     lever,                              ///< the lever itself is the output; it swings
     lever_coupler_slider,               ///< one dyad; the output slides
@@ -23,7 +23,7 @@ inline constexpr int remote_linkage_count = 4;
 [[nodiscard]] const char* name_of(RemoteLinkage value);
 [[nodiscard]] bool output_swings(RemoteLinkage value);
 
-/// Coordinates are of one frame that stands still. m, rad.
+/// Coordinates are in one fixed frame. m, rad.
 enum class RemoteDimension {
     roller_radius,
     roller_arm,  ///< l: from the lever's pivot to the roller's centre
@@ -42,7 +42,7 @@ enum class RemoteDimension {
     second_coupler,
     slider_x,  ///< the coupler's joint on the slider at displacement 0
     slider_y,
-    slider_angle,  ///< of the slider's way, from +x
+    slider_angle,  ///< of the slider's path, from +x
     output_angle   ///< of the swinging output at displacement 0, from +x
 };
 inline constexpr int remote_dimension_count = 19;
@@ -54,11 +54,11 @@ inline constexpr int remote_dimension_count = 19;
 /// Tables of a scene file: "cam" or "linkage".
 [[nodiscard]] const char* table_of(RemoteDimension dimension);
 
-/// Which side of the line from a link's pivot to the far joint of its coupler that link's joint lies on.
+/// On which side of the line from a link's pivot to the far joint of its coupler the link's joint lies.
 enum class RemoteBranch { left, right };
 [[nodiscard]] const char* name_of(RemoteBranch value);
 
-/// What the pressure angle is measured at.
+/// The point at which the pressure angle is measured.
 enum class PressurePoint {
     roller_center,  ///< the usual definition: the roller turns freely
     contact_point   ///< the contact point, taken as fixed to the lever (paper 003)

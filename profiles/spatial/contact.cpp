@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Both methods are written from the papers' transformations, not from the formulas of spatial_formulas.hpp,
-// so that their agreement says something.
+// so that their agreement is an independent test.
 #include "profiles/spatial/contact.hpp"
 
 #include <Eigen/Geometry>
@@ -108,7 +108,7 @@ Vector3d envelope_contact(const SpatialCam& cam, double theta, const FollowerSta
 Vector3d relative_velocity_contact(const SpatialCam& cam, double theta, const FollowerState& state,
                                    const RollerStation& station) {
     const double sense = sense_of(cam.rotation);
-    // Everything as it stands at this moment, cam not turned: the fixed frame.
+    // Everything at this moment, cam not rotated: the fixed frame.
     const RollerAxis axis = roller_axis(cam, 0.0, state.s);
     const Vector3d point = axis.foot + station.height * axis.direction;
     Vector3d of_follower = state.velocity * Vector3d::UnitZ();

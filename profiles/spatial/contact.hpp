@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a roller touches its flanks, by the two classical methods; they agree with spatial_point to rounding.
+//
+// Contact of a roller with its flanks, by the two classical methods; they agree with spatial_point to
+// round-off.
 //
 //   envelope           S(θ, h, β) = C + r (cos β b1 + sin β b2) is the roller's surface in the cam frame.
 //                      The flank is where S_θ · (S_h × S_β) = 0: cos β S_θ·b1 + sin β S_θ·b2 = 0, with S_θ

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Only maxima between samples that come this near are refined; between two samples (1/2 degree) a cutter
+// Only maxima between samples within this distance are refined; between two samples (1/2 degree) a cutter
 // moves less.
 constexpr double near_share = 0.2;
 constexpr int refining_sections = 60;
@@ -25,7 +25,7 @@ struct Cutter {
     double radius = 0.0;
     HeightRange length;
 
-    /// How deep the point lies inside, > 0; outside: some number < 0.
+    /// Depth of the point inside, > 0; outside: a negative number.
     [[nodiscard]] double depth(const RollerAxis& axis, const Vector3d& point) const {
         const Vector3d from_foot = point - axis.foot;
         const double along = from_foot.dot(axis.direction);
@@ -42,7 +42,7 @@ class Sweep {
         for (const double theta : angles_) axes_.push_back(axis_at(theta));
     }
 
-    /// The deepest place of one point, from its own cutter (depth 0, to rounding) on.
+    /// The largest depth of one point, starting from its own cutter (depth 0, to round-off).
     void search(const Vector3d& point, Interference& worst, bool& deeper) const {
         std::vector<double> depths;
         depths.reserve(axes_.size());

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Whether a cutter that moves like the roller takes away what it should leave.
 //
-// g > 0 is a local condition and only where it is asked. Here a flank's points are held against the whole
-// sweep of a cutter of the roller's radius, from `cutter.from` to `cutter.to` along the roller's axis: a
+// Global interference: whether a cutter that moves like the roller removes material of the flanks.
+//
+// g > 0 is a local condition, tested only where it is evaluated. Here a flank's points are compared with the
+// whole sweep of a cutter of the roller's radius, from `cutter.from` to `cutter.to` along the roller's axis:
+// a
 // point lies by d inside the cutter at cam angle θ', when
 //   d = min(r − distance from the cutter's axis, its distance from either end of the cutter) > 0.
-// The largest d over all θ' of the motion is found between samples too. A sound flank is touched, never
-// entered: d = 0 to rounding (1e-13 m). Where g changes sign on the flank, its grid folds: the triangle of
-// neighbouring points turns its back, counted by `folded_cells`.
+// The largest d over all θ' of the motion is found between samples too. A correct flank is touched, not
+// entered: d = 0 to round-off (1e-13 m). Where g changes sign on the flank, its grid folds: the triangle of
+// neighbouring points reverses its orientation, counted by `folded_cells`.
 // Lengths m, angles rad.
 #pragma once
 
@@ -28,8 +30,8 @@ struct InterferenceOptions {
 
 struct Interference {
     double depth = 0.0;         ///< the largest d
-    double theta = 0.0;         ///< where the flank's point is made
-    double cutter_theta = 0.0;  ///< where the cutter takes it away
+    double theta = 0.0;         ///< where the flank's point is generated
+    double cutter_theta = 0.0;  ///< where the cutter removes it
     double height = 0.0;        ///< h of the flank's point
     int flank = 1;
     long points = 0;  ///< flank points checked

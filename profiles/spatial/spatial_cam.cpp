@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using enum SpatialDimension;
 
-/// The vector seen from the cam that has turned by `angle`.
+/// The vector in the frame of a cam rotated by `angle`.
 Vector3d turned_back(const Vector3d& fixed, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * fixed.x() + s * fixed.y(), c * fixed.y() - s * fixed.x(), fixed.z()};

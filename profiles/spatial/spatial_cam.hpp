@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Three-dimensional cams whose follower carries a cylindrical roller: the kinematics of the roller's axis.
 //
-// Frames. The cam's axis is z. In the frame that stands still the cam turns by σθ about +z, with σ = +1
+// Frames. The cam's axis is z. In the fixed frame the cam turns by σθ about +z, with σ = +1
 // counterclockwise, −1 clockwise; θ is the cam angle of the motion. Cam frame = Rot_z(−σθ) · fixed. The
 // roller's axis is the line C(θ, h) = c(θ) + h e(θ), h >= 0 along the roller from its near end. Its place in
 // the fixed frame follows from the follower's position q = start + s alone:
@@ -40,7 +40,7 @@
 
 namespace camopt {
 
-/// The dimensions that limits depend on. m.
+/// The dimensions on which limits depend. m.
 enum class SpatialDimension {
     roller_radius,
     arm_length,  ///< barrel: index radius r_i; rotating: f_l, pivot to the roller's near end; else unused
@@ -75,7 +75,7 @@ struct SpatialCam {
 
 [[nodiscard]] RollerAxis roller_axis(const SpatialCam& cam, double theta, double s);
 
-/// What the cam is at one cam angle and one station.
+/// The cam at one cam angle and one station.
 struct SpatialPoint {
     Eigen::Vector3d center;       ///< C: of the roller's axis, cam frame
     Eigen::Vector3d contact;      ///< C + r n: a point of the flank, cam frame
@@ -86,7 +86,7 @@ struct SpatialPoint {
 [[nodiscard]] SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerState& state,
                                          const RollerStation& station);
 
-/// What limits are made of.
+/// Quantities in limits.
 enum class SpatialQuantity {
     pressure_numerator,    ///< tan φ = numerator / denominator; m
     pressure_denominator,  ///< m; > 0 in a cam without geometry_fault

@@ -16,9 +16,9 @@ using enum SpatialDimension;
 
 constexpr int height_steps = 16;     // g is smooth over a roller
 constexpr int height_sections = 40;  // golden sections between two of them
-constexpr int bisections = 60;       // down to neighbouring numbers
+constexpr int bisections = 60;       // to neighbouring doubles
 constexpr int search_steps = 64;     // of the centre distance, until g < 0 is met
-constexpr double end_share = 1e-12;  // of the motion: pieces are looked at from this far inside their ends
+constexpr double end_share = 1e-12;  // of the motion: pieces are searched from this far inside their ends
 
 /// Of function(θ) over the motion.
 template <class Function>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Extremes of a spatial cam over its motion, and the dimensions at which it begins to be undercut.
+// Extremes of a spatial cam over its motion, and the critical dimensions for undercut.
 //
-// A flank is locally regular where g > 0 (spatial_cam.hpp). At one station g falls from 1 with a growing
-// roller radius; the critical radius is the least positive root over all cam angles of
-// 1 − σ_f r bend − (r twist)² = 0. The critical centre distance is where the least g over the motion
-// vanishes. g has to hold over the whole CUTTER: one longer than the roller also sweeps beyond it.
-// Lengths m, angles rad. Values are those between samples, exact to rounding; places to about 1e-9 rad.
+// A flank is locally regular where g > 0 (spatial_cam.hpp). At one station g decreases from 1 with a growing
+// roller radius; the critical radius is the least positive root over all cam angles of 1 − σ_f r bend − (r
+// twist)² = 0. The critical centre distance is where the least g over the motion vanishes. g has to hold over
+// the whole CUTTER: one longer than the roller also sweeps beyond it. Lengths m, angles rad. Values are those
+// between samples, accurate to round-off; locations to about 1e-9 rad.
 #pragma once
 
 #include "profiles/spatial/spatial_cam.hpp"
@@ -32,7 +32,7 @@ struct HeightRange {
 [[nodiscard]] SpatialExtreme least_undercut(const SpatialCam& cam, const FollowerMotion& motion, int flank,
                                             const HeightRange& heights);
 
-/// The roller radius at which the flank begins to be undercut at this station, others kept; none: never.
+/// The roller radius at which the flank begins to be undercut at this station, others unchanged; none: never.
 [[nodiscard]] std::optional<SpatialExtreme> critical_roller_radius(const SpatialCam& cam,
                                                                    const FollowerMotion& motion,
                                                                    const RollerStation& station);

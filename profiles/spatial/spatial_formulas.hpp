@@ -78,7 +78,7 @@ template <class T, class Height>
     m.along_axis = sense * v.lateral_offset;
     m.turn_u = v.acceleration;
     m.turn_b = -v.lateral_offset;
-    // A zero that has the derivatives of a zero.
+    // A zero with the derivatives of a zero.
     m.tilt_u = 0.0 * v.velocity;
     m.tilt_b = m.tilt_u - sense;
     m.lever = m.tilt_u + 1.0;

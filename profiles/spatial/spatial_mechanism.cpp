@@ -16,7 +16,7 @@ namespace {
 
 constexpr int station_count = 2 * mechanism_heights;
 
-/// From the roller's near end, as a share of its length: two stations a height, one a flank.
+/// From the roller's near end, as a part of its length: two stations per height, one per flank.
 double share_of(int station) {
     const int height = station / 2;
     return static_cast<double>(height) / (mechanism_heights - 1);
@@ -73,7 +73,7 @@ class SpatialMechanism final : public CamMechanism {
         if (which == MechanismQuantity::regularity) return true;
         return station == 0 || station == station_count - 2;
     }
-    /// The pressure angle is largest at an end of the roller; where it undercuts first depends.
+    /// The pressure angle is largest at an end of the roller; the first location of undercut varies.
     [[nodiscard]] bool has_all_stations(MechanismQuantity which) const override {
         return which != MechanismQuantity::regularity;
     }
@@ -189,8 +189,8 @@ class SpatialMechanism final : public CamMechanism {
 
 /// Of a slide it is linear. Of a barrel cam it is, with the index's angle ψ,
 ///   ±r ψ' cos φ − ρ sin u,  u = φ ± ψ,
-/// convex where 0 <= u <= π. A motion that rests at its ends and keeps the limit to both sides stays there:
-/// its largest and least ψ have ψ' = 0, where the limit says sin u >= 0 for both sides.
+/// convex where 0 <= u <= π. A motion that rests at its ends and satisfies the limit on both sides stays
+/// there: its largest and least ψ have ψ' = 0, where the limit says sin u >= 0 for both sides.
 Curvature SpatialMechanism::pressure_shape(std::span<const int> active) const {
     if (follower_ == SpatialFollower::cylindrical_translating) return Curvature::linear;
     if (follower_ != SpatialFollower::barrel) return Curvature::general;

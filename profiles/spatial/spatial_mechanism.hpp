@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Barrel and cylindrical cams as a CamMechanism: what a scene's optimizer sees of them.
+// Barrel and cylindrical cams as a CamMechanism, for the optimizer.
 //
-// Stations are heights along the roller, evenly from its near to its far end, each on both flanks: station
+// Stations are heights along the roller, uniformly from its near to its far end, each on both flanks: station
 // 2 k is flank +1, station 2 k + 1 flank −1 of height k. The pressure angle is the same on both flanks, and
-// cos φm V_u − sin φm |V_b| is linear in h, so that its limit holds everywhere where it holds at both ends:
-// it binds at two stations only. g binds at every station.
-// Dimensions in the order of SpatialNumber (profiles/spatial/spatial_spec.hpp); m, rad.
+// cos φm V_u − sin φm |V_b| is linear in h, so that its limit holds everywhere if it holds at both ends: it
+// binds at two stations only. g binds at every station. Dimensions in the order of SpatialNumber
+// (profiles/spatial/spatial_spec.hpp); m, rad.
 #pragma once
 
 #include "profiles/spatial/spatial_cam.hpp"
@@ -17,10 +17,11 @@
 
 namespace camopt {
 
-/// Heights at which g is kept; g is smooth over a roller (its extremes have always been found at its ends).
+/// Heights at which g is enforced; g is smooth over a roller (its extremes have always been found at its
+/// ends).
 inline constexpr int mechanism_heights = 3;
 
-/// What CamSpec::make is of the type "barrel" or "cylindrical". Throws InputError for another.
+/// CamSpec::make of the types "barrel" and "cylindrical". Throws InputError for another.
 [[nodiscard]] std::shared_ptr<const CamMechanism> spatial_mechanism(const CamSpec& spec);
 
 /// A scene's cam of this kind with every number at 0, complete: type "barrel" or "cylindrical", the latter

@@ -8,7 +8,7 @@
 
 namespace camopt::spatial_formulas {
 
-/// A place on the roller: its part of the roller's length, and the flank.
+/// A location on the roller: its part of the roller's length, and the flank.
 struct PlaceOnRoller {
     double share = 0.0;
     int flank = 1;

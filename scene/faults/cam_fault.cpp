@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cam of a scene, what its follower carries, and the limits that a cam of this kind cannot have.
+// The cam of a scene, the load of its follower, and the limits that a cam of this kind cannot have.
 #include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The [drawing] table: numbers, and whether bore and keyway leave anything of the cam. The delivered cam is
-// checked again where it is drawn: dimensions may be ranges here.
+// The [drawing] table: numbers, and whether bore and keyway fit into the cam. The delivered cam is checked
+// again when it is drawn: dimensions may be ranges here.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"

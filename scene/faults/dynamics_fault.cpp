@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The [dynamics] table: its numbers, and what residual vibration and dynamic forces can be asked of.
+// The [dynamics] table: its numbers, and the requirements of residual vibration and dynamic forces.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/cost_table.hpp"
@@ -48,10 +48,11 @@ Fault train_choice_fault(const DynamicsSpec& spec) {
     if (spec.natural_frequency.has_value() == spec.stiffness.has_value())
         return SceneFault{
             "dynamics.natural_frequency",
-            spec.stiffness ? "a natural frequency beside a stiffness" : "neither it nor a stiffness",
+            spec.stiffness ? "a natural frequency together with a stiffness" : "neither it nor a stiffness",
             "one of natural_frequency and stiffness"};
     if (spec.damping_ratio && spec.damping)
-        return SceneFault{"dynamics.damping_ratio", "a damping ratio beside a damping", "one of the two"};
+        return SceneFault{"dynamics.damping_ratio", "a damping ratio together with a damping",
+                          "one of the two"};
     if (spec.stages.size() > most_stages)
         return SceneFault{"dynamics.stage", fmt::format("{} stages", spec.stages.size()),
                           fmt::format("at most {} before the output", most_stages)};
@@ -80,7 +81,7 @@ bool asks_response(const Scene& scene) {
            });
 }
 
-/// The first member of the scene that asks for a response.
+/// The first member of the scene that requires a response.
 std::string asking_member(const Scene& scene) {
     for (const ResponseTerm& term : response_terms())
         if (term.weight_in(scene.objective) > 0.0) return fmt::format("objective.{}", term.name);
@@ -100,11 +101,11 @@ Fault motion_for_response_fault(const Scene& scene) {
     if (std::ranges::none_of(segments,
                              [](const ProgramSegment& one) { return one.kind == SegmentKind::dwell; }))
         return SceneFault{member, "a program without a dwell",
-                          "a program with a dwell, where vibration is seen"};
+                          "a program with a dwell, in which vibration appears"};
     return std::nullopt;
 }
 
-/// Residual vibration and forces alone leave the motion free to stray as it likes.
+/// Residual vibration and forces alone do not bound the motion.
 Fault static_term_fault(const Scene& scene) {
     if (!weighs_response(scene.objective)) return std::nullopt;
     const bool weighs = std::ranges::any_of(
@@ -112,7 +113,7 @@ Fault static_term_fault(const Scene& scene) {
     const bool caps = std::ranges::any_of(
         peak_limit_rows(), [&](const PeakLimitRow& row) { return row.in(scene.limits).has_value(); });
     if (weighs || caps) return std::nullopt;
-    return SceneFault{asking_member(scene), "no weight or cap on a peak of the motion itself beside it",
+    return SceneFault{asking_member(scene), "no weight or cap on a peak of the motion itself",
                       "together with a weight or a limit of velocity, acceleration or jerk"};
 }
 
@@ -123,7 +124,7 @@ Fault response_limit_fault(const Scene& scene) {
         return SceneFault{"limits.residual", fmt::format("an amplitude in {}", limits.residual->unit),
                           scene.motion.lift_is_angle ? "an angle, as the lift" : "a length, as the lift"};
     if (limits.dynamic_contact_force_min && !scene.dynamics->pressed())
-        return SceneFault{"limits.dynamic_contact_force_min", "a train that nothing presses on the cam",
+        return SceneFault{"limits.dynamic_contact_force_min", "a train without a force towards the cam",
                           "together with dynamics.return_spring or dynamics.preload"};
     if (limits.dynamic_contact_force_min &&
         (limits.dynamic_contact_force_min->unit == "N m") != scene.motion.lift_is_angle &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold between the members of a motion.
+// Relations between the members of a motion.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
@@ -11,7 +11,7 @@
 namespace camopt {
 namespace {
 
-/// Members that mean nothing in a motion of this type.
+/// Members without a meaning in a motion of this type.
 Fault type_fault(const MotionSpec& motion) {
     const auto wrong = [&](const char* member, std::string_view what, const char* allowed) {
         return SceneFault{member, fmt::format("{} in a motion of type \"{}\"", what, name_of(motion.type)),
@@ -36,9 +36,9 @@ Fault return_fault(const MotionSpec& motion) {
     const double total = motion.rise + motion.return_angle.value_or(motion.rise);
     if (!Range::above_up_to(0.0, units::turn).contains(total))
         return SceneFault{"motion.return_angle", fmt::format("{} rad for rise and return together", total),
-                          fmt::format("at most a whole turn, {} rad", units::turn)};
+                          fmt::format("at most one revolution, {} rad", units::turn)};
     if (motion.symmetric && std::abs(motion.length() - 2.0) > same_place)
-        return SceneFault{"motion.symmetric", "true with a return unlike the rise",
+        return SceneFault{"motion.symmetric", "true with a return different from the rise",
                           "false, or equal angles for rise and return"};
     return std::nullopt;
 }

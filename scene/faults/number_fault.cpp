@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of a scene against their ranges, in the order of the scene's members.
+// Validates the numbers of a scene against their ranges, in the order of the scene's members.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/cost_table.hpp"

@@ -10,7 +10,7 @@
 namespace camopt {
 namespace {
 
-/// What terms and limits have in common.
+/// Common to terms and limits.
 template <class Rule>
 Fault own_rule_fault(const Rule& rule, const std::string& member, std::set<std::string>& names) {
     if (!is_plain_name(rule.name))

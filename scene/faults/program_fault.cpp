@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The segments of a program: each for itself, then their angles and where they end.
+// The segments of a program: each separately, then their angles and their final displacement.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
@@ -12,7 +12,8 @@
 namespace camopt {
 namespace {
 
-// Of a turn. Angles written with ten digits add up closer than this; a forgotten units::degree is far above.
+// Of a revolution. Angles written with ten digits add up closer than this; a forgotten units::degree is far
+// above.
 constexpr double turn_tolerance = 1e-9;
 // rad: the same rounding at the ends of a range.
 constexpr double range_slack = 1e-9;
@@ -42,7 +43,7 @@ Fault segment_fault(const ProgramSegment& segment, const std::string& member) {
     if (!segment.to) return std::nullopt;
     if (segment.kind == SegmentKind::dwell)
         return SceneFault{member + ".to", "a displacement in a segment of kind \"dwell\"",
-                          "only in kind \"law\" or \"spline\"; a dwell keeps the displacement it finds"};
+                          "only in kind \"law\" or \"spline\"; a dwell keeps its displacement"};
     if (!std::isfinite(*segment.to))
         return SceneFault{member + ".to", fmt::format("{}", *segment.to), Range{}.number_text()};
     return std::nullopt;
@@ -56,11 +57,11 @@ Fault turn_fault(const MotionSpec& motion) {
     if (allowed) return std::nullopt;
     return SceneFault{"motion.segments",
                       fmt::format("angles that add up to {:.12g} deg", total / units::degree),
-                      motion.closed ? "360 deg, or motion.closed = false for a part of a turn"
-                                    : "360 deg, a whole turn, at most"};
+                      motion.closed ? "360 deg, or motion.closed = false for part of a revolution"
+                                    : "at most 360 deg, one revolution"};
 }
 
-/// Only what must add up to a turn is shared out by a search.
+/// Only angles with a fixed sum are distributed by a search.
 Fault angle_range_fault(const MotionSpec& motion) {
     const auto searched = [](const ProgramSegment& segment) { return segment.angle_range.has_value(); };
     const auto first = std::ranges::find_if(motion.segments, searched);
@@ -68,10 +69,10 @@ Fault angle_range_fault(const MotionSpec& motion) {
     const std::string member = fmt::format("motion.segments[{}].angle", first - motion.segments.begin());
     if (!motion.closed)
         return SceneFault{member, "a range in a program that is not closed",
-                          "a number, or a closed program, whose angles add up to a turn"};
+                          "a number, or a closed program, whose angles add up to 360 deg"};
     if (std::ranges::count_if(motion.segments, searched) < 2)
         return SceneFault{member, "the only range of the program",
-                          "a number: the angles add up to a turn, so ranges come in twos at least"};
+                          "a number: the angles add up to 360 deg, so at least two ranges are needed"};
     return std::nullopt;
 }
 
@@ -87,7 +88,7 @@ Fault end_fault(const MotionSpec& motion) {
                       "0, where it began, or no `to`, or motion.closed = false"};
 }
 
-/// A program whose every displacement is free or 0 is solved by standing still: nothing was asked.
+/// A program whose every displacement is free or 0 is solved by a dwell: it prescribes nothing.
 Fault idle_fault(const MotionSpec& motion) {
     const auto moves = [](const ProgramSegment& segment) {
         return segment.to.value_or(0.0) != 0.0 || std::ranges::any_of(segment.via, [](const SetPoint& point) {
@@ -100,7 +101,7 @@ Fault idle_fault(const MotionSpec& motion) {
         motion.segments, [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
     const auto others = std::count_if(first + 1, motion.segments.end(),
                                       [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
-    const bool alone = motion.closed && others == 0;  // what rises must come back
+    const bool alone = motion.closed && others == 0;  // each rise has its return
     return SceneFault{fmt::format("motion.segments[{}].to", std::distance(motion.segments.begin(), first)),
                       "a program in which nothing has to move: every displacement is 0 or free",
                       alone ? "two segments that move, the first with `to`, or motion.closed = false"
@@ -119,7 +120,7 @@ Fault program_fault(const MotionSpec& motion) {
     if (std::ranges::none_of(motion.segments,
                              [](const auto& segment) { return segment.kind == SegmentKind::spline; }))
         return SceneFault{"motion.segments", "no segment to optimise",
-                          "at least one with kind = \"spline\", its angle and, where it is wanted, the "
+                          "at least one with kind = \"spline\", its angle and, where needed, the "
                           "displacement `to` at its end"};
     if (Fault fault = angle_range_fault(motion)) return fault;
     if (Fault fault = turn_fault(motion)) return fault;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The checks of a scene: numbers against their ranges (one table), then what must hold between members.
+// Validation of a scene: numbers against their ranges (one table), then relations between members.
 #include "core/numbers/range.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/faults/scene_faults.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The checks find_fault is made of. Each looks at one part of a scene whose numbers lie in their ranges, and
-// returns the first thing wrong. Internal to core/.
+// The parts of find_fault. Each checks one part of a scene whose numbers lie in their ranges, and returns the
+// first fault. Internal to core/.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -9,19 +9,18 @@ namespace camopt {
 
 using Fault = std::optional<SceneFault>;
 
-/// Places along the motion closer than this are the same place; the rounding of a decimal breakpoint is far
-/// below.
+/// Locations along the motion closer than this coincide; the rounding of a decimal breakpoint is far below.
 inline constexpr double same_place = 1e-12;
 
 [[nodiscard]] Fault number_fault(const Scene& scene);           ///< every number against its range
-[[nodiscard]] Fault motion_fault(const MotionSpec& motion);     ///< angles, points, what fits the type
+[[nodiscard]] Fault motion_fault(const MotionSpec& motion);     ///< angles, points, members that fit the type
 [[nodiscard]] Fault program_fault(const MotionSpec& motion);    ///< segments; type program only
-[[nodiscard]] Fault set_point_fault(const MotionSpec& motion);  ///< points and regions, wherever they stand
+[[nodiscard]] Fault set_point_fault(const MotionSpec& motion);  ///< points and regions of all lists
 [[nodiscard]] Fault measured_fault(const Scene& scene);         ///< rows, order, lift of a measured motion
-[[nodiscard]] Fault cam_fault(const Scene& scene);              ///< its dimensions, what fits its kind
+[[nodiscard]] Fault cam_fault(const Scene& scene);              ///< its dimensions, members that fit its kind
 [[nodiscard]] Fault force_fault(const Scene& scene);
 [[nodiscard]] Fault drawing_fault(const Scene& scene);   ///< bore and keyway in the cam
-[[nodiscard]] Fault dynamics_fault(const Scene& scene);  ///< the elastic train, and what asks for one
+[[nodiscard]] Fault dynamics_fault(const Scene& scene);  ///< the elastic train, and the terms that need one
 [[nodiscard]] Fault limit_fault(const Scene& scene);
 [[nodiscard]] Fault own_rules_fault(const Scene& scene);  ///< terms and limits of the program
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A measured motion: enough rows, ascending angles over the whole motion, the displacements the scene asks
-// for.
+// Validation of a measured motion: enough rows, ascending angles over the whole motion, the displacements of
+// the scene.
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
 
@@ -14,14 +14,14 @@
 namespace camopt {
 namespace {
 
-// Rows below which nothing that deserves the name of a measurement was given.
+// Fewer rows are not a measurement.
 constexpr std::size_t least_rows = 8, most_rows = 1000000;
-// Of the lift: what a table may miss the displacements of the scene by and still be of this motion.
+// Of the lift: tolerance between a table and the displacements of the scene.
 constexpr double wrong_lift = 0.05;
-// Of the motion's angle: what a table may leave of its ends.
+// Of the motion's angle: tolerance at the ends of the table.
 constexpr double missing_end = 0.01;
 
-/// Displacements in lifts that the scene gives, at places in rad from the start.
+/// Displacements in lifts given by the scene, at angles in rad from the start.
 std::vector<std::pair<double, double>> given_displacements(const MotionSpec& motion) {
     if (motion.type == MotionType::drd) return {{0.0, 0.0}, {motion.rise, 1.0}};
     if (motion.type == MotionType::rr)
@@ -114,7 +114,7 @@ class MeasuredCheck {
                 return SceneFault{
                     member("s", row),
                     fmt::format("{} at {}", shown(table_.displacement[row]), degrees(table_.angle[row])),
-                    fmt::format("{}, to {}: what the scene asks for at {}", shown(wanted), shown(slack),
+                    fmt::format("{}, to {}: what the scene requires at {}", shown(wanted), shown(slack),
                                 degrees(angle))};
         }
         return std::nullopt;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Set points and regions, wherever they stand: places inside their stretch, one at a place, values that make
-// sense together.
+// Set points and regions of all lists: locations inside their stretch, one per location, consistent values.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
@@ -14,12 +13,12 @@
 namespace camopt {
 namespace {
 
-/// What the set points of one list are judged by.
+/// The context for validating the set points of one list.
 struct PointStretch {
     std::string member;   ///< of the list
-    double length = 1.0;  ///< largest place
-    double angle = 1.0;   ///< rad, of the unit of places
-    /// Why no region may begin at 0, or end at `length`; empty: it may.
+    double length = 1.0;  ///< largest location
+    double angle = 1.0;   ///< rad, of the unit of locations
+    /// Why no region may begin at 0, or end at `length`; empty: allowed.
     std::string at_begin = {}, at_end = {};
     bool segment = false;  ///< of a program
 };
@@ -34,8 +33,8 @@ std::string inside_text(const PointStretch& stretch, const SetPoint& point) {
     if (!stretch.segment && point.units.place.empty())
         return Range::between(0.0, stretch.length).number_text();
     const std::string end = place_text(stretch, point, stretch.length);
-    return stretch.segment ? fmt::format("a place after 0 and before {}, the end of the segment", end)
-                           : fmt::format("a place from 0 to {}", end);
+    return stretch.segment ? fmt::format("a location after 0 and before {}, the end of the segment", end)
+                           : fmt::format("a location from 0 to {}", end);
 }
 
 bool is_inside(const PointStretch& stretch, double at) {
@@ -61,17 +60,17 @@ Fault region_fault(const PointStretch& stretch, const SetPoint& point, const std
         return SceneFault{
             member + ".from", place_text(stretch, point, point.at),
             stretch.at_begin.empty()
-                ? "a place from the beginning on"
-                : fmt::format("a place after {}, {}", place_text(stretch, point, 0.0), stretch.at_begin)};
+                ? "a location at or after the beginning"
+                : fmt::format("a location after {}, {}", place_text(stretch, point, 0.0), stretch.at_begin)};
     if (!ends || !std::isfinite(*point.until))
         return SceneFault{member + ".to", place_text(stretch, point, *point.until),
                           fmt::format("{} {}{}", stretch.at_end.empty() ? "at most" : "before",
                                       place_text(stretch, point, stretch.length),
                                       stretch.at_end.empty() ? "" : ", " + stretch.at_end)};
     if (!(*point.until > point.at + same_place))
-        return SceneFault{
-            member + ".to", place_text(stretch, point, *point.until),
-            fmt::format("a place after {}, where the region begins", place_text(stretch, point, point.at))};
+        return SceneFault{member + ".to", place_text(stretch, point, *point.until),
+                          fmt::format("a location after {}, where the region begins",
+                                      place_text(stretch, point, point.at))};
     if (!point.velocity)
         return SceneFault{member, "a region without a velocity",
                           "the velocity that holds from its beginning to its end"};
@@ -103,8 +102,8 @@ Fault pair_fault(const PointStretch& stretch, const std::vector<SetPoint>& point
     if (points_both && std::abs(one.at - other.at) <= same_place)
         return SceneFault{
             member + ".at",
-            fmt::format("{}, the place of {}[{}]", place_text(stretch, one, one.at), stretch.member, j),
-            "one point at a place"};
+            fmt::format("{}, the location of {}[{}]", place_text(stretch, one, one.at), stretch.member, j),
+            "one point at each location"};
     return std::nullopt;
 }
 

@@ -57,7 +57,7 @@ double own_angle(const MotionSpec& motion, const PlacedPoint& point) {
                              : motion.segments[static_cast<std::size_t>(point.segment)].angle;
 }
 
-/// As it was written: of a segment from its start.
+/// As written: of a segment from its start.
 std::string place_words(const MotionSpec& motion, const PlacedPoint& point, double x) {
     const bool segment = point.segment >= 0;
     double begin = 0.0;
@@ -149,7 +149,7 @@ std::vector<double> with_regions(std::vector<double> breakpoints, std::vector<st
                                  double closest) {
     if (regions.empty()) return breakpoints;
     std::ranges::sort(regions);
-    std::vector<std::array<double, 2>> apart;  // those that overlap are one; those that touch are two
+    std::vector<std::array<double, 2>> apart;  // overlapping ones are merged; touching ones are two
     for (const std::array<double, 2>& region : regions) {
         if (!apart.empty() && region[0] < apart.back()[1] - same_place)
             apart.back()[1] = std::max(apart.back()[1], region[1]);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Set points of a motion, wherever the scene holds them, on the whole motion: x = cam angle / unit angle, y
+//
+// Set points of a motion, from all lists of the scene, on the whole motion: x = cam angle / unit angle, y
 // in lifts, y' = dy/dx.
 //
-// A set point is kept normalised by its own stretch (the rise, or a program's segment). In units:
-//   place θ = at · angle,   s = y · lift,   ds/dθ = y' · lift / angle,   ds/dt = y' · lift · speed / angle.
+// A set point is stored normalised by its own stretch (the rise, or a program's segment). In units:
+//   location θ = at · angle,   s = y · lift,   ds/dθ = y' · lift / angle,   ds/dt = y' · lift · speed /
+//   angle.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -17,15 +19,15 @@
 
 namespace camopt {
 
-/// What a stretch normalises its set points by. SI, rad.
+/// The normalisation of a stretch's set points. SI, rad.
 struct SetPointScale {
     double angle = 1.0, lift = 1e-3;
     std::optional<double> speed;
 };
 
-/// The spelling of a set point's derivative of `order` in this unit. Throws InputError where there is none.
+/// The spelling of a set point's derivative of `order` in this unit. Throws InputError if there is none.
 [[nodiscard]] const Spelling& spelling_of_unit(int order, std::string_view unit);
-/// SI value of the unit of a place: "deg", "rad".
+/// SI value of the unit of a location: "deg", "rad".
 [[nodiscard]] double unit_of_place(std::string_view unit);
 
 /// The wanted number of derivative `order`.
@@ -49,31 +51,31 @@ struct PlacedPoint {
     [[nodiscard]] bool is_region() const { return end > begin; }
 };
 
-/// One wanted number, as it was written.
+/// One wanted number, as written.
 struct WrittenValue {
     std::string key;              ///< "motion.via[0].velocity_mm_s"
     std::string unit;             ///< "mm/s"; empty: normalised by its stretch
-    double per_normalised = 1.0;  ///< what y^(order) of the whole motion is multiplied by to get the unit
+    double per_normalised = 1.0;  ///< factor from y^(order) of the whole motion to the unit
 };
 
 /// In the order of the scene.
 [[nodiscard]] std::vector<PlacedPoint> placed_points(const MotionSpec& motion);
 
-/// How the wanted number of derivative `order` was written.
+/// The spelling of the wanted number of derivative `order`.
 [[nodiscard]] WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, int order);
 
 /// "motion.via[0]: velocity = 120 mm/s at 40 deg", "… = 80 mm/s from 30 deg to 50 deg"; in normalised units
-/// where they were written so.
+/// if written so.
 [[nodiscard]] std::string words_of(const MotionSpec& motion, const PlacedPoint& point, int order);
 
-/// Regions lie in the spline's breakpoints: those given (the ends among them) with the ends of every region
-/// in place of what is inside of it or close to its ends. `regions`: pairs of begin and end, x.
-/// `closest`: an own breakpoint closer than this to an end of a region gives way to it.
+/// Inserts regions into the spline's breakpoints: those given (including the ends) with the ends of every
+/// region replacing those inside it or close to its ends. `regions`: pairs of begin and end, x. `closest`: an
+/// own breakpoint closer than this to an end of a region is removed.
 [[nodiscard]] std::vector<double> with_regions(std::vector<double> breakpoints,
                                                std::vector<std::array<double, 2>> regions, double closest);
 
-/// After angles, lift or speed changed: set points and displacements `to` that were written in units say what
-/// they said before.
+/// After angles, lift or speed changed: set points and displacements `to` written in units retain their
+/// physical values.
 void keep_written(MotionSpec& changed, const MotionSpec& before);
 
 /// After angles, lift or speed changed: set points, displacements and limits in time say what they said

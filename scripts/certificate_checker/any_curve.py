@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The limit no curve can pass."""
+"""The lower bound for every curve."""
 import math
 from fractions import Fraction
 

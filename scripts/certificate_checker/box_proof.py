@@ -239,7 +239,7 @@ class BoxProof:
     def cost_row(self, step, index):
         """Only motions that are no worse than that at hand are looked for."""
         if self.incumbent is None:
-            raise Refuted("a bound of the cost where no motion is at hand")
+            raise Refuted("a bound of the cost without a current motion")
         function = self.objective()
         if any(abs(w) > SAME_ROW * max(1, abs(self.cost.get(j, 0)))
                for j, w in difference(self.cost, function).items()):
@@ -312,7 +312,7 @@ class BoxProof:
         stated_most += greatest(rest, self.narrowed(data["bounds"], self.stated_box, "stated", name))
         stated = step.stated if step else stated
         if stated is not None and stated_most > stated + ROUNDED * max(1, abs(stated)):
-            raise Refuted(f"{name} says at most {float(stated)}; what it follows from allows {float(stated_most)}")
+            raise Refuted(f"{name} says at most {float(stated)}; the steps it follows from allow {float(stated_most)}")
         if step:
             step.side = most
         return most, stated_most

@@ -48,7 +48,7 @@ class Cam:
         self.weights = {name: weight / self.lift for name, weight in weights.items()}
         self.sizes = {name: self.found(result, name) for name in given}
         if "offset" in self.searched or (self.searched and given.get("offset")):
-            raise Unverified("an offset that is searched, or beside dimensions that are")
+            raise Unverified("an offset that is searched, or together with dimensions that are")
         self.offset = given.get("offset", Fraction(0))
         self.base, self.roller = (self.sizes.get(name, Fraction(0)) for name in ("base_radius", "roller_radius"))
         self.fixed = sum((self.weights[name] * abs(given[name]) for name in given if name not in self.searched),

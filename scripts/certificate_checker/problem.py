@@ -329,7 +329,7 @@ class Problem:
             return Fraction(0), Fraction(0)
         if own.law == "constant_velocity":
             return (own.to - own.start) / (own.end - own.begin), Fraction(0)
-        raise Unverified(f"a spline beside the law {own.law}")
+        raise Unverified(f"a spline next to the law {own.law}")
 
     def stroke_at(self, stretch, at):
         """(displacement at its start, at its end, length) of the stroke at x; None where its set points are not between them,

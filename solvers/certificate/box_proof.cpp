@@ -23,7 +23,7 @@ void visit_named(const BoxStep& step, const Visit& visit) {
             if (index >= 0) visit(index);
 }
 
-/// Bounds of x where the named steps hold too: each bounds one variable.
+/// Bounds of x if the named steps hold too: each bounds one variable.
 Box narrowed(const BoxProof& proof, const std::vector<int>& bounds) {
     Box box = proof.box;
     for (const int index : bounds) {
@@ -39,7 +39,7 @@ Box narrowed(const BoxProof& proof, const std::vector<int>& bounds) {
     return box;
 }
 
-/// No less than the greatest weights · x that the multipliers of earlier steps allow.
+/// An upper bound of weights · x from the multipliers of earlier steps.
 double greatest(const BoxProof& proof, const Eigen::VectorXd& weights,
                 const std::vector<std::pair<int, double>>& multipliers, const std::vector<int>& bounds) {
     const Box box = narrowed(proof, bounds);
@@ -59,7 +59,8 @@ double greatest(const BoxProof& proof, const Eigen::VectorXd& weights,
             magnitude[j] += std::abs(term);
         }
     }
-    // The terms above are added up to a few units of long double; this is a thousand times as much.
+    // The terms above are summed with an error of a few units of long double; this is a thousand times as
+    // much.
     constexpr long double rounding = 1e3L * std::numeric_limits<long double>::epsilon();
     for (std::size_t j = 0; j < size; ++j) {
         const auto at = static_cast<Eigen::Index>(j);
@@ -70,7 +71,7 @@ double greatest(const BoxProof& proof, const Eigen::VectorXd& weights,
     return static_cast<double>(sum + rounding * (sizes + std::abs(sum)));
 }
 
-// A step may claim this much more than is found again, relative to its size: it was rounded outward by more.
+// Relative tolerance between a step's claim and its recomputation: the claim was rounded outward by more.
 constexpr double same_side = 1e-14;
 
 }  // namespace
@@ -137,7 +138,7 @@ double recomputed_bound(const BoxProof& proof) {
         const double most = greatest(proof, step.weights, step.multipliers, step.bounds);
         if (!(most <= step.side + same_side * std::max(1.0, std::abs(step.side))))
             throw ModelError(
-                fmt::format("box proof: step {} says at most {:.17g}; what it follows from allows "
+                fmt::format("box proof: step {} says at most {:.17g}; the steps it follows from allow "
                             "{:.17g}",
                             i, step.side, most));
     }
@@ -148,7 +149,7 @@ double recomputed_bound(const BoxProof& proof) {
         const double most = greatest(proof, cost, part.multipliers, part.bounds);
         if (part.infeasible && !(most < 0.0))
             throw ModelError(
-                "box proof: a part is called infeasible, and its multipliers contradict nothing");
+                "box proof: a part is called infeasible, but its multipliers prove no contradiction");
         if (!part.infeasible) least = std::min(least, proof.constant - most);
     }
     return least;

@@ -92,8 +92,8 @@ double recomputed_bound(const DualityProof& proof) {
         proof.box.upper.size() != variables) {
         throw ModelError("duality proof: its parts do not have matching sizes");
     }
-    // `size` sums the magnitudes that meet: a double carries each to half a unit in the last place, and the
-    // long double sums below round far less than that.
+    // `size` sums the magnitudes of the terms: a double carries each to half a unit in the last place, and
+    // the round-off of the long double sums below is far smaller.
     long double bound = proof.constant;
     long double size = std::abs(proof.constant);
     std::vector<long double> reduced(proof.cost.begin(), proof.cost.end());
@@ -103,7 +103,7 @@ double recomputed_bound(const DualityProof& proof) {
         const long double multiplier = proof.multipliers[i];
         if (multiplier == 0.0L) continue;
         const double side = multiplier > 0.0L ? proof.upper[i] : proof.lower[i];
-        if (!std::isfinite(side)) throw ModelError("duality proof: a multiplier leans on a missing bound");
+        if (!std::isfinite(side)) throw ModelError("duality proof: a multiplier refers to a missing bound");
         bound -= multiplier * side;
         size += std::abs(multiplier * side);
         for (decltype(proof.matrix)::InnerIterator entry(proof.matrix, i); entry; ++entry) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What was found, and the proof of it. One judge for every backend.
 //
-// Proof by weak duality. For multipliers λ (sign as in core/nlp.hpp) and a box [l, u] that holds an optimum,
+// The result and its proof. One verification for every backend.
+//
+// Proof by weak duality. For multipliers λ (sign as in core/nlp.hpp) and a box [l, u] that contains an
+// optimum,
 //     f* >= constant − Σ_i λ_i b_i + Σ_j min(r_j l_j, r_j u_j),   r = c + Gᵀλ,
 // where row i is g_L <= G_i x <= g_U and b_i = g_U where λ_i > 0, g_L where λ_i < 0. c is the cost's gradient
 // at the delivered point (a tangent, hence a lower bound, of a convex cost). The sum is rounded outward. A
@@ -25,7 +27,7 @@
 
 namespace camopt {
 
-// Why a verdict is not better than it is, each with the word that files and messages have for it.
+// Why a verdict is not better, each with its word in files and messages.
 enum class Reason {
     none,  ///< "": nothing is missing
     // How the search ended: as Termination.
@@ -40,17 +42,17 @@ enum class Reason {
     numerical_failure,
     evaluation_error,
     unsupported,
-    // What is known of the scene.
-    no_feasible_point,       ///< nothing that keeps the limits was found, and no proof that there is nothing
-    limits_contradict,       ///< proved: no motion keeps them
+    // About the scene.
+    no_feasible_point,       ///< no feasible point was found, and infeasibility is not proved
+    limits_contradict,       ///< proved: no feasible motion
     conditions_contradict,   ///< no curve of the spline space meets all the conditions
-    limit_broken_at_rest,    ///< a limit is broken where the follower stands
-    limits_within_rounding,  ///< "limits_within_rounding_of_infeasible": of such a point nothing is proved
-    // How far the proof came.
+    limit_broken_at_rest,    ///< a limit is violated where the follower rests
+    limits_within_rounding,  ///< "limits_within_rounding_of_infeasible": no proof for such a point
+    // About the proof.
     stationary,          ///< "stationary, not proved optimal"
     free_displacements,  ///< the search over free displacements left a gap
     free_angles,         ///< the search over the angles of a program left a gap
-    // What the delivered motion failed by.
+    // Failed tests of the delivered motion.
     breakpoints_too_close,
     coefficients_too_coarse,
     condition_not_met,
@@ -59,11 +61,11 @@ enum class Reason {
     objective_not_of_the_curve
 };
 
-/// The word in files and messages, as in the comments above where it is not the name.
+/// The word in files and messages, as in the comments above if it differs from the name.
 [[nodiscard]] const char* name_of(Reason value);
-/// The reason of this name; throws InputError for a word that is none.
+/// The reason of this name; throws InputError for an unknown word.
 [[nodiscard]] Reason reason_named(std::string_view name);
-/// A search that ended like this is the reason.
+/// The reason for a search that ended like this.
 [[nodiscard]] Reason reason_of(Termination termination);
 
 /// By its word.
@@ -78,36 +80,36 @@ enum class Verdict { optimal, local, feasible, infeasible, failed };
 enum class ProofKind {
     none,
     duality,          ///< DualityProof
-    any_curve_limit,  ///< no curve of any kind is better (motions/bounds/any_curve_limit.hpp); free
+    any_curve_limit,  ///< a bound for all curves (motions/bounds/any_curve_limit.hpp); free
                       ///< breakpoints
     boxes             ///< a DualityProof for each case of a choice: Certificate::cases
 };
 [[nodiscard]] const char* name_of(ProofKind value);
 
-/// Everything needed to recompute a lower bound by hand; only rows with a multiplier are kept.
+/// Everything needed to recompute a lower bound; only rows with a multiplier are stored.
 struct DualityProof {
     /// "objective"; "least_common_violation" or "conditions" (then bound > 0 proves infeasibility)
     std::string statement;
     std::vector<std::string> variables;
     Eigen::VectorXd cost;  ///< c
     double constant = 0.0;
-    std::vector<std::string> rows;                        ///< names for people; none: those of the origins
+    std::vector<std::string> rows;                        ///< names for users; none: those of the origins
     std::vector<RowOrigin> origins;                       ///< where each of them comes from
     Eigen::SparseMatrix<double, Eigen::RowMajor> matrix;  ///< G, rows x variables
-    Eigen::VectorXd lower, upper;                         ///< right sides, ±infinity where open
+    Eigen::VectorXd lower, upper;                         ///< right-hand sides, ±infinity where open
     Eigen::VectorXd multipliers;
     Box box;
     double bound = 0.0;
-    /// Above 0: the rows of the limits stand moved out by this times their scale, and the bound is of every
-    /// point that keeps the limits to within it (solvers/exchange/continuous_solve.cpp).
+    /// Above 0: the rows of the limits are relaxed by this times their scale, and the bound holds for every
+    /// point that satisfies the limits to within it (solvers/exchange/continuous_solve.cpp).
     double limits_relaxed_by = 0.0;
 };
 
-/// What a row of a proof is called, for people.
+/// The name of a row of a proof, for users.
 [[nodiscard]] std::string row_name(const DualityProof& proof, std::size_t row);
 
-/// One of the cases that make up the whole: `region` says which, `bound` holds in it. `infeasible`: nothing
-/// keeps the limits there, and the proof's bound is above 0.
+/// One of the cases that cover the whole: `region` identifies it, `bound` holds in it. `infeasible`: no
+/// feasible point there, and the proof's bound is above 0.
 struct CaseProof {
     std::vector<std::string> region;
     double bound = 0.0;
@@ -115,16 +117,16 @@ struct CaseProof {
     std::shared_ptr<const DualityProof> proof;  ///< of a part of the rows: cases may share one
 };
 
-/// The bound of a stored proof, recomputed from its own numbers and rounded outward (long double, less an
-/// error term). Throws ModelError where sizes differ or a multiplier leans on an infinite right side or box.
+/// The bound of a stored proof, recomputed from its numbers and rounded outward (long double, less an error
+/// term). Throws ModelError for sizes that differ or a multiplier of an infinite right-hand side or bound.
 [[nodiscard]] double recomputed_bound(const DualityProof& proof);
 
-/// (objective − bound) / max(1, |objective|), 0 where the bound is above by rounding. A bound that passes the
-/// objective by more (bound_passes) is none of the point, and has no gap to it.
+/// (objective − bound) / max(1, |objective|), 0 if the bound is above it by round-off. A bound that exceeds
+/// the objective by more (bound_passes) does not belong to the point, and has no gap to it.
 [[nodiscard]] double relative_gap(double objective, double bound);
 
-/// Whether a bound lies above an objective by more than `tolerance`, relative: then the point lies outside
-/// the problem that the bound is of, by using the tolerance of its limits.
+/// Whether a bound exceeds an objective by more than `tolerance`, relative: then the point uses the tolerance
+/// of its limits and lies outside the problem of the bound.
 [[nodiscard]] bool bound_passes(double objective, double bound, double tolerance);
 
 struct BoxProof;  // solvers/certificate/box_proof.hpp
@@ -135,15 +137,15 @@ struct Certificate {
     double objective = infinity;        ///< true objective of the delivered curve
     std::optional<double> lower_bound;  ///< proved
     std::optional<double> gap;          ///< (objective − lower_bound) / max(1, |objective|)
-    double worst_violation = infinity;  ///< continuous, relative to each rule's scale; <= 0 is kept
+    double worst_violation = infinity;  ///< continuous, relative to each rule's scale; <= 0 is satisfied
     std::optional<double> stationarity;  ///< ‖∇f + Jᵀλ + z‖∞ at the delivered point with the best multipliers
     ProofKind proof_kind = ProofKind::none;
     std::optional<DualityProof> proof;
     std::vector<CaseProof> cases;  ///< ProofKind::boxes: lower_bound is the least of their bounds
-    /// ProofKind::boxes without cases: the planes and boxes that the bound follows from.
+    /// ProofKind::boxes without cases: the planes and boxes from which the bound follows.
     std::shared_ptr<const BoxProof> box_proof;
-    /// Keys of the limits that were enclosed along all of the delivered motion, and of those that were looked
-    /// at in places alone, however close.
+    /// Keys of the limits that were enclosed along all of the delivered motion, and of those that were only
+    /// sampled.
     std::vector<std::string> verified, unverified;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Row after row, and within a row column after column, none twice.
+/// Sorted by row, then by column, without duplicates.
 bool is_in_order(const SparsityPattern& pattern) {
     for (std::size_t k = 1; k < pattern.rows.size(); ++k) {
         const bool same_row = pattern.rows[k] == pattern.rows[k - 1];
@@ -191,7 +191,7 @@ double stationarity_of(const Nlp& problem, const Eigen::VectorXd& x, const Eigen
     problem.gradient(x, residual);
     residual += jacobian_of(problem, x).transpose() * row_multipliers;
     for (int j = 0; j < shape.variables(); ++j) {
-        // A bound multiplier takes up what pushes against a bound that x sits on.
+        // A bound multiplier absorbs the residual at an active bound.
         const bool at_lower = x[j] <= shape.x_lower[j] + active * size_of(shape.x_lower[j]);
         const bool at_upper = x[j] >= shape.x_upper[j] - active * size_of(shape.x_upper[j]);
         if ((at_lower && residual[j] > 0.0) || (at_upper && residual[j] < 0.0)) residual[j] = 0.0;

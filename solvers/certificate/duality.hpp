@@ -12,7 +12,7 @@
 namespace camopt {
 
 /// Builds the proof from the problem's own derivatives at x (convex problems) and the given row multipliers;
-/// those that lean on a missing bound are set to zero. `bound` is filled in.
+/// those of a missing bound are set to zero. `bound` is filled in.
 [[nodiscard]] DualityProof duality_proof(const Nlp& problem, const Eigen::VectorXd& x,
                                          const Eigen::VectorXd& row_multipliers, const Box& box,
                                          const std::string& statement);

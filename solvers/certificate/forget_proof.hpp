@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A certificate without what is proved of it. Of the modules that judge.
+// Removes the proof from a certificate. For the modules that verify results.
 #pragma once
 
 #include "solvers/certificate/certificate.hpp"
 
 namespace camopt {
 
-/// No bound, no gap, no proof: what was proved is not of the motion, or not of the problem, that is judged
-/// now.
+/// No bound, no gap, no proof: the proof belongs to another motion or problem.
 inline void forget_proof(Certificate& certificate) {
     certificate.lower_bound.reset();
     certificate.gap.reset();

@@ -16,23 +16,22 @@ namespace camopt {
 
 namespace {
 
-// A lower bound for motions that keep the limits to within a tolerance.
+// A lower bound for motions that satisfy the limits to within a tolerance.
 //
-// A delivered point may use the tolerance of its limits. Where the limits leave no room (they lie within
-// rounding of infeasible) that is all there is to use: the multipliers of the limits grow without end, and a
-// bound for the limits exactly as written passes the objective of the point, or is infinite. The bound that
-// says something of the point is that of the problem in which it lies: each limit moved out by `slack` times
-// its scale. It is at or below the optimum of the limits as written too, so it is a bound for these as well,
-// only a weaker one.
+// A delivered point may use the tolerance of its limits. If the problem is infeasible to within round-off,
+// its multipliers are unbounded, and a bound for the limits exactly as written exceeds the objective of the
+// point, or is infinite. The relevant bound is that of the problem that contains the point: each limit
+// relaxed by `slack` times its scale. It does not exceed the optimum for the limits as written, so it is a
+// weaker bound for these as well.
 
-/// The point of a problem that is spoken of: f(x) and how far it is outside, relative to each limit's scale.
+/// The delivered point: f(x) and its violation relative to each limit's scale.
 struct JudgedPoint {
     const Eigen::VectorXd& x;
     double objective = infinity;
     double slack = 0.0;  ///< >= its violation
 };
 
-/// The same problem with every limit moved out.
+/// The same problem with every limit relaxed.
 class RelaxedGrid final : public Nlp {
  public:
     RelaxedGrid(const Nlp& base, double slack) : Nlp(base.shape()), base_(base) {
@@ -59,9 +58,9 @@ class RelaxedGrid final : public Nlp {
     const Nlp& base_;
 };
 
-/// A proof that no point which keeps the limits to within `slack` has less than proof.bound, which is at most
-/// the objective (to rounding). On the problem's present grid, by the structured solver; convex problems
-/// only. None where no finite bound is found.
+/// A proof that no point that satisfies the limits to within `slack` has less than proof.bound, which is at
+/// most the objective (to round-off). On the problem's current grid, by the structured solver; convex
+/// problems only. Nullopt if no finite bound is found.
 std::optional<DualityProof> relaxed_proof(const ContinuousProblem& problem, const JudgedPoint& point,
                                           const BackendOptions& options, const SolveControl& control) {
     if (!problem.grid().shape().convex || !problem.convex(point.objective)) return {};
@@ -75,12 +74,12 @@ std::optional<DualityProof> relaxed_proof(const ContinuousProblem& problem, cons
     return proof;
 }
 
-// Rows this close to their bound may carry a multiplier when a backend gives none.
+// Rows this close to their bound may have a multiplier when a backend gives none.
 constexpr double active_row = 1e-6;
-// How much further a point is pulled inside than its violation asks for.
+// Factor on the step towards the interior that the violation requires.
 constexpr double pull = 1.0 + 1e-6;
 
-/// Keeps the better of the proof at hand and the one these multipliers give.
+/// Keeps the better of the current proof and that of these multipliers.
 void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const Eigen::VectorXd& multipliers,
                const std::string& source) {
     const Nlp& grid = problem.grid();
@@ -112,8 +111,7 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
     }
     if (proved() || !problem.grid().shape().convex || control.ending()) return;
     if (solver.name() == "structured" && was_stopped(result.exchange.termination)) return;
-    // The grid of another backend's last round is a relaxation like any other: its dual is a bound for all
-    // curves.
+    // The grid of another backend's last round is a relaxation too: its dual is a bound for all curves.
     BackendOptions options;
     options.tolerance = exchange.backend.tolerance;
     options.max_seconds = exchange.backend.max_seconds;
@@ -121,8 +119,8 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
     if (dual.row_multipliers) try_proof(result, problem, *dual.row_multipliers, "structured");
 }
 
-/// The first point of a solve: the problem's own start where it keeps the limits, else the least violating
-/// point of the elastic problem, which also proves whether there is anything to look for.
+/// The first point of a solve: the problem's own start if it is feasible, else the point of least violation
+/// of the elastic problem, which also proves infeasibility.
 struct FirstPoint {
     Candidate inside;
     std::optional<DualityProof> infeasible;
@@ -182,7 +180,7 @@ void settle_verdict(Certificate& certificate, Termination termination, const Jud
     if (!(certificate.worst_violation <= options.tolerance)) {
         certificate.verdict = Verdict::failed;
         certificate.reason = was_stopped(termination) ? reason_of(termination) : Reason::no_feasible_point;
-        certificate.gap.reset();  // it would be that of a point nobody is given
+        certificate.gap.reset();  // the gap would refer to a point that is not returned
     } else if (certificate.gap && *certificate.gap <= options.gap) {
         certificate.verdict = Verdict::optimal;
         certificate.reason = Reason::none;
@@ -199,8 +197,7 @@ Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point
     if (point.x.size() == 0 || point.violation <= 0.0) return point;
     if (inside.x.size() == 0 || inside.violation >= 0.0) return point;
     const double part = point.violation / (point.violation - inside.violation);
-    // A little further than the line says, so that rounding does not leave the last unit in the last place
-    // outside.
+    // Slightly further than the line requires, so that round-off leaves no violation.
     const Candidate pulled = judged(problem, point.x + std::min(1.0, pull * part) * (inside.x - point.x));
     return pulled.violation < point.violation ? pulled : point;
 }

@@ -56,13 +56,13 @@ class ElasticProblem::Grid final : public Nlp {
     std::string row_name(int index) const override { return base_.row_name(index); }
     RowOrigin row_origin(int index) const override { return base_.row_origin(index); }
 
-    /// Peaks that no limit speaks of: they follow any curve, and are taken from it.
+    /// Peaks that occur in no limit: they follow any curve, and are computed from it.
     const std::vector<int>& idle() const { return idle_; }
 
  private:
-    /// A variable that may grow without end, and only eases the rows it stands in, none of them a limit:
-    /// these rows decide nothing here. They would burden the proof: the boxes of such variables are wide, and
-    /// multiply the rounding of the multipliers.
+    /// A variable that is unbounded, and only relaxes its rows, none of them a limit: these rows decide
+    /// nothing here. They would weaken the proof: the boxes of such variables are wide, and multiply the
+    /// round-off of the multipliers.
     void leave_out_idle() {
         const SparsityPattern& pattern = shape_.jacobian;
         std::vector<double> slopes(static_cast<std::size_t>(pattern.size()));
@@ -107,7 +107,7 @@ Eigen::VectorXd ElasticProblem::completed(const Eigen::VectorXd& x) const {
     Eigen::VectorXd full = x;
     if (base.x.size() == 0) return full;
     full.head(base.x.size()) = base.x;
-    // Where a limit has no value (an arm that does not reach) no t would do: it stays what it was, and the
+    // Where a limit is undefined (an arm that does not reach) no t suffices: the point is unchanged, and the
     // limit violated.
     if (std::isfinite(base.violation)) full[x.size() - 1] = std::max(base.violation, -least_slack);
     return full;
@@ -165,11 +165,11 @@ bool ElasticProblem::convex(double) const {
 
 namespace {
 
-// A first look that leaves the least violation open by this much of the limits, and what it must find to be
-// the last: a point so far inside that nothing much deeper can be missing. Points are pulled towards it, by
-// their own violation over its depth.
+// A first solve with this tolerance on the least violation, and what it must find to be the last: a point so
+// far inside that nothing much deeper can be missing. Points are pulled towards it, by their own violation
+// over its depth.
 constexpr double first_look = 1e-3, deep_inside = -1e-2;
-// A least violation close to the tolerance is proved only by multipliers that are exact beyond it.
+// A least violation close to the tolerance is proved only by multipliers of higher accuracy.
 constexpr double second_look = 1e-2;
 
 Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Eigen::VectorXd& start,
@@ -197,7 +197,7 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
                           const SolveControl& control) {
     ElasticProblem elastic(problem);
     ExchangeOptions own = options;
-    own.backend.native.clear();  // they belong to the backend the user chose
+    own.backend.native.clear();  // they belong to the user's backend
     const Eigen::VectorXd begin = elastic.start();
     own.tolerance = std::max(own.tolerance, first_look);
     own.backend.tolerance = std::max(own.backend.tolerance, first_look);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The least common violation: min t such that every limit, relaxed by t times its scale, can be kept.
+// Elastic problem: the least common violation, min t such that every limit can be satisfied when relaxed by t
+// times its scale.
 //
-// t* > 0, proved by weak duality, proves the scene infeasible, whichever backend ran. t* < 0 gives a point
-// inside all limits, towards which a slightly violating one is pulled back.
+// t* > 0, proved by weak duality, proves the scene infeasible, for any backend. t* < 0 gives a point inside
+// all limits, towards which a slightly violating one is pulled back.
 #pragma once
 
 #include "core/continuous_problem.hpp"
@@ -16,7 +17,7 @@ namespace camopt {
 /// Variables: those of the base problem, then t >= −least_slack. Cost t.
 class ElasticProblem final : public ContinuousProblem {
  public:
-    /// Slack of half a limit is deep enough inside for every purpose.
+    /// Slack of half a limit is deep enough inside.
     static constexpr double least_slack = 0.5;
 
     /// Refining the elastic problem refines `base`, which must outlive it.
@@ -41,7 +42,7 @@ class ElasticProblem final : public ContinuousProblem {
 };
 
 struct Feasibility {
-    Candidate point;                    ///< of the base problem, least violated
+    Candidate point;                    ///< of the base problem, with the least violation
     std::optional<DualityProof> proof;  ///< of infeasibility, where its bound is > 0
     Termination termination = Termination::not_run;
 };

@@ -14,17 +14,18 @@ namespace {
 // Rows are added for maxima above this part of the tolerance, so that their sum stays below it.
 constexpr double adding_part = 0.1;
 
-// The optimum moves by about what its new rows were violated by. The path is taken up where its gap is this
-// many times as wide: measured, closer places leave long problems (n = 256 and more) to the careful factor.
+// The optimum moves by about the violation of its new rows. The warm start is the point of the central path
+// whose gap is this many times as wide: measured, closer points send long problems (n = 256 and more) to the
+// slower system.
 constexpr double room = 1000.0;
 
 struct Refinement {
     int rows = 0;            ///< added
-    double violation = 0.0;  ///< the worst that they answer
+    double violation = 0.0;  ///< the worst violation among them
 };
 
-/// Adds rows where the motion behind a backend's point breaks rules. None: there is no such place, or its
-/// rows are there already, and the backend leaves violated what it was told to keep: nothing more to tell it.
+/// Adds rows where the motion of a backend's point violates rules. None: there is no violation, or its rows
+/// exist already, and the backend leaves them violated: no further progress.
 Refinement refined(ContinuousProblem& problem, const BackendResult& found, double tolerance) {
     std::vector<Violation> worst = problem.violations(found.x, 0.0);
     std::erase_if(worst,
@@ -38,14 +39,14 @@ Refinement refined(ContinuousProblem& problem, const BackendResult& found, doubl
             violation};
 }
 
-/// What came before the place where a path was taken up, and from there the new one.
+/// The central path up to the warm start, and the new one from there.
 std::vector<PathPoint> joined(std::vector<PathPoint> before, double gap, std::vector<PathPoint> after) {
     std::erase_if(before, [&](const PathPoint& point) { return point.gap < gap; });
     before.insert(before.end(), std::make_move_iterator(after.begin()), std::make_move_iterator(after.end()));
     return before;
 }
 
-/// Who cancels before anything was searched for is not given the start for a result.
+/// A cancellation before the search returns no start as a result.
 bool interrupted_at_once(const ExchangeResult& result) {
     return result.termination == Termination::interrupted && result.iterations == 0;
 }
@@ -73,7 +74,7 @@ bool is_better(const Candidate& left, const Candidate& right, double tolerance) 
 
 namespace {
 
-/// Goes on with `result`, whose best point is judged, from a start.
+/// Continues with `result`, whose best point is verified, from a start.
 ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen::VectorXd next_start,
                          const ExchangeOptions& options, const SolveControl& control, ExchangeResult result) {
     const SolveControl timed = control.sooner(options.backend.max_seconds);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stands in for ipopt_solver.cpp in a build without Ipopt.
+// Replaces ipopt_solver.cpp in a build without Ipopt.
 #include "solvers/backend_support.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
 

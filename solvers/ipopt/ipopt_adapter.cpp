@@ -41,7 +41,7 @@ bool IpoptAdapter::get_nlp_info(Index& n, Index& m, Index& jacobian_size, Index&
 
 bool IpoptAdapter::get_bounds_info(Index n, Number* x_lower, Number* x_upper, Index m, Number* g_lower,
                                    Number* g_upper) {
-    // Ipopt takes anything beyond ±1e19 as infinite.
+    // Ipopt treats anything beyond ±1e19 as infinite.
     Map(x_lower, n) = shape_.x_lower;
     Map(x_upper, n) = shape_.x_upper;
     Map(g_lower, m) = shape_.g_lower;
@@ -109,7 +109,7 @@ void IpoptAdapter::finalize_solution(Ipopt::SolverReturn, Index n, const Number*
     fill_fixed_bound_multipliers();
 }
 
-// Ipopt 3.11 takes fixed variables out of the problem and leaves their multipliers at zero.
+// Ipopt 3.11 removes fixed variables from the problem and leaves their multipliers at zero.
 void IpoptAdapter::fill_fixed_bound_multipliers() {
     if (!(shape_.x_lower.array() == shape_.x_upper.array()).any()) return;
     Eigen::VectorXd slope(shape_.variables());

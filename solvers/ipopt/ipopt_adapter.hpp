@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An Nlp as Ipopt wants to see it (TNLP). Private to this folder (Ipopt types appear).
+// Adapter from an Nlp to Ipopt's TNLP. Private to this folder (Ipopt types appear).
 #pragma once
 
 #include "solvers/backend_support.hpp"
@@ -8,8 +8,8 @@
 
 namespace camopt {
 
-/// Trial points with values that are not finite after which the solve is given up. Ipopt shortens its step at
-/// such a point, which often helps; left alone it does so for all its iterations.
+/// Trial points with values that are not finite after which the solve is stopped. Ipopt shortens its step at
+/// such a point, which often helps, but would repeat it for all its iterations.
 inline constexpr int non_finite_limit = 100;
 
 class IpoptAdapter final : public Ipopt::TNLP {
@@ -20,7 +20,7 @@ class IpoptAdapter final : public Ipopt::TNLP {
     IpoptAdapter(const Nlp& problem, const Eigen::VectorXd& start, SolveGuard& guard)
         : problem_(problem), shape_(problem.shape()), start_(start), guard_(guard) {}
 
-    /// x and multipliers as Ipopt left them; x is empty where Ipopt never came to hand anything over.
+    /// x and multipliers returned by Ipopt; x is empty if Ipopt returned none.
     [[nodiscard]] const BackendResult& result() const { return result_; }
 
     bool get_nlp_info(Index& n, Index& m, Index& jacobian_size, Index& hessian_size,

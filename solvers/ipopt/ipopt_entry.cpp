@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the registry says of Ipopt; compiled whether or not this build has it. The options here and no others
+// Ipopt's entry in the registry; compiled whether or not this build has it. Only the options listed here
 // reach Ipopt: linear_solver is restricted to mumps because the packaged 3.11 ends the whole process on ma97.
 #include "solvers/backend_support.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
@@ -24,9 +24,10 @@ SolverEntry ipopt_entry() {
                     {"make_parameter", "make_constraint", "relax_bounds"}, "variables with equal bounds"),
         flag_option("mehrotra_algorithm", "true for convex problems with linear rows",
                     "predictor-corrector steps without a line search"),
-        text_option("chain_dense_columns", "auto", {"auto", "yes", "no"},
-                    "peaks that many rows see as chained copies, one for each stretch of rows; auto: where "
-                    "the problem is large"),
+        text_option(
+            "chain_dense_columns", "auto", {"auto", "yes", "no"},
+            "split each peak shared by many rows into chained copies, one per group of rows; auto: where "
+            "the problem is large"),
         number_option("mu_init", "0.1", positive, "first barrier parameter"),
         number_option("mu_target", "0", not_negative, "barrier parameter at which to stop"),
         number_option("bound_push", "0.01", positive, "least distance of the start from its bounds"),
@@ -44,7 +45,7 @@ SolverEntry ipopt_entry() {
         number_option("mumps_pivtol", "1e-6", {0.0, 1.0}, "pivot tolerance of MUMPS"),
         integer_option("mumps_mem_percent", "100", {0.0, 1e6}, "spare memory of MUMPS in percent"),
         integer_option("mumps_permuting_scaling", "7; 0 from 3000 variables on", {0.0, 7.0},
-                       "how MUMPS permutes and scales; 0: not, 7: as it likes"),
+                       "how MUMPS permutes and scales; 0: not, 7: automatic"),
         integer_option("max_soc", "4", {0.0, 1e6}, "second-order corrections in one iteration"),
     };
     return entry;

@@ -23,15 +23,15 @@ namespace {
 
 // Options of camopt to options of Ipopt. Private to this folder (an Ipopt type appears).
 
-/// Variables from which on chained columns are faster, measured on the states form (three variables a knot):
-/// as fast with 256 to 2048 knots, faster by a tenth with 4096 and a fifth with 8192.
+/// Number of variables above which chained columns are faster, measured on the states form (three variables
+/// per knot): equal with 256 to 2048 knots, faster by a tenth with 4096 and a fifth with 8192.
 constexpr int chaining_pays = 6000;
 
 class Settings {
  public:
     explicit Settings(Ipopt::IpoptApplication& application) : options_(application.Options()) {}
 
-    // Ipopt answers false for an option that its version does not know or a value it does not take.
+    // Ipopt returns false for an option that its version does not know or a value that it rejects.
     bool set(const char* name, const char* text) { return options_->SetStringValue(name, text); }
     bool set(const char* name, bool flag) { return options_->SetStringValue(name, flag ? "yes" : "no"); }
     bool set(const char* name, double number) { return options_->SetNumericValue(name, number); }
@@ -81,24 +81,25 @@ void set_tolerances(Settings& settings, const BackendOptions& options) {
     settings.require("acceptable_constr_viol_tol", std::min(1e-4, 100.0 * tolerance));
     settings.require("acceptable_dual_inf_tol", std::min(1e-4, 100.0 * tolerance));
     settings.require("acceptable_compl_inf_tol", std::min(1e-4, 100.0 * tolerance));
-    // The default 1e-8 would let every limit be exceeded by ten times the default tolerance.
+    // The default 1e-8 would allow every limit to be exceeded by ten times the default tolerance.
     settings.require("bound_relax_factor", 0.01 * tolerance);
 }
 
 /// Predictor-corrector steps without a line search: up to a quarter fewer iterations on convex problems with
-/// linear rows, but no end where that is infeasible. Asked for by the shape, unless the native options say.
+/// linear rows, but no termination where that is infeasible. Chosen by the shape, unless the native options
+/// set it.
 bool wants_predictor_corrector(const NlpShape& shape, const BackendOptions& options) {
     const auto native = options.native.find("mehrotra_algorithm");
     if (native != options.native.end()) return std::get<bool>(native->second);
-    // Ipopt refuses predictor-corrector steps with any other rule for its barrier parameter.
+    // Ipopt refuses predictor-corrector steps with any other barrier update.
     const auto rule = options.native.find("mu_strategy");
     if (rule != options.native.end() && std::get<std::string>(rule->second) != "adaptive") return false;
     const Linearity linear = linearity_of(shape);
     return linear.equalities && linear.inequalities && shape.convex && shape.quadratic_cost;
 }
 
-/// Columns that many rows see and that Ipopt is to get as chained copies (solvers/chained_columns.hpp); none:
-/// the problem as it is. Asked for by the size of the problem, unless the native options say.
+/// Columns in many rows that Ipopt receives as chained copies (solvers/chained_columns.hpp); none: the
+/// unchanged problem. Chosen by the size of the problem, unless the native options set it.
 std::vector<int> columns_to_chain(const NlpShape& shape, const BackendOptions& options) {
     const auto native = options.native.find("chain_dense_columns");
     const std::string wish = native == options.native.end() ? "auto" : std::get<std::string>(native->second);
@@ -109,8 +110,8 @@ std::vector<int> columns_to_chain(const NlpShape& shape, const BackendOptions& o
 // About 1000 cubic segments.
 constexpr int many_variables = 3000;
 
-/// Sets the defaults that the shape of the problem asks for, then the native options of `options`, which were
-/// checked before. Throws InputError where this version of Ipopt refuses one of the latter.
+/// Sets the defaults for the shape of the problem, then the native options of `options`, which are validated
+/// already. Throws InputError if this version of Ipopt refuses one of the latter.
 void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& shape,
                        const BackendOptions& options, bool predictor_corrector) {
     Settings settings(application);
@@ -118,14 +119,14 @@ void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& sha
     settings.require("sb", true);  // no banner
     settings.require("linear_solver", "mumps");
     settings.require("max_iter", options.max_iterations);
-    // Problems arrive scaled; Ipopt's own scaling loosens the tolerances by a factor it does not tell.
+    // Problems are scaled already; Ipopt's own scaling loosens the tolerances by an unknown factor.
     settings.require("nlp_scaling_method", "none");
     settings.require("mu_strategy", "adaptive");
-    // In large problems MUMPS pairs the rows in a way that at least doubles its time; in small ones the pairs
-    // are worth the last digits.
+    // In large problems the row permutation of MUMPS at least doubles its time; in small ones it improves the
+    // last digits.
     if (shape.variables() >= many_variables) settings.require("mumps_permuting_scaling", 0);
-    // Ipopt would have MUMPS set aside eleven times the memory that it expects to need. Where twice that is
-    // too little, Ipopt doubles it itself.
+    // Ipopt would have MUMPS allocate eleven times the memory that it expects to need. If twice that is too
+    // little, Ipopt doubles it.
     settings.require("mumps_mem_percent", 100);
     set_tolerances(settings, options);
 
@@ -144,7 +145,7 @@ void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& sha
                                         name == "mumps_permuting_scaling" || name == "max_soc");
 }
 
-/// Such a run needs 5 to 30 iterations; one that needs more than this goes in circles.
+/// Such a run needs 5 to 30 iterations; one that needs more cycles.
 constexpr int predictor_corrector_iterations = 200;
 
 struct Outcome {
@@ -198,14 +199,14 @@ Outcome outcome_of(Ipopt::ApplicationReturnStatus status) {
     }
 }
 
-/// Recursive, because an evaluation may itself solve something with Ipopt.
+/// Recursive, because an evaluation may solve something with Ipopt.
 std::recursive_timed_mutex& ipopt_mutex() {
     static std::recursive_timed_mutex mutex;
     return mutex;
 }
 
-/// Ipopt's turn for this thread; none where it was told to stop before its turn came. The wait is not part of
-/// the time that the solve has.
+/// Ipopt's lock for this thread; none if it was stopped while waiting. The wait is not part of the solve's
+/// time.
 std::optional<std::unique_lock<std::recursive_timed_mutex>> turn_of_ipopt(const SolveControl& control) {
     constexpr std::chrono::milliseconds between_questions(5);
     const Stopwatch waiting;
@@ -232,7 +233,7 @@ class IpoptSolver final : public Solver {
         if (!turn) {
             BackendResult stopped;
             stopped.termination = Termination::interrupted;
-            stopped.native_status = "stopped before its turn";
+            stopped.native_status = "stopped while waiting for another solve";
             return stopped;
         }
         SolveGuard guard(options, control);
@@ -258,7 +259,7 @@ class IpoptSolver final : public Solver {
         return result;
     }
 
-    /// A predictor-corrector run that has not ended after `predictor_corrector_iterations` is given up for
+    /// A predictor-corrector run that has not converged after `predictor_corrector_iterations` is replaced by
     /// the filter method, which also recognises infeasible problems.
     static BackendResult solve(const Nlp& problem, const Eigen::VectorXd& start,
                                const BackendOptions& options, SolveGuard& guard) {

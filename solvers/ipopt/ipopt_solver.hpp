@@ -3,12 +3,12 @@
 // Exact sparse Jacobian and Hessian; gives multipliers.
 //
 // Ipopt 3.11 with MUMPS is not thread-safe (four threads crash in every run), so one process-wide mutex is
-// held from the creation of an application to its destruction: solves in several threads take turns. A solve
-// started by an Nlp's evaluation inside a solve of the same thread is allowed. For speed run several
+// held from the creation of an application to its destruction: solves in several threads are serialized. A
+// solve started by an Nlp's evaluation inside a solve of the same thread is allowed. For speed run several
 // processes.
 //
-// Ipopt's defaults that are changed are listed with their reasons in ipopt_solver.cpp.
-// Source: A. Wächter, L. T. Biegler, Math. Program. 106 (2006) 25-57.
+// Changed defaults of Ipopt are listed with their reasons in ipopt_solver.cpp. Source: A. Wächter, L. T.
+// Biegler, Math. Program. 106 (2006) 25-57.
 #pragma once
 
 #include "solvers/registry.hpp"

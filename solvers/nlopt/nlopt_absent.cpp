@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stands in for nlopt_solver.cpp in a build without NLopt.
+// Replaces nlopt_solver.cpp in a build without NLopt.
 #include "solvers/backend_support.hpp"
 #include "solvers/nlopt/nlopt_solver.hpp"
 

@@ -19,7 +19,7 @@ Eigen::VectorXd vector_of(const double* x, unsigned n) {
     return Eigen::Map<const Eigen::VectorXd>(x, n);
 }
 
-/// What a line search says, or the dual inside MMA and CCSAQ.
+/// The result of a line search, or of the dual inside MMA and CCSAQ.
 bool found_no_progress(const NloptOutcome& outcome) {
     return outcome.word == std::string_view("FAILURE");
 }
@@ -78,8 +78,8 @@ double NloptAdapter::violation(const Eigen::VectorXd& x) {
     return worst;  // NLopt keeps x inside its bounds
 }
 
-// After force_stop NLopt may call a few times more; zeros keep it from harm. A point that is not finite is
-// NLopt's own failure (a singular subproblem), not one of the Nlp.
+// After force_stop NLopt may call a few more times and receives zeros. A point that is not finite is NLopt's
+// own failure (a singular subproblem), not one of the Nlp.
 bool NloptAdapter::may_go_on(const Eigen::VectorXd& x) {
     if (!x.allFinite()) guard_.stop(Termination::numerical_failure);
     if (!guard_.must_stop()) return true;
@@ -218,7 +218,7 @@ BackendResult NloptRuns::from(Eigen::VectorXd x, int restarts) {
             std::abs(best - cost) <= 0.1 * options_.tolerance * std::max(1.0, std::abs(cost));
         best = cost;
         if (settled && run > 0 && violation <= feasible) {
-            // No way down from here, twice in a row: what a line search says at an optimum.
+            // No descent from here, twice in a row: the result of a line search at an optimum.
             if (failed && x != start) result.termination = Termination::acceptable;
             break;
         }
@@ -239,7 +239,7 @@ NloptOutcome NloptRuns::once(Eigen::VectorXd& x, double& cost) {
     nlopt_set_maxtime(optimizer_, guard_.seconds_left());
     Eigen::VectorXd end = x;
     const NloptOutcome outcome = outcome_of(nlopt_optimize(optimizer_, end.data(), &cost));
-    if (outcome.termination == Termination::time_limit) (void)guard_.must_stop();  // NLopt's watch, and ours
+    if (outcome.termination == Termination::time_limit) (void)guard_.must_stop();  // NLopt's clock, and ours
     if (end.allFinite()) x = end;
     return outcome;
 }

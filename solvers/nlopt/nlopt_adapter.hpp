@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An Nlp as NLopt wants to see it: C callbacks for the cost, the equalities h(x) = 0 and the inequalities
-// c(x) <= 0. Private to this folder (an NLopt type appears).
+// Adapter from an Nlp to NLopt: C callbacks for the cost, the equalities h(x) = 0 and the inequalities c(x)
+// <= 0. Private to this folder (an NLopt type appears).
 #pragma once
 
 #include "solvers/backend_support.hpp"
@@ -19,7 +19,7 @@ class NloptAdapter {
     NloptAdapter(const NloptAdapter&) = delete;
     NloptAdapter& operator=(const NloptAdapter&) = delete;
 
-    /// Gives NLopt the cost, the rows and the bounds; this object must outlive every run of `optimizer`.
+    /// Passes the cost, the rows and the bounds to NLopt; this object must outlive every run of `optimizer`.
     [[nodiscard]] nlopt_result attach(nlopt_opt optimizer, double constraint_tolerance);
 
     /// Largest violation of a row or a bound, each relative to max(1, |bound|).
@@ -53,12 +53,12 @@ class NloptAdapter {
     nlopt_opt optimizer_ = nullptr;
     std::vector<Side> equalities_, inequalities_;
     int evaluations_ = 0;
-    // NLopt asks for equalities and inequalities at one x in two calls; both are answered from here.
+    // NLopt asks for equalities and inequalities at one x in two calls; both use this cache.
     Eigen::VectorXd constraints_x_, constraints_, jacobian_x_;
     std::vector<double> jacobian_;
 };
 
-// Runs of one NLopt optimizer until nothing changes any more. Private to this folder (an NLopt type appears).
+// Runs one NLopt optimizer until it makes no progress. Private to this folder (an NLopt type appears).
 struct NloptOutcome {
     Termination termination;
     const char* word;
@@ -68,10 +68,10 @@ struct NloptOutcome {
 
 [[nodiscard]] bool is_finished(Termination termination);
 
-/// Runs, and runs again from where that ended, until a run ends feasible and lowers the cost no more, or
-/// `restarts` are used up. SLSQP needs it on degenerate linear programs, where it stops early or stalls with
-/// a worn-out quasi-Newton matrix; so do MMA, CCSAQ and L-BFGS, which end with FAILURE where their dual or
-/// their line search finds no progress and mostly go on from there. A FAILURE that changes nothing is
+/// Runs, and restarts from the result, until a run ends feasible without lowering the cost, or `restarts` are
+/// used up. SLSQP needs it on degenerate linear programs, where it stops early or stalls with an
+/// ill-conditioned quasi-Newton matrix; so do MMA, CCSAQ and L-BFGS, which end with FAILURE where their dual
+/// or their line search finds no progress and mostly continue from there. A FAILURE without a change is
 /// acceptable.
 class NloptRuns {
  public:
@@ -89,7 +89,7 @@ class NloptRuns {
     const BackendOptions& options_;
 };
 
-// What tells the algorithms of NLopt apart, without a type of NLopt. Private to this folder.
+// Properties of the algorithms of NLopt, without a type of NLopt. Private to this folder.
 struct NloptTraits {
     const char* name = nullptr;
     const char* text = nullptr;
@@ -103,11 +103,11 @@ struct NloptTraits {
 
 [[nodiscard]] const NloptTraits& traits_of(NloptMethod method);
 
-/// Relative steps that end a run, in tolerances: a short step of SLSQP on a linear program says little of the
-/// distance to the optimum.
+/// Relative steps that end a run, in tolerances: a short step of SLSQP on a linear program says little about
+/// the distance to the optimum.
 inline constexpr double step_tolerance = 1e-3;
 
-/// Defaults of options that are not the same for every algorithm of NLopt.
+/// Defaults of options that differ between the algorithms of NLopt.
 inline constexpr double default_search_radius = 10.0;
 inline constexpr int default_dual_evaluations = 2000;
 inline constexpr int default_inner_evaluations = 2000;

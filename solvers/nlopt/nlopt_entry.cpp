@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the registry says of NLopt's algorithms; compiled whether or not this build has them.
+// Entries of NLopt's algorithms in the registry; compiled whether or not this build has them.
 #include "core/errors.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/nlopt/nlopt_adapter.hpp"
@@ -51,17 +51,17 @@ void add_own_options(NloptMethod method, std::vector<NativeOption>& options) {
     if (method == NloptMethod::mma || method == NloptMethod::ccsaq) {
         options.push_back(
             text_option("dual_algorithm", "lbfgs", {"lbfgs", "mma"},
-                        "who solves the dual of each approximation; mma takes minutes for many rows"));
+                        "solver of the dual of each approximation; mma takes minutes for many rows"));
         options.push_back(integer_option("dual_maxeval", fmt::format("{}", default_dual_evaluations),
                                          {1.0, 1e7}, "evaluations of that dual in one iteration"));
     }
     if (traits.is_global) {
         options.push_back(
             number_option("search_radius", fmt::format("{:g}", default_search_radius), positive,
-                          "where a variable has no bound: farthest it goes from the start, in units of "
+                          "where a variable has no bound: largest distance from the start, in units of "
                           "max(1, |start|)"));
         options.push_back(integer_option("population", "0", {0.0, 1e6}, "points kept; 0: 20 (n + 1)"));
-        options.push_back(integer_option("seed", "0", {0.0, 4294967295.0}, "of the random numbers"));
+        options.push_back(integer_option("seed", "0", {0.0, 4294967295.0}, "seed of the random numbers"));
     }
     if (traits.is_augmented)
         options.push_back(integer_option("inner_maxeval", fmt::format("{}", default_inner_evaluations),

@@ -13,7 +13,7 @@ namespace camopt {
 
 namespace {
 
-/// Costs below this are taken for unbounded; a problem arrives scaled to about one.
+/// Costs below this count as unbounded; a problem is scaled to about one.
 constexpr double unbounded_cost = -1e20;
 
 struct Destroy {
@@ -115,7 +115,7 @@ class NloptSolver final : public Solver {
                             number_or(options, "dual_maxeval", default_dual_evaluations));
         }
         if (traits_.is_global) {
-            // The generator is one a thread: seeded here, a solve does not depend on those before it.
+            // The generator is per thread: seeded here, a solve does not depend on those before it.
             nlopt_srand(static_cast<unsigned long>(number_or(options, "seed", 0.0)));
             nlopt_set_population(optimizer, static_cast<unsigned>(number_or(options, "population", 0.0)));
         }
@@ -135,7 +135,7 @@ class NloptSolver final : public Solver {
         nlopt_set_upper_bounds(optimizer, upper.data());
     }
 
-    /// On a bound that set_box() made up.
+    /// On a bound that set_box() added.
     static bool is_at_edge(nlopt_opt optimizer, const NlpShape& shape, const Eigen::VectorXd& x) {
         Eigen::VectorXd lower(x.size()), upper(x.size());
         nlopt_get_lower_bounds(optimizer, lower.data());
@@ -149,7 +149,7 @@ class NloptSolver final : public Solver {
     }
 
     void set_inner(nlopt_opt optimizer, const BackendOptions& options) const {
-        // Without its xtol_abs the outer optimizer of NLopt 2.7 dies of a null pointer.
+        // Without its xtol_abs the outer optimizer of NLopt 2.7 dereferences a null pointer.
         nlopt_set_xtol_abs1(optimizer, 0.0);
         const Optimizer inner(nlopt_create(inner_algorithm_of(method_), nlopt_get_dimension(optimizer)));
         set_steps(inner.get(), options);

@@ -70,7 +70,7 @@ std::span<const SolverEntry> solver_entries() {
 void add_solver(SolverEntry entry, const SolverMaker& make) {
     const std::unique_ptr<Solver> solver = make ? make() : nullptr;
     if (!solver)
-        throw InputError("add_solver: found nothing that makes a solver; allowed: a function that gives one");
+        throw InputError("add_solver: found an empty function; allowed: a function that returns a solver");
     if (entry.name.empty() || entry.name == "auto" || solver->name() != entry.name)
         throw InputError(
             fmt::format("add_solver: found the name \"{}\" for a solver that calls itself \"{}\"; "

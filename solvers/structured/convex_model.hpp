@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Internal to solvers/structured/: what the interior point solves,
+//
+// Internal to solvers/structured/: the problem that the interior point solves,
 //
 //     min f(x)   subject to   x_L <= x <= x_U,   r_L <= C x <= r_U,
 //
@@ -50,7 +51,7 @@ struct ConvexModel {
     Eigen::VectorXd row_lower, row_upper, x_lower, x_upper;
     SparsityPattern hessian;  ///< lower triangle
     CostKind kind = CostKind::linear;
-    /// What 1 in the user's cost is here, <= 1: errors are relative to that or to the cost, whichever is
+    /// The user's cost of 1 in these units, <= 1: errors are relative to that or to the cost, whichever is
     /// larger.
     double cost_unit = 1.0;
     std::unique_ptr<ConvexCost> cost;

@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Every finite side of a row as a row of its own, with −t or +t added.
+/// Every finite side of a row as a separate row, with −t or +t added.
 struct Elastic {
     ConvexModel model;
     std::vector<Index> source;  ///< row of the original behind each row
@@ -52,7 +52,7 @@ Elastic elastic_problem(const ConvexModel& model) {
     return result;
 }
 
-/// A bound on a quantity that grows from w along d: d may go where there is no bound.
+/// A bound on a quantity that grows from w along d: d is free where there is no bound.
 void recession_bounds(double lower, double upper, double& low, double& high) {
     low = std::isfinite(lower) ? 0.0 : -infinity;
     high = std::isfinite(upper) ? 0.0 : infinity;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Internal to solvers/structured/: a primal–dual interior point for a ConvexModel.
 //
-// For every finite bound b of a variable or an inequality row t_b it keeps the gap g_b > 0 to the bound and
+// Internal to solvers/structured/: a primal–dual interior point method for a ConvexModel.
+//
+// For every finite bound b of a variable or an inequality row t_b it has the gap g_b > 0 to the bound and
 // its multiplier z_b > 0, and solves, for μ → 0,
 //     ∇f + C_Eᵀ λ_E − Σ_b σ_b z_b ∇t_b = 0,   C_E x = e,   σ_b (t_b − value_b) = g_b,   g_b z_b = μ,
 // σ_b = +1 for lower bounds, −1 for upper ones (range_rows.hpp has them in pairs).
@@ -24,7 +25,7 @@ namespace camopt::structured {
 
 struct PrimalDualPoint {
     Eigen::VectorXd x;
-    Eigen::VectorXd lambda;  ///< one a row; of an inequality −Σ σ_b z_b over its bounds
+    Eigen::VectorXd lambda;  ///< one per row; of an inequality −Σ σ_b z_b over its bounds
 };
 
 /// A point near the central path, its products g z about `mu`.
@@ -42,14 +43,14 @@ struct Errors {
 
 enum class Stop {
     converged,
-    stagnated,  ///< no better iterate for a while
+    stagnated,  ///< no better iterate for several iterations
     breakdown,  ///< no factorization, or no step
     iteration_limit,
     time_limit,
     interrupted,
     evaluation_error,
-    suspect_infeasible,  ///< the multipliers run away along what looks like a proof of infeasibility
-    suspect_unbounded    ///< the point runs away downhill
+    suspect_infeasible,  ///< the multipliers diverge along an apparent Farkas ray
+    suspect_unbounded    ///< the objective decreases without bound
 };
 
 struct InteriorPointLimits {
@@ -58,9 +59,9 @@ struct InteriorPointLimits {
     int patience = 12;    ///< iterations without a better iterate
     double shift = 1e-9;  ///< regularisation, see condensed_system.hpp
     FactorKind factor = FactorKind::automatic;
-    int correctors = 2;      ///< centrality correctors an iteration, at most
+    int correctors = 2;      ///< centrality correctors per iteration, at most
     bool suspicious = true;  ///< stop at signs of infeasibility or unboundedness
-    bool keep_path = false;  ///< asks for InteriorPointResult::path
+    bool keep_path = false;  ///< requests InteriorPointResult::path
     Deadline deadline = {};
 };
 
@@ -73,7 +74,7 @@ struct InteriorPointResult {
     [[nodiscard]] bool has_point() const { return std::isfinite(errors.worst()); }
 };
 
-/// A beginning far from the path: from any point.
+/// A cold start: from any point.
 [[nodiscard]] InteriorPointResult interior_point(const ConvexModel& model, const Eigen::VectorXd& start,
                                                  const InteriorPointLimits& limits,
                                                  const SolveControl& control);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Internal to solvers/structured/: an Nlp around one point, as a problem with linear rows for a step d = h u.
+//
+// Internal to solvers/structured/: an Nlp linearized at one point, as a problem with linear rows for a step
+// d = h u.
 //
 //     min (cᵀd + ½ dᵀHd + ν t) / (h F)   subject to   d_L <= d <= d_U,   t = t_0 + h τ >= 0,
 //         g_L <= g + G d <= g_U            (linear rows),
-//         g_L − w t <= g + G d <= g_U + w t  (nonlinear rows; ν = 0: t = 0, the rows are kept).
+//         g_L − w t <= g + G d <= g_U + w t  (nonlinear rows; ν = 0: t = 0, no relaxation).
 //
-// h (`unit`) and F (`cost_unit`) bring a small step of a large cost to order 1, where the interior point
-// works to full accuracy; t_0 (`elastic_base`) is the violation at d = 0. Rows keep the numbers of the Nlp;
+// h (`unit`) and F (`cost_unit`) scale a small step of a large cost to order 1, where the interior point
+// works to full accuracy; t_0 (`elastic_base`) is the violation at d = 0. Rows have the numbers of the Nlp;
 // with ν > 0 the lower sides of nonlinear rows with two sides follow them.
 #pragma once
 
@@ -41,7 +43,7 @@ struct StepModel {
     double elastic_base = 0.0;               ///< t_0
     double unit = 1.0, cost_unit = 1.0;      ///< h, F
     bool without_nonlinear_rows = false;
-    bool sharp = false;  ///< to be solved as far as rounding lets
+    bool sharp = false;  ///< to be solved to round-off
 };
 
 class LinearizedProblem final : public Nlp {
@@ -65,7 +67,7 @@ class LinearizedProblem final : public Nlp {
     [[nodiscard]] Eigen::VectorXd multipliers_of(const Eigen::VectorXd& lambda) const;
 
  private:
-    /// Of the problem, where row `index` of this one comes from.
+    /// Of the problem, the origin of row `index` of this one.
     [[nodiscard]] int source_row(int index) const;
     void drop_nonlinear_rows();
     void add_elastic_rows();

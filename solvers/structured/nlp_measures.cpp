@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double at_bound = 1e-7;     // relative distance
-constexpr double significant = 1e-6;  // part of the largest multiplier that makes a row carry one
+constexpr double significant = 1e-6;  // part of the largest multiplier above which a row counts as active
 constexpr double rounding = 1e-14;
 
 double excess(const NlpShape& shape, const VectorXd& rows, Index i) {
@@ -33,7 +33,7 @@ bool positive_definite(const Matrix& lower) {
     return factor.info() == Eigen::Success;
 }
 
-/// Largest sum of absolute values of a row: a bound of every eigenvalue.
+/// Largest sum of absolute values of a row: a bound of every eigenvalue (Gershgorin).
 double row_sum(const Matrix& lower) {
     VectorXd sums = VectorXd::Zero(lower.rows());
     for (Eigen::Index j = 0; j < lower.outerSize(); ++j)
@@ -203,7 +203,7 @@ ConvexifiedHessian convexified(const Matrix& lower, const ActiveRows& active, do
         if (positive_definite(base + result.shift * unit)) break;
         refused = result.shift;
     }
-    // Little more than is needed: a large shift keeps the sequence at saddle points for long.
+    // Slightly more than needed: a large shift keeps the sequence at saddle points for long.
     for (int k = 0; k < halvings; ++k) {
         const double middle = 0.5 * (refused + result.shift);
         (positive_definite(base + middle * unit) ? result.shift : refused) = middle;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to solvers/structured/: how far a point of an Nlp is from its rows and from stationarity.
+// Internal to solvers/structured/: constraint violation and stationarity of a point of an Nlp.
 #pragma once
 
 #include "solvers/structured/linearized_problem.hpp"
@@ -13,13 +13,13 @@
 
 namespace camopt::structured {
 
-// Internal to solvers/structured/: a positive definite stand-in for the Hessian H of the Lagrangian.
+// Internal to solvers/structured/: a positive definite approximation of the Hessian H of the Lagrangian.
 //
 // Where H is not positive definite, first  H + c NᵀN  is tried, N the unit normals of the rows that carry a
-// multiplier. With the term  c Nᵀr  in the slope (r: distance of those rows from their bounds) this adds
-// c/2 ‖N d + r‖², which is zero where the rows are kept: the step stays that of the true Hessian, and the
-// sequence stays superlinear. Only where H curves down along the rows too, a multiple of I is added.
-// Source: Bertsekas, Constrained Optimization and Lagrange Multiplier Methods (1982), section 4.2.
+// multiplier. With the term  c Nᵀr  in the slope (r: distance of those rows from their bounds) this adds c/2
+// ‖N d + r‖², which is zero on the rows: the step remains that of the true Hessian, and convergence
+// superlinear. Only where H has negative curvature along the rows too, a multiple of I is added. Source:
+// Bertsekas, Constrained Optimization and Lagrange Multiplier Methods (1982), section 4.2.
 struct ActiveRows {
     Eigen::SparseMatrix<double, Eigen::RowMajor> normals;  ///< N
     Eigen::VectorXd residuals;                             ///< r
@@ -48,7 +48,7 @@ using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// Largest violation of the rows that are linear or of those that are not, each relative to its scale; >= 0.
 [[nodiscard]] double violation_of(const NlpShape& shape, const Eigen::VectorXd& rows, bool linear);
 
-/// Every row to the tolerance of its scale, or to what rounding leaves of it.
+/// Every row to the tolerance of its scale, or to round-off.
 [[nodiscard]] bool keeps_rows(const NlpShape& shape, const NlpPoint& point, const RowMatrix& jacobian,
                               double tolerance);
 
@@ -63,7 +63,7 @@ struct Stationarity {
     const Eigen::VectorXd& multipliers;
 
     [[nodiscard]] Eigen::VectorXd lagrangian_gradient() const;
-    /// ‖∇L + z‖∞ with the best z for the bounds that x is at.
+    /// ‖∇L + z‖∞ with the best z for the active bounds of x.
     [[nodiscard]] double error() const;
     /// Rows and bounds that carry a multiplier, unless the point is further than `reach` from them.
     [[nodiscard]] ActiveRows active_rows(double reach) const;
@@ -79,15 +79,14 @@ struct Stationarity {
 [[nodiscard]] Eigen::SparseMatrix<double> lagrangian_hessian(const Nlp& problem, const Eigen::VectorXd& x,
                                                              const Eigen::VectorXd& multipliers);
 
-// Internal to solvers/structured/: measures of vectors in the inner loop, written so that they become vector
-// instructions.
+// Internal to solvers/structured/: norms of vectors in the inner loop, written for vectorization.
 
 /// max |v_i|, 0 for none. NaN may hide.
 [[nodiscard]] inline double largest(const Eigen::VectorXd& v) {
     return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0;
 }
 
-/// Whether every entry is finite (and their sum, which for numbers of any use is the same).
+/// Whether every entry is finite (and their sum, which is equivalent for practical numbers).
 [[nodiscard]] inline bool finite(const Eigen::VectorXd& v) {
     return std::isfinite(v.sum());
 }

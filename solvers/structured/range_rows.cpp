@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 using RowMajor = RangeRows::RowMajor;
 
-/// One range before the ranges are put in order. The core row is `sign` times the row (or variable) `core`.
+/// One range before sorting. The core row is `sign` times the row (or variable) `core`.
 struct Draft {
     int core_row = -1, core_variable = -1;
     double sign = 1.0;
@@ -46,7 +46,7 @@ class Drafting {
     [[nodiscard]] bool has_one_side(int i) const {
         return std::isfinite(model_.row_lower[i]) != std::isfinite(model_.row_upper[i]);
     }
-    /// Of a row with one side: +1 where it reads a x <= u as it stands.
+    /// Of a row with one side: +1 if it is a x <= u.
     [[nodiscard]] double upward(int i) const { return std::isfinite(model_.row_upper[i]) ? 1.0 : -1.0; }
     [[nodiscard]] double right_side(int i) const {
         return upward(i) > 0.0 ? model_.row_upper[i] : -model_.row_lower[i];
@@ -72,7 +72,7 @@ class Drafting {
         drafts_.push_back(draft);
     }
 
-    /// The same for rows with the same entries but for their signs.
+    /// Equal for rows whose entries differ only in their signs.
     [[nodiscard]] std::uint64_t key_of(int i) const {
         std::uint64_t key = 1469598103934665603ULL;
         const auto mix = [&](std::uint64_t part) { key = (key ^ part) * 1099511628211ULL; };
@@ -80,10 +80,10 @@ class Drafting {
             mix(static_cast<std::uint64_t>(entry.col()));
             mix(std::bit_cast<std::uint64_t>(std::abs(entry.value())));
         }
-        return key * 0x9E3779B97F4A7C15ULL;  // spreads the key over its first bits
+        return key * 0x9E3779B97F4A7C15ULL;  // distributes the key over its first bits
     }
 
-    /// Whether row i, with one side, is the twin of an earlier one; else it waits for a twin.
+    /// Whether row i, with one side, is the twin of an earlier one; else it is stored for a later twin.
     bool joins_twin(int i) {
         if (!has_one_side(i)) return false;
         int& waiting = waiting_[key_of(i) >> table_shift_];
@@ -128,8 +128,8 @@ class Drafting {
     const ConvexModel& model_;
     const RowMajor& by_row_;
     std::vector<Draft> drafts_;
-    /// Draft of the last row with one side by the first bits of its key, −1: none. That another row takes the
-    /// place of one that waits costs a pair now and then, no more.
+    /// Draft of the last row with one side by the first bits of its key, −1: none. A collision loses a pair
+    /// occasionally, no more.
     std::vector<int> waiting_;
     int table_shift_ = 0;
 };

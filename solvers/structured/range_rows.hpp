@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
+//
 // Internal to solvers/structured/: the bounds of a ConvexModel as ranges,
 //
 //     lower side   t_r + w_r >= l_r,        t_r = C_r x,   w_r = d_r x_{v(r)},
 //     upper side   w_r − t_r >= −u_r.
 //
 // The rows v <= V and −v <= V of a peak are twins: one range of width V around the core row v. So are
-// the two bounds of a row or of a variable, with no width. Whatever is known of both twins is computed once,
+// the two bounds of a row or of a variable, with no width. Quantities common to both twins are computed once,
 // and the dense columns of the widths never enter a product of matrices.
-// Sides are numbered: the lower sides of all ranges, then their upper ones. A side that does not exist keeps
-// its place, with present = 0. Equalities are no ranges.
+// Sides are numbered: the lower sides of all ranges, then their upper ones. A missing side has an index too,
+// with present = 0. Equalities are not ranges.
 #pragma once
 
 #include "solvers/structured/convex_model.hpp"
@@ -29,7 +30,8 @@ struct RangeRows {
         int variable = 0;
         Eigen::Index first = 0, last = 0;
     };
-    /// What a side was: a bound of a row of the model, or (row −1) of a variable; sign +1 lower, −1 upper.
+    /// The origin of a side: a bound of a row of the model, or (row −1) of a variable; sign +1 lower, −1
+    /// upper.
     struct Source {
         int row = -1, variable = -1;
         double sign = 0.0;
@@ -37,11 +39,11 @@ struct RangeRows {
 
     RowMajor matrix;                 ///< the core rows C, then the equalities E
     std::vector<Group> groups;       ///< ranges in none have no width
-    Eigen::VectorXd width;           ///< d, one a range
-    Eigen::VectorXd limit, present;  ///< one a side: l, then −u; 1 or 0
+    Eigen::VectorXd width;           ///< d, one per range
+    Eigen::VectorXd limit, present;  ///< one per side: l, then −u; 1 or 0
     std::vector<Source> source;      ///< of every side
     std::vector<int> equalities;     ///< rows of the model
-    Eigen::VectorXd equal_to;        ///< their right sides
+    Eigen::VectorXd equal_to;        ///< their right-hand sides
     Eigen::Index sides_present = 0;
 
     [[nodiscard]] Eigen::Index ranges() const { return width.size(); }

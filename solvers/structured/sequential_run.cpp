@@ -9,23 +9,23 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Of the scaled step problem. A step is only tried; what is delivered is judged by the Nlp itself.
+// Of the scaled step problem. Steps are only trials; the Nlp itself verifies the result.
 constexpr double usable_error = 1e-4, usable_primal = 1e-7;
 constexpr double sharp_part = 1e-3, sharpest = 1e-14;
 constexpr int sharp_patience = 8;
-constexpr double kept = 1e-8;         // elastic part below which the linearized rows count as kept
+constexpr double kept = 1e-8;         // elastic part below which the linearized rows count as satisfied
 constexpr double part_of_best = 0.1;  // of the possible reduction of the violation
 constexpr double penalty_growth = 10.0;
 constexpr double largest_penalty = 1e8;
-constexpr int most_raises = 3;  // in one pass: the curvature still belongs to the penalty before
+constexpr int most_raises = 3;  // in one pass: the curvature still belongs to the previous penalty
 
-// One step: its model, its computation, and whether the merit takes it.
-constexpr double least_unit = 1e-3;     // of a step problem while the last digits are sought
+// One step: its model, its computation, and whether the merit function accepts it.
+constexpr double least_unit = 1e-3;     // of a step problem while the last digits are computed
 constexpr double unit_lengths = 100.0;  // lengths of the last step in that unit
-constexpr double free_elastic = 1e-8;   // t below which the linearized rows are kept without help
-constexpr int elastic_passes = 3;       // after rows that could not be kept
-// The merit clings to the rows where ν is much larger than the multipliers ask for; a bounded number of
-// reductions keeps it from cycling.
+constexpr double free_elastic = 1e-8;   // t below which the linearized rows need no relaxation
+constexpr int elastic_passes = 3;       // after rows that could not be satisfied
+// The merit function follows the rows too closely where ν is much larger than the multipliers require; a
+// bounded number of reductions prevents cycling.
 constexpr double penalty_excess = 8.0, least_penalty = 1e-6;
 constexpr int most_reductions = 20;
 constexpr int most_corrections = 3;
@@ -41,7 +41,7 @@ Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
     if (form.status() != StandardForm::Status::ready) return result;
     InteriorPointLimits limits = limits_;
     limits.suspicious =
-        model.penalty == 0.0;  // with elastic rows and a bounded step there always is an optimum
+        model.penalty == 0.0;  // with elastic rows and a bounded step an optimum always exists
     if (model.sharp) {
         limits.tolerance = std::max(sharp_part * limits.tolerance, sharpest);
         limits.patience = std::min(limits.patience, sharp_patience);
@@ -148,7 +148,7 @@ double SequentialRun::slope_change(const VectorXd& step) const {
     return here_.gradient.dot(step) + 0.5 * step.dot(image);
 }
 
-/// ν follows the multipliers of steps that keep the rows; elastic steps have found theirs already.
+/// ν follows the multipliers of steps that satisfy the rows; elastic steps have determined theirs already.
 void SequentialRun::adapt_penalty(const StepModel& model, const Step& step) {
     const double needed = needed_penalty(shape_, step.multipliers);
     const bool too_large = penalty_ > penalty_excess * needed && reductions_ < most_reductions;
@@ -167,7 +167,7 @@ VectorXd SequentialRun::corrected_rows(const NlpPoint& trial, const VectorXd& st
     return rows;
 }
 
-/// Tries the step, with second-order corrections where the rows' curvature spoils it; true: taken.
+/// Tries the step, with second-order corrections for the rows' curvature; true: accepted.
 bool SequentialRun::take(const StepModel& model, Step step) {
     constexpr double accept = 1e-4, poor = 0.25, good = 0.75;
     adapt_penalty(model, step);
@@ -200,7 +200,7 @@ bool SequentialRun::take(const StepModel& model, Step step) {
         if (!trial.finite()) gained = -infinity;
     }
     spoiled_ = gained == -infinity;
-    // The last digits do not show in the merit any more.
+    // The last digits are below the round-off of the merit function.
     const bool polishing = flat_ && !spoiled_ && merit(trial) - before <= options_.tolerance * cost_size();
     if (polishing && gained <= accept) {
         differentiate(problem_, trial);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to solvers/structured/: the state of one sequential solve (sequential_solver.hpp says how).
+// Internal to solvers/structured/: the state of one sequential solve (method: sequential_solver.hpp).
 #pragma once
 
 #include "solvers/backend_support.hpp"
@@ -34,13 +34,13 @@ class StepSolver {
 
     [[nodiscard]] Step solve(const NlpPoint& point, const StepModel& model);
 
-    /// With elastic rows, and with a penalty ν large enough: ν grows until the step takes its part of the
+    /// With elastic rows, and with a penalty ν large enough: ν grows until the step reaches its part of the
     /// least violation that the linearized rows allow. Source: Byrd, Nocedal, Waltz, Steering exact penalty
     /// methods for nonlinear programming, Optim. Methods Softw. 23 (2008).
     struct Steered {
         Step step;
-        Eigen::VectorXd least_multipliers;  ///< with Σ |λ_i| w_i = 1, where least_elastic was asked for
-        double least_elastic = 0.0;         ///< of any step; the violation itself where that was not asked
+        Eigen::VectorXd least_multipliers;  ///< with Σ |λ_i| w_i = 1, if least_elastic was computed
+        double least_elastic = 0.0;         ///< of any step; the violation itself if not computed
     };
     [[nodiscard]] Steered solve_elastic(const NlpPoint& point, StepModel& model, double violation);
 
@@ -99,7 +99,7 @@ class SequentialRun {
     std::vector<bool> curved_;  ///< variables in which something is not linear
     NlpPoint here_;
     RowMatrix jacobian_;
-    ActiveRows active_;  ///< what hessian_ takes for active
+    ActiveRows active_;  ///< the active set of hessian_
     ConvexifiedHessian hessian_;
     Eigen::SparseMatrix<double> true_hessian_;
     Eigen::VectorXd multipliers_, least_multipliers_;

@@ -14,17 +14,17 @@ namespace camopt::structured {
 namespace {
 
 constexpr double least_radius = 1e-13;
-constexpr double largest_size = 1e10;   // of a variable: beyond it the point runs away
-constexpr double linear_reach = 100.0;  // how much further variables may move in which all is linear
+constexpr double largest_size = 1e10;   // of a variable: beyond it the iteration diverges
+constexpr double linear_reach = 100.0;  // how much further linear variables may move
 constexpr double proximal = 1e-8;       // multiple of I in H, of the size of the gradient
 constexpr double loose = 0.1;           // part of the last step: a row that far from its bound is not active
 constexpr double left = 1e-3;           // of the step's length: from there on it has left a row
 constexpr int most_polishing = 6;       // passes
 constexpr double polished = 1e-3;       // of the tolerance: stationarity that no pass can improve
-constexpr double stationary = 1e-6;     // what deserves the word converged
+constexpr double stationary = 1e-6;     // threshold for Termination::converged
 constexpr double nearly_kept = 1e3;     // tolerances of violation that further passes remove
 constexpr int slow_passes = 25;         // in which the violation must fall by a tenth
-constexpr int most_failures = 8;        // step problems in a row that end without a step
+constexpr int most_failures = 8;        // step problems in a row that failed
 constexpr double stationary_violation = 1e-7;
 constexpr double off = 0.1;     // of the tolerance: linear rows that must be restored first
 constexpr double nudge = 0.01;  // of the size of a variable
@@ -54,7 +54,7 @@ NlpPoint SequentialRun::moved(const VectorXd& step) const {
     return evaluated(problem_, (here_.x + step).cwiseMax(shape_.x_lower).cwiseMin(shape_.x_upper));
 }
 
-/// A first point that keeps the linear rows and the bounds: all later ones then do.
+/// A first point that satisfies the linear rows and the bounds: all later ones then do.
 std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
     here_ = evaluated(problem_, start.cwiseMax(shape_.x_lower).cwiseMin(shape_.x_upper));
     if (violation_of(shape_, here_.rows, true) > off * options_.tolerance) {
@@ -97,9 +97,8 @@ void SequentialRun::convexify() {
     hessian_ = convexified(true_hessian_, active_, proximal * std::max(size, 1e-8));
 }
 
-/// Rows that the convexified Hessian holds the step to, but which the step leaves all the same, were not
-/// active: without them the step is as long as the problem lets it be. True: there were some, and the Hessian
-/// is another.
+/// Rows to which the convexified Hessian confines the step, but which the step leaves, were not active:
+/// without them the step is as long as the problem allows. True: there were some, and the Hessian changed.
 bool SequentialRun::drop_left_rows(const Step& step) {
     if (!hessian_.holds) return false;
     const VectorXd distance = active_.normals * step.step + active_.residuals;
@@ -111,7 +110,7 @@ bool SequentialRun::drop_left_rows(const Step& step) {
     return true;
 }
 
-/// Tangents of convex rows that contradict each other, with the linear rows, prove that nothing is feasible.
+/// Tangents of convex rows that contradict each other, with the linear rows, prove infeasibility.
 std::optional<BackendResult> SequentialRun::contradiction() {
     StepModel model = step_model();
     model.slope.setZero();
@@ -132,8 +131,8 @@ std::optional<BackendResult> SequentialRun::contradiction() {
     return result;
 }
 
-/// No gain in sight and the rows kept. The last digits, above all those of the multipliers, take some more
-/// passes: the best of them is delivered.
+/// No decrease, and the rows are satisfied. The last digits, above all those of the multipliers, take some
+/// more passes: the best of them is delivered.
 bool SequentialRun::settled(const Step& step) {
     flat_ = std::abs(slope_change(step.step)) <= options_.tolerance * cost_size();
     if (!flat_) polishing_ = 0;
@@ -152,8 +151,8 @@ BackendResult SequentialRun::finished() const {
                                                      : ended(Termination::acceptable, "no further progress");
 }
 
-/// No step reduces the linearized violation. By convexity a feasible point would then be far away: at
-/// 1 / stationary_violation times the size of the point at least.
+/// No step reduces the linearized violation. By convexity a feasible point would then be distant: at least 1
+/// / stationary_violation times the size of the point.
 bool SequentialRun::stationary_in_violation(double least_elastic) const {
     const double now = violation(here_);
     return now - least_elastic <= stationary_violation * now * std::min(1.0, radius_);
@@ -166,7 +165,7 @@ BackendResult SequentialRun::infeasible() const {
     return result;
 }
 
-/// Another point than a stationary one of the violation, such as the center of a disc to be left.
+/// A start away from a stationary point of the violation, such as the center of a disc to be left.
 VectorXd SequentialRun::nudged() const {
     VectorXd x = here_.x;
     for (Index j = 0; j < x.size(); ++j)
@@ -175,7 +174,7 @@ VectorXd SequentialRun::nudged() const {
     return x;
 }
 
-/// The violation is least nearby, or falls so slowly that it never ends.
+/// The violation is locally minimal, or decreases too slowly.
 bool SequentialRun::hopeless(double least_elastic) {
     const double now = violation(here_);
     if (now <= 0.9 * marked_violation_) {
@@ -190,7 +189,7 @@ std::optional<BackendResult> SequentialRun::pass() {
     StepModel model = step_model();
     Step step = next_step(model);
     if (passes_ == 1 && step.usable && !step.multipliers.isZero()) {
-        // The first step knew no multipliers, hence no curvature of the rows.
+        // The first step had no multipliers, hence no curvature of the rows.
         multipliers_ = step.multipliers;
         linearize();
         model = step_model();
@@ -226,18 +225,18 @@ std::optional<BackendResult> SequentialRun::pass() {
         }
         if (over)
             return ended(Termination::numerical_failure,
-                         "no feasible point found: the violation is least nearby");
+                         "no feasible point found: the violation is locally minimal");
     }
     if (!take(model, std::move(step)) && best_ && polishing_ > 0) return finished();
     if (control_.known && control_.known(here_.x))
-        return ended(Termination::acceptable, "beside a minimum that is known");
+        return ended(Termination::acceptable, "near a known minimum");
     if (radius_ < least_radius) {
         if (spoiled_) return ended(Termination::evaluation_error, "no step leads to finite values");
         if (kept(here_)) return ended(Termination::acceptable, "the steps became too small");
         return ended(Termination::numerical_failure, "no feasible point found: the steps became too small");
     }
     if (here_.x.size() > 0 && here_.x.cwiseAbs().maxCoeff() > largest_size)
-        return ended(Termination::unbounded, "the point runs away downhill");
+        return ended(Termination::unbounded, "the objective decreases without bound");
     return std::nullopt;
 }
 

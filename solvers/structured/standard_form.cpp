@@ -17,8 +17,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// The nearest one by ratio. Of a normal number: what √2 lacks to 2, added to its bits, carries into the
-/// exponent from √2 on.
+/// The nearest power of two by ratio. Of a normal number: the bits that √2 lacks to 2, added to its bits,
+/// carry into the exponent from √2 on.
 double power_of_two_near(double value) {
     constexpr std::uint64_t fraction = (std::uint64_t{1} << 52) - 1;
     constexpr std::uint64_t lacking =
@@ -30,7 +30,7 @@ double power_of_two_near(double value) {
     return std::ldexp(1.0, part < std::numbers::sqrt2 / 2.0 ? exponent - 1 : exponent);
 }
 
-/// The Nlp's cost seen from x̂.
+/// The Nlp's cost as a function of x̂.
 class ScaledCost final : public ConvexCost {
  public:
     struct Frame {
@@ -38,7 +38,7 @@ class ScaledCost final : public ConvexCost {
         std::vector<int> kept;
         VectorXd scale;
         double cost_scale;
-        std::vector<int> hessian_entries;  ///< which entries of the Nlp's Hessian are kept
+        std::vector<int> hessian_entries;  ///< which entries of the Nlp's Hessian are used
     };
     ScaledCost(const Nlp& problem, Frame frame) : problem_(problem), frame_(std::move(frame)) {
         const NlpShape& shape = problem.shape();
@@ -149,7 +149,7 @@ void StandardForm::read(const VectorXd& start) {
     VectorXd at_start(shape.constraints());
     problem_.constraints(start, at_start);
     constant_ = at_start - full_ * start;
-    // Rounding of the difference must not move a homogeneous row.
+    // Round-off of the difference must not change a homogeneous row.
     VectorXd size = at_start.cwiseAbs();
     for (Index j = 0; j < full_.outerSize(); ++j)
         for (Matrix::InnerIterator entry(full_, j); entry; ++entry)
@@ -180,7 +180,7 @@ void StandardForm::keep_rows() {
         ray.bound_multipliers = bound_multipliers(VectorXd::Zero(shape.variables()), ray.row_multipliers);
         ray_ = std::move(ray);
         return fail(Status::infeasible,
-                    "row " + problem_.row_name(i) + " cannot be kept by the fixed variables");
+                    "row " + problem_.row_name(i) + " cannot be satisfied with the fixed variables");
     }
     std::vector<int> row_index(static_cast<std::size_t>(shape.constraints()), -1);
     for (std::size_t k = 0; k < kept_rows_.size(); ++k)
@@ -244,7 +244,7 @@ void StandardForm::equilibrate(const VectorXd& start) {
         return fail(Status::evaluation_error, "the cost's Hessian is not finite at the start");
 
     constexpr int sweeps = 12;
-    constexpr double balanced = 2.0;  // powers of two come out in the end: closer is not worth a sweep
+    constexpr double balanced = 2.0;  // powers of two are applied: closer is not worth a sweep
     column_scale_ = VectorXd::Ones(model_.variables());
     row_scale_ = VectorXd::Ones(model_.constraints());
     for (int sweep = 0; sweep < sweeps; ++sweep) {

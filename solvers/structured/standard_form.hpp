@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Internal to solvers/structured/: an Nlp with linear rows as a well-scaled ConvexModel, and the way back.
+//
+// Internal to solvers/structured/: an Nlp with linear rows as a well-scaled ConvexModel, and the inverse
+// mapping.
 //
 // Fixed variables become constants, free and empty rows disappear, and with powers of two for S (columns),
 // T (rows) and σ (cost)
@@ -19,8 +21,8 @@
 
 namespace camopt::structured {
 
-/// A proof that no point is feasible: Jᵀ row_multipliers + bound_multipliers = 0 and
-/// −Σ λ_i b_i − Σ z_j x_bound_j = 1 (see structured_solver.hpp).
+/// A Farkas proof of infeasibility: Jᵀ row_multipliers + bound_multipliers = 0 and −Σ λ_i b_i − Σ z_j
+/// x_bound_j = 1 (see structured_solver.hpp).
 struct Ray {
     Eigen::VectorXd row_multipliers, bound_multipliers;
 };
@@ -31,7 +33,7 @@ class StandardForm {
         ready,
         infeasible,        ///< a row without variables contradicts itself: ray() is set
         crossed_bounds,    ///< a lower bound above its upper one
-        evaluation_error,  ///< the Nlp gave a value that is not finite
+        evaluation_error,  ///< the Nlp returned a value that is not finite
     };
 
     /// `start`: where a cost that is not quadratic is scaled. The Nlp must outlive this object.

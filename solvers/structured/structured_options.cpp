@@ -85,7 +85,7 @@ StructuredOptions structured_options(const std::map<std::string, OptionValue>& n
     return options;
 }
 
-// What the registry says of the structured solver; always there, since it needs nothing but Eigen.
+// The structured solver's entry in the registry; always present, since it needs only Eigen.
 SolverEntry structured_entry() {
     SolverEntry entry;
     entry.name = "structured";
@@ -98,7 +98,7 @@ SolverEntry structured_entry() {
         fmt::format("Eigen {}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
     entry.gives_multipliers = true;
     entry.options = {
-        integer_option("max_iterations", "200", {1.0, 1e9}, "iterations, the elastic phase apart"),
+        integer_option("max_iterations", "200", {1.0, 1e9}, "iterations without the elastic phase"),
         number_option("regularisation", "1e-9", {1e-14, 1e-3}, "diagonal shift of the scaled Newton matrix"),
         integer_option("correctors", "1", {0.0, 10.0}, "centrality correctors in one iteration, at most"),
         text_option("factorization", "auto", {"auto", "chain", "simplicial", "cholmod", "klu"},

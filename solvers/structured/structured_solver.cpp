@@ -23,10 +23,11 @@ using structured::Stop;
 
 constexpr double acceptable = 100.0;  // times the tolerance
 constexpr double elastic_tolerance = 1e-13;
-constexpr double least_proof = 1e-11;  // scaled common violation below which double precision proves nothing
+constexpr double least_proof =
+    1e-11;  // scaled common violation below which double precision cannot prove infeasibility
 
-// A neighbour is reached in a dozen iterations; where it takes as many as a beginning from afar, that is
-// surer.
+// A warm start takes a dozen iterations; where it takes as many as a cold start, the cold start is more
+// reliable.
 constexpr int most_from_near = 30;
 
 const char* word(Stop stop) {
@@ -100,7 +101,7 @@ BackendResult StructuredRun::refused() {
     return result;
 }
 
-/// Along the path of a neighbouring problem; no point where that leads nowhere.
+/// Along the path of a neighbouring problem; no point if the warm start fails.
 InteriorPointResult StructuredRun::from_near() {
     if (!near_ || near_->x.size() != problem_.shape().variables()) return {};
     const structured::CentralPoint near{

@@ -7,7 +7,7 @@
 // around the newest point (sequential_solver.hpp); what it finds is a local optimum, a global one where
 // shape().convex. Bounds may be equal (fixed variables, equalities), one-sided or absent; redundant
 // consistent rows do no harm. The cost is evaluated only at points between the bounds of x, strictly so with
-// the interior point alone (where f is not quadratic), and rows only where the linear ones are kept, the
+// the interior point alone (where f is not quadratic), and rows only where the linear ones hold, the
 // start apart.
 //
 // Linear rows, convex:
@@ -15,8 +15,8 @@
 // of it); acceptable: <= 100 times that. Both multipliers are always given. infeasible: row_multipliers λ and
 // bound_multipliers z are a Farkas ray instead,
 //     Jᵀλ + z = 0   and   −Σ λ_i b_i − Σ z_j x_bound_j = 1,
-// where b_i = g_U − g_0 for λ_i > 0 and g_L − g_0 for λ_i < 0, x_bound_j alike; x is then the point of least
-// common violation. The multipliers are absent where the bounds of one row or variable cross.
+// where b_i = g_U − g_0 for λ_i > 0 and g_L − g_0 for λ_i < 0, x_bound_j likewise; x is then the point of
+// least common violation. The multipliers are absent where the bounds of one row or variable cross.
 // unbounded: x is the last point, native_status says along what was found.
 //
 // Otherwise `iterations` counts the linearizations. converged: violations relative to RowKind::scale and the

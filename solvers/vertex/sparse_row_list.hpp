@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of which most entries are 0, one behind the other (compressed sparse rows), that grow and are thinned
-// out.
+// Compressed sparse rows that can be appended and removed.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,7 +30,7 @@ class SparseRowList {
         entries_.resize(to);
         begin_.resize(rows + 1);
     }
-    /// visit(column, entry) of those that are not 0, in the order of the columns.
+    /// visit(column, entry) of the nonzeros, in the order of the columns.
     template <class Visit>
     void each(int row, const Visit& visit) const {
         const auto at = static_cast<std::size_t>(row);

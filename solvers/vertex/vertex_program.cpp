@@ -13,17 +13,17 @@ namespace camopt {
 
 namespace {
 
-// Rows have entries near one. Nearer than this to its side a row is kept.
+// Rows have entries near one. A violation below this counts as satisfied.
 constexpr double kept_side = 1e-10;
-// Multipliers above minus this are taken for 0: what that costs the bound is in the bound.
+// Multipliers above minus this count as 0: the bound accounts for it.
 constexpr double least_multiplier = 1e-10;
-// Smaller pivots multiply rounding.
+// Smaller pivots amplify round-off.
 constexpr double least_pivot = 1e-9;
-// Right sides are moved out by up to twice this.
+// Right-hand sides are perturbed by up to twice this.
 constexpr double moved_by = 1e-9;
-// Costs of the first way to a corner are moved by this part of the largest, so that no multipliers tie.
+// Costs of the first phase are perturbed by this part of the largest, so that multipliers are distinct.
 constexpr double moved_cost = 1e-5;
-// Steps after which the inverse is computed afresh.
+// Steps after which the inverse is recomputed.
 constexpr int refactor_every = 50;
 constexpr int most_steps_a_variable = 60;
 constexpr int clock_every = 32;
@@ -85,7 +85,7 @@ std::vector<int> VertexProgram::drop_rows(std::vector<char> kept) {
 void VertexProgram::set_bounds(int j, double lower, double upper) {
     lower_[j] = lower;
     upper_[j] = upper;
-    // The corner moves with a bound that it lies on.
+    // The corner moves with its active bounds.
     if (corner_.empty() ||
         (!lower_on_[static_cast<std::size_t>(j)] && !upper_on_[static_cast<std::size_t>(j)]))
         return;
@@ -184,7 +184,7 @@ Eigen::VectorXd VertexProgram::face_multipliers(const Eigen::VectorXd& cost) con
     return -(inverse_.transpose() * cost);
 }
 
-/// Dual steps: the corner is optimal for the cost, and outside of rows.
+/// Dual simplex steps: the corner is optimal for the cost, but violates rows.
 VertexProgram::Outcome VertexProgram::reach_feasible(const Eigen::VectorXd& cost,
                                                      const SolveControl& control) {
     const int most = most_steps_a_variable * variables();
@@ -232,7 +232,7 @@ VertexProgram::Outcome VertexProgram::reach_feasible(const Eigen::VectorXd& cost
     return Outcome::stuck;
 }
 
-/// Primal steps: the corner lies within all rows.
+/// Primal simplex steps: the corner satisfies all rows.
 VertexProgram::Outcome VertexProgram::reach_optimal(const Eigen::VectorXd& cost,
                                                     const SolveControl& control) {
     const int most = most_steps_a_variable * variables();
@@ -240,7 +240,7 @@ VertexProgram::Outcome VertexProgram::reach_optimal(const Eigen::VectorXd& cost,
         if (count % clock_every == clock_every - 1 && control.ending()) return Outcome::ended;
         const Eigen::VectorXd multipliers = face_multipliers(cost);
         if (multipliers.minCoeff() >= -least_multiplier) return Outcome::done;
-        // The steepest edge: the way along which the cost falls most by the length of x.
+        // Steepest-edge pricing: the edge of largest decrease of the cost relative to its length in x.
         Eigen::Index leaving = -1;
         (multipliers.array().min(0.0).square() / inverse_.colwise().squaredNorm().transpose().array())
             .maxCoeff(&leaving);
@@ -304,7 +304,7 @@ VertexBound VertexProgram::bound_at_corner(const Eigen::VectorXd& cost) const {
     VertexBound result;
     result.x = x_;
     Eigen::VectorXd multipliers = face_multipliers(cost);
-    // Once more for what rounding left.
+    // Once more for the round-off.
     Eigen::VectorXd rest = cost;
     for (Eigen::Index k = 0; k < multipliers.size(); ++k)
         rest += multipliers[k] * normal(corner_[static_cast<std::size_t>(k)]);

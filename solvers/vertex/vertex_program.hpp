@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One linear program and many costs: what bounding over boxes asks for thousands of times.
+//
+// A simplex method for one linear program with many costs, for bounds over boxes.
 //
 //     min c·x   subject to   a_i·x <= b_i,   l <= x <= u,   l and u finite
 //
-// A simplex method that goes from corner to corner of what is left: another cost starts at the
-// corner of the last one (primal steps), new rows are met from the last optimum (dual steps). Right sides are
-// moved out by a hair while it runs, so that no two corners coincide; the bound knows nothing of that.
+// Another cost starts at the last corner (primal steps), new rows from the last optimum (dual steps).
+// Right-hand sides are perturbed to avoid degeneracy. The reported bound uses the unperturbed values.
 //
-// The bound is proved whatever the steps did: for any multipliers λ >= 0 of the rows,
+// The bound is valid regardless of the steps: for any multipliers λ >= 0 of the rows,
 //     c·x >= −Σ λ_i b_i + Σ_j min(r_j l_j, r_j u_j),   r = c + Σ λ_i a_i,
 // added up in long double and rounded outward.
 #pragma once
@@ -28,11 +28,11 @@ struct VertexBound {
     enum class Status {
         optimal,
         infeasible,  ///< proved: the multipliers give 0 > 0
-        stopped      ///< by the clock or by rounding: the bound holds all the same
+        stopped      ///< by the clock or by round-off: the bound still holds
     };
     Status status = Status::stopped;
-    double bound = -infinity;  ///< c·x of every point is at least this; infeasible: +infinity
-    Eigen::VectorXd x;         ///< the corner; empty where there is none
+    double bound = -infinity;                         ///< a lower bound of c·x; infeasible: +infinity
+    Eigen::VectorXd x;                                ///< the corner; empty where there is none
     std::vector<std::pair<int, double>> multipliers;  ///< row, λ > 0
 };
 
@@ -45,14 +45,14 @@ class VertexProgram {
     [[nodiscard]] int rows() const { return static_cast<int>(side_.size()); }
     /// a·x <= b; its number is rows() before.
     void add_row(const Eigen::VectorXd& a, double b);
-    /// Lets rows go whose place in `kept` is 0, all but those the corner at hand lies on. Returns what stays,
-    /// by old numbers, ascending.
+    /// Removes rows whose entry in `kept` is 0, except those active at the current corner. Returns the
+    /// remaining ones, by old numbers, ascending.
     std::vector<int> drop_rows(std::vector<char> kept);
-    /// l <= x_j <= u, inside what it was.
+    /// l <= x_j <= u, inside the previous bounds.
     void set_bounds(int j, double lower, double upper);
     [[nodiscard]] double lower(int j) const { return lower_[j]; }
     [[nodiscard]] double upper(int j) const { return upper_[j]; }
-    /// b_i − a_i·x >= 0 where the row is kept.
+    /// b_i − a_i·x >= 0 if the row is satisfied.
     [[nodiscard]] double slack(int row, const Eigen::VectorXd& x) const;
 
     [[nodiscard]] VertexBound minimize(const Eigen::VectorXd& cost, const SolveControl& control);
@@ -64,7 +64,8 @@ class VertexProgram {
  private:
     enum class Outcome { done, infeasible, stuck, ended };
 
-    /// What a corner lies on: a row (>= 0), the lower bound of variable j (−1 − 2j), the upper one (−2 − 2j).
+    /// An active constraint of a corner: a row (>= 0), the lower bound of variable j (−1 − 2j), the upper one
+    /// (−2 − 2j).
     using Face = int;
     [[nodiscard]] static Face lower_face(Eigen::Index j) { return -1 - 2 * static_cast<int>(j); }
     [[nodiscard]] static Face upper_face(Eigen::Index j) { return -2 - 2 * static_cast<int>(j); }
@@ -72,7 +73,7 @@ class VertexProgram {
     [[nodiscard]] double side(Face face) const;
     void start_at_bounds(const Eigen::VectorXd& cost);
     [[nodiscard]] bool refactor();
-    /// `rise`: −(normals of all rows) · (column `leaving` of the inverse) where it is known already.
+    /// `rise`: −(normals of all rows) · (column `leaving` of the inverse) if known already.
     [[nodiscard]] bool exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& rise);
     [[nodiscard]] Outcome reach_feasible(const Eigen::VectorXd& cost, const SolveControl& control);
     [[nodiscard]] Outcome reach_optimal(const Eigen::VectorXd& cost, const SolveControl& control);
@@ -85,14 +86,14 @@ class VertexProgram {
     Eigen::VectorXd lower_, upper_;
     SparseRowList normals_;       ///< each scaled by a power of two
     std::vector<double> factor_;  ///< that power
-    std::vector<double> side_;    ///< b, scaled alike
-    std::vector<double> moved_;   ///< b moved out by a hair
+    std::vector<double> side_;    ///< b, scaled equally
+    std::vector<double> moved_;   ///< b perturbed
     std::vector<Face> corner_;    ///< empty: none yet
     std::vector<char> row_on_, lower_on_, upper_on_;
     Eigen::MatrixXd inverse_;  ///< of the matrix whose rows are the normals of the corner's faces
     Eigen::VectorXd x_, activity_;
-    Eigen::VectorXd last_cost_;  ///< the corner is optimal for it, rows added since apart
-    Eigen::VectorXd ray_;        ///< multipliers of the faces that show there is nothing
+    Eigen::VectorXd last_cost_;  ///< the corner is optimal for it, apart from rows added since
+    Eigen::VectorXd ray_;        ///< multipliers of the faces that prove infeasibility
     Face ray_face_ = 0;
     int since_refactor_ = 0;
     long steps_ = 0;

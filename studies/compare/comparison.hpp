@@ -30,7 +30,7 @@ struct ComparisonRow {
     /// motion (another motion is no loss), and where a broken limit alone makes it better.
     std::optional<double> loss_percent;
     std::vector<LimitOutcome> limits;  ///< the same ones, in the same order, in every row
-    bool feasible = false;             ///< every limit is kept
+    bool feasible = false;             ///< every limit is satisfied
     std::optional<NeededBase> base;    ///< where the scene limits a cam whose base radius is a dimension
 
     [[nodiscard]] bool is_optimum() const { return key.empty(); }
@@ -39,7 +39,7 @@ struct ComparisonRow {
 struct Comparison {
     Solution optimum;
     std::optional<DrivenMechanism> cam;  ///< that the laws were judged with; none: the scene has no cam
-    /// By objective: first what keeps every limit, then what breaks one or cannot touch its cam, last the
+    /// By objective: first what satisfies every limit, then what breaks one or cannot touch its cam, last the
     /// laws that do not fit. The optimum is among them where there is a motion.
     std::vector<ComparisonRow> rows;
 };

@@ -31,7 +31,7 @@ struct ClosestApproach {
 struct LawLoss {
     std::string key, title;
     PeakTriple peaks{};                      ///< normalised, finite
-    bool feasible = false;                   ///< keeps every limit of the scene
+    bool feasible = false;                   ///< satisfies every limit of the scene
     std::optional<double> loss_percent;      ///< at the scene's own weights, of its whole objective
     std::optional<ClosestApproach> closest;  ///< none, too, where a broken limit alone makes it better
     /// The least V at the law's A and J, the least A at its V and J, the least J at its V and A; none where

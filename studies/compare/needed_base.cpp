@@ -39,7 +39,7 @@ class Judge {
         find_range();
     }
 
-    /// Empty: every limit is kept with this base radius; else what is not.
+    /// Empty: every limit is satisfied with this base radius; else what is not.
     [[nodiscard]] std::string broken_at(double base) {
         CamVariables variables;
         variables.cam = cam_;

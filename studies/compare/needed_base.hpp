@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The smallest base radius at which a given motion keeps every limit of the scene's cam, the other dimensions
-// as they are.
+// The smallest base radius at which a given motion satisfies every limit of the scene's cam, the other
+// dimensions as they are.
 //
 // The limits are the rules the optimizer keeps (objectives/rules/cam_limits.hpp), judged by their continuous
 // maxima along the motion. From the smallest cam that can be built upwards, radii are tried in steps (ten a
 // decade of the distance from that smallest; where the mechanism allows no larger ones than some radius,
-// 1/400 of what it allows); the first that keeps all limits is bisected against its forerunner. A radius that
-// helps only within one step, between two that do not, may be missed.
+// 1/400 of what it allows); the first that satisfies all limits is bisected against its forerunner. A radius
+// that helps only within one step, between two that do not, may be missed.
 #pragma once
 
 #include "core/motion.hpp"

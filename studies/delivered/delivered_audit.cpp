@@ -96,7 +96,7 @@ std::optional<Fault> coefficient_fault(const SplineCurve& curve, const Peaks& pe
             const Eigen::VectorXd met = basis.cwiseAbs() * own.cwiseAbs().cwiseMax(1.0);
             if (found <= rounding * most_of_derivative(met, order, space.width(i))) continue;
             return Fault{Reason::coefficients_too_coarse,
-                         fmt::format("the coefficients do not give back derivative {} of the curve between "
+                         fmt::format("the coefficients do not reproduce derivative {} of the curve between "
                                      "x = {:.10g} and {:.10g}: it is off by {:.2g} of its peak",
                                      order, space.breakpoints()[i], space.breakpoints()[i + 1],
                                      found / size[static_cast<std::size_t>(order)])};
@@ -110,7 +110,7 @@ std::optional<Fault> condition_fault(const Solution& solution) {
     const std::vector<ConditionMiss> missed = missed_conditions(solution, tolerance);
     if (missed.empty()) return {};
     return Fault{Reason::condition_not_met,
-                 "the delivered motion misses a condition: " + missed.front().condition};
+                 "the delivered motion violates a condition: " + missed.front().condition};
 }
 
 /// A cam whose figures would have no value: the follower does not reach all of its motion.
@@ -138,7 +138,7 @@ std::optional<Fault> limit_fault(const Solution& solution) {
             continue;
         const std::string unit = report.unit.empty() ? "" : " " + report.unit;
         return Fault{Reason::limit_not_kept,
-                     fmt::format("{} = {:.9g}{} is not kept: {} reaches {:.9g}{} at x = {:.6g}", report.key,
+                     fmt::format("{} = {:.9g}{} is violated: {} reaches {:.9g}{} at x = {:.6g}", report.key,
                                  report.limit, unit, report.name, report.worst, unit, report.at)};
     }
     return {};
@@ -151,7 +151,7 @@ std::optional<Fault> limit_between_fault(const Solution& solution) {
     for (const EnclosedLimit& limit : solution.cam->limits_along)
         if (!(limit.worst <= tolerance))
             return Fault{Reason::limit_not_kept,
-                         fmt::format("{} is not kept: passed by {:.2g} of its size at x = {:.6g}", limit.key,
+                         fmt::format("{} is violated by {:.2g} of its size at x = {:.6g}", limit.key,
                                      limit.worst, limit.at)};
     return {};
 }
@@ -160,7 +160,7 @@ std::optional<Fault> objective_fault(double believed, double found) {
     if (std::abs(believed - found) <= objective_rounding * std::max(1.0, std::abs(found))) return {};
     return Fault{
         Reason::objective_not_of_the_curve,
-        fmt::format("the solver's objective {:.9g} is not that of the curve, {:.9g}", believed, found)};
+        fmt::format("the solver's objective {:.9g} differs from that of the curve, {:.9g}", believed, found)};
 }
 
 /// A gap that the curve's own objective widens beyond solver.gap is no proof that it is optimal.
@@ -195,14 +195,14 @@ void tell_of_rounding(Solution& solution) {
     const bool relaxed = certificate.proof && certificate.proof->limits_relaxed_by > 0.0;
     if (!relaxed && certificate.reason != Reason::limits_within_rounding) return;
     std::string note =
-        fmt::format("{}: within rounding of infeasible. Only the tolerance leaves any room, and ",
+        fmt::format("{}: infeasible to within rounding. Only the tolerance makes it feasible, and ",
                     active_limits(solution));
     if (relaxed)
-        note +=
-            fmt::format("the bound is of every motion that keeps the limits to within {:.2g} of their size",
-                        certificate.proof->limits_relaxed_by);
+        note += fmt::format(
+            "the bound holds for every motion that satisfies the limits to within {:.2g} of their size",
+            certificate.proof->limits_relaxed_by);
     else
-        note += "a bound for the limits as written passes the objective: none is shown";
+        note += "a bound for the limits as written exceeds the objective, so none is reported";
     solution.notes.push_back(std::move(note));
 }
 

@@ -205,7 +205,7 @@ struct MeasuredReport {
     bool started = false;             ///< the search began from it too
 };
 
-struct LimitCurve {  ///< the limit no curve can pass (motions/bounds/any_curve_limit.hpp)
+struct LimitCurve {  ///< the lower bound for every curve (motions/bounds/any_curve_limit.hpp)
     double objective = 0.0;
     std::optional<double> velocity, acceleration, jerk;  ///< none: not attained (infinite)
 };

@@ -41,7 +41,7 @@ FinerSpline finer_spline(const Scene& scene, const Budget& budget) {
     const int most = std::min(most_segments, std::max(least_factor * given, enough_segments));
     int fails = given;
     for (int n = 2 * given; n <= most && !budget.spent(); n *= 2) {
-        budget.say(fmt::format("what would help: {} segments", n));
+        budget.say(fmt::format("suggested changes: {} segments", n));
         const bool feasible = is_feasible(scene, n, budget);
         if (budget.spent()) break;
         if (feasible) {

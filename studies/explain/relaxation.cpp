@@ -128,7 +128,7 @@ class Explainer {
         const std::vector<std::string> keys = fighting_keys(solution_);
         if (keys.size() == 1) found_.alone = keys;
         if (keys.size() < 2) return;
-        budget_.say("what would help: which limits are impossible even without the others");
+        budget_.say("suggested changes: which limits are infeasible separately");
         const Budget part = budget_.part(part_of_impossible);
         for (const std::string& key : keys)
             if (!is_over() && is_proved_infeasible(only_limit(scene_, key), part))
@@ -158,7 +158,7 @@ class Explainer {
                 found_.unsettled.push_back(one.member);
                 continue;
             }
-            budget_.say(fmt::format("what would help: {}", one.member));
+            budget_.say(fmt::format("suggested changes: {}", one.member));
             if (!(least_violation(one.without, part) <= 0.0)) continue;
             found_.set_points.push_back(one.member);
             if (changed == most_set_points || has_enough()) continue;
@@ -204,7 +204,7 @@ class Explainer {
             found_.unsettled.push_back(adjustment.key);
             return;
         }
-        budget_.say(fmt::format("what would help: {}", adjustment.key));
+        budget_.say(fmt::format("suggested changes: {}", adjustment.key));
         const Budget part = budget_.part(share), searching = part.part(part_of_search);
         std::optional<Relaxation> row;
         if (coarse_)
@@ -291,7 +291,7 @@ class Explainer {
             if (of_limit && row.needed) return;
         }
         if (!is_over()) {
-            budget_.say("what would help: all limits together");
+            budget_.say("suggested changes: all limits together");
             found_.together = joint_relaxation(scene_, limits, budget_);
         }
         if (found_.together.empty() && is_over()) found_.unsettled.emplace_back(together_key);
@@ -305,7 +305,7 @@ void explain(Solution& solution, const SolveControl& control) {
     const double own = solution.scene.solver.explain_seconds;
     const bool own_limit = own < all.left();
     const Budget budget(control.sooner(own));
-    budget.say(fmt::format("no motion: searches what would help, for {:.3g} s at most", budget.left()));
+    budget.say(fmt::format("no motion: searching for changes, for at most {:.3g} s", budget.left()));
     Explainer(solution, budget).run();
     solution.explanation->own_limit = own_limit;
 }

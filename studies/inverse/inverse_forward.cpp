@@ -33,7 +33,8 @@ void validate(const GuideCheckInput& input) {
             fmt::format("{} points of the guide were given; it needs at least 3", input.points.size()));
     if (input.places < 2 || !(input.end > input.begin) || !input.designed)
         throw InputError(
-            "the check of a guide needs 2 places or more, between a begin and a larger end, and the design");
+            "the check of a guide needs 2 positions or more, between a begin and a larger end, and the "
+            "design");
     for (const Vector2d& point : input.points)
         if (!point.allFinite()) throw InputError("a point of the guide is not a finite number");
 }

@@ -115,7 +115,8 @@ class NearestMotion {
             found += factor.solve(right_ - system * found);  // what the first left of the equations
         }
         if (factor.info() != Eigen::Success || !found.allFinite())
-            throw SceneError({"measured", "rows from which no spline follows", "rows all along the motion"});
+            throw SceneError(
+                {"measured", "rows that do not determine a spline", "rows all along the motion"});
         return units_.cwiseProduct(found.head(size()));
     }
 

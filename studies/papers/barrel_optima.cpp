@@ -107,7 +107,7 @@ class Rows {
 const char* word_of(Verdict verdict) {
     if (verdict == Verdict::optimal) return "proved optimal";
     return verdict == Verdict::local ? "local optimum, the best of several starts"
-                                     : "keeps every limit; the search ended before the best was found";
+                                     : "satisfies every limit; the search ended before an optimum was found";
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ BarrelOptima barrel_optima(const Example& example, const SolveControl& control,
     BarrelOptima result;
     result.table = {
         "optimised",
-        "An optimised motion beside the modified sine",
+        "An optimised motion and the modified sine",
         fmt::format("Quintic spline of 16 segments; 0.4 V + 0.4 A + 0.2 J over those of the modified "
                     "sine; |φ| limited to {} deg, or to {} deg with the distance of the axes free; g "
                     ">= {}.",

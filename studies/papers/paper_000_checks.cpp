@@ -45,9 +45,10 @@ PaperTable node_table(PaperFigure& figure) {
     PaperTable table{
         "node_method",
         "The paper's approximate method against the exact one, forward stroke",
-        "Largest errors at inner nodes. Away: at nodes farther than one step from every joint of the guide. "
+        "Largest errors at inner nodes. Away: at nodes further than one step from every joint of the guide. "
         "θ″ jumps at the joints, and a difference across a jump is wrong by up to half of it, however many "
-        "nodes: that error does not converge, it only wanders with the place of the joint between two nodes. "
+        "nodes: that error does not converge, it only varies with the position of the joint between two "
+        "nodes. "
         "Times are of this run.",
         {{"nodes", "nodes", ""},
          {"velocity_error_rad_s", "error of θ′", "rad/s", 4},

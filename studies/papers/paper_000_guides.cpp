@@ -56,7 +56,7 @@ struct Candidate {
 
 PaperTable candidate_table(const std::vector<Candidate>& candidates) {
     PaperTable table{"guides",
-                     "Guides for the same stroke of the feeder, beside the one of lines and arcs",
+                     "Guides for the same stroke of the feeder, compared with that of lines and arcs",
                      "Feeder peaks with the paper's roller, forward and return on the same guide (the "
                      "recovered one of the forward "
                      "stroke, and guides from the wished motion of the feeder backwards). Step: jump of the "

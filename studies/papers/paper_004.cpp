@@ -53,14 +53,13 @@ void add_pair(std::vector<PaperCell>& row, const Pair& pair) {
 }
 
 PaperTable convergence_table(const ReferenceTable& reference) {
-    PaperTable table{
-        "table_2",
-        "Table 2: peaks and objective of the best curve on n segments",
-        "Ours: the proved optimum. Objective = 0.4 V/1.76 + 0.4 A/5.53 + 0.2 J/69; no curve whatever "
-        "lies below " +
-            fmt::format("{:.9f}.", reference.limit.objective),
-        {{"segments", "n", ""}},
-        {}};
+    PaperTable table{"table_2",
+                     "Table 2: peaks and objective of the best curve on n segments",
+                     "Ours: the proved optimum. Objective = 0.4 V/1.76 + 0.4 A/5.53 + 0.2 J/69; no curve "
+                     "lies below " +
+                         fmt::format("{:.9f}.", reference.limit.objective),
+                     {{"segments", "n", ""}},
+                     {}};
     add_pair_columns(table, "velocity", "V");
     add_pair_columns(table, "acceleration", "A");
     add_pair_columns(table, "jerk", "J");

@@ -147,7 +147,7 @@ std::vector<std::string> explanations() {
         "weights.",
         "More segments are not always better: uniform breakpoints may miss the switching points of the best "
         "curve (n = "
-        "16 is worse than n = 10). The limit is what no curve whatever can pass; 7 free segments reach it.",
+        "16 is worse than n = 10). The limit is what no curve can pass; 7 free segments reach it.",
     };
 }
 

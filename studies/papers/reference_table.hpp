@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The published spline-versus-modified-sine tables beside what is true: the printed figure, the exact
-// evaluation of the printed points, the proved optimum, and the limit no curve can pass.
+// evaluation of the printed points, the proved optimum, and the lower bound for every curve.
 #pragma once
 
 #include "studies/delivered/solution.hpp"

@@ -77,8 +77,8 @@ void report_contradictions(Solution& solution, const MotionFamily& family) {
         std::string note =
             conflict.others.empty() && !freedom
                 ? fmt::format(
-                      "{} contradicts what holds at the ends of the motion, at its top or where its "
-                      "segments join; more segments were tried and do not help: change it",
+                      "{} contradicts the conditions at the ends of the motion, at its top or where its "
+                      "segments join; more segments were tried without success: change it",
                       conflict.condition)
             : conflict.others.empty()
                 ? fmt::format(

@@ -5,7 +5,7 @@
 //   min ∇fᵀd + ½ d_tᵀ B d_t   over rows linearized at the best motion, |d_t| <= radius,
 //
 // B a damped BFGS matrix of the Lagrangian's slope by t, then the best motion for t + d_t. It is taken where
-// φ falls, so every iterate keeps all limits and none is worse than the start.
+// φ falls, so every iterate satisfies all limits and none is worse than the start.
 // Source: Nocedal, Wright, Numerical Optimization (2006), chapter 18, with the fixed solve as restoration.
 #pragma once
 

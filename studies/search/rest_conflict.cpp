@@ -70,7 +70,7 @@ bool report_rest_conflict(Solution& solution, const CamModel& model) {
     solution.conflict = {{worst->key, worst->where.x, 1.0, {}}};
     solution.notes.push_back(fmt::format(
         "every motion of this scene rests at {:.6g} deg at displacement {:.6g} (in lifts), and {} is "
-        "broken there whatever it does elsewhere",
+        "violated there for every motion",
         worst->where.x * solution.scene.motion.unit_angle() / units::degree, worst->where.y, worst->key));
     return true;
 }

@@ -21,7 +21,7 @@ namespace {
 
 // Random segments are between this and 1 plus this, before they are brought to the length of the motion.
 constexpr double shortest_random = 0.3;
-// The limit no curve can pass is computed to rounding; this part of it is given away for that.
+// The lower bound for every curve is computed to rounding; this part of it is given away for that.
 constexpr double limit_rounding = 1e-11;
 // Of the seconds that the first breakpoints took: kept for the solve on the last ones.
 constexpr double kept_for_last = 1.5;
@@ -125,7 +125,7 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
         const Termination ended = search.best.termination;
         certificate.reason = was_stopped(ended) ? reason_of(ended) : Reason::no_feasible_point;
         solution.notes.emplace_back(
-            "no motion was found on any breakpoints tried; that there is none is not proved");
+            "no motion was found on any breakpoints tried; infeasibility is not proved");
         return;
     }
     certificate.stationarity = search.best.stationarity;
@@ -138,11 +138,8 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
     const JudgeOptions judge{scene.solver.tolerance, scene.solver.wanted_gap()};
     settle_verdict(certificate, search.best.termination, judge);
     if (gap && *gap <= scene.solver.wanted_gap() && certificate.verdict != Verdict::optimal) {
-        solution.notes.push_back(
-            fmt::format("no spline of these breakpoints is better, and that is proved (gap {:.1e}); that "
-                        "other breakpoints "
-                        "are not is what is left open",
-                        *gap));
+        solution.notes.push_back(fmt::format(
+            "proved: no spline of these breakpoints is better (gap {:.1e}); other breakpoints may be", *gap));
     }
     if (!solution.solver.choice.empty()) {
         solution.solver.choice =

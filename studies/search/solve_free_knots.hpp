@@ -3,7 +3,7 @@
 //
 // Several starts, the scene's own breakpoints first; each goes downhill (free_knot_descent.hpp). What is
 // delivered is the ordinary solution for the breakpoints found, never worse than that of the start. Its
-// multipliers prove it for those breakpoints only. Over all breakpoints the limit no curve can pass is a
+// multipliers prove it for those breakpoints only. Over all breakpoints the lower bound for every curve is a
 // bound: within `solver.gap` of it the verdict is optimal, else local.
 #pragma once
 

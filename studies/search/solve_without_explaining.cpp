@@ -92,7 +92,7 @@ void try_next_backend(CamProblem& problem, const JudgeOptions& judge, Solution& 
     exchange.backend.max_iterations = std::min(exchange.backend.max_iterations, most_iterations_of_next);
     exchange.most_rounds = std::min(exchange.most_rounds, most_rounds_of_next);
     ContinuousResult other = solve_continuous(problem, *make_solver(next), exchange, judge, control);
-    solution.notes.push_back(fmt::format("{} ended without a proof ({}); {} was tried then",
+    solution.notes.push_back(fmt::format("{} ended without a proof ({}); {} was tried next",
                                          solution.solver.name, name_of(result.certificate.reason), next));
     if (other.certificate.verdict >= verdict) return;
     result = std::move(other);
@@ -119,13 +119,14 @@ ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Soluti
     const int planned = scene.solver.starts.value_or(default_starts);
     if (all.starts > 0 && all.starts < planned && control.stopped())
         solution.notes.push_back(
-            fmt::format("interrupted in the search: {} of {} starts were begun", all.starts, planned));
+            fmt::format("interrupted in the search: {} of {} starts were run", all.starts, planned));
     if (all.starts == 0) solution.solver.name = "structured";  // the relaxation settled it
     if (all.starts == 0 && all.result.certificate.verdict == Verdict::optimal) {
         if (wants_tie_break(scene, all.result.certificate))
             break_tie(problem, scene, all.result, control, memory);
         solution.notes.emplace_back(
-            "the limits that are not convex do not bite: the optimum without them keeps them, so it is the "
+            "the limits that are not convex are inactive: the optimum without them satisfies them, so it is "
+            "the "
             "optimum of the whole");
     }
     return std::move(all.result);
@@ -138,7 +139,7 @@ BackendChoice chosen_backend(const Scene& scene, SceneModels& models) {
         choice.solver = general ? general_solver() : "structured";
         choice.reason =
             general
-                ? "a limit or the torque term of this scene is not convex: a convex relaxation settles it or "
+                ? "a limit or the torque term of this scene is not convex: a convex relaxation decides it or "
                   "gives a bound, and then several starts search for the best motion"
                 : "every rule of this scene is linear or convex in the design vector and its cost is convex, "
                   "so the structured interior point finds and proves the global optimum";
@@ -220,7 +221,7 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
 /// What the clock ended depends on the machine: that must be told.
 void note_time_limit(Solution& solution) {
     const std::string note = fmt::format(
-        "the time (solver.max_seconds = {:g}) ran out: how far this came depends on the machine, "
+        "the time (solver.max_seconds = {:g}) ran out: the result depends on the machine, "
         "and more time may change the result",
         solution.scene.solver.max_seconds);
     if (std::ranges::find(solution.notes, note) == solution.notes.end()) solution.notes.push_back(note);
@@ -295,7 +296,8 @@ std::optional<Solution> without_tie_break(const Scene& scene, const Solution& so
     if (!first.motion || first.certificate.verdict == Verdict::failed) return std::nullopt;
     first.scene.objective.tie_break = scene.objective.tie_break;
     first.notes.emplace_back(
-        "no tie-break: double precision does not hold the smoothest of the optima, this is another of them");
+        "no tie-break: double precision cannot represent the smoothest of the optima; this is another "
+        "optimum");
     return first;
 }
 

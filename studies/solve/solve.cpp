@@ -36,7 +36,7 @@ Solution solve(const Scene& scene, const SolveControl& control) {
     if (to_explain && (cut || timed.ending() == Termination::time_limit))
         solution.notes.push_back(fmt::format(
             "the time (solver.max_seconds = {:g}) ran out before every change was searched: what is "
-            "not named may help too",
+            "not named may also suffice",
             scene.solver.max_seconds));
     solution.seconds_total = watch.seconds();
     return solution;

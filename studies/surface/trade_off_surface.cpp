@@ -47,7 +47,7 @@ void refuse_other_terms(const Scene& scene) {
     const auto refuse = [](const std::string& name) {
         throw InputError(
             fmt::format("--surface: found objective.{} > 0; allowed: velocity, acceleration and jerk, whose "
-                        "weights it goes through, and no other term",
+                        "weights it varies, and no other term",
                         name));
     };
     for (const CostTerm& term : cost_terms())
@@ -59,7 +59,7 @@ void refuse_other_terms(const Scene& scene) {
         if (weight_of(scene, dimension) > 0.0) refuse(name_of(dimension));
     }
     if (!scene.own_terms.empty())
-        throw InputError("--surface: found a cost term of one's own; allowed: velocity, acceleration, jerk");
+        throw InputError("--surface: found a user-defined cost term; allowed: velocity, acceleration, jerk");
 }
 
 /// Bounds from above and below, fed solve by solve.

@@ -39,7 +39,7 @@ void check_keys(std::span<const SweepAxis> axes) {
     for (const SweepAxis& axis : axes) {
         for (const std::string& key : axis.keys) {
             if (std::ranges::find(seen, key) != seen.end())
-                throw InputError(fmt::format("{}: found twice among what varies; allowed: once", key));
+                throw InputError(fmt::format("{}: varied twice; allowed: once", key));
             seen.push_back(key);
         }
     }

@@ -50,7 +50,7 @@ struct SweepRow {
     [[nodiscard]] const std::optional<double>& dimension(DimensionIndex which) const {
         return dimensions[static_cast<std::size_t>(which)];
     }
-    /// It has a motion that keeps every limit.
+    /// It has a motion that satisfies every limit.
     [[nodiscard]] bool is_feasible() const {
         return verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
     }

@@ -50,7 +50,7 @@ std::string element_with(const std::string& text, const std::string& words) {
     return text.substr(begin, text.find('>', place) - begin);
 }
 
-TEST(ProfileSvg, TheFaceIsAsWideAsTheSceneSays) {
+TEST(ProfileSvg, FaceWidthMatchesScene) {
     for (const double half_width : {14.5, 22.0}) {
         const test::TemporaryFolder folder;
         const std::string svg =
@@ -67,7 +67,7 @@ TEST(ProfileSvg, TheFaceIsAsWideAsTheSceneSays) {
     }
 }
 
-TEST(ProfileDxf, TheFaceIsAsWideAsTheSceneSays) {
+TEST(ProfileDxf, FaceWidthMatchesScene) {
     const test::TemporaryFolder folder;
     const std::string dxf = file_of(test::scene("cam_flat") + " --dxf", folder.path(), "profile.dxf");
     double begin = 0.0, end = 0.0;  // x: the face stands across it where the motion begins
@@ -81,7 +81,7 @@ TEST(ProfileDxf, TheFaceIsAsWideAsTheSceneSays) {
     EXPECT_NEAR(std::abs(end - begin), 29.0, 1e-6);
 }
 
-TEST(ProfileSvg, AFaceWithoutAWidthSaysThatItHasNone) {
+TEST(ProfileSvg, MissingFaceWidthIsReported) {
     const test::TemporaryFolder folder;
     const std::string scene = folder.path() + "/open_face.toml";
     std::string text = read_text_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/cam_flat.toml");

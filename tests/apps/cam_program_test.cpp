@@ -95,10 +95,10 @@ TEST_F(CamProgram, WritesTheProfileAndChecksIt) {
     EXPECT_LT(cam["forward_check"]["relative"].get<double>(), 1e-6);
     EXPECT_NEAR(cam["pressure_angle_deg"]["value"].get<double>(), 31.0, 1e-6);
     EXPECT_NE(run.output.find("Forward check: "), std::string::npos);
-    EXPECT_NE(run.output.find("What limits it: the pressure angle at "), std::string::npos);
+    EXPECT_NE(run.output.find("Active limits: the pressure angle at "), std::string::npos);
 }
 
-TEST_F(CamProgram, ALaterRunTakesTheDrawingAway) {
+TEST_F(CamProgram, LaterRunRemovesDrawing) {
     const std::string solve = "solve " + file(cam_scene) + " --out '" + out() + "'";
     EXPECT_EQ(run_camopt(solve + " --dxf").exit_code, 0);
     EXPECT_TRUE(wrote("profile.dxf"));
@@ -122,11 +122,11 @@ TEST_F(CamProgram, AnInfeasibleCamIsExplained) {
     const ProgramRun run = run_camopt("solve " + file(cam_scene) + " --set limits.pressure_angle_deg=15");
     EXPECT_EQ(run.exit_code, 3);
     EXPECT_NE(run.output.find("The pressure angle limit "), std::string::npos) << run.output;
-    EXPECT_NE(run.output.find("One of these alone would do: "), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("Any one of these changes suffices: "), std::string::npos) << run.output;
     EXPECT_NE(run.output.find("increase the base radius to "), std::string::npos) << run.output;
 }
 
-TEST_F(CamProgram, AProgramIsAWholeTurn) {
+TEST_F(CamProgram, ProgramIsOneRevolution) {
     const ProgramRun run = run_camopt("solve " + file(program_scene) + " --out '" + out() + "'");
     EXPECT_EQ(run.exit_code, 0) << run.errors;
     const json found = result();

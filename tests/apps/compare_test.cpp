@@ -34,7 +34,7 @@ TEST(CompareCommand, PrintsJsonAndNothingElse) {
     EXPECT_TRUE(result["rows"][0]["law"].is_null());  // the optimum is the best of all
 }
 
-TEST(CompareCommand, PrintsATableForPeople) {
+TEST(CompareCommand, PrintsReadableTable) {
     const ProgramRun run = run_camopt("compare " + scene("drd_cubic_12"));
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.errors, "");
@@ -42,7 +42,7 @@ TEST(CompareCommand, PrintsATableForPeople) {
         EXPECT_NE(run.output.find(words), std::string::npos) << words;
 }
 
-TEST(CompareCommand, WritesThreeFilesAndNothingWithoutAFolder) {
+TEST(CompareCommand, WritesThreeFilesOnlyWithFolder) {
     const test::TemporaryFolder folder;
     const std::string out = folder.path() + "/new";
     EXPECT_EQ(run_camopt("compare " + scene("rr_cubic_24") + " --out '" + out + "'").exit_code, 0);
@@ -52,7 +52,7 @@ TEST(CompareCommand, WritesThreeFilesAndNothingWithoutAFolder) {
 }
 
 /// The optimum's own numbers stand for the laws' free dimensions, in the objective too.
-TEST(CompareCommand, TakesTheDimensionsOfAnyCamFromTheOptimum) {
+TEST(CompareCommand, UsesOptimalDimensionsOfAnyCam) {
     const ProgramRun run = run_camopt("compare " + scene("barrel_smallest") +
                                       " --set solver.starts=1 --set spline.segments=16 --json");
     EXPECT_EQ(run.exit_code, 0) << run.errors;
@@ -71,7 +71,7 @@ TEST(CompareCommand, TakesTheDimensionsOfAnyCamFromTheOptimum) {
     EXPECT_FALSE(sine["feasible"].get<bool>());
 }
 
-TEST(CompareCommand, AnInfeasibleSceneStillShowsTheLaws) {
+TEST(CompareCommand, InfeasibleSceneStillListsLaws) {
     const ProgramRun run = run_camopt("compare " + scene("infeasible_velocity_cap") + " --json");
     EXPECT_EQ(run.exit_code, 3);
     const json result = json::parse(run.output);

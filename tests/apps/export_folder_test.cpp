@@ -87,7 +87,7 @@ TEST(ExportOfAFolder, SolvesNothing) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() + "/out/profile.dxf"));
 }
 
-TEST(ExportOfAFolder, RefusesWhatItCannotUse) {
+TEST(ExportOfAFolder, RefusesUnusableFolders) {
     const test::TemporaryFolder folder;
     const std::string result = folder.path() + "/result", out = " --out " + folder.path() + "/out";
     const auto refused = [](const std::string& arguments, const std::string& reason) {

@@ -19,7 +19,7 @@ using test::run_camopt;
 // Fewer segments and one start: what is solved does not matter here.
 const std::string quick = " --set spline.segments=8 --set solver.starts=1";
 
-TEST(ExportCommand, WritesTheCamAndItsCheckedProgram) {
+TEST(ExportCommand, WritesCamAndCheckedProgram) {
     const test::TemporaryFolder folder;
     const std::string out = " --out " + folder.path();
     const ProgramRun run =
@@ -28,7 +28,7 @@ TEST(ExportCommand, WritesTheCamAndItsCheckedProgram) {
     EXPECT_NE(run.output.find("WARNING            the first pass cuts a slot"), std::string::npos)
         << run.output;
     ASSERT_EQ(run.exit_code, 0) << run.errors;
-    EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("every block is correct"), std::string::npos) << run.output;
     for (const char* const name :
          {"flanks.csv", "groove.stl", "cam.stl", "cam.obj", "cam.svg", "cam.nc", "cam_nc_check.txt"})
         EXPECT_TRUE(std::filesystem::exists(folder.path() + "/" + name)) << name;
@@ -46,7 +46,7 @@ TEST(ExportCommand, TakesAPostProcessor) {
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     const std::string program = read_text_file(folder.path() + "/cam.nc");
     EXPECT_EQ(program.substr(0, 15), "G17 G40 G80 G54");
-    EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("every block is correct"), std::string::npos) << run.output;
 }
 
 TEST(ExportCommand, StepOrWhatToInstall) {
@@ -67,12 +67,12 @@ TEST(ExportCommand, DiskCam) {
     const ProgramRun run = run_camopt("export " + test::scene("cam_drdrd") + " --out " + folder.path() +
                                       " --set solver.starts=1 --stl --nc --cutter-mm 12");
     ASSERT_EQ(run.exit_code, 0) << run.errors;
-    EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("every block is correct"), std::string::npos) << run.output;
     EXPECT_TRUE(std::filesystem::exists(folder.path() + "/cam.stl"));
     EXPECT_NE(read_text_file(folder.path() + "/cam.nc").find("(machine: three axes"), std::string::npos);
 }
 
-TEST(ExportCommand, TheBlankDecidesHowHighRapidsGo) {
+TEST(ExportCommand, BlankDeterminesRapidHeight) {
     const test::TemporaryFolder folder;
     const ProgramRun run =
         run_camopt("export " + test::scene("barrel_paper_cup") + " --out " + folder.path() + quick +
@@ -88,7 +88,7 @@ TEST(ExportCommand, TheBlankDecidesHowHighRapidsGo) {
 }
 
 // A cutter that is rounder than the cam's hollow: no program, nor the one of an earlier run.
-TEST(ExportCommand, HandsOutNoProgramThatItsCheckRefuses) {
+TEST(ExportCommand, WritesOnlyProgramsPassingCheck) {
     const test::TemporaryFolder folder;
     const std::string arguments = "export " + test::scene("cam_roller") + " --out " + folder.path() +
                                   " --set solver.starts=1 --nc --chord-mm 0.01 --cutter-mm ";
@@ -105,7 +105,7 @@ TEST(ExportCommand, HandsOutNoProgramThatItsCheckRefuses) {
 }
 
 // A motion alone: no cam is needed.
-TEST(ExportCommand, TableAndElectronicCamOfAMotion) {
+TEST(ExportCommand, WritesTableAndElectronicCam) {
     const test::TemporaryFolder folder;
     const ProgramRun run =
         run_camopt("export " + test::scene("swing_limits") + " --out " + folder.path() +
@@ -116,7 +116,7 @@ TEST(ExportCommand, TableAndElectronicCamOfAMotion) {
     EXPECT_NE(table.find("\n147,"), std::string::npos) << table;
     EXPECT_NE(table.find("\n150,"), std::string::npos) << table;
     EXPECT_NE(run.output.find(
-                  "23 rows over the motion, which is not a whole turn, 0 to 150 deg; the last step is 3"),
+                  "23 rows over the motion, which is not one revolution, 0 to 150 deg; the last step is 3"),
               std::string::npos)
         << run.output;
     EXPECT_NE(run.output.find("lossless: s "), std::string::npos) << run.output;

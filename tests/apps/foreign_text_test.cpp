@@ -57,7 +57,7 @@ void expect_tame_files(const std::filesystem::path& folder) {
     EXPECT_GT(looked_at, 2);
 }
 
-TEST(ForeignText, OfATitleIsShownNotObeyed) {
+TEST(ForeignText, TitleIsEscaped) {
     for (const char* const name : {"drd_cubic_12", "cam_flat", "inverse_feeder"}) {
         const test::TemporaryFolder folder;
         expect_tame("solve " + test::scene(name) + set_title + " --out " + folder.path() +
@@ -73,7 +73,7 @@ TEST(ForeignText, OfATitleIsShownNotObeyed) {
     }
 }
 
-TEST(ForeignText, OfATitleInExportsAndComparisons) {
+TEST(ForeignText, TitlesInExportsAreEscaped) {
     const test::TemporaryFolder folder;
     expect_tame(
         "export " + test::scene("barrel_paper_cup") + set_title + " --out " + folder.path() +

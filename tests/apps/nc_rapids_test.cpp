@@ -78,7 +78,7 @@ void expect_above(const ExportedCam& cam, double body) {
     for (const double height : cam.rapids) EXPECT_GT(height, body + 1.0);
 }
 
-TEST(NcRapids, StayAboveTheBlankOfADiskCam) {
+TEST(NcRapids, ClearBlankOfDiskCam) {
     for (const char* const thickness : {"", " --thickness-mm 40"}) {
         const ExportedCam cam =
             exported(test::scene("cam_roller") + quick_disk + " --full-depth --cutter-mm 12" + thickness);
@@ -87,14 +87,14 @@ TEST(NcRapids, StayAboveTheBlankOfADiskCam) {
     }
 }
 
-TEST(NcRapids, StayAboveTheBlankOfABarrelCam) {
+TEST(NcRapids, ClearBlankOfBarrelCam) {
     const ExportedCam cam = exported(test::scene("barrel_paper_cup") + quick);
     EXPECT_GT(cam.body.radius, 140.0);
     expect_above(cam, cam.body.radius);
 }
 
 // The table tilts before the first cut: only what clears every point of the cam clears it then.
-TEST(NcRapids, StayAboveTheBlankHoweverTheTableStands) {
+TEST(NcRapids, ClearBlankAtAnyTableAngle) {
     const ExportedCam cam = exported(test::scene("ocrf_indexing") + quick + " --cutter-mm 10");
     expect_above(cam, cam.body.radius);
     EXPECT_GT(*std::max_element(cam.rapids.begin(), cam.rapids.end()), cam.body.farthest + 1.0);

@@ -45,7 +45,7 @@ TEST(ParetoOfSweep, SaysWhatIsWrong) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() + "/front"));
 }
 
-TEST(SurfaceOfSweep, WritesItsFilesIsLookedUpAndGoesOn) {
+TEST(SurfaceOfSweep, WritesReadsAndResumes) {
     const test::TemporaryFolder folder;
     const std::string out = folder.path() + "/surface";
     const std::string begin = "sweep " + scene("drd_cubic_12") + " --surface ";
@@ -89,7 +89,7 @@ TEST(SurfaceOfSweep, SaysWhatIsWrong) {
               std::string::npos);
 }
 
-TEST(ParetoOfSweep, AnInfeasibleSceneHasNoFront) {
+TEST(ParetoOfSweep, InfeasibleSceneHasNoFront) {
     const test::TemporaryFolder folder;
     const ProgramRun run = run_camopt("sweep " + scene("infeasible_velocity_cap") +
                                       " --pareto acceleration,jerk --out '" + folder.path() + "/front'");

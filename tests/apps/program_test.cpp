@@ -33,7 +33,7 @@ void expect_refused(const std::string& arguments, const std::string& words) {
     EXPECT_NE(run.errors.find(words), std::string::npos) << run.errors;
 }
 
-TEST(Program, SolvesAndPrintsAResultThatIsJsonAndNothingElse) {
+TEST(Program, PrintsNothingButJson) {
     const ProgramRun run = run_camopt("solve " + scene("drd_cubic_12") + " --json");
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.errors, "");
@@ -43,7 +43,7 @@ TEST(Program, SolvesAndPrintsAResultThatIsJsonAndNothingElse) {
     EXPECT_EQ(result["evaluations"]["profile_points"], 0);
 }
 
-TEST(Program, ASceneFileThatFailsUnderWayIsWrongInput) {
+TEST(Program, LateSceneFailureIsInvalidInput) {
     expect_refused("solve /", "found a directory");
     if (std::filesystem::exists("/proc/self/mem")) {
         expect_refused("solve /proc/self/mem", "cannot be read");
@@ -52,7 +52,7 @@ TEST(Program, ASceneFileThatFailsUnderWayIsWrongInput) {
     }
 }
 
-TEST(Program, PrintsASummaryForPeople) {
+TEST(Program, PrintsReadableSummary) {
     const ProgramRun run = run_camopt("solve " + scene("drd_cubic_12"));
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.errors, "");
@@ -101,7 +101,7 @@ TEST(Program, WritesTheFolderAndNothingWithoutIt) {
     EXPECT_NEAR(recomputed_bound(proof), result["bound"]["lower"].get<double>(), 1e-12);
 }
 
-TEST(Program, AnInfeasibleSceneIsExitCodeThreeWithARelaxation) {
+TEST(Program, InfeasibleExitCodeIsThree) {
     const ProgramRun run = run_camopt("solve " + scene("infeasible_velocity_cap") + " --json");
     EXPECT_EQ(run.exit_code, 3);
     const json result = json::parse(run.output);
@@ -158,7 +158,7 @@ TEST(Program, UnknownOptionsAndCommandsGetAHint) {
     expect_refused("solve " + plain + " --frobnicate", "unknown option '--frobnicate' of camopt solve (see");
 }
 
-TEST(Program, WhatWouldBeIgnoredIsRefusedBeforeTheSolve) {
+TEST(Program, RefusesIgnoredSettingsBeforeSolving) {
     const test::TemporaryFolder folder;
     const std::string out = folder.path() + "/out";
     const std::string plain = scene("drd_cubic_12");
@@ -183,7 +183,7 @@ TEST(Program, RefusesAnIncompleteCamOrProgram) {
 }
 
 // What no reader can see (it needs the formulas of a cam, the spline, a law) names its place all the same.
-TEST(Program, RefusalsOfAReadSceneNameFileAndLine) {
+TEST(Program, RefusalsNameFileAndLine) {
     const test::TemporaryFolder folder;
     const std::string path = folder.path() + "/scene.toml";
     const std::string motion = "[motion]\ntype = \"DRD\"\nspeed_rpm = 60\n";
@@ -221,7 +221,7 @@ std::vector<std::string> scenes_of_the_project() {
 
 class CheckedScene : public testing::TestWithParam<std::string> {};
 
-TEST_P(CheckedScene, IsNotAccused) {
+TEST_P(CheckedScene, PassesWithoutFaults) {
     const ProgramRun run = run_camopt("check " + scene(GetParam()));
     EXPECT_EQ(run.exit_code, 0) << run.output << run.errors;
     EXPECT_EQ(run.output.find("wrong"), std::string::npos) << run.output;
@@ -258,8 +258,8 @@ TEST(Program, CheckSaysWhatTheSceneIs) {
         {"Motion: rise between two dwells, lift 10 mm, rise 120 deg, at 300 rpm",
          "Spline: degree 3, 12 uniform segments", "Limits: velocity <= 1.8 (normalised)",
          "0.4 × velocity + 0.4 × acceleration + 0.2 × jerk", "velocity 1.76, acceleration 5.53, jerk 69",
-         "Solved: by structured (chosen), design vector: states, at most 5 s; the verdict to be expected is "
-         "optimal or infeasible, either with its proof"});
+         "Solved: by structured (chosen), design vector: states, at most 5 s; the expected verdict is "
+         "optimal or infeasible, both with a proof"});
 }
 
 TEST(Program, ListsWhatItKnows) {
@@ -284,7 +284,7 @@ TEST(Program, ListsTheFollowersWithTheirDimensions) {
               std::string::npos);
 }
 
-TEST(Program, ListsTheFollowersOfEveryKindOfCam) {
+TEST(Program, ListsFollowersOfEveryKind) {
     const json followers = json::parse(run_camopt("list followers --json").output);
     const auto keys_of = [&](const char* cam, const char* key) {
         for (const json& row : followers)
@@ -325,7 +325,7 @@ TEST(Program, InterruptedItDeliversWhatItHas) {
     }
 }
 
-TEST(Program, InterruptedBeforeAnythingWasFoundItSaysSo) {
+TEST(Program, ReportsInterruptionBeforeFirstPoint) {
     // It searches among motions of which none is found that keeps these, until it is stopped.
     const ProgramRun run = test::run_camopt_interrupted(
         "solve " + scene("cam_undercut") +

@@ -71,7 +71,7 @@ class SweepCommand : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(SweepCommand, SolvesEveryWeightAndTellsWhatItFound) {
+TEST_F(SweepCommand, SolvesAndReportsEveryWeight) {
     ASSERT_EQ(run_sweep(small_sweep(path("map")), path("map")), 0) << errors("map");
     EXPECT_EQ(errors("map"), "");
     const SweepTable table = read_sweep_csv(read_text_file(path("map") + "/sweep.csv"), "sweep.csv");
@@ -91,7 +91,7 @@ TEST_F(SweepCommand, SolvesEveryWeightAndTellsWhatItFound) {
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
-TEST_F(SweepCommand, AGridOfKeysWithInfeasibleRowsIsASuccess) {
+TEST_F(SweepCommand, GridWithInfeasibleRowsSucceeds) {
     ASSERT_EQ(run_sweep({"sweep", scene_file("drd_cubic_12"), "--vary", "limits.velocity=0.9,1.6,2", "--vary",
                          "spline.segments=8:16:2", "--set", "objective.jerk=0.3", "--out", path("grid")},
                         path("grid")),
@@ -113,7 +113,7 @@ TEST_F(SweepCommand, AGridOfKeysWithInfeasibleRowsIsASuccess) {
     EXPECT_NEAR(*table.rows[2].objective, std::stod(run.output.substr(at + 13)), 1e-8);
 }
 
-TEST_F(SweepCommand, WrongInputIsToldBeforeAnythingStarts) {
+TEST_F(SweepCommand, InvalidInputIsReportedBeforeStart) {
     write_text_file(path("w.csv"), "velocity,jerk\n1,0\n1,x\n");
     const std::string scene = scene_file("drd_cubic_12");
     struct Case {
@@ -223,7 +223,7 @@ TEST_F(SweepCommand, MergeRefusesHolesDoublesAndStrangers) {
     Words stranger = small_sweep(path("stranger")) + Words{"--shard", "2/3"};
     stranger[3] = "simplex:11";
     EXPECT_EQ(run_sweep(stranger, path("log")), 0);
-    EXPECT_NE(refusal({path("1"), path("stranger"), path("3")}).find("is no part of the sweep in"),
+    EXPECT_NE(refusal({path("1"), path("stranger"), path("3")}).find("is not part of the sweep in"),
               std::string::npos);
     EXPECT_EQ(run_sweep({"sweep", "merge", path("1"), path("3")}, path("log")), 2);
     EXPECT_NE(errors("log").find("--out is missing"), std::string::npos);
@@ -240,7 +240,7 @@ Words longer_sweep(const std::string& out) {
 
 constexpr int longer_chunks = 58;
 
-TEST_F(SweepCommand, KilledTwentyTimesAndContinuedItIsTheSame) {
+TEST_F(SweepCommand, TwentyKillsChangeNoResult) {
     ASSERT_EQ(run_sweep(longer_sweep(path("whole")), path("log")), 0) << errors("log");
     const std::vector<std::string> expected = timeless_rows(path("whole"));
     std::mt19937 generator(4);
@@ -265,7 +265,7 @@ TEST_F(SweepCommand, KilledTwentyTimesAndContinuedItIsTheSame) {
     EXPECT_GE(in_the_middle, kills * 3 / 4);
 }
 
-TEST_F(SweepCommand, CtrlCKeepsWhatIsFinishedAndSaysHowToGoOn) {
+TEST_F(SweepCommand, InterruptKeepsResultsAndSuggestsResume) {
     ASSERT_EQ(run_sweep(longer_sweep(path("whole")), path("log")), 0) << errors("log");
     RunningProgram program(longer_sweep(path("map")), path("log"));
     ASSERT_TRUE(wait_for([&] { return chunk_count(path("map")) >= 3; }));
@@ -325,7 +325,7 @@ Words endless_sweep(const std::string& out) {
             "--out",     out};
 }
 
-TEST_F(SweepCommand, ARowThatKillsTwoWorkersIsFailedAndTheRestIsThere) {
+TEST_F(SweepCommand, RowKillingTwoWorkersFailsAlone) {
     RunningProgram program(endless_sweep(path("map")), path("log"));
     ASSERT_TRUE(wait_for([&] { return chunk_count(path("map")) >= 1; }));
     pid_t before = 0;
@@ -350,11 +350,11 @@ TEST_F(SweepCommand, ARowThatKillsTwoWorkersIsFailedAndTheRestIsThere) {
         << output("log");
 }
 
-TEST_F(SweepCommand, TwoProgramsDoNotShareAFolder) {
+TEST_F(SweepCommand, ProgramsShareNoFolder) {
     RunningProgram program(endless_sweep(path("map")), path("first"));
     ASSERT_TRUE(wait_for([&] { return chunk_count(path("map")) >= 1; }));
     EXPECT_EQ(run_sweep(endless_sweep(path("map")) + Words{"--resume"}, path("log")), 2);
-    EXPECT_NE(errors("log").find("another camopt is at work in"), std::string::npos) << errors("log");
+    EXPECT_NE(errors("log").find("another camopt is running in"), std::string::npos) << errors("log");
 }
 
 /// Neither linear nor convex: searches from several seeded starts.
@@ -374,7 +374,7 @@ Words general_sweep(const std::string& out) {
             out};
 }
 
-TEST_F(SweepCommand, ScenesThatAreNotConvexAreAsRepeatable) {
+TEST_F(SweepCommand, NonconvexScenesAreRepeatable) {
     ASSERT_EQ(run_sweep(general_sweep(path("one")) + Words{"--workers", "1"}, path("log")), 0)
         << errors("log");
     ASSERT_EQ(run_sweep(general_sweep(path("two")) + Words{"--workers", "2"}, path("log")), 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""comparison.html, sweep.html and pareto.html in a browser: a pointer names a motion, a click hands out its scene.
+"""comparison.html, sweep.html and pareto.html in a browser: a pointer names a motion, a click saves its scene.
 
     studies_page_test.py CAMOPT SCENES
 """

@@ -154,7 +154,7 @@ class CamScene(OnePage):
         self.assertEqual([one["stage"] for one in seen], ["curve", "proof", "rest"])
         for one in seen:
             open_ = one["stage"] == "curve"
-            self.assertEqual(one["text"], "Not proved yet" if open_ else "The best motion, and proved to be it")
+            self.assertEqual(one["text"], "Not proved yet" if open_ else "The best motion, and proved optimal")
             self.assertEqual((one["outdated"], one["tables"]), (open_, open_))
             self.assertEqual("Not proved yet" in one["note"], open_)
         times = page.run("return Camopt.studio.times")

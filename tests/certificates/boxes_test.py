@@ -3,7 +3,7 @@
 
 Whatever camopt calls optimal or infeasible, the checker must confirm; what it calls otherwise must not be refuted. So
 many of the proofs must be over boxes that none can fall silent. Of every proof each own step of the checker must hold at
-the delivered motion, which keeps all limits: a step that does not would prove too much.
+the delivered motion, which satisfies all limits: a step that does not would prove too much.
 """
 import json
 import random

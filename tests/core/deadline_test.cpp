@@ -22,7 +22,7 @@ TEST(Deadline, NoneNeverPasses) {
     EXPECT_FALSE(none.was_felt());
 }
 
-TEST(Deadline, PassesByItsClockAndRemembersThatItWasAsked) {
+TEST(Deadline, RemembersThatItWasPolled) {
     Hand hand;
     const Deadline deadline = Deadline::after(5.0, hand.clock());
     EXPECT_EQ(deadline.seconds_left(), 5.0);
@@ -37,7 +37,7 @@ TEST(Deadline, PassesByItsClockAndRemembersThatItWasAsked) {
     EXPECT_EQ(deadline.seconds_left(), 0.0);
 }
 
-TEST(Deadline, APartIsNeverLaterAndIsFeltByTheWhole) {
+TEST(Deadline, PartsEndWithTheWhole) {
     Hand hand;
     const Deadline whole = Deadline::after(5.0, hand.clock());
     EXPECT_EQ(whole.sooner(50.0).seconds_left(), 5.0);
@@ -51,7 +51,7 @@ TEST(Deadline, APartIsNeverLaterAndIsFeltByTheWhole) {
     EXPECT_FALSE(whole.passed());
 }
 
-TEST(Deadline, SecondsLeftOutCountForNoCopyAndNoPart) {
+TEST(Deadline, ExcludedSecondsCountOnlyLocally) {
     Hand hand;
     const Deadline whole = Deadline::after(5.0, hand.clock());
     const Deadline part = whole.sooner(1.0);
@@ -67,7 +67,7 @@ TEST(Deadline, SecondsLeftOutCountForNoCopyAndNoPart) {
     Deadline().leave_out(1.0);  // nothing to leave out of
 }
 
-TEST(Deadline, APartOfNoneHasTheSteadyClock) {
+TEST(Deadline, PartOfNoneUsesSteadyClock) {
     EXPECT_TRUE(Deadline().sooner(0.0).passed());
     EXPECT_FALSE(Deadline().sooner(1e6).passed());
     EXPECT_GE(Stopwatch().seconds(), 0.0);

@@ -61,7 +61,7 @@ DerivativeReport report_of(Spoiled::What what) {
     return check_derivatives(Spoiled(*problem.nlp, what), points);
 }
 
-TEST(DerivativeCheck, PassesRightDerivativesInsideAndAtTheBounds) {
+TEST(DerivativeCheck, PassesCorrectDerivativesAtBounds) {
     const KnownProblem problem = hs71();
     const DerivativeReport report = check_derivatives(*problem.nlp, hs71_points());
     EXPECT_TRUE(report.passed()) << describe(report.faults.front());
@@ -69,7 +69,7 @@ TEST(DerivativeCheck, PassesRightDerivativesInsideAndAtTheBounds) {
     EXPECT_EQ(report.entries, 3 * (4 + 8 + 10));
 }
 
-TEST(DerivativeCheck, PassesProblemsWithoutRowsAndWithLargeValues) {
+TEST(DerivativeCheck, PassesEmptyAndLargeProblems) {
     const KnownProblem problem = bounded_rosenbrock();
     const std::vector<Eigen::VectorXd> points{Eigen::Vector2d(-1.2, 1.0), Eigen::Vector2d(0.5, -300.0)};
     const DerivativeReport report = check_derivatives(*problem.nlp, points);
@@ -104,7 +104,7 @@ TEST(DerivativeCheck, NamesAWrongHessianEntry) {
     EXPECT_THAT(describe(report.faults.front()), HasSubstr("hessian of 'x3' by 'x1'"));
 }
 
-TEST(DerivativeCheck, FindsAnEntryMissingFromThePattern) {
+TEST(DerivativeCheck, FindsEntryMissingInPattern) {
     const DerivativeReport report = report_of(Spoiled::What::pattern);
     ASSERT_FALSE(report.passed());
     const auto& faults = report.faults;
@@ -132,7 +132,7 @@ TEST(DerivativeCheck, RefusesWrongPointsAndOptions) {
     EXPECT_THROW((void)check_derivatives(*problem.nlp, hs71_points(), options), InputError);
 }
 
-TEST(CountingNlp, CountsEachKindAndChangesNoValue) {
+TEST(CountingNlp, CountsCallsWithoutChangingValues) {
     const KnownProblem problem = hs71();
     EvaluationCounts counts;
     const CountingNlp counting(*problem.nlp, counts);

@@ -21,7 +21,7 @@ TEST(LargestAlong, IsExactInsideAPiece) {
     EXPECT_NEAR(least.value, 0.0, 1e-15);
 }
 
-TEST(LargestAlong, StaysInsideTheMotionWhereTheFunctionGrowsBeyondIt) {
+TEST(LargestAlong, StaysInsideMotion) {
     const Extremum first = largest_along(two_pieces, [](double at, Side) { return -at; });
     EXPECT_EQ(first.at, 0.0);
     const Extremum last = largest_along(two_pieces, [](double at, Side) { return at; });
@@ -29,13 +29,13 @@ TEST(LargestAlong, StaysInsideTheMotionWhereTheFunctionGrowsBeyondIt) {
     EXPECT_EQ(last.side, Side::left);
 }
 
-TEST(LargestAlong, OfAConstantIsAtTheFirstPlace) {
+TEST(LargestAlong, ConstantReportsFirstLocation) {
     const Extremum found = largest_along(two_pieces, [](double, Side) { return 2.0; });
     EXPECT_EQ(found.at, 0.0);
     EXPECT_EQ(found.value, 2.0);
 }
 
-TEST(LargestAlong, LooksAtEachPieceByItself) {
+TEST(LargestAlong, SearchesEachPieceSeparately) {
     // A jump between the pieces: the second is larger, and falls.
     const auto jumping = [](double at, Side side) {
         return at < 1.0 || (at == 1.0 && side == Side::left) ? at : 5.0 - 0.1 * at;
@@ -45,7 +45,7 @@ TEST(LargestAlong, LooksAtEachPieceByItself) {
     EXPECT_NEAR(found.value, 4.9, 1e-15);
 }
 
-TEST(LargestAlong, FindsKinksAndWhatHasNoValueCountsAsNothing) {
+TEST(LargestAlong, FindsKinksAndSkipsUndefinedValues) {
     const Extremum kink =
         largest_along(two_pieces, [](double at, Side) { return 1.0 - std::abs(at - 2.3456789); });
     EXPECT_NEAR(kink.at, 2.3456789, 1e-7);

@@ -11,7 +11,7 @@
 namespace camopt {
 namespace scalar_search_test {
 
-TEST(GoldenSections, FindTheTopWhereverItLies) {
+TEST(GoldenSections, FindMaximumAtAnyLocation) {
     for (const double top : {0.0, 0.01, 0.3, 0.5, 0.77, 1.0}) {
         const auto peak = [top](double x) { return 2.0 - std::abs(x - top); };
         const GoldenSection found = golden_maximum(peak, 0.0, 1.0, 60);

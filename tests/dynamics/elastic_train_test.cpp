@@ -86,7 +86,7 @@ TEST(ElasticTrain, RestsWhereTheSpringsBalance) {
 }
 
 /// Every turn the same: after 200 turns from rest a damped train is where steady_start says.
-TEST(ElasticTrain, SteadyStateIsWhatTurnsLeadTo) {
+TEST(ElasticTrain, RevolutionsConvergeToSteadyState) {
     for (const int stages : {0, 1, 3}) {
         DynamicsSpec spec = one_mass(3.3, 0.03);
         for (int i = 0; i < stages; ++i) spec.stages.push_back({1.0 + i, 3000.0 * (i + 1), 4.0});

@@ -46,7 +46,7 @@ TEST(IntegratedTrain, TwoMassesAgree) {
             }
 }
 
-TEST(IntegratedTrain, FourMassesAndAReturnSpringAgree) {
+TEST(IntegratedTrain, FourMassesWithSpringAgree) {
     const auto law = make_law("modified_sine");
     DynamicsSpec spec = one_mass(2.2, 0.04);
     spec.return_stiffness = 60.0;

@@ -110,8 +110,7 @@ std::vector<BrokenScene> broken_cams() {
          "allowed: only with \"oscillating_roller\""},
         {"cam_conjugate_rollers_too_close", roller + "form = \"conjugate\"\nroller_distance_mm = 65\n",
          "s.toml:10:22: cam.roller_distance_mm: found 65 mm, which leaves the second roller 5 mm from the "
-         "cam's "
-         "centre where the follower stands highest; allowed: more than its radius of 10 mm, for every base "
+         "cam's centre at the largest displacement; allowed: more than its radius of 10 mm, for every base "
          "and "
          "roller radius allowed"},
         {"cam_conjugate_arms_too_close",
@@ -120,7 +119,7 @@ std::vector<BrokenScene> broken_cams() {
          "s.toml:12:17: cam.arm_angle_deg: found 40 deg, which puts the second arm -18.2132 to 1.78679 deg "
          "from "
          "the line of centres, its roller 25.7123 mm from the cam's centre; allowed: between 0 and 180 deg, "
-         "farther than its radius of 10 mm, for every dimension allowed"},
+         "with more than its radius of 10 mm, for every dimension allowed"},
         {"cam_least_force_in_a_groove",
          "motion.speed_rpm = 300\n" + roller +
              "form = \"grooved\"\n[forces]\nmass_kg = 1\n[limits]\ncontact_force_min_n = 10\n",
@@ -144,7 +143,8 @@ std::vector<BrokenScene> broken_cams() {
          "s.toml:8:18: cam.base_radius_mm: found an array; allowed: a number > 0, or a range { min = …, max "
          "= … }"},
         {"cam_base_radius_twice", roller + "base_radius_in = 2\n",
-         "s.toml:9:1: cam.base_radius_in: found beside cam.base_radius_mm, which says the same; allowed: "
+         "s.toml:9:1: cam.base_radius_in: found together with cam.base_radius_mm, which means the same; "
+         "allowed: "
          "only one of the two"},
         {"cam_range_without_max", arm + "base_radius_mm = { min = 20 }\n",
          "s.toml:8:18: cam.base_radius_mm.max: missing; allowed: a number > 0"},

@@ -13,8 +13,9 @@ std::vector<BrokenScene> broken_combinations() {
          "lift_in = 1\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:4:1: motion.lift_in: found beside motion.lift_mm, which says the same; allowed: only one of "
-         "the two"},
+         "s.toml:4:1: motion.lift_in: found together with motion.lift_mm, which means the same; allowed: "
+         "only one "
+         "of the two"},
         {"lift_length_and_angle",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -22,7 +23,8 @@ std::vector<BrokenScene> broken_combinations() {
          "lift_mm = 1\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:4:1: motion.lift_mm: found beside motion.lift_deg, which says the same; allowed: only one "
+         "s.toml:4:1: motion.lift_mm: found together with motion.lift_deg, which means the same; allowed: "
+         "only one "
          "of the two"},
         {"rise_twice",
          "[motion]\n"
@@ -31,7 +33,8 @@ std::vector<BrokenScene> broken_combinations() {
          "rise_rad = 1\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:4:1: motion.rise_rad: found beside motion.rise_deg, which says the same; allowed: only one "
+         "s.toml:4:1: motion.rise_rad: found together with motion.rise_deg, which means the same; allowed: "
+         "only one "
          "of the two"},
         {"speed_twice",
          "[motion]\n"
@@ -40,7 +43,8 @@ std::vector<BrokenScene> broken_combinations() {
          "speed_rpm = 1\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:4:1: motion.speed_rpm: found beside motion.speed_rad_s, which says the same; allowed: only "
+         "s.toml:4:1: motion.speed_rpm: found together with motion.speed_rad_s, which means the same; "
+         "allowed: only "
          "one of the two"},
         {"limit_twice",
          "[motion]\n"
@@ -50,8 +54,9 @@ std::vector<BrokenScene> broken_combinations() {
          "[limits]\n"
          "velocity = 1.7\n"
          "velocity_mm_s = 300\n",
-         "s.toml:7:1: limits.velocity_mm_s: found beside limits.velocity, which says the same; allowed: only "
-         "one of the two"},
+         "s.toml:7:1: limits.velocity_mm_s: found together with limits.velocity, which means the same; "
+         "allowed: "
+         "only one of the two"},
         {"segments_and_breakpoints",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -60,7 +65,8 @@ std::vector<BrokenScene> broken_combinations() {
          "[spline]\n"
          "segments = 2\n"
          "breakpoints = [0, 0.5, 1]\n",
-         "s.toml:7:1: spline.breakpoints: found beside spline.segments, which says the same; allowed: only "
+         "s.toml:7:1: spline.breakpoints: found together with spline.segments, which means the same; "
+         "allowed: only "
          "one of the two"},
         {"return_in_drd",
          "[motion]\n"
@@ -77,16 +83,16 @@ std::vector<BrokenScene> broken_combinations() {
          "return_deg = 200\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:4:14: motion.return_deg: found 200, together 400 deg of rise and return; allowed: a whole "
-         "turn, 360 deg, at most"},
+         "s.toml:4:14: motion.return_deg: found 200, together 400 deg of rise and return; allowed: one "
+         "revolution, 360 deg, at most"},
         {"turn_exceeded_by_default",
          "[motion]\n"
          "type = \"RR\"\n"
          "rise_deg = 200\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:3:12: motion.rise_deg: found 200, together 400 deg of rise and return; allowed: a whole "
-         "turn, 360 deg, at most"},
+         "s.toml:3:12: motion.rise_deg: found 200, together 400 deg of rise and return; allowed: one "
+         "revolution, 360 deg, at most"},
         {"turn_exceeded_rad",
          "[motion]\n"
          "type = \"RR\"\n"
@@ -94,8 +100,8 @@ std::vector<BrokenScene> broken_combinations() {
          "return_rad = 3\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:4:14: motion.return_rad: found 3, together 6.490658504 rad of rise and return; allowed: a "
-         "whole turn, 6.283185307 rad, at most"},
+         "s.toml:4:14: motion.return_rad: found 3, together 6.490658504 rad of rise and return; allowed: one "
+         "revolution, 6.283185307 rad, at most"},
         {"symmetric_unequal",
          "[motion]\n"
          "type = \"RR\"\n"
@@ -104,7 +110,8 @@ std::vector<BrokenScene> broken_combinations() {
          "symmetric = true\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:5:13: motion.symmetric: found true with a return unlike the rise; allowed: false, or equal "
+         "s.toml:5:13: motion.symmetric: found true with a return different from the rise; allowed: false, "
+         "or equal "
          "angles for rise and return"},
         {"via_outside",
          "[motion]\n"
@@ -126,8 +133,8 @@ std::vector<BrokenScene> broken_combinations() {
          "via = [{ at = 0.5, velocity = 1 }, { at = 0.5, displacement = 1 }]\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:3:43: motion.via[1].at: found 0.5, the place of motion.via[0]; allowed: one point at a "
-         "place"},
+         "s.toml:3:43: motion.via[1].at: found 0.5, the location of motion.via[0]; allowed: one point at "
+         "each location"},
         {"via_empty",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -304,7 +311,7 @@ std::vector<BrokenScene> broken_combinations() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:4:1: motion.segments: found no segment to optimise; allowed: at least one with kind = "
-         "\"spline\", its angle and, where it is wanted, the displacement `to` at its end"},
+         "\"spline\", its angle and, where needed, the displacement `to` at its end"},
         {"program_key",
          "[motion]\n"
          "type = \"DRD\"\n"

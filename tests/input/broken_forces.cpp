@@ -85,12 +85,14 @@ std::vector<BrokenScene> broken_forces() {
         {"forces_mass_and_inertia",
          forces + "mass_kg = 1\n"
                   "inertia_kg_m2 = 1\n",
-         "s.toml:12:1: forces.inertia_kg_m2: found beside forces.mass_kg, which says the same; allowed: only "
-         "one of the two"},
+         "s.toml:12:1: forces.inertia_kg_m2: found together with forces.mass_kg, which means the same; "
+         "allowed: "
+         "only one of the two"},
         {"forces_spring_twice",
          forces + "spring_rate_n_m = 1\n"
                   "spring_rate_n_mm = 1\n",
-         "s.toml:12:1: forces.spring_rate_n_mm: found beside forces.spring_rate_n_m, which says the same; "
+         "s.toml:12:1: forces.spring_rate_n_mm: found together with forces.spring_rate_n_m, which means the "
+         "same; "
          "allowed: only one of the two"},
         {"forces_inertia_of_translating", forces + "inertia_kg_m2 = 1\n",
          "s.toml:11:1: forces.inertia_kg_m2: found a value in kg m^2 where the follower translates; allowed: "
@@ -130,7 +132,8 @@ std::vector<BrokenScene> broken_forces() {
         {"limit_pressure_angle_twice",
          no_forces + "pressure_angle_deg = 30\n"
                      "pressure_angle_rad = 0.5\n",
-         "s.toml:11:1: limits.pressure_angle_rad: found beside limits.pressure_angle_deg, which says the "
+         "s.toml:11:1: limits.pressure_angle_rad: found together with limits.pressure_angle_deg, which means "
+         "the "
          "same; allowed: only one of the two"},
         {"limit_pressure_angle_range", no_forces + "pressure_angle_deg = { min = 1, max = 2 }\n",
          "s.toml:10:22: limits.pressure_angle_deg: found a table; allowed: a number > 0 and < 90"},
@@ -201,8 +204,9 @@ std::vector<BrokenScene> broken_forces() {
          moments + "[limits]\n"
                    "contact_moment_min_nm = 1\n"
                    "contact_force_min_n = 1\n",
-         "s.toml:15:1: limits.contact_force_min_n: found beside limits.contact_moment_min_nm, which says the "
-         "same; allowed: only one of the two"},
+         "s.toml:15:1: limits.contact_force_min_n: found together with limits.contact_moment_min_nm, which "
+         "means "
+         "the same; allowed: only one of the two"},
         {"limit_contact_force_negative",
          forces + "[limits]\n"
                   "contact_force_min_n = -1\n",

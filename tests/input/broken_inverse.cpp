@@ -28,9 +28,8 @@ std::vector<BrokenScene> broken_inverse() {
          "s.toml:4:12: cam.type: found \"inverse\" with the motion \"RR\"; allowed: the motion \"DRD\""},
         {"WithAFollower", start + "follower = \"rotating\"\n",
          "s.toml:6:1: cam.follower: found a key for cams of type \"disk\" or \"cylindrical\"; allowed: only "
-         "with cam.type = \"disk\" or \"cylindrical\"; cam.type = \"inverse\" says what follows already: "
-         "leave "
-         "this key out"},
+         "with cam.type = \"disk\" or \"cylindrical\"; cam.type = \"inverse\" already determines this value: "
+         "remove the key"},
         {"WithARotation", start + "rotation = \"clockwise\"\n",
          "s.toml:6:1: cam.rotation: found a key for cams of type \"disk\" or \"remote\" or \"barrel\" or "
          "\"cylindrical\"; allowed: only with cam.type = \"disk\" or \"remote\" or \"barrel\" or "

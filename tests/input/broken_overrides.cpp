@@ -98,13 +98,13 @@ std::vector<BrokenScene> broken_overrides() {
          {"solver.name=nlopt.slsq"}},
         {"set_entry_beyond",
          program_scene,
-         "--set motion.segments[2].to=1: motion.segments: found 2 entries, counted from 0; allowed: an entry "
-         "that is there",
+         "--set motion.segments[2].to=1: motion.segments: found 2 entries, counted from 0; allowed: an "
+         "existing entry",
          {"motion.segments[2].to=1"}},
         {"set_entry_of_no_array",
          plain_scene,
          "--set motion.segments[0].to=1: motion.segments: found no such array in the scene; allowed: an "
-         "entry that is there",
+         "existing entry",
          {"motion.segments[0].to=1"}},
         {"set_entry_of_table",
          plain_scene,
@@ -162,7 +162,7 @@ std::vector<BrokenScene> broken_overrides() {
         {"set_entry_cross_check",
          program_scene,
          "s.toml:5:1: motion.segments: found angles that add up to 150 deg; allowed: 360 deg, or "
-         "motion.closed = false for a part of a turn",
+         "motion.closed = false for part of a revolution",
          {"motion.segments[1].angle_deg=90"}},
         {"set_entry_of_breakpoints",
          plain_scene,

@@ -104,7 +104,8 @@ std::vector<BrokenScene> broken_programs() {
                    "kind = \"spline\"\n"
                    "angle_rad = 1\n"
                    "angle_deg = 1\n",
-         "s.toml:8:1: motion.segments[0].angle_deg: found beside motion.segments[0].angle_rad, which says "
+         "s.toml:8:1: motion.segments[0].angle_deg: found together with motion.segments[0].angle_rad, which "
+         "means "
          "the same; allowed: only one of the two"},
         {"program_angle_without_unit",
          program + "[[motion.segments]]\n"
@@ -152,7 +153,7 @@ std::vector<BrokenScene> broken_programs() {
                 "to = 1\n"
                 "angle_deg = 180\n",
          "s.toml:14:6: motion.segments[2].to: found a displacement in a segment of kind \"dwell\"; allowed: "
-         "only in kind \"law\" or \"spline\"; a dwell keeps the displacement it finds"},
+         "only in kind \"law\" or \"spline\"; a dwell keeps its displacement"},
         {"program_to_nan",
          rise + "[[motion.segments]]\n"
                 "kind = \"spline\"\n"
@@ -165,7 +166,8 @@ std::vector<BrokenScene> broken_programs() {
                 "to = 0\n"
                 "to_mm = 0\n"
                 "angle_deg = 180\n",
-         "s.toml:15:1: motion.segments[2].to_mm: found beside motion.segments[2].to, which says the same; "
+         "s.toml:15:1: motion.segments[2].to_mm: found together with motion.segments[2].to, which means the "
+         "same; "
          "allowed: only one of the two"},
         {"program_to_angle_for_length",
          rise + "[[motion.segments]]\n"
@@ -187,32 +189,32 @@ std::vector<BrokenScene> broken_programs() {
                    "kind = \"dwell\"\n"
                    "angle_deg = 360\n",
          "s.toml:5:1: motion.segments: found no segment to optimise; allowed: at least one with kind = "
-         "\"spline\", its angle and, where it is wanted, the displacement `to` at its end"},
+         "\"spline\", its angle and, where needed, the displacement `to` at its end"},
         {"program_only_laws",
          program + "[[motion.segments]]\n"
                    "kind = \"law\"\n"
                    "angle_deg = 360\n"
                    "law = \"cycloidal\"\n",
          "s.toml:5:1: motion.segments: found no segment to optimise; allowed: at least one with kind = "
-         "\"spline\", its angle and, where it is wanted, the displacement `to` at its end"},
+         "\"spline\", its angle and, where needed, the displacement `to` at its end"},
         {"program_turn_not_full",
          rise + "[[motion.segments]]\n"
                 "kind = \"spline\"\n"
                 "angle_deg = 170\n",
          "s.toml:5:1: motion.segments: found angles that add up to 350 deg; allowed: 360 deg, or "
-         "motion.closed = false for a part of a turn"},
+         "motion.closed = false for part of a revolution"},
         {"program_turn_exceeded",
          rise + "[[motion.segments]]\n"
                 "kind = \"spline\"\n"
                 "angle_deg = 180.000001\n",
          "s.toml:5:1: motion.segments: found angles that add up to 360.000001 deg; allowed: 360 deg, or "
-         "motion.closed = false for a part of a turn"},
+         "motion.closed = false for part of a revolution"},
         {"program_open_turn_exceeded",
          rise + "[[motion.segments]]\n"
                 "kind = \"spline\"\n"
                 "angle_deg = 190\n",
-         "s.toml:5:1: motion.segments: found angles that add up to 370 deg; allowed: 360 deg, a whole turn, "
-         "at most",
+         "s.toml:5:1: motion.segments: found angles that add up to 370 deg; allowed: at most 360 deg, one "
+         "revolution",
          {"motion.closed=false"}},
         {"program_ends_high",
          rise + "[[motion.segments]]\n"

@@ -19,7 +19,7 @@ const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
 
 class BrokenScenes : public testing::TestWithParam<BrokenScene> {};
 
-TEST_P(BrokenScenes, AreRefusedWithTheirWholeMessage) {
+TEST_P(BrokenScenes, AreRefusedWithCompleteMessage) {
     const BrokenScene& broken = GetParam();
     try {
         (void)read_scene(broken.toml, "s.toml", known, broken.overrides);
@@ -55,7 +55,7 @@ std::string message_of_file(const std::filesystem::path& path) {
     return "no error";
 }
 
-TEST(SceneFile, MissingFileAndDirectoryAreSaidSo) {
+TEST(SceneFile, MissingFilesAndDirectoriesAreReported) {
     EXPECT_EQ(message_of_file("no/such.toml"),
               "no/such.toml: cannot be read: No such file or directory; allowed: a scene file in TOML");
     EXPECT_EQ(message_of_file("."), ".: found a directory; allowed: a scene file in TOML");

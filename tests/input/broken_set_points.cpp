@@ -30,7 +30,7 @@ std::vector<BrokenScene> broken_set_points() {
     using namespace broken_set_points_parts;
     return {
         {"point_beyond_the_rise", rise + "via = [{ at_deg = 130, displacement = 1 }]\n",
-         "s.toml:6:19: motion.via[0].at_deg: found 130 deg; allowed: a place from 0 to 120 deg"},
+         "s.toml:6:19: motion.via[0].at_deg: found 130 deg; allowed: a location from 0 to 120 deg"},
         {"point_without_a_speed", rise + "via = [{ at_deg = 30, velocity_mm_s = 1 }]\n",
          "s.toml:6:23: motion.via[0].velocity_mm_s: found a value in mm/s without a speed; allowed: together "
          "with "
@@ -55,7 +55,8 @@ std::vector<BrokenScene> broken_set_points() {
          "allowed: "
          "none: it is 0 there"},
         {"region_backwards", rise + "via = [{ from_deg = 50, to_deg = 30, velocity = 1 }]\n",
-         "s.toml:6:34: motion.via[0].to_deg: found 30 deg; allowed: a place after 50 deg, where the region "
+         "s.toml:6:34: motion.via[0].to_deg: found 30 deg; allowed: a location after 50 deg, where the "
+         "region "
          "begins"},
         {"regions_overlap",
          rise + "via = [{ from_deg = 30, to_deg = 50, velocity = 1 }, { from_deg = 45, to_deg = 60, velocity "
@@ -70,20 +71,22 @@ std::vector<BrokenScene> broken_set_points() {
          "\"fixed\", or exact points alone"},
         {"segment_point_at_its_end",
          turn + "{ kind = \"spline\", angle_deg = 120, to = 0, via = [{ at_deg = 120, velocity = 0 }] }]\n",
-         "s.toml:9:63: motion.segments[3].via[0].at_deg: found 120 deg; allowed: a place after 0 and before "
+         "s.toml:9:63: motion.segments[3].via[0].at_deg: found 120 deg; allowed: a location after 0 and "
+         "before "
          "120 deg, "
          "the end of the segment"},
         {"segment_region_from_a_dwell",
          "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nsegments = [\n"
          "{ kind = \"dwell\", angle_deg = 60 },\n"
          "{ kind = \"spline\", angle_deg = 60, to = 1, via = [{ from = 0, to = 0.5, velocity = 1 }] }]\n",
-         "s.toml:7:60: motion.segments[1].via[0].from: found 0; allowed: a place after 0, where "
+         "s.toml:7:60: motion.segments[1].via[0].from: found 0; allowed: a location after 0, where "
          "segments[0], a dwell, gives the velocity"},
         {"segment_region_from_an_open_end",
          "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nsegments = [\n"
          "{ kind = \"spline\", angle_deg = 60, to = 1, via = [{ from_deg = 0, to_deg = 10, velocity = 1 }] "
          "}]\n",
-         "s.toml:6:64: motion.segments[0].via[0].from_deg: found 0 deg; allowed: a place after 0 deg, where "
+         "s.toml:6:64: motion.segments[0].via[0].from_deg: found 0 deg; allowed: a location after 0 deg, "
+         "where "
          "it starts from rest"},
         {"segment_region_to_an_open_end",
          "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nsegments = [\n"
@@ -106,11 +109,12 @@ std::vector<BrokenScene> broken_set_points() {
         {"one_angle_range", turn + "{ kind = \"dwell\", angle_deg = { min = 60, max = 190 } }]\n",
          "s.toml:9:31: motion.segments[3].angle_deg: found the only range of the program; allowed: a number: "
          "the angles "
-         "add up to a turn, so ranges come in twos at least"},
+         "add up to 360 deg, so at least two ranges are needed"},
         {"measured_without_table", rise + "[measured]\nuse = \"start\"\n",
          "s.toml:6:1: measured.table: missing; allowed: table, or both theta_deg and s_mm"},
         {"measured_twice", rise + "[measured]\ntable = \"m.csv\"\ns_mm = [0]\n",
-         "s.toml:8:1: measured.s_mm: found beside measured.table, which says the same; allowed: only one of "
+         "s.toml:8:1: measured.s_mm: found together with measured.table, which means the same; allowed: only "
+         "one of "
          "the two"},
     };
 }

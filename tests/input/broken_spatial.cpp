@@ -38,9 +38,8 @@ std::vector<BrokenScene> broken_spatial() {
          "\"translating\" follower, or motion.lift_deg or motion.lift_rad"},
         {"BarrelWithAFollower", barrel + "follower = \"rotating\"\n",
          "s.toml:10:1: cam.follower: found a key for cams of type \"disk\" or \"cylindrical\"; allowed: only "
-         "with cam.type = \"disk\" or \"cylindrical\"; cam.type = \"barrel\" says what follows already: "
-         "leave "
-         "this key out"},
+         "with cam.type = \"disk\" or \"cylindrical\"; cam.type = \"barrel\" already determines this value: "
+         "remove the key"},
         {"BarrelWithACylinder", barrel + "cylinder_radius_mm = 60\n",
          "s.toml:10:1: cam.cylinder_radius_mm: found a key that this cam (\"barrel\") does not have; "
          "allowed: "

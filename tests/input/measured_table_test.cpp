@@ -24,7 +24,7 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
-TEST(MeasuredTable, FindsItsColumnsWhateverStandsBesideThem) {
+TEST(MeasuredTable, FindsColumnsAmongOthers) {
     const MeasuredTable table = measured_table_of(
         "\xEF\xBB\xBF# a remark\r\n\r\nforce_n; s_in ;\"theta_rad\"\r\n7;0.5;1e-1\r\n8;+0.75;0.2\r\n",
         "m.csv");
@@ -106,14 +106,14 @@ TEST_F(MeasuredScene, IsReadFromItsFolder) {
     EXPECT_EQ(read.measured->name, "m.csv");
 }
 
-TEST_F(MeasuredScene, FaultsOfTheTableHaveItsLines) {
+TEST_F(MeasuredScene, TableFaultsNameTheirLines) {
     EXPECT_EQ(refusal_of("theta_deg,s_mm\n0,0\n1,1\n"),
               "m.csv: theta_deg: found 2 rows; allowed: 8 to 1000000 rows");
     std::string low = table;
     low.replace(low.find("80,10\n"), 6, "80,9\n");
     EXPECT_EQ(
         refusal_of(low),
-        "m.csv:10: s_mm: found 9 mm at 80 deg; allowed: 10 mm, to 0.5 mm: what the scene asks for at 80 deg");
+        "m.csv:10: s_mm: found 9 mm at 80 deg; allowed: 10 mm, to 0.5 mm: what the scene requires at 80 deg");
     std::string shorter = table;
     shorter.replace(shorter.find("80,10\n"), 6, "75,10\n");
     EXPECT_EQ(refusal_of(shorter),
@@ -125,18 +125,19 @@ TEST_F(MeasuredScene, FaultsOfTheTableHaveItsLines) {
               "allowed: s_mm, s_in or s_m");
 }
 
-TEST_F(MeasuredScene, ATextWithoutAFolderReadsNoFile) {
+TEST_F(MeasuredScene, TextWithoutFolderReadsNoFile) {
     try {
         (void)read_scene(scene, "s.toml", known);
         ADD_FAILURE() << "accepted";
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "s.toml:3:18: measured.table: found a file in a scene that is none itself; allowed: "
+                     "s.toml:3:18: measured.table: found a file name in a scene that was not read from a "
+                     "file; allowed: "
                      "the numbers, theta_deg and s_mm, or a scene file that names its table");
     }
 }
 
-TEST_F(MeasuredScene, ItsTextStandsAlone) {
+TEST_F(MeasuredScene, ItsTextIsSelfContained) {
     write("s.toml", scene);
     const Scene given = read_scene_file(folder_ / "s.toml", known);
     const std::string alone = whole_scene_text(folder_ / "s.toml");

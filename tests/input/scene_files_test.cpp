@@ -26,7 +26,7 @@ std::string text_of(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-TEST(Scenes, EveryExampleReadsAndSaysWhyItIsThere) {
+TEST(Scenes, EveryExampleReadsAndStatesItsPurpose) {
     int count = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder / "scenes")) {
         if (entry.path().extension() != ".toml") continue;
@@ -42,7 +42,7 @@ TEST(Scenes, EveryExampleReadsAndSaysWhyItIsThere) {
     EXPECT_GE(count, 20);
 }
 
-TEST(SceneDocumentation, HoldsTheKeyTableOfTheCode) {
+TEST(SceneDocumentation, MatchesKeyTable) {
     const std::filesystem::path path = source_folder / "docs" / "scene_file.md";
     const std::string begin = "<!-- keys: begin -->\n";
     const std::string end = "<!-- keys: end -->";

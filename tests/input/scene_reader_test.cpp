@@ -141,7 +141,7 @@ TEST(SceneReader, EveryKeyArrivesInSiUnits) {
     }
 }
 
-TEST(SceneReader, EveryKeyOfTheTableIsTried) {
+TEST(SceneReader, CoversEveryKeyOfTheTable) {
     std::set<std::string> tried, written;
     for (const KeyCase& c : key_cases()) tried.insert(c.key);
     for (const KeyRow& row : scene_keys()) {
@@ -152,7 +152,7 @@ TEST(SceneReader, EveryKeyOfTheTableIsTried) {
     EXPECT_EQ(tried, written);
 }
 
-TEST(SceneReader, AbsentKeysKeepTheDefaultsOfTheScene) {
+TEST(SceneReader, MissingKeysKeepDefaults) {
     const Scene scene = read(drd + jerk_only);
     EXPECT_EQ(scene.title, "");
     EXPECT_EQ(scene.motion.lift, 1e-3);
@@ -176,7 +176,7 @@ TEST(SceneReader, AbsentKeysKeepTheDefaultsOfTheScene) {
     EXPECT_TRUE(scene.solver.options.empty());
 }
 
-TEST(SceneReader, ALimitRemembersHowItWasWritten) {
+TEST(SceneReader, LimitRemembersItsSpelling) {
     const Scene scene =
         read(drd + jerk_only + "motion.lift_mm = 20\nmotion.speed_rad_s = 10\nlimits.velocity_in_s = 10\n");
     const PeakLimit& limit = scene.limits.velocity.value();
@@ -233,7 +233,7 @@ TEST(SceneReader, TheProgramOfTheContractArrives) {
     EXPECT_DOUBLE_EQ(scene.motion.length(), 3.0);
 }
 
-TEST(SceneReader, LimitsInTimeOfAProgramUseItsFirstSpline) {
+TEST(SceneReader, ProgramTimeLimitsUseFirstSpline) {
     const Scene scene = read(jerk_only +
                              "motion.type = \"program\"\n"
                              "motion.lift_mm = 20\n"
@@ -250,7 +250,7 @@ const std::string knife =
     "motion.lift_mm = 10\ncam.type = \"disk\"\ncam.follower = \"translating_knife\"\ncam.base_radius_mm = "
     "40\n";
 
-TEST(SceneReader, ADimensionRemembersHowItWasWritten) {
+TEST(SceneReader, DimensionRemembersItsSpelling) {
     const Scene scene = read(drd + jerk_only + knife + "cam.offset_in = { min = 0, max = 1 }\n");
     const Dimension& offset = *scene.cam.value().find(DimensionIndex::offset);
     EXPECT_TRUE(offset.is_variable());
@@ -262,7 +262,7 @@ TEST(SceneReader, ADimensionRemembersHowItWasWritten) {
     EXPECT_EQ(scene.cam.value().find(DimensionIndex::roller_radius), nullptr);
 }
 
-TEST(SceneReader, TheSceneRemembersTheUnitOfItsLengths) {
+TEST(SceneReader, SceneRemembersItsLengthUnit) {
     EXPECT_EQ(read(drd + jerk_only).length_unit, LengthUnit::millimetre);
     EXPECT_EQ(read(drd + jerk_only + "motion.lift_in = 1\n").length_unit, LengthUnit::inch);
     EXPECT_EQ(read(drd + jerk_only + "motion.lift_m = 1\n").length_unit, LengthUnit::millimetre);
@@ -275,7 +275,7 @@ TEST(SceneReader, TheSceneRemembersTheUnitOfItsLengths) {
               LengthUnit::millimetre);
 }
 
-TEST(SceneReader, ALimitOfTheCamRemembersHowItWasWritten) {
+TEST(SceneReader, CamLimitRemembersItsSpelling) {
     const Scene scene = read(drd + jerk_only + knife + "limits.pressure_angle_deg = 30\n");
     const WrittenLimit& limit = scene.limits.pressure_angle.value();
     EXPECT_EQ(limit.key, "limits.pressure_angle_deg");
@@ -283,13 +283,13 @@ TEST(SceneReader, ALimitOfTheCamRemembersHowItWasWritten) {
     EXPECT_EQ(limit.unit, "deg");
 }
 
-TEST(SceneReader, AVariableDimensionIsEnoughOfAnObjective) {
+TEST(SceneReader, VariableDimensionSufficesAsObjective) {
     const Scene scene =
         read(drd + "objective.offset = 1\n" + knife + "cam.offset_mm = { min = -5, max = 5 }\n");
     EXPECT_EQ(scene.objective.jerk, 0.0);
 }
 
-TEST(SceneReader, AbsentForcesAndDimensionsKeepTheirDefaults) {
+TEST(SceneReader, MissingForcesAndDimensionsKeepDefaults) {
     const Scene scene = read(drd + jerk_only + knife + "motion.speed_rpm = 60\n[forces]\n");
     EXPECT_EQ(scene.cam.value().rotation, Rotation::counterclockwise);
     EXPECT_FALSE(scene.cam->face_half_width);
@@ -312,7 +312,7 @@ TEST(Overrides, ReplaceAddAndTakeBareWords) {
     EXPECT_EQ(scene.title, "two words");
 }
 
-TEST(Overrides, ReplaceEveryOtherWayToSayTheSame) {
+TEST(Overrides, ReplaceEverySynonym) {
     const std::string toml = drd + jerk_only + "motion.lift_in = 1\nspline.breakpoints = [0, 0.5, 1]\n";
     const Scene scene = read(toml, {"motion.lift_mm=4", "spline.segments=24"});
     EXPECT_DOUBLE_EQ(scene.motion.lift, 0.004);
@@ -348,7 +348,7 @@ TEST(Overrides, SetCamsAndTheirLimits) {
     EXPECT_DOUBLE_EQ(scene.limits.pressure_angle.value().given(), 30.0);
 }
 
-TEST(Overrides, MendABrokenFile) {
+TEST(Overrides, FixInvalidFile) {
     EXPECT_EQ(read(drd + jerk_only + "spline.degree = 4\n", {"spline.degree=5"}).spline.degree, 5);
 }
 
@@ -375,7 +375,7 @@ void strip_words(LimitSpec& limits) {
         if (*limit) **limit = WrittenLimit((*limit)->value, {}, 1.0, (*limit)->unit);
 }
 
-TEST(SceneReader, ALimitFromCppSaysWhatTheManualsKeySays) {
+TEST(SceneReader, CppLimitUsesWordsOfManual) {
     int compared = 0;
     for (const auto& part : {limit_cases(), cam_limit_cases()})
         for (const KeyCase& c : part) {
@@ -434,7 +434,7 @@ TEST(SceneReader, WordsFromElsewhereGetAHint) {
               "'counterclockwise'?");
 }
 
-TEST(FollowerKinds, AreAllThatTheKeyTableKnows) {
+TEST(FollowerKinds, MatchKeyTable) {
     std::set<std::string> words, keys;
     for (const FollowerKind& kind : follower_kinds()) {
         EXPECT_TRUE(words.insert(kind.cam_type + "/" + kind.word).second) << kind.word;

@@ -21,9 +21,9 @@ std::string refusal(FactorKind kind) {
     }
 }
 
-TEST(AbsentFactor, IsRefusedAndNotReplacedByAnother) {
+TEST(AbsentFactor, IsRefusedWithoutSubstitution) {
     const std::string rest =
-        " is not built into this camopt; there are auto, chain and simplicial; install libsuitesparse-dev "
+        " is not built into this camopt; available: auto, chain and simplicial; install libsuitesparse-dev "
         "and "
         "configure camopt again with CAMOPT_WITH_SUITESPARSE=ON";
     EXPECT_EQ(refusal(FactorKind::cholmod), "factorization 'cholmod'" + rest);

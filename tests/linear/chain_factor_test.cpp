@@ -73,7 +73,7 @@ double error_of(SymmetricFactor& factor, const System& system) {
     return (x - expected).lpNorm<Eigen::Infinity>();
 }
 
-TEST(ChainFactor, SolvesFreeVariablesAndEqualitiesWithoutAnyShift) {
+TEST(ChainFactor, SolvesFreeVariablesWithoutShift) {
     for (const int border : {0, 1, 3, 5}) {
         for (unsigned seed = 1; seed <= 5; ++seed) {
             const System system = chain(60, border, seed);
@@ -84,7 +84,7 @@ TEST(ChainFactor, SolvesFreeVariablesAndEqualitiesWithoutAnyShift) {
     }
 }
 
-TEST(ChainFactor, FindsTheBorderAndANarrowBand) {
+TEST(ChainFactor, FindsBorderAndNarrowBand) {
     const System system = chain(100, 3, 7);
     const auto order = chain_order(system.lower, system.signs);
     ASSERT_TRUE(order.has_value());
@@ -95,7 +95,7 @@ TEST(ChainFactor, FindsTheBorderAndANarrowBand) {
     EXPECT_EQ(pairs, 2 * 99);  // every equality has a partner
 }
 
-TEST(ChainFactor, LaysOutAChainWhoseNumbersAreShuffled) {
+TEST(ChainFactor, ReordersShuffledChains) {
     const System plain = chain(60, 2, 3);
     const int variables = 3 * 60 + 2;
     std::vector<int> shuffled(static_cast<std::size_t>(variables));

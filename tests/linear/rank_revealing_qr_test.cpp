@@ -60,7 +60,7 @@ TEST(RankRevealingQr, ZeroRowsAreDependent) {
     EXPECT_TRUE(found.dependent[1].combination.empty());
 }
 
-TEST(RankRevealingQr, ARowOfStoredZerosIsDependent) {
+TEST(RankRevealingQr, StoredZeroRowIsDependent) {
     for (const double other : {0.0, 5.0}) {
         Eigen::SparseMatrix<double> matrix(2, 3);
         matrix.insert(0, 1) = 0.0;
@@ -73,7 +73,7 @@ TEST(RankRevealingQr, ARowOfStoredZerosIsDependent) {
     }
 }
 
-TEST(RankRevealingQr, KeepsTheEarlierOfEqualRows) {
+TEST(RankRevealingQr, KeepsFirstOfEqualRows) {
     Eigen::MatrixXd matrix(4, 3);
     matrix << 1, 2, 0, 0, 1, 1, 2, 4, 0, 0, 3, 3;
     const RowDependence found = analyse_rows(to_sparse(matrix), Eigen::Vector4d(1.0, 2.0, 2.0, 7.0));
@@ -97,7 +97,7 @@ TEST(RankRevealingQr, MoreRowsThanColumns) {
     for (const DependentRow& row : found.dependent) EXPECT_EQ(row.mismatch, 0.0);
 }
 
-TEST(RankRevealingQr, FindsPlantedRedundantAndContradictoryRows) {
+TEST(RankRevealingQr, FindsRedundantAndContradictoryRows) {
     std::mt19937 random(11);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -187,7 +187,7 @@ TEST(RankRevealingQr, BadlyScaledRows) {
     EXPECT_NEAR(found.dependent[0].combination[1].second, -2e12, 1e2);
 }
 
-TEST(RankRevealingQr, RejectsBadInput) {
+TEST(RankRevealingQr, RejectsInvalidInput) {
     EXPECT_EQ(refusal<ModelError>([&] { (void)analyse_rows(Sparse(2, 2), Eigen::VectorXd::Zero(3)); }),
               "analyse_rows: the matrix has 2 rows, the right side 3");
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(2, 2);

@@ -31,7 +31,7 @@ std::vector<double> spline_begins(const MotionFamily& family, int stretch) {
 
 /// The unit of x is that of the scene; a place written in units of a segment lies that part of the way along
 /// it.
-TEST(ProgramFamily, OwnBreakpointsLieInUnitsOfEachSegment) {
+TEST(ProgramFamily, BreakpointsUseUnitsOfEachSegment) {
     Scene scene = program();
     scene.spline.breakpoints = {0.0, 0.2, 0.45, 0.5, 1.0};
     const double unit = scene.motion.unit_angle();

@@ -63,11 +63,11 @@ bool holds(const std::string& text, const std::string& words) {
     return text.find(words) != std::string::npos;
 }
 
-TEST(ComparisonText, SaysLossLimitsAndWhatIsLeftOut) {
+TEST(ComparisonText, ReportsLossLimitsAndOmissions) {
     const std::string text = comparison_text(sample());
     for (const char* words : {"Sample & scene", "optimum", "+50.00 %", "∞",
                               "pressure angle 33.5 deg, 3.5 above 30", "left out: turns back at its top",
-                              "The best law that keeps every limit: The <good> law", "base mm"})
+                              "The best law that satisfies every limit: The <good> law", "base mm"})
         EXPECT_TRUE(holds(text, words)) << words << "\n" << text;
 }
 
@@ -88,7 +88,7 @@ TEST(ComparisonJson, HasNullForInfiniteAndAbsent) {
 }
 
 /// A law whose cam is undercut: its pressure is no number, in any of the texts.
-TEST(ComparisonTexts, SayOfAnUndercutLawThatThereIsNoContact) {
+TEST(ComparisonTexts, UndercutLawHasNoContact) {
     Comparison comparison = sample();
     ComparisonRow& bad = comparison.rows[2];
     bad.objective = 0.1;
@@ -132,7 +132,7 @@ TEST(ComparisonCsv, EveryLineHasEveryCell) {
     }
 }
 
-TEST(ComparisonSvg, DrawsABarForEveryFiniteLawAndHatchesTheBroken) {
+TEST(ComparisonSvg, DrawsFiniteLawsAndHatchesInfeasible) {
     Comparison comparison = sample();
     std::string svg = comparison_svg(comparison);
     EXPECT_TRUE(holds(svg, "The &lt;good&gt; law"));

@@ -75,7 +75,7 @@ TEST(PaperReportCsv, OneLineARow) {
     EXPECT_EQ(paper_figure_csv(report.figures[0]), "series,x,y\na line,0,0\na line,1,\na line,2,3\n");
 }
 
-TEST(PaperFigureSvg, IsWellFormedAndLeavesOutWhatCannotBeDrawn) {
+TEST(PaperFigureSvg, OmitsNonfiniteValues) {
     for (const PaperFigure& figure : small_report().figures) {
         const std::string svg = paper_figure_svg(figure);
         EXPECT_EQ(testing_support::xml_fault(svg), "");

@@ -79,7 +79,7 @@ std::size_t lines(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
-TEST(ReferenceTableJson, InfiniteAndAbsentValuesAreNull) {
+TEST(ReferenceTableJson, InfiniteAndAbsentAreNull) {
     const Json json = Json::parse(reference_table_json(small_table()));
     const Json& parabolic = json.at("laws").at(0);
     EXPECT_TRUE(parabolic.at("exact").at("jerk").is_null());
@@ -94,7 +94,7 @@ TEST(ReferenceTableJson, InfiniteAndAbsentValuesAreNull) {
     EXPECT_TRUE(failed.at("optimum").at("peaks").is_null());
 }
 
-TEST(ReferenceTableJson, NumbersReadBackAsTheSameDouble) {
+TEST(ReferenceTableJson, NumbersRoundTripExactly) {
     const Json json = Json::parse(reference_table_json(small_table()));
     const Json& row = json.at("convergence").at(0);
     EXPECT_EQ(row.at("optimum").at("objective").get<double>(), 1.0 / 3.0);
@@ -104,7 +104,7 @@ TEST(ReferenceTableJson, NumbersReadBackAsTheSameDouble) {
     EXPECT_EQ(json.at("notes").size(), 2u);
 }
 
-TEST(ReferenceTableOutput, WhatIsNotProvedIsSaidEverywhere) {
+TEST(ReferenceTableOutput, UnprovedValuesAreMarkedEverywhere) {
     const ReferenceTable table = small_table();
     const Json json = Json::parse(reference_table_json(table));
     EXPECT_FALSE(json.at("all_optimal").get<bool>());
@@ -120,7 +120,7 @@ TEST(ReferenceTableOutput, WhatIsNotProvedIsSaidEverywhere) {
     EXPECT_TRUE(holds(weights_csv(table), "failed,time_limit"));
 }
 
-TEST(ReferenceTableOutput, AProvedTableWarnsOfNothing) {
+TEST(ReferenceTableOutput, ProvedTableHasNoWarning) {
     ReferenceTable table = small_table();
     table.convergence.pop_back();
     table.weights.clear();
@@ -129,7 +129,7 @@ TEST(ReferenceTableOutput, AProvedTableWarnsOfNothing) {
     EXPECT_FALSE(holds(reference_table_svg(table), "Not proved"));
 }
 
-TEST(ReferenceTableText, ShowsPrintedFiguresOptimumAndNotes) {
+TEST(ReferenceTableText, ShowsPrintedValuesAndNotes) {
     const std::string text = reference_table_text(small_table());
     EXPECT_TRUE(holds(text, "paper, as printed"));
     EXPECT_TRUE(holds(text, "0.333333333"));
@@ -140,7 +140,7 @@ TEST(ReferenceTableText, ShowsPrintedFiguresOptimumAndNotes) {
     EXPECT_FALSE(holds(text, "inf"));
 }
 
-TEST(ReferenceTableCsv, HasARowEachAndEmptyCellsForWhatIsNotThere) {
+TEST(ReferenceTableCsv, MissingValuesAreEmptyCells) {
     const ReferenceTable table = small_table();
     EXPECT_EQ(lines(convergence_csv(table)), 3u);
     EXPECT_EQ(lines(laws_csv(table)), 3u);
@@ -156,7 +156,7 @@ TEST(ReferenceTableCsv, HasARowEachAndEmptyCellsForWhatIsNotThere) {
     }
 }
 
-TEST(ReferenceTableSvg, DrawsWhatIsThereAndNoNumberThatIsNone) {
+TEST(ReferenceTableSvg, DrawsOnlyFiniteValues) {
     const std::string picture = reference_table_svg(small_table());
     EXPECT_TRUE(holds(picture, "best-line"));
     EXPECT_TRUE(holds(picture, "Parabolic"));

@@ -12,7 +12,7 @@ function(configure result_and_output)
 endfunction()
 
 configure(said)
-if(NOT said MATCHES "^0: .*a binary may be passed on under the MIT license")
+if(NOT said MATCHES "^0: .*a binary may be distributed under the MIT license")
   message(FATAL_ERROR "CAMOPT_GPL=OFF: ${said}")
 endif()
 file(STRINGS ${BINARY}/build.ninja links REGEX ${gpl_libraries})

@@ -94,7 +94,7 @@ bool is_of(const CamSpec& spec, const CamVariant& variant) {
 
 class EveryKind : public testing::TestWithParam<Case> {};
 
-TEST(EveryKind, AndEveryFollowerAndLinkageIsTried) {
+TEST(EveryKind, CoversEveryFollowerAndLinkage) {
     const std::vector<Case> all = cases();
     for (const CamKind& kind : cam_kinds())
         for (const CamVariant& variant : kind.variants)

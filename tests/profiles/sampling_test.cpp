@@ -102,7 +102,7 @@ TEST(Sampling, EndsOnUndercutCams) {
     }
 }
 
-TEST(Sampling, KeepsAToleranceThatSuitsAVerySmallAndAVeryLargeLift) {
+TEST(Sampling, ToleranceSuitsSmallAndLargeLifts) {
     for (const double factor : {1e-6 / 0.025, 1.0 / 0.025}) {
         TestCam cam = translating_roller(45 * factor, 10 * factor, 8 * factor, 25 * factor);
         const double tolerance = 1e-6 * factor;

@@ -52,14 +52,15 @@ TEST(Scene, WrongMembersAreNamed) {
              s.motion.type = MotionType::rr;
              s.motion.rise = 4;
          },
-         "motion.return_angle: found 8 rad for rise and return together; allowed: at most a whole turn, "
+         "motion.return_angle: found 8 rad for rise and return together; allowed: at most one revolution, "
          "6.283185307179586 rad"},
         {[](Scene& s) {
              s.motion.type = MotionType::rr;
              s.motion.return_angle = 1;
              s.motion.symmetric = true;
          },
-         "motion.symmetric: found true with a return unlike the rise; allowed: false, or equal angles for "
+         "motion.symmetric: found true with a return different from the rise; allowed: false, or equal "
+         "angles for "
          "rise and "
          "return"},
         {[](Scene& s) { s.motion.via = {{.at = 2, .displacement = 1}}; },
@@ -161,8 +162,7 @@ TEST(Scene, WrongProgramsAreNamed) {
          "`to`, or motion.closed = false"},
         {[](Scene& s) { s.motion.segments.pop_back(); },
          "motion.segments: found angles that add up to 315 deg; allowed: 360 deg, or motion.closed = false "
-         "for a part "
-         "of a turn"},
+         "for part of a revolution"},
         {[](Scene& s) {
              s.spline.breakpoints = {0, 4};
          },
@@ -214,7 +214,7 @@ TEST(Scene, WrongCamsAreNamed) {
     for (const SceneCase& c : cases) EXPECT_EQ(message_of(cam_scene(), c.change), c.message);
 }
 
-TEST(Scene, ADimensionThatACamHasNotIsRefused) {
+TEST(Scene, UnknownCamDimensionIsRefused) {
     EXPECT_EQ(message_of([](Scene&) { cam_scene().cam->set(DimensionIndex::arm_length, 0.1); }),
               "cam.arm_length: found a dimension that this cam of type \"disk\" does not have; allowed: "
               "base_radius, roller_radius, offset");
@@ -227,7 +227,7 @@ TEST(Scene, ADimensionThatACamHasNotIsRefused) {
               "allowed: only with \"oscillating_roller\"");
 }
 
-TEST(Scene, ProgramsAndCamsInTheirRangesAreAllowed) {
+TEST(Scene, ValidProgramsAndCamsAreAllowed) {
     const auto nothing = [](Scene&) {};
     EXPECT_EQ(message_of(program_scene(), nothing), "accepted");
     EXPECT_EQ(message_of(program_scene(), [](Scene& s) { s.motion.segments[3].to = 0.0; }), "accepted");

@@ -102,7 +102,7 @@ TEST(SoakChecks, WrongPeaksAndObjectivesAreNoticed) {
     expect_broken(check_objective(result));
 }
 
-TEST(SoakChecks, MovedControlPointsBreakPeaksAndConditions) {
+TEST(SoakChecks, MovedControlPointsViolateConditions) {
     Solved result = solved(motion_scene);
     result.outcome.spline->coefficients[4] += 1e-6;
     result = reread(result);
@@ -110,7 +110,7 @@ TEST(SoakChecks, MovedControlPointsBreakPeaksAndConditions) {
     expect_broken(check_conditions(result));
 }
 
-TEST(SoakChecks, MissedPointsCapsAndEndsAreNoticed) {
+TEST(SoakChecks, FindViolatedPointsCapsAndEnds) {
     const Solved result = solved(motion_scene);
     Solved missed = result;
     *missed.numbers.via[0].value[0] += 1e-6;
@@ -138,7 +138,7 @@ TEST(SoakChecks, WrongBoundsAndProofsAreNoticed) {
 }
 
 /// A dip between two samples below a broad one that a limit holds near 0.
-TEST(CamSurvey, FindsTheNarrowDipOfAFigureNearZero) {
+TEST(CamSurvey, FindsNarrowMinimumNearZero) {
     Motion motion;
     motion.pieces.push_back({0, 1, {0, 0, 0.5}, {}});  // y = x²/2: y' tells the place
     Cam cam;
@@ -178,7 +178,7 @@ TEST(SoakChecks, WrongCamsAreNoticed) {
 }
 
 /// A least force of 0 is missed by what the largest force leaves of its digits, and by no more.
-TEST(SoakChecks, AForceLimitOfZeroIsMeasuredByTheLargestForce) {
+TEST(SoakChecks, ZeroForceLimitScalesWithForce) {
     Solved result = solved(cam_scene);
     const double largest = result.outcome.cam.at("forces.largest_force_n");
     ASSERT_GT(largest, 10.0);
@@ -196,7 +196,7 @@ TEST(SoakChecks, AForceLimitOfZeroIsMeasuredByTheLargestForce) {
 }
 
 /// Its formulas pass through infinity; what is published is how far it turns.
-TEST(SoakChecks, AFaceThatTurnsBackIsJudgedByItsTurning) {
+TEST(SoakChecks, ReversingFaceIsJudgedByRotation) {
     const Solved result = solved(R"(
 [motion]
 type = "RR"
@@ -228,7 +228,7 @@ pressure_angle_deg = 2.6
     expect_broken(check_cam_limits(wrong));
 }
 
-TEST(SoakChecks, MissingNumbersAndLostTimeAreNoticed) {
+TEST(SoakChecks, MissingNumbersAndTimeoutsAreFound) {
     const Solved result = solved(motion_scene);
     Solved missing = result;
     missing.outcome.lower.reset();
@@ -268,7 +268,7 @@ class RepeatedTrial final : public Trial {
     Draw draw_{1, 1};
 };
 
-TEST(SoakAgreement, ARepetitionDiffersOnlyWhereItSaysThatTheClockEndedASearch) {
+TEST(SoakAgreement, TimedOutRepetitionMayDiffer) {
     Solved one = solved(motion_scene);
     one.outcome.wall_seconds = 0.0;
     Solved other = one;
@@ -283,7 +283,7 @@ TEST(SoakAgreement, ARepetitionDiffersOnlyWhereItSaysThatTheClockEndedASearch) {
 }
 
 /// How long the search takes is the machine's: of times that grow by a half one ends it.
-TEST(SoakAgreement, ASearchThatTheClockEndedIsReadFromTheResult) {
+TEST(SoakAgreement, TimeoutIsReadFromResult) {
     for (double seconds = 0.002; seconds < 10.0; seconds *= 1.5) {
         const Solved hurried = solved_from(SceneText::parse(fmt::format(R"([motion]
 type = "RR"
@@ -308,7 +308,7 @@ max_seconds = {}
     FAIL() << "no time ended the search";
 }
 
-TEST(SoakChecks, InfeasibleNeedsAProofOfEitherKind) {
+TEST(SoakChecks, InfeasibleNeedsSomeProof) {
     Solved claimed = solved(motion_scene);
     claimed.outcome.verdict = "infeasible";
     expect_broken(check_infeasibility(claimed));  // it has a motion
@@ -331,7 +331,7 @@ TEST(SoakLaws, HaveTheFiguresOfTheHandbooks) {
     for (const std::string& law : known_laws()) EXPECT_NEAR(law_at(law, 1.0, true)[0], 1.0, 1e-13) << law;
 }
 
-TEST(SoakScenes, AreDrawnAlikeAndReadBackAsTheyWereWritten) {
+TEST(SoakScenes, AreReproducibleAndReadBackUnchanged) {
     for (int number = 0; number < 50; ++number) {
         Draw one(3, static_cast<std::uint64_t>(number));
         Draw other(3, static_cast<std::uint64_t>(number));
@@ -342,7 +342,7 @@ TEST(SoakScenes, AreDrawnAlikeAndReadBackAsTheyWereWritten) {
 }
 
 /// Two workers were killed at once, in the middle of quick solves, when the machine had stood still.
-TEST(SoakWorkers, AMachineThatStandsStillIsNoWorkerThatHangs) {
+TEST(SoakWorkers, PausedMachineIsNotHangingWorker) {
     const Patience::Clock::time_point begin{};
     Patience patience(begin);
     patience.look(begin + std::chrono::milliseconds(400));
@@ -354,7 +354,7 @@ TEST(SoakWorkers, AMachineThatStandsStillIsNoWorkerThatHangs) {
     EXPECT_EQ(patience.waited(), std::chrono::milliseconds(11400));
 }
 
-TEST(SoakWorkers, CrashesAndHangsAreOneFailureEach) {
+TEST(SoakWorkers, CrashesAndHangsCountOnce) {
     std::multiset<std::string> faults;
     std::multiset<std::string> lines;
     const Worker worker{[](int number, const std::function<void(const std::string&)>& tell) {

@@ -31,7 +31,7 @@ void expect_unavailable(const SolverEntry& entry, Make make) {
 TEST(AbsentBackend, IpoptSaysWhatToInstall) {
     expect_unavailable(ipopt_entry(), make_ipopt_solver);
 }
-TEST(AbsentBackend, NloptSaysWhatToInstallForEveryMethod) {
+TEST(AbsentBackend, NamesPackageForEveryNloptMethod) {
     using enum NloptMethod;
     for (const NloptMethod method :
          {slsqp, cobyla, mma, ccsaq, isres, auglag_lbfgs, auglag_sbplx, auglag_neldermead})

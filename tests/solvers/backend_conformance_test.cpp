@@ -195,7 +195,7 @@ TEST_P(Backend, SolvesBoundedRosenbrock) {
     expect_solved(bounded_rosenbrock());
 }
 
-TEST_P(Backend, SurvivesAnInfeasibleProblemAndDoesNotCallItSolved) {
+TEST_P(Backend, DoesNotCallInfeasibleProblemSolved) {
     const bool notices = entry_of(GetParam()).gives_multipliers;
     if (!notices) options_.max_seconds = 0.3;  // MMA and CCSAQ go on to the limit
     const KnownProblem problem = infeasible_lp();
@@ -226,7 +226,7 @@ TEST_P(Backend, DoesNotCallAnUnboundedProblemSolved) {
     }
 }
 
-TEST_P(Backend, DoesNotCallTheEdgeOfItsOwnBoxAnOptimum) {
+TEST_P(Backend, DoesNotReportBoxEdgeAsOptimum) {
     if (GetParam() != "nlopt.isres") GTEST_SKIP() << "makes up no bounds";
     const KnownProblem problem = unbounded_lp();
     const BackendResult result = minimize(*problem.nlp, problem.start);
@@ -242,7 +242,7 @@ TEST_P(Backend, TakesOrRefusesMoreEqualitiesThanVariables) {
     EXPECT_LT((result.x - problem.x).lpNorm<Eigen::Infinity>(), 1e-6);
 }
 
-TEST_P(Backend, StopsAtTheIterationLimitWithAPoint) {
+TEST_P(Backend, StopsAtIterationLimitWithPoint) {
     options_.max_iterations = 2;
     const KnownProblem problem = long_problem();
     const BackendResult result = minimize(*problem.nlp, problem.start);
@@ -251,7 +251,7 @@ TEST_P(Backend, StopsAtTheIterationLimitWithAPoint) {
     EXPECT_TRUE(result.x.allFinite());
 }
 
-TEST_P(Backend, StopsAtTheTimeLimitWithAPoint) {
+TEST_P(Backend, StopsAtTimeLimitWithPoint) {
     options_.max_seconds = 0.02;
     const KnownProblem problem = long_problem();
     const HookedNlp slow(*problem.nlp, [](double cost) {
@@ -285,7 +285,7 @@ TEST_P(Backend, ReportsACostThatIsNotFinite) {
     }
 }
 
-TEST_P(Backend, EndsWhereTheCostTurnsNotFiniteLater) {
+TEST_P(Backend, StopsWhenCostBecomesNonfinite) {
     int calls = 0;
     const KnownProblem problem = long_problem();
     const HookedNlp spoiled(*problem.nlp,

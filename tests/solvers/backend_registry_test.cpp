@@ -69,14 +69,14 @@ TEST(Registry, KnowsItsBackends) {
                                             "nlopt.auglag.sbplx", "nlopt.auglag.neldermead"));
 }
 
-TEST(Registry, AnswersAnUnknownNameWithTheList) {
+TEST(Registry, UnknownNameListsAlternatives) {
     EXPECT_THAT(message_of<InputError>([] { (void)make_solver("snopt"); }),
                 AllOf(HasSubstr("unknown solver 'snopt'"),
                       HasSubstr("structured, ipopt, nlopt.slsqp, nlopt.cobyla")));
     EXPECT_THROW(check_native_options("snopt", {}), InputError);
 }
 
-TEST(Registry, MakesWhatIsThereAndRefusesWhatIsNot) {
+TEST(Registry, MakesKnownAndRefusesUnknown) {
     for (const SolverEntry& entry : solver_entries()) {
         if (entry.available) {
             EXPECT_EQ(make_solver(entry.name)->name(), entry.name);
@@ -87,7 +87,7 @@ TEST(Registry, MakesWhatIsThereAndRefusesWhatIsNot) {
     }
 }
 
-TEST(NativeOptions, UnknownNameIsAnsweredWithTheList) {
+TEST(NativeOptions, UnknownNameListsAlternatives) {
     EXPECT_THAT(
         refusal("ipopt", "xyz", 1.0),
         AllOf(HasSubstr("unknown option 'xyz' of ipopt; allowed: linear_solver"), HasSubstr("mu_strategy")));
@@ -115,11 +115,11 @@ TEST(NativeOptions, RangeIsChecked) {
 }
 
 // The packaged Ipopt 3.11 ends the whole process on ma97.
-TEST(NativeOptions, NoOtherLinearSolverThanMumpsReachesIpopt) {
+TEST(NativeOptions, IpoptUsesOnlyMumps) {
     EXPECT_THAT(refusal("ipopt", "linear_solver", std::string("ma97")), HasSubstr("found 'ma97'"));
 }
 
-TEST(NativeOptions, AChoiceThatIsNotInTheBuildIsRefusedWithWhatIsThere) {
+TEST(NativeOptions, UnavailableChoiceIsRefusedWithAlternatives) {
     SolverEntry entry;
     entry.name = "structured";
     entry.options = {text_option("factorization", "auto", {"auto", "chain", "klu"}, "")};
@@ -130,7 +130,7 @@ TEST(NativeOptions, AChoiceThatIsNotInTheBuildIsRefusedWithWhatIsThere) {
         message_of<UnavailableError>([&] {
             check_native_options(entry, {{"factorization", std::string("klu")}});
         }),
-        "option 'factorization' of structured: 'klu' is not built into this camopt; there are auto, chain; "
+        "option 'factorization' of structured: 'klu' is not built into this camopt; available: auto, chain; "
         "install libsuitesparse-dev");
 }
 

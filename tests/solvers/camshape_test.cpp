@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(All, CamshapeBackend, testing::ValuesIn([] {
                              return name;
                          });
 
-TEST(Camshape, IpoptFindsTheProvedOptimaOfEverySize) {
+TEST(Camshape, IpoptFindsProvedOptimaOfEverySize) {
     for (const SolverEntry& entry : solver_entries())
         if (entry.name == "ipopt" && !entry.available)
             GTEST_SKIP() << "no Ipopt in this build: " << entry.remedy;

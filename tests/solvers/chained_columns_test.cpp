@@ -107,18 +107,18 @@ VectorXd random_point(int size, unsigned seed) {
     return VectorXd::NullaryExpr(size, [&](Eigen::Index) { return uniform(generator); });
 }
 
-TEST(DenseColumns, AreThosePeaksThatManyRowsSee) {
+TEST(DenseColumns, ArePeaksSharedByManyRows) {
     const CurvedPeaks base(60);
     EXPECT_EQ(dense_columns(base.shape()), (std::vector<int>{60, 61}));
     EXPECT_EQ(dense_columns(weighted_peaks_lp(12).nlp->shape(), 0.28), (std::vector<int>{13, 14, 15}));
 }
 
-TEST(DenseColumns, ThoseOfAProblemThatIsDenseAltogetherAreLeft) {
+TEST(DenseColumns, FullyDenseProblemsAreUnchanged) {
     EXPECT_TRUE(dense_columns(weighted_peaks_lp(12).nlp->shape(), 0.001).empty());
     EXPECT_TRUE(dense_columns(hs71().nlp->shape()).empty()) << "every variable is in the Hessian";
 }
 
-TEST(ChainedColumns, HasTheValuesOfTheBaseWhereCopiesAgree) {
+TEST(ChainedColumns, EqualCopiesReproduceBaseValues) {
     const CurvedPeaks base(60);
     const ChainedColumns chained(base, dense_columns(base.shape()), VectorXd::Zero(62));
     EXPECT_EQ(chained.copies(), 4) << "59 first columns in groups of 24: three groups for each of two peaks";
@@ -159,7 +159,7 @@ TEST(ChainedColumns, HasRightDerivativesWhereCopiesDiffer) {
     EXPECT_TRUE(report.passed()) << describe(report.faults.front());
 }
 
-TEST(ChainedColumns, NamesAreToldApart) {
+TEST(ChainedColumns, NamesAreDistinct) {
     const CurvedPeaks base(60);
     const ChainedColumns chained(base, {60, 61}, VectorXd::Zero(62));
     EXPECT_EQ(chained.variable_name(60), "P");

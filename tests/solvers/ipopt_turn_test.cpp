@@ -57,7 +57,7 @@ BackendResult solved_with(const SolveControl& control, double seconds) {
     return make_solver("ipopt")->minimize(*problem.nlp, problem.start, options, control);
 }
 
-TEST(IpoptTurn, WaitingSpendsNoTimeOfTheSolve) {
+TEST(IpoptTurn, WaitingDoesNotCount) {
     if (!has_ipopt()) GTEST_SKIP() << "this build has no Ipopt";
     Holder holder;
     SolveControl control;

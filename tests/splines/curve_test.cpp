@@ -73,7 +73,7 @@ TEST_P(CurveTest, CoefficientsSurviveTheRoundTrip) {
     EXPECT_LT((back - c).cwiseAbs().maxCoeff(), 1e-10);
 }
 
-TEST_P(CurveTest, IsContinuousToItsOrderAndJumpsAboveIt) {
+TEST_P(CurveTest, JumpsOnlyAboveContinuityOrder) {
     const SplineSpace space = random_space();
     const SplineCurve curve = SplineCurve::from_coefficients(space, random_vector(space.dimension()));
     for (int i = 1; i < space.segments(); ++i) {
@@ -145,7 +145,7 @@ SplineCurve curve_of_two_tops(double excess) {
     return {SplineSpace(3, 2, {0.0, 0.25, 0.5, 0.75, 1.0}), pieces};
 }
 
-TEST(Curve, APeakReachedAgainByRoundingIsNamedWhereItIsReachedFirst) {
+TEST(Curve, RoundedDuplicatePeakReportsFirstLocation) {
     for (const double excess : {-1e-9, 0.0, 1e-9}) {
         const Extremum peak = peak_of(curve_of_two_tops(excess), 2);
         EXPECT_EQ(peak.at, 0.25) << excess;
@@ -154,7 +154,7 @@ TEST(Curve, APeakReachedAgainByRoundingIsNamedWhereItIsReachedFirst) {
     EXPECT_EQ(peak_of(curve_of_two_tops(1e-6), 2).at, 0.75);
 }
 
-TEST(Curve, ThePlaceOfAPeakIsItsSummitNotABreakpointJustBefore) {
+TEST(Curve, PeakLocationIsTrueMaximum) {
     // A breakpoint lies 1e-6 before the summit, where y' is lower by 1e-12.
     const SplineSpace space(3, 2, {0.0, 0.5 - 1e-6, 1.0});
     Eigen::MatrixXd pieces(4, 2);
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, CurveTest,
                                     std::to_string(shape.param.segments);
                          });
 
-TEST(Curve, RefusesWhatDoesNotFit) {
+TEST(Curve, RefusesMismatchedCoefficients) {
     const SplineSpace space = SplineSpace::uniform(3, 2, 4, 1.0);
     EXPECT_EQ(refusal([&] { SplineCurve(space, Eigen::MatrixXd::Zero(4, 3)); }),
               "pieces: found 4 x 3; allowed: 4 x 4");

@@ -101,7 +101,7 @@ TEST(DesignVector, CurvesMeetEndStatesAndContinuity) {
 
 /// Beside a segment of 1/2000 the weights of the far ordinates are 1e-13 of the largest in the row, but
 /// their ordinates are 1e10 times as large: none is rounding.
-TEST(DesignVector, RowsOfOrdinatesSayWhatTheCurveDoes) {
+TEST(DesignVector, OrdinateRowsReproduceCurve) {
     DesignRequest request = rise(DesignKind::ordinates, 3, 12);
     std::vector<double> points = {0.0, 0.0005};
     for (int i = 1; i <= 20; ++i) points.push_back(i / 20.0);
@@ -157,7 +157,7 @@ TEST(DesignVector, ANarrowSegmentEndsAtRest) {
 }
 
 /// Of the control points as they are published.
-TEST(DesignVector, OrdinatesOfUnevenQuinticsEndAtRest) {
+TEST(DesignVector, UnevenQuinticsEndAtRest) {
     DesignRequest request = rise(DesignKind::ordinates, 5, 12);
     request.space = SplineSpace(
         5, 4, {0.0,    0.0369, 0.0433, 0.1164, 0.1555, 0.1917, 0.21,   0.3036, 0.344,  0.3871, 0.4425,
@@ -272,7 +272,7 @@ TEST(DesignVector, SetPointsAreMet) {
     }
 }
 
-TEST(DesignVector, NamesWhatIsRedundantAndWhatContradicts) {
+TEST(DesignVector, NamesRedundantAndContradictoryConditions) {
     for (const DesignKind kind : kinds) {
         DesignRequest request = rise(kind, 3, 8);
         request.symmetry = Symmetry::odd;
@@ -312,7 +312,7 @@ TEST(DesignVector, TooFewSegmentsContradictTheEnds) {
     }
 }
 
-TEST(DesignVector, RefusesFormsThatCannotSpanTheSpace) {
+TEST(DesignVector, RefusesFormsNotSpanningSpace) {
     EXPECT_EQ(refusal([&] { (void)DesignVector::make(rise(DesignKind::ordinates, 5, 8, 3)); }),
               "design \"ordinates\": found degree 5 with continuity 3; allowed: degree 3 or 5 with "
               "continuity degree − 1 (the ordinates alone do not fix a rougher spline)");

@@ -99,7 +99,7 @@ TEST(MotionFamily, RowsAreTheMotion) {
     }
 }
 
-TEST(MotionFamily, JointsAreSmoothAndGivenDisplacementsAreMet) {
+TEST(MotionFamily, JointsAreSmoothAndMeetDisplacements) {
     for (const FamilyRequest& request : requests()) {
         const MotionFamily family = MotionFamily::make(request);
         EXPECT_TRUE(family.contradictions().empty());
@@ -155,7 +155,7 @@ TEST(MotionFamily, RefusesDisplacementsThatContradict) {
 }
 
 /// A run across the end is shifted there and back: by the last digit its pieces ended in the shape behind.
-TEST(MotionFamily, EveryPieceLiesInItsOwnStretch) {
+TEST(MotionFamily, EveryPieceStaysInItsInterval) {
     std::mt19937 random(5);
     const auto length = [&] { return 0.1 + static_cast<double>(random() % 1000) / 97.0; };
     for (int trial = 0; trial < 300; ++trial) {

@@ -48,7 +48,7 @@ TEST(Polynomial, ATouchedZeroIsNoSignChange) {
     EXPECT_NEAR(cubic_touch[0], 0.75, 1e-12);
 }
 
-TEST(Polynomial, ASignChangeAtAStationaryPointIsFound) {
+TEST(Polynomial, FindsSignChangeAtStationaryPoint) {
     const std::vector<double> found = sign_changes(with_roots({0.5, 0.5, 0.5}), 0.0, 1.0);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NEAR(found[0], 0.5, 1e-5);
@@ -59,7 +59,7 @@ TEST(Polynomial, RootsOutsideTheIntervalDoNotCount) {
     EXPECT_TRUE(sign_changes(Eigen::VectorXd::Constant(1, 3.0), 0.0, 1.0).empty());
 }
 
-TEST(Polynomial, ItsMaximumIsThatOfAFineScanOrNotAboveTheFloor) {
+TEST(Polynomial, MaximumMatchesScanOrFloor) {
     std::mt19937 random(11);
     std::normal_distribution<double> number;
     int ruled_out = 0;

@@ -15,7 +15,7 @@
       ...angles.map((one) => element('option', { value: camopt.controlPath(one) }, one.table.replace(/^.*\[(\d+)\]$/, 'segment $1'))));
     select.value = angles.some((one) => camopt.controlPath(one) === giver.path) ? giver.path : '';
     select.addEventListener('change', () => { giver.path = select.value; });
-    return element('div', { class: 'control', title: 'The angles add up to a turn: what one gains, another gives.' }, element('span', { class: 'control-name' }, 'an angle takes from'), select);
+    return element('div', { class: 'control', title: 'The angles add up to 360°: what one gains, another loses.' }, element('span', { class: 'control-name' }, 'an angle takes from'), select);
   }
 
   /** Groups of controls by table; rebuilt only where keys came or went. */
@@ -49,7 +49,7 @@
   }
 
   function lawChoice(catalogue, chosen, change) {
-    const host = element('details', { class: 'group laws' }, element('summary', {}, 'laws beside'));
+    const host = element('details', { class: 'group laws' }, element('summary', {}, 'compared laws'));
     catalogue.forEach((law, place) => {
       const box = element('input', { type: 'checkbox', 'data-law': law.key });
       box.addEventListener('change', () => { if (box.checked) chosen.add(law.key); else chosen.delete(law.key); change(); });
@@ -60,7 +60,7 @@
 
   function sceneEditor(use) {
     const text = element('textarea', { rows: '14', spellcheck: 'false', 'aria-label': 'Scene file, TOML' });
-    const unused = element('p', { class: 'unused', hidden: true }, 'Not in use: the scene is still another.');
+    const unused = element('p', { class: 'unused', hidden: true }, 'Not applied: the scene is unchanged.');
     let held = '', asked = null;
     const mark = () => { unused.hidden = text.value === held; };
     const ask = () => { asked = text.value; use(asked); };

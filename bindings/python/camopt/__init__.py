@@ -48,7 +48,7 @@ def solve(scene: Scene | None = None, /, *, progress: Callback | None = None, **
 
 
 def compare(scene: Scene | None = None, /, *, progress: Callback | None = None, **keys: Any) -> Comparison:
-    """Every classical law on a scene (or keywords), beside its optimum. Raises as solve() does."""
+    """Every classical law on a scene (or keywords), compared with its optimum. Raises as solve() does."""
     return _camopt.compare(_given(scene, keys)._read, progress)
 
 

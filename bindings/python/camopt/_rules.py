@@ -25,7 +25,7 @@ _ERRORS, _PART = 100.0, 1e-6
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class _OwnRule:
-    """What a term and a limit have alike."""
+    """What terms and limits have in common."""
 
     name: str
     f: Function
@@ -37,7 +37,7 @@ class _OwnRule:
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class OwnTerm(_OwnRule):
-    """A cost term of one's own: made by camopt.term()."""
+    """A user-defined cost term: made by camopt.term()."""
 
     weight: float
     reference: float = 1.0
@@ -45,7 +45,7 @@ class OwnTerm(_OwnRule):
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class OwnLimit(_OwnRule):
-    """A limit of one's own: made by camopt.limit()."""
+    """A user-defined limit: made by camopt.limit()."""
 
     limit: float
     unit: str = ""

@@ -29,7 +29,7 @@ class Scene:
     Keywords are keys of [motion], [spline] and [solver]; the tables are dicts: limits=dict(velocity_mm_s=300). weights
     is [objective], in which v, a and j may stand for velocity, acceleration and jerk. The type of motion is "DRD" where
     nothing else is said. docs/scene_file.md lists all keys. terms and own_limits are lists of camopt.term() and
-    camopt.limit(): functions of Python, which stand beside the keys and in no file.
+    camopt.limit(): functions of Python, in addition to the keys and in no file.
     """
 
     __slots__ = ("_read", "terms", "own_limits")
@@ -71,7 +71,7 @@ class Scene:
         return self._read.toml()
 
     def to_dict(self) -> dict[str, Any]:
-        """The keys given, as nested dicts; defaults that nobody wrote do not stand in it."""
+        """The keys given, as nested dicts, without defaults."""
         return tomllib.loads(self.to_toml())
 
     def copy(self) -> Scene:
@@ -139,7 +139,7 @@ def _unpickled(*parts: Any) -> Scene:
 
 
 def _weighs_nothing(toml: str) -> bool:
-    """No built-in term of the objective has a weight: only terms of one's own make one motion better than another."""
+    """No built-in term of the objective has a weight: only user-defined terms count."""
     weights = tomllib.loads(toml).get("objective", {})
     return not any(value != 0 for value in weights.values() if isinstance(value, (int, float)))
 

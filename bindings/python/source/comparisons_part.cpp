@@ -57,16 +57,17 @@ void add_comparisons(py::module_& module) {
         .def_readonly("fun", &ComparisonRow::objective, "The scene's objective of it; may be infinite.")
         .def_readonly("loss_percent", &ComparisonRow::loss_percent,
                       "Against the optimum; None where infinite.")
-        .def_readonly("feasible", &ComparisonRow::feasible, "Whether it keeps every limit.")
+        .def_readonly("feasible", &ComparisonRow::feasible, "Whether it satisfies every limit.")
         .def("__repr__", [](const ComparisonRow& row) {
             return fmt::format("ComparisonRow({}, fun={:.6g})", row.is_optimum() ? "optimum" : row.key,
                                row.objective);
         });
-    py::class_<ComparedScene>(module, "Comparison", "Every classical law on one scene, beside its optimum.")
+    py::class_<ComparedScene>(module, "Comparison",
+                              "Every classical law on one scene, compared with its optimum.")
         .def_property_readonly("optimum", &optimum, "The Solution.")
         .def_property_readonly(
             "rows", [](const ComparedScene& compared) { return compared.comparison.rows; },
-            "A list of ComparisonRow, best first; what breaks a limit stands below what keeps all.")
+            "A list of ComparisonRow, best first; laws that violate a limit come last.")
         .def(
             "to_json",
             [](const ComparedScene& compared) {
@@ -81,7 +82,7 @@ void add_comparisons(py::module_& module) {
             "For notebooks: a bar a law.")
         .def("__str__", [](const ComparedScene& compared) { return comparison_text(compared.comparison); });
     module.def("compare", &compared, py::arg("scene"), py::arg("progress") = py::none(),
-               "Every classical law on a scene that was read, beside its optimum.");
+               "Every classical law on a scene that was read, compared with its optimum.");
 }
 
 }  // namespace camopt::python

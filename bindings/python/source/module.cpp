@@ -23,23 +23,22 @@ void add_errors(py::module_& module) {
                 text += "\n" + part.name + ": " + part.license + " (" + part.use + ")";
             return text;
         },
-        "Under what terms this module may be passed on, and the libraries in it with their licences.");
+        "The terms for distributing this module, and the licences of its libraries.");
     // The last one registered is asked first: what is derived comes after its base.
     auto& input_error = py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
-    input_error.attr("__doc__") =
-        "Something given is wrong: the message says what was found and what is allowed.";
+    input_error.attr("__doc__") = "Invalid input: the message says what was found and what is allowed.";
     auto& unavailable = py::register_exception<UnavailableError>(module, "UnavailableError", input_error);
     unavailable.attr("__doc__") =
-        "Something this build of camopt leaves out; the message says which package brings it.";
+        "A capability that this build of camopt does not have; the message names the package to install.";
     auto& model_error = py::register_exception<ModelError>(module, "ModelError", PyExc_ValueError);
     model_error.attr("__doc__") =
-        "A rule of one's own broke its promises: a wrong shape, a value that is not finite.";
+        "A user-defined rule is invalid: a wrong shape, a value that is not finite.";
 }
 
 }  // namespace camopt::python
 
 PYBIND11_MODULE(_camopt, module) {
-    module.doc() = "The C++ library camopt. The package `camopt` is its face; see help(camopt).";
+    module.doc() = "The C++ library camopt, used through the package `camopt`; see help(camopt).";
     module.attr("__version__") = std::string(camopt::version());
     camopt::python::add_errors(module);
     camopt::python::add_own_rules(module);

@@ -117,7 +117,7 @@ void add_motions(py::module_& module) {
             "key", [](const LawValue& law) { return law.law->key(); },
             "Its name in scenes: \"modified_sine\".")
         .def_property_readonly(
-            "title", [](const LawValue& law) { return law.law->title(); }, "Its name for people.")
+            "title", [](const LawValue& law) { return law.law->title(); }, "Its name in reports.")
         .def_property_readonly(
             "source", [](const LawValue& law) { return law.law->info().source; }, "Who described it.")
         .def_property_readonly(

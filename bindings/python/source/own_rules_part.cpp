@@ -197,7 +197,7 @@ py::tuple evaluated(const py::object& rule, const std::array<double, number_vari
 void add_own_rules(py::module_& module) {
     py::class_<Number> type(
         module, "Number",
-        "A number with its partials by x, y, v, a and j: what a function of one's own is called with.\n\n"
+        "A number with its partials by x, y, v, a and j: the argument of a user-defined function.\n\n"
         "It takes + - * / **, abs, comparisons (by its value) and NumPy's sqrt, exp, log, sin, cos, tan, "
         "arcsin,\n"
         "arccos, arctan, arctan2, sinh, cosh and tanh.");

@@ -141,7 +141,7 @@ std::optional<double> objective(const SolvedScene& solved) {
 }
 
 void add_rows(py::module_& module) {
-    py::class_<OwnTermReport>(module, "OwnTermValue", "What a cost term of one's own came to.")
+    py::class_<OwnTermReport>(module, "OwnTermValue", "The value of a user-defined cost term.")
         .def_readonly("name", &OwnTermReport::name, "Of the term.")
         .def_readonly("weight", &OwnTermReport::weight, "As given.")
         .def_readonly("reference", &OwnTermReport::reference, "As given.")
@@ -151,7 +151,8 @@ void add_rows(py::module_& module) {
         .def("__repr__", [](const OwnTermReport& row) {
             return fmt::format("OwnTermValue({}={:.6g} at {:.4g})", row.name, row.value, row.at);
         });
-    py::class_<ConstraintValue>(module, "Constraint", "A limit of the scene, as written and as kept.")
+    py::class_<ConstraintValue>(module, "Constraint",
+                                "A limit of the scene, as written, and the value reached.")
         .def_property_readonly(
             "name", [](const ConstraintValue& row) { return row.report.name; },
             "\"velocity\", \"pressure_angle\", …")
@@ -181,8 +182,9 @@ void add_rows(py::module_& module) {
                                row.report.limit, row.report.unit.empty() ? "" : " ", row.report.unit,
                                row.report.active ? ", active" : "");
         });
-    py::class_<CompanionChange>(module, "CompanionChange",
-                                "A number that changes along with another one: the dwell that gives way.")
+    py::class_<CompanionChange>(
+        module, "CompanionChange",
+        "A number that changes together with another one: the dwell that becomes shorter.")
         .def_readonly("key", &CompanionChange::key, "Of the scene.")
         .def_readonly("given", &CompanionChange::given, "As it is, in the unit of the key.")
         .def_readonly("solved", &CompanionChange::solved, "In the solve that found a motion.");
@@ -190,10 +192,9 @@ void add_rows(py::module_& module) {
                            "The least change of one number that makes an infeasible scene feasible.")
         .def_readonly("key", &Relaxation::key, "Of the scene.")
         .def_readonly("given", &Relaxation::given, "As it is, in the unit of the key.")
-        .def_readonly("needed", &Relaxation::needed,
-                      "On the edge of what is feasible; None where nothing was found.")
+        .def_readonly("needed", &Relaxation::needed, "The boundary of feasibility; None if none was found.")
         .def_readonly("solved", &Relaxation::solved,
-                      "`needed` rounded to the side that does: a solve with it found a motion.")
+                      "`needed` rounded to the feasible side: a solve with it found a motion.")
         .def_readonly("ruled_out", &Relaxation::ruled_out, "It is proved that no value helps.")
         .def_readonly("also", &Relaxation::also, "What changes along with it: a list of CompanionChange.")
         .def("__repr__", [](const Relaxation& row) { return relaxation_sentence(row); });
@@ -217,13 +218,13 @@ void add_verdict(py::class_<SolvedScene>& type) {
             "\"optimal\", \"local\", \"feasible\", \"infeasible\" or \"failed\".")
         .def_property_readonly(
             "success", [](const SolvedScene& s) { return of(s).motion != nullptr; },
-            "Whether there is a motion that keeps every limit.")
+            "Whether there is a motion that satisfies every limit.")
         .def_property_readonly(
             "message", [](const SolvedScene& s) { return verdict_sentence(of(s)); },
             "The verdict as a sentence.")
         .def_property_readonly(
             "reason", [](const SolvedScene& s) { return name_of(of(s).certificate.reason); },
-            "Why the verdict is not better, one word; empty where nothing is to be said.")
+            "Why the verdict is not better, one word; empty if there is no reason.")
         .def_property_readonly("fun", &objective, "The objective of the motion found; None without one.")
         .def_property_readonly(
             "bound", [](const SolvedScene& s) { return of(s).certificate.lower_bound; },
@@ -233,17 +234,17 @@ void add_verdict(py::class_<SolvedScene>& type) {
             "(fun − bound) / max(1, |fun|); None without a proof.")
         .def_property_readonly(
             "proof", [](const SolvedScene& s) { return name_of(of(s).certificate.proof_kind); },
-            "What the bound rests on: \"duality\", \"any_curve_limit\", \"boxes\" or \"none\".")
+            "The kind of proof of the bound: \"duality\", \"any_curve_limit\", \"boxes\" or \"none\".")
         .def_property_readonly(
             "any_curve_limit",
             [](const SolvedScene& s) -> std::optional<double> {
                 if (!of(s).any_curve_limit) return {};
                 return of(s).any_curve_limit->objective;
             },
-            "The objective that no curve of any kind can pass; None where it is not known.")
+            "A lower bound for curves of any kind; None if unknown.")
         .def_property_readonly(
             "worst_violation", [](const SolvedScene& s) { return of(s).certificate.worst_violation; },
-            "Of all limits over all cam angles, relative; <= 0: all are kept.")
+            "Of all limits over all cam angles, relative; <= 0: all are satisfied.")
         .def_property_readonly(
             "stationarity", [](const SolvedScene& s) { return of(s).certificate.stationarity; },
             "Norm of the gradient of the Lagrangian with the best multipliers; None where not computed.")
@@ -257,7 +258,7 @@ void add_verdict(py::class_<SolvedScene>& type) {
         .def_property_readonly(
             "seconds", [](const SolvedScene& s) { return of(s).seconds_total; }, "Wall time of everything.")
         .def_property_readonly(
-            "notes", [](const SolvedScene& s) { return of(s).notes; }, "Sentences worth reading.")
+            "notes", [](const SolvedScene& s) { return of(s).notes; }, "Notes on the result.")
         .def_property_readonly(
             "relaxation", [](const SolvedScene& s) { return of(s).relaxation; },
             "Of an infeasible scene: for each limit the least change of it alone that helps.");
@@ -280,7 +281,7 @@ void add_motion_of(py::class_<SolvedScene>& type) {
              "program.")
         .def_property_readonly(
             "own_terms", [](const SolvedScene& s) { return of(s).own_terms; },
-            "The terms of one's own, a list of OwnTermValue.")
+            "The user-defined terms, a list of OwnTermValue.")
         .def_property_readonly("constraints", &constraints, "Every limit of the scene, a list of Constraint.")
         .def("table", &table,
              "The motion as columns {name: array}: those of motion.csv, the unit in the name. 361 even cam "
@@ -303,7 +304,7 @@ void add_texts(py::class_<SolvedScene>& type) {
              "The same as a dict: peaks and dimensions with units, segments, design, evaluations.")
         .def(
             "certificate", [](const SolvedScene& s) { return certificate_json(of(s).certificate); },
-            "The text of certificate.json: the proof, by which anybody can recompute the bound.")
+            "The text of certificate.json: the proof, from which the bound can be recomputed.")
         .def(
             "summary", [](const SolvedScene& s) { return summary_text(of(s), {}); },
             "What `camopt solve` prints: a dozen lines.")

@@ -68,9 +68,9 @@ void add_solving(py::module_& module) {
         .def_readonly("round", &ProgressValue::round,
                       "Of the exchange of cam angles, from 1; None where unknown.")
         .def_readonly("incumbent", &ProgressValue::incumbent, "Objective of the best motion so far, or None.")
-        .def_readonly("bound", &ProgressValue::bound, "Proved so far: no motion can pass it; or None.")
+        .def_readonly("bound", &ProgressValue::bound, "Lower bound proved so far, or None.")
         .def_readonly("violation", &ProgressValue::violation,
-                      "Of the incumbent, relative to each limit; <= 0: all are kept.")
+                      "Of the incumbent, relative to each limit; <= 0: all are satisfied.")
         .def("__str__", [](const ProgressValue& now) { return now.message; })
         .def("__repr__", [](const ProgressValue& now) { return "Progress(" + now.message + ")"; });
     module.def(
@@ -87,7 +87,7 @@ void add_solving(py::module_& module) {
                          "Neighbouring scenes one after another, each solved from what the last one found.")
         .def(py::init<>())
         .def("solve", &Sequence::solve, py::arg("scene"), py::arg("progress") = py::none(),
-             "As solve(), but an infeasible scene is not explained: no relaxation is sought.");
+             "As solve(), but an infeasible scene is not explained: no relaxation is searched.");
 }
 
 // Scenes in Python: texts with settings, read and checked, and the keys they may have.
@@ -109,7 +109,7 @@ void add_scenes(py::module_& module) {
             return input::scene_with_overrides(text, source, settings);
         },
         py::arg("text"), py::arg("source"), py::arg("settings"),
-        "The TOML of a text with settings on top; keys and values are not looked at.");
+        "The TOML of a text with settings on top; keys and values are not validated.");
     module.def(
         "read_text", [](const std::string& path) { return input::whole_scene_text(path); }, py::arg("path"),
         "The text of a scene file. Raises InputError where it cannot be read.");

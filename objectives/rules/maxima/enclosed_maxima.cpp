@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Branch and bound along one piece. A stretch holds no maximum worth naming where the enclosure of the rule
-// lies below the floor, where that of its slope does not hold 0, or where that of its second derivative is
-// positive; it holds at most one where that is negative. Otherwise it is halved. Where that goes on, the
-// value and the slope are enclosed from the middle too, by the bend around it.
+// Branch and bound along one piece by interval subdivision. A stretch has no relevant maximum if the
+// enclosure of the rule lies below the floor, if that of its slope excludes 0, or if that of its second
+// derivative is positive; it has at most one if that is negative. Otherwise it is bisected. After many
+// bisections value and slope are also enclosed by mean-value forms.
 #include "objectives/rules/maxima/piece_maxima.hpp"
 
 #include <algorithm>
@@ -13,21 +13,21 @@ namespace camopt::piece_maxima {
 
 namespace {
 
-// Halvings of one piece. Smooth rules need about ten; beyond this something is singular, and samples must do.
+// Halvings of one piece. Smooth rules need about ten; beyond this the rule is singular, and samples are used.
 constexpr int most_stretches = 2000;
-// After so many a rule is suspected of hugging a limit, and looked at from the middle too.
+// After so many a rule is probably near a limit everywhere, and mean-value forms are used too.
 constexpr int usual_stretches = 16;
-// Narrower than this part of its piece a stretch is a place.
+// A stretch narrower than this part of its piece is a point.
 constexpr double narrowest = 1e-12;
-// Rounding of a polynomial's values, in its terms' sizes: each is shifted and added up degree times.
+// Round-off of a polynomial's values, relative to its terms: each is shifted and added degree times.
 constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
 constexpr int most_degree = 7;
 
-/// Where y and its first four derivatives lie over begin + [left, right].
+/// Enclosures of y and its first four derivatives over begin + [left, right].
 std::array<Interval, 5> derivative_ranges(const Eigen::VectorXd& y, double left, double right) {
     const double middle = 0.5 * (left + right), half = 0.5 * (right - left);
     const auto degree = static_cast<int>(y.size()) - 1;
-    // Taylor coefficients about the middle, and the sizes of what they were added up from.
+    // Taylor coefficients about the middle, and the magnitudes of their summands.
     std::array<double, most_degree + 1> taylor{}, size{};
     for (int k = 0; k <= degree; ++k) {
         taylor[static_cast<std::size_t>(k)] = y[k];
@@ -63,7 +63,7 @@ class Search {
     Search(const Subject& subject, const SmoothPiece& piece, double floor, double accuracy, Effort& effort)
         : subject_(subject), piece_(piece), floor_(floor), accuracy_(accuracy), effort_(effort) {}
 
-    /// False where it gave up.
+    /// False if it gave up.
     [[nodiscard]] bool run() {
         const double length = piece_.piece.end - piece_.piece.begin;
         std::vector<Stretch> open = {{0.0, length}};
@@ -105,8 +105,9 @@ class Search {
             piece_.part ? *ranges_of(*piece_.part, x) : derivative_ranges(piece_.y, left, right);
         return *subject_.rule.range_along(x, y, subject_.q);
     }
-    /// From the middle by its slope and the bend around it. A rule that hugs its limit has hardly any slope
-    /// and bend, and a stretch a thousand times as long is known to the same accuracy.
+    /// Mean-value form: the value at the middle with enclosures of slope and second derivative. A nearly
+    /// active rule has small slope and curvature, so that a stretch a thousand times as long has the same
+    /// accuracy.
     struct Closer {
         double most = 0.0, above_middle = 0.0;
         bool rises = false, falls = false;
@@ -134,7 +135,7 @@ class Search {
         const std::array<double, 2> slopes = {slope(stretch.begin), slope(stretch.end)};
         if (slopes[0] > 0.0 && slopes[1] < 0.0)
             add(root_of_slope([this](double t) { return slope(t); }, stretch, slopes));
-        // A top on the border of two stretches has a slope of 0 or of rounding in both.
+        // A maximum on the border of two stretches has a slope of 0, to round-off, in both.
         else if (slopes[0] >= 0.0)
             add(stretch.end);
         else

@@ -15,15 +15,15 @@ namespace camopt {
 
 namespace {
 
-// Samples of the slope on one piece where nothing encloses the rule: a spline's is short and smooth, a law's
+// Samples of the slope on one piece without an enclosure of the rule: a spline's is short and smooth, a law's
 // may be the whole segment.
 constexpr int samples_on_spline = 8;
 constexpr int samples_on_shape = 32;
-// Two candidates closer than this in value at one place are one: the rule does not jump there.
+// Candidates closer than this in value at one location coincide: the rule does not jump there.
 constexpr double same_value = 1e-12;
-// Of a rule's scale: maxima this far below the largest, and below 0, change nothing.
+// Relative to a rule's scale: maxima this far below the largest, and below 0, are irrelevant.
 constexpr double far_below = 0.1;
-// Of a rule's scale: to this an enclosed maximum is known. A tenth of the tightest usual tolerance.
+// Relative to a rule's scale: accuracy of an enclosed maximum. A tenth of the tightest usual tolerance.
 constexpr double enclosed_accuracy = 1e-10;
 
 using piece_maxima::Effort;
@@ -34,14 +34,14 @@ using piece_maxima::Subject;
 /// A rule along the pieces of a spline as polynomials in x − begin.
 class RuleOnSpline {
  public:
-    /// datum: what y is measured from.
+    /// datum: the origin of y.
     RuleOnSpline(const PointRule& rule, const Eigen::VectorXd& q, double datum) : rule_(rule), q_(q) {
         if (!rule.linear()) return;
         affine_ = rule.evaluate({0.0, {-datum, 0.0, 0.0, 0.0}}, q);
         while (lowest_ < 3 && affine_->gradient[lowest_] == 0.0) ++lowest_;
     }
 
-    /// Empty where it is none. Valid until the next call.
+    /// Empty if it is not a polynomial. Valid until the next call.
     [[nodiscard]] const Eigen::VectorXd& along(const SplineCurve& curve, int segment) {
         if (!affine_) {
             std::array<Eigen::VectorXd, 4> derivatives;
@@ -74,12 +74,12 @@ void add_candidates_on_spline(const SplineCurve& curve, const Eigen::VectorXd& p
                               const MotionFamily::Piece& piece, double shift, std::vector<Extremum>& all) {
     const std::size_t first = all.size();
     add_candidates_on_segment(curve.space(), piece.segment, polynomial, all);
-    // Not into the next piece by rounding.
+    // Clamped to the piece against round-off.
     for (std::size_t k = first; k < all.size(); ++k)
         all[k].at = std::clamp(all[k].at - shift, piece.begin, piece.end);
 }
 
-/// Keeps the local maxima of ascending candidates; where two pieces meet without a jump they count once.
+/// Keeps the local maxima of ascending candidates; where two pieces join without a jump they count once.
 std::vector<Extremum> maxima_among(const std::vector<Extremum>& candidates) {
     std::vector<Extremum> single;
     single.reserve(candidates.size());
@@ -92,7 +92,7 @@ std::vector<Extremum> maxima_among(const std::vector<Extremum>& candidates) {
     }
     std::vector<Extremum> maxima;
     for (std::size_t k = 0; k < single.size(); ++k) {
-        // What has no value is kept: it is as broken as can be, and so are its neighbours.
+        // Undefined values are kept: they count as infinite violations, and so do their neighbours.
         const bool above_left = k == 0 || !(single[k].value < single[k - 1].value);
         const bool above_right = k + 1 == single.size() || !(single[k].value < single[k + 1].value);
         if (above_left && above_right) maxima.push_back(single[k]);
@@ -104,7 +104,7 @@ void append(std::vector<Extremum>& all, std::vector<Extremum> more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Of a rule that holds at a few places alone.
+/// Of a rule that holds at a few angles only.
 std::vector<Extremum> at_places(const Subject& subject) {
     std::vector<Extremum> all;
     for (const double x : subject.rule.places()) {
@@ -114,14 +114,13 @@ std::vector<Extremum> at_places(const Subject& subject) {
     return all;
 }
 
-/// Maxima on pieces where y is a polynomial and the rule is none: enclosed where it can be, else sampled.
-/// Pieces are gathered first, so that the largest of their ends is known and most of the motion is out of the
-/// question.
+/// Maxima on pieces where y is a polynomial but the rule is not: enclosed if possible, else sampled. Pieces
+/// are collected first, so that the largest of their ends is known and excludes most of the motion.
 class CurvedPieces {
  public:
     explicit CurvedPieces(const Subject& subject) : subject_(subject) {}
 
-    /// The candidates of the piece come in place of `all`'s next entries.
+    /// The candidates of the piece become `all`'s next entries.
     void add(SmoothPiece piece, std::vector<Extremum>& all) {
         const Stretch& ends = piece.piece;
         all.push_back({subject_.value(ends.begin, Side::right), ends.begin, Side::right});
@@ -147,7 +146,7 @@ class CurvedPieces {
                 complete = false;
             }
         }
-        // Where two pieces meet, the left one's end comes first.
+        // Where two pieces join, the left one's end comes first.
         std::ranges::stable_sort(all, [](const Extremum& one, const Extremum& other) {
             return one.at != other.at ? one.at < other.at
                                       : one.side == Side::left && other.side == Side::right;
@@ -180,7 +179,8 @@ std::vector<SmoothPiece> pieces_of(const ChainPart& part) {
         const auto at = static_cast<std::size_t>(segment);
         const double begin = part.x0 + part.x_scale * breakpoints[at];
         const double end = part.x0 + part.x_scale * breakpoints[at + 1];
-        if (end <= part.begin + same_value || begin >= part.end - same_value) continue;  // of the part beside
+        if (end <= part.begin + same_value || begin >= part.end - same_value)
+            continue;  // of the adjacent part
         Eigen::VectorXd y = part.y_scale * curve->derivative_polynomial(segment, 0);
         for (int k = 0; k < static_cast<int>(y.size()); ++k) y[k] /= std::pow(part.x_scale, k);
         y[0] += part.y0;
@@ -193,7 +193,7 @@ std::vector<SmoothPiece> pieces_of(const ChainPart& part) {
 
 namespace {
 
-/// The displacement that a placed rule measures y from.
+/// The displacement that is the origin of y for a placed rule.
 double datum_of(const PlacedRule& rule, const MotionFamily& family, const MotionChain& motion) {
     if (rule.datum == PlacedRule::Datum::zero) return 0.0;
     const MotionFamily::Stretch& stretch = family.stretches()[static_cast<std::size_t>(rule.stretch)];
@@ -201,7 +201,7 @@ double datum_of(const PlacedRule& rule, const MotionFamily& family, const Motion
                                                   : motion.at(stretch.end, Side::left).derivative[0];
 }
 
-/// Of a rule that holds on a part of the motion: its ends in place of what lies outside.
+/// Of a rule that holds on a part of the motion: its ends replace what lies outside.
 std::vector<Extremum> inside(const PlacedRule& rule, const Subject& subject, std::vector<Extremum> all) {
     if (rule.from == -infinity && rule.until == infinity) return all;
     std::erase_if(all, [&](const Extremum& one) { return one.at < rule.from || one.at > rule.until; });
@@ -281,7 +281,7 @@ MaximaAlong maxima_along(const PointRule& rule, const Motion& motion, const Eige
 Extremum largest_of(const std::vector<Extremum>& maxima) {
     Extremum largest{-infinity, 0.0, Side::right};
     for (const Extremum& maximum : maxima) {
-        // What has no value is as broken as can be.
+        // Undefined counts as an infinite violation.
         if (std::isnan(maximum.value)) return {infinity, maximum.at, maximum.side};
         if (maximum.value > largest.value) largest = maximum;
     }

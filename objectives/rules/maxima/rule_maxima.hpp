@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The continuous maxima of a rule along a motion.
 //
-// On a spline: of linear rules and the torque polynomials, exact; of rules that say how they range over a
-// stretch (PointRule::range_along) enclosed, so that none is missed that lies near the largest or above 0. Of
-// the rest, and on given laws, sampled: the slope along the motion, dg/dx = g_y y' + g_{y'} y'' + g_{y''}
-// y''', is bracketed and its root found to round-off, with samples the closer the worse a cubic follows the
-// rule.
+// On a spline: exact for linear rules and the torque polynomials; enclosed for rules with
+// PointRule::range_along, so that none near the largest or above 0 is missed. For other rules, and on laws,
+// sampled: the slope along the motion, dg/dx = g_y y' + g_{y'} y'' + g_{y''} y''', is bracketed and its root
+// found to round-off, with denser samples where a cubic approximates the rule poorly.
 #pragma once
 
 #include "objectives/rules/model.hpp"
@@ -23,18 +22,16 @@ namespace camopt {
 
 struct MaximaAlong {
     std::vector<Extremum> maxima;
-    /// None is missed that lies near the largest or above 0, each is as large as said: everything was
-    /// enclosed.
+    /// None near the largest or above 0 is missed, and each value is accurate: everything was enclosed.
     bool complete = true;
 };
 
-/// The same along any motion, between its breakpoints; complete where the rule and
-/// the shapes say how they range.
+/// The same along any motion, between its breakpoints; complete if the rule and the shapes have enclosures.
 [[nodiscard]] MaximaAlong maxima_along(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q);
 [[nodiscard]] std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion,
                                                 const Eigen::VectorXd& q);
 
-/// The largest of them; value -infinity where there is none, infinity at one that has no value.
+/// The largest of them; value -infinity if there is none, infinity if one is undefined.
 [[nodiscard]] Extremum largest_of(const std::vector<Extremum>& maxima);
 
 }  // namespace camopt

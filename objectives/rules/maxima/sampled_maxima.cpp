@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Maxima of a rule on one piece by samples of its value and slope. Between two samples the cubic of their
-// values and slopes stands for the rule; where it fails at the middle, the stretch is halved.
+// Maxima of a rule on one piece by samples of its value and slope. Between two samples the cubic Hermite
+// interpolant replaces the rule; where it fails at the middle, the stretch is bisected.
 #include "objectives/rules/maxima/piece_maxima.hpp"
 
 #include <algorithm>
@@ -13,14 +13,13 @@ namespace {
 // The root of the slope is found to this part of its bracket.
 constexpr double root_accuracy = 1e-14;
 constexpr int most_root_steps = 80;
-// A cubic that is off by this part of the rule's scale at the middle does not stand for the rule …
+// A cubic with an error of this part of the rule's scale at the middle is rejected …
 constexpr double close = 1e-3;
-// … but where it lies this many times its error below 0 and below the ends, nothing of the rule matters
-// there.
+// … unless it lies this many times its error below 0 and below the ends, where the rule is irrelevant.
 constexpr double mistrust = 8.0;
 constexpr int most_halvings = 8;
 
-// What a motion may take that keeps its limits: a dozen evaluations a piece are usual, some pieces take
+// Effort for a motion that satisfies its limits: a dozen evaluations per piece are usual, some pieces take
 // hundreds.
 constexpr int usual_enclosures = 2000, enclosures_of_a_piece = 200;
 constexpr int usual_evaluations = 4000, evaluations_of_a_piece = 100;
@@ -29,7 +28,8 @@ struct ValueAndSlope {
     double value = 0.0, slope = 0.0;
 };
 
-/// Of a motion, which has three: by a difference inside the piece, exact where the third is quadratic there.
+/// Of a motion, which has three derivatives: by a difference inside the piece, exact where the third is
+/// quadratic.
 double fourth_derivative(const Motion& motion, const Stretch& piece, double x) {
     constexpr double step = 1e-4;  // of the piece
     const double reach = step * (piece.end - piece.begin);
@@ -66,7 +66,7 @@ class Sampler {
         return {x, value_and_slope(subject_, piece_, x)};
     }
     [[nodiscard]] bool tired() const { return effort_.evaluations <= 0; }
-    /// Samples after `left` up to and with `right`, as dense as the rule is narrow.
+    /// Samples after `left` up to and including `right`, as dense as the rule is narrow.
     void refine(const Sample& left, const Sample& right, int halvings, std::vector<Sample>& samples) const {
         const double width = right.x - left.x;
         const Sample middle = at(left.x + 0.5 * width);
@@ -131,7 +131,7 @@ std::vector<Extremum> sampled(const Subject& subject, const Stretch& piece, int 
                               Effort& effort) {
     const Sampler sampler(subject, piece, effort);
     std::vector<Sample> samples = {sampler.at(piece.begin)};
-    const int stretches = std::max(1, least_samples / 2);  // each is looked at in its middle too
+    const int stretches = std::max(1, least_samples / 2);  // each is also tested at its middle
     for (int k = 1; k <= stretches; ++k) {
         const double x = k == stretches ? piece.end : piece.begin + (piece.end - piece.begin) * k / stretches;
         sampler.refine(Sample(samples.back()), sampler.at(x), 0, samples);
@@ -140,7 +140,7 @@ std::vector<Extremum> sampled(const Subject& subject, const Stretch& piece, int 
     const auto slope = [&](double x) { return sampler.at(x).at.slope; };
     for (std::size_t k = 1; k < samples.size(); ++k) {
         const Sample &left = samples[k - 1], &right = samples[k];
-        // A sample that meets the top itself: of a motion that is its own mirror image the middle does.
+        // A sample exactly at the maximum: of a symmetric motion the middle is.
         if (left.at.slope == 0.0 && k > 1) found.push_back({left.at.value, left.x, Side::right});
         if (left.at.slope > 0.0 && right.at.slope < 0.0) {
             if (sampler.tired()) {

@@ -92,7 +92,7 @@ void draw_convergence_legend(SvgCanvas& canvas, double x, double y) {
     draw_diamond(canvas, x, y + 16, 6);
     canvas.text(x + 14, y + 20, "the paper, as printed (1994)", "value");
     canvas.line(x - 8, y + 36, x + 8, y + 36, "limit-line");
-    canvas.text(x + 14, y + 40, "limit no curve can pass", "value");
+    canvas.text(x + 14, y + 40, "lower bound for every curve", "value");
 }
 
 constexpr double name_width = 238, objective_width = 104, column_gap = 34;
@@ -164,9 +164,9 @@ void draw_column(SvgCanvas& canvas, const PanelFrame& area, const std::vector<Pe
 
 std::string reference_table_svg(const ReferenceTable& table) {
     SvgCanvas canvas(page_width, page_height, reference_panel_style(),
-                     "The best cubic spline beside the modified sine");
+                     "The best cubic spline and the modified sine");
     canvas.rectangle(0, 0, page_width, page_height, "page");
-    canvas.text(40, 42, "The best cubic spline beside the modified sine", "title");
+    canvas.text(40, 42, "The best cubic spline and the modified sine", "title");
     canvas.text(40, 66,
                 "Rise between two dwells. Objective = 0.4 V/1.76 + 0.4 A/5.53 + 0.2 J/69, with V, A, J = max "
                 "|y′|, |y″|, |y‴|.",

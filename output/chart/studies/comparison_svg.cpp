@@ -154,11 +154,11 @@ void draw_key(SvgCanvas& canvas, bool limits) {
     canvas.rectangle(margin, y - 11, 24, bar_height, "optimum-bar");
     canvas.text(margin + 31, y, "optimum", "subtitle");
     canvas.rectangle(margin + 120, y - 11, 24, bar_height, "law-bar");
-    canvas.text(margin + 151, y, limits ? "law, keeps every limit" : "law", "subtitle");
+    canvas.text(margin + 151, y, limits ? "law, satisfies every limit" : "law", "subtitle");
     if (!limits) return;
     canvas.rectangle(margin + 330, y - 11, 24, bar_height, "broken-bar");
     draw_hatch(canvas, margin + 330, y - 11, 24);
-    canvas.text(margin + 361, y, "law, breaks a limit (the worst is named)", "subtitle");
+    canvas.text(margin + 361, y, "law, violates a limit (the worst is named)", "subtitle");
 }
 
 }  // namespace

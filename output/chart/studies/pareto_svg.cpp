@@ -215,12 +215,12 @@ std::string count_sentence(const ParetoFront& front) {
     std::string text =
         fmt::format("{} points of {} solves, {} proved optimal", placed, front.points.size(), proved);
     if (!front.complete) return text + "; not complete";
-    if (placed < 2) return text + ": the two do not conflict";
+    if (placed < 2) return text + ": the two goals do not conflict";
     return text + fmt::format("; gaps along the front {} … {} of the unit box, {}",
                               short_text(front.spacing.least, 3), short_text(front.spacing.most, 3),
                               front.even
                                   ? fmt::format("even to {} %", short_text(100.0 * front.request.evenness, 3))
-                                  : "not as even as asked");
+                                  : "less even than requested");
 }
 
 bool is_attained(const FrontPoint& point) {
@@ -259,7 +259,7 @@ std::string pareto_svg(const ParetoPicture& picture) {
     canvas.text(margin, 38, title, "title");
     canvas.text(margin, 61, count_sentence(front), "subtitle");
     canvas.text(margin, 80,
-                end_sentence(picture) + " Dashed: what no curve can pass. Diamonds: classical laws.",
+                end_sentence(picture) + " Dashed: lower bound for every curve. Diamonds: classical laws.",
                 "subtitle");
     draw_front(canvas, picture);
     double side_top = top;

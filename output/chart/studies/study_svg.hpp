@@ -24,8 +24,8 @@ namespace camopt {
 
 // A comparison as a picture: one bar a law, sorted by the objective, with its peaks and its loss.
 //
-// Solid bars keep every limit; hatched ones break some, and the heaviest is named. Bars far longer than the
-// optimum's are cut. Nothing throws.
+// Solid bars satisfy every limit; hatched ones break some, and the heaviest is named. Bars far longer than
+// the optimum's are cut. Nothing throws.
 [[nodiscard]] std::string comparison_svg(const Comparison& comparison);
 
 // pareto.svg: a front of two goals, the laws beside it, the limit that no curve can pass, and

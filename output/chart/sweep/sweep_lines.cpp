@@ -103,7 +103,7 @@ void draw_name(SvgCanvas& canvas, double left, double y, const LawLoss& law) {
 void draw_heads(SvgCanvas& canvas, double left, double top, bool all_feasible) {
     canvas.text(left, top, "Laws above the trade-off", "panel-title");
     const double y = top + 36;
-    canvas.text(left + 26, y, all_feasible ? "law" : "law (* breaks a limit)", "head left");
+    canvas.text(left + 26, y, all_feasible ? "law" : "law (* violates a limit)", "head left");
     for (const auto& [x, words] : {std::pair{304.0, "V"}, {364.0, "A"}, {430.0, "J"}})
         canvas.text(left + x, y, words, "head");
     canvas.text(left + 552, y - 15, "loss at the", "head");
@@ -112,7 +112,7 @@ void draw_heads(SvgCanvas& canvas, double left, double top, bool all_feasible) {
     canvas.text(left + bar_left, y, "over all weights", "head left");
     canvas.text(left + 895, y - 15, "at the weights", "head");
     canvas.text(left + 895, y, "V / A / J", "head");
-    canvas.text(left + 1130, y - 15, "one peak alone can fall by", "head");
+    canvas.text(left + 1130, y - 15, "one peak alone can decrease by", "head");
     for (const auto& [x, words] : {std::pair{990.0, "V"}, {1060.0, "A"}, {1130.0, "J"}})
         canvas.text(left + x, y, words, "head");
 }

@@ -88,10 +88,10 @@ void draw_head(SvgCanvas& canvas, const SweepPicture& picture, const std::string
     canvas.text(margin, 61, count_sentence(picture.table), "subtitle");
     const bool weights = is_weight_sweep(picture.table);
     const std::string words =
-        weights ? "Triangles: the nearer to a corner, the more that peak weighs. Planes: colour marks the "
+        weights ? "Triangles: the weight of a peak grows towards its corner. Planes: colour marks the "
                   "Pareto front, grey dots lie off it, diamonds are the laws of the table."
-                : "Shaded: proved infeasible. Red with a cross: failed. Dashed: the limit that no curve can "
-                  "pass. Rings: rows off the Pareto front.";
+                : "Shaded: proved infeasible. Red with a cross: failed. Dashed: the lower bound for every "
+                  "curve. Rings: rows off the Pareto front.";
     canvas.text(margin, 80, words, "subtitle");
 }
 

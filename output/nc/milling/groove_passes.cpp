@@ -148,7 +148,7 @@ class GroovePassMaker {
                                       right_handed ? "" : "counter", right_handed ? "M3" : "M4"));
         remarks.push_back(fmt::format("in: down the middle of the groove, {:g} deg at most",
                                       choice.ramp_angle / units::degree));
-        remarks.emplace_back("compensation: none, the program is the way of the cutter's centre");
+        remarks.emplace_back("compensation: none, the program is the path of the cutter's centre");
     }
 
     /// Lift of the last layer.
@@ -241,7 +241,7 @@ class GroovePassMaker {
         const int ways = 2 * std::max(1, static_cast<int>(std::ceil(0.5 * way / room)));
         if (ways > most_ramp_ways)
             throw InputError(fmt::format(
-                "milling: a ramp of {:g} deg takes {} ways to and fro down {:.3f} mm; allowed: "
+                "milling: a ramp of {:g} deg takes {} passes to and fro down {:.3f} mm; allowed: "
                 "{}, by a steeper one or layers",
                 milling_.choice.ramp_angle / units::degree, ways, drop / units::millimetre, most_ramp_ways));
         const double turn = way / ways / speed;
@@ -272,10 +272,10 @@ void check_groove(const GrooveMilling& milling) {
             "conventional; a direction is for a smaller cutter");
     const double most = most_allowance(milling), island = 2.0 * most - milling.location.diameter;
     if (choice.full_depth && island > same_place)
-        throw InputError(fmt::format(
-            "milling: found full depth with a cutter that leaves {:.3f} mm standing in the middle of "
-            "the groove; allowed: roughing, or a larger cutter",
-            island / units::millimetre));
+        throw InputError(
+            fmt::format("milling: found full depth with a cutter that leaves {:.3f} mm in the middle of "
+                        "the groove; allowed: roughing, or a larger cutter",
+                        island / units::millimetre));
     if (choice.finish_allowance.value_or(0.0) > most + same_place)
         throw InputError(fmt::format(
             "milling: in the middle of the groove the cutter leaves {:g} mm, so roughing cannot leave {:g} "

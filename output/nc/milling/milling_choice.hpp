@@ -17,7 +17,7 @@ namespace camopt {
 /// thinnest.
 enum class MillingDirection { climb, conventional };
 
-/// none: the program is the way of the cutter's centre. control: it is the cam's contour, G41 or G42 with D.
+/// none: the program is the path of the cutter's centre. control: it is the cam's contour, G41 or G42 with D.
 enum class CompensationWords { none, control };
 
 struct MillingChoice {

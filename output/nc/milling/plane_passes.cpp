@@ -102,15 +102,15 @@ class PlanePassMaker {
             "direction: {}, outside, the tool goes {}clockwise around the cam, spindle {}clockwise {}",
             choice.climbs() ? "climb" : "conventional", clockwise_ ? "" : "counter",
             right_handed ? "" : "counter", right_handed ? "M3" : "M4"));
-        remarks.push_back(fmt::format("in and out: beside the blank, quarter circles of radius {:g} mm",
+        remarks.push_back(fmt::format("in and out: outside the blank, quarter circles of radius {:g} mm",
                                       lead_ / units::millimetre));
         if (choice.compensation == CompensationWords::none)
-            remarks.emplace_back("compensation: none, the program is the way of the cutter's centre");
+            remarks.emplace_back("compensation: none, the program is the path of the cutter's centre");
         else
             remarks.push_back(
                 fmt::format("compensation: by the control in the finishing pass, which is the contour "
                             "itself; register D{} "
-                            "holds the cutter's radius of {:g} mm, or its diameter, as the control wants it",
+                            "holds the cutter's radius of {:g} mm, or its diameter, as the control requires",
                             choice.compensation_register.value_or(choice.tool_number.value_or(1)),
                             radius_ / units::millimetre));
     }
@@ -135,7 +135,7 @@ class PlanePassMaker {
     [[nodiscard]] std::string full_depth_warning() const {
         const bool parts = widest() > milling_.cutter.stock + milling_.cutter.diameter;
         return fmt::format("the only pass {}{}", slot_words(height(), milling_.cutter.diameter),
-                           parts ? ", what it cuts off around the cam comes loose" : "");
+                           parts ? ", the ring that it cuts off around the cam comes loose" : "");
     }
 
     void add_roughing(MillingPasses& result) {

@@ -344,7 +344,7 @@
       charts.clear();
       host.replaceChildren();
       chips.replaceChildren();
-      const groups = { motion: 'Motion', cam: 'Cam along the turn', forces: 'Forces along the turn' };
+      const groups = { motion: 'Motion', cam: 'Cam over one revolution', forces: 'Forces over one revolution' };
       for (const [group, title] of Object.entries(groups)) {
         const curves = data.curves.filter((curve) => curve.group === group);
         if (!curves.length) continue;

@@ -27,7 +27,7 @@
     return panel;
   };
 
-  camopt.referencePanel = (reference) => element('section', { class: 'against', 'aria-label': 'Against the reference law' },
+  camopt.referencePanel = (reference) => element('section', { class: 'against', 'aria-label': 'Compared with the reference law' },
     element('h2', {}, 'Against ' + reference.title), ...reference.sentences.map((sentence) => element('p', {}, sentence)));
 
   camopt.figureStrip = (figures) => element('dl', { class: 'figures' }, ...figures.map((figure) =>
@@ -78,7 +78,7 @@
         tables.replaceChildren(...data.tables.map(camopt.tableSection));
         if (data.remarks.length) tables.append(element('section', { class: 'table-block' }, element('h2', {}, 'On the cam'), camopt.list(data.remarks)));
         end.replaceChildren(camopt.sceneSection(data.scene), camopt.appendixSection(data));
-        foot.textContent = 'Made by camopt ' + data.camopt + '. This page loads nothing from anywhere.';
+        foot.textContent = 'Made by camopt ' + data.camopt + '. This page loads no external resources.';
       },
     };
     return self;

@@ -44,7 +44,7 @@
       const canvas = renderer.domElement;
       canvas.tabIndex = 0;
       canvas.setAttribute('role', 'img');
-      canvas.setAttribute('aria-label', 'The cam in three dimensions with its rollers. Drag to turn, wheel to come closer; arrow keys turn it too.');
+      canvas.setAttribute('aria-label', 'The cam in three dimensions with its rollers. Drag to rotate, wheel to zoom; arrow keys rotate it too.');
       camera = new three.PerspectiveCamera(32, 1, 0.1, 1e6);
       camera.up.set(0, 1, 0);
       orbit = new three.OrbitControls(camera, canvas);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pages of many motions: comparison, sweep, front. What the pointer or the keys rest on is named; a click or Enter
-// hands out its scene.
+// saves its scene.
 'use strict';
 (function (camopt) {
   const { element, numberText, colour } = camopt;
@@ -137,7 +137,7 @@
         draw();
       };
       new ResizeObserver(this.fitScatter).observe(host);
-      return element('section', { class: 'study-block' }, element('h2', {}, 'One figure against another'),
+      return element('section', { class: 'study-block' }, element('h2', {}, 'One figure over another'),
         element('p', { class: 'controls-line' }, select('y', 'Figure upwards'), ' over ', select('x', 'Figure to the right')), host);
     }
 
@@ -226,7 +226,7 @@
       new ResizeObserver(resize).observe(host);
       camopt.themeChanged.listen(() => this.plots.forEach(({ plot }) => plot.redraw(false)));
       camopt.printing.listen((on) => this.plots.forEach(({ plot }) => plot.setSize({ width: on ? 320 : Math.max(220, plot.root.parentElement.clientWidth), height: on ? 190 : 230 })));
-      return element('section', { class: 'study-block' }, element('h2', {}, 'The motions over one another'), host);
+      return element('section', { class: 'study-block' }, element('h2', {}, 'The motions superimposed'), host);
     }
 
     table() {
@@ -266,7 +266,7 @@
       fill();
       return element('section', { class: 'study-block' }, element('h2', {}, 'All of them'),
         element('p', { class: 'note' }, 'A click on a head sorts. A click on a row, a mark or a curve ' +
-          (this.data.without_scenes ? 'says the command that solves its scene.' : 'hands out its scene.')),
+          (this.data.without_scenes ? 'shows the command that solves its scene.' : 'saves its scene.')),
         element('div', { class: 'table-scroll study-table', tabindex: 0, role: 'region', 'aria-label': 'All of them' },
           element('table', {}, element('thead', {}, head), body)));
     }
@@ -278,7 +278,7 @@
       top.title.textContent = data.title;
       const main = element('main', { class: 'study' }, element('div', { class: 'words' }, camopt.verdictPanel(data)));
       this.host.replaceChildren(top.host, main, this.tip, this.notice, this.status,
-        element('footer', { class: 'foot' }, 'Made by camopt ' + data.camopt + '. This page loads nothing from anywhere.'));
+        element('footer', { class: 'foot' }, 'Made by camopt ' + data.camopt + '. This page loads no external resources.'));
       for (const part of [this.overlay(), this.picture(), this.explorer(), this.table()]) if (part) main.append(part);
       if (this.fitScatter) this.fitScatter();
       if (data.scene) main.append(element('section', { class: 'study-block' }, camopt.sceneSection(data.scene)));

@@ -23,7 +23,7 @@
     if (!scene.text) return section;
     const name = (scene.file || 'scene.toml').split(/[\\/]/).pop();
     section.append(
-      element('details', { class: 'scene-text', open: true }, element('summary', {}, 'The scene as text: with it the work can be repeated'),
+      element('details', { class: 'scene-text', open: true }, element('summary', {}, 'The scene as text, to repeat this result'),
         element('pre', { tabindex: '0' }, scene.text)),
       element('p', { class: 'controls-line' }, element('button', { type: 'button', 'data-download': 'scene', onclick: () => camopt.download(name, scene.text, 'application/toml') }, 'Download ' + name)));
     return section;

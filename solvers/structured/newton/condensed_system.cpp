@@ -12,7 +12,7 @@ namespace camopt::structured {
 
 namespace {
 
-// Private to condensed_system.cpp: where the entries of the condensed matrix stand and what they are made of.
+// Private to condensed_system.cpp: the positions of the entries of the condensed matrix and their terms.
 
 /// The lower triangle, with the equalities' entries in place and zeros elsewhere.
 /// Entry terms[k].slot is Σ product · weight[source] over its terms, with weight = [K_l + K_u;
@@ -32,7 +32,7 @@ struct CondensedPattern {
 
 using RowMajor = RangeRows::RowMajor;
 
-/// Goes through the matrix column by column.
+/// Processes the matrix column by column.
 class PatternBuilder {
  public:
     PatternBuilder(const ConvexModel& model, const RangeRows& ranges)
@@ -146,8 +146,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using RowMajor = RangeRows::RowMajor;
 
-constexpr double largest_shift = 1e-4;  // of entries near 1: beyond it the factor helps nothing
-constexpr double shift_growth = 1e3;    // a breakdown is rare; few retries matter more than the least shift
+constexpr double largest_shift = 1e-4;  // of entries near 1: a larger shift makes the factor useless
+constexpr double shift_growth = 1e3;  // a breakdown is rare; few retries matter more than the smallest shift
 constexpr int most_refinements = 6;
 constexpr double worthwhile = 0.3;  // a refinement that gains less is the last
 
@@ -223,7 +223,7 @@ bool CondensedSystem::factorize(const std::vector<double>& hessian, const Vector
     for (shift_ = first_shift_; shift_ <= largest_shift; shift_ *= shift_growth) {
         shifts_.setConstant(shift_);
         const FactorOutcome outcome = factor_->factorize(lower_, shifts_);
-        // A wrong sign is rounding, the matrix being quasi-definite: the residual of the solve decides.
+        // A wrong sign is round-off, since the matrix is quasi-definite: the residual of the solve decides.
         if (outcome == FactorOutcome::ok || outcome == FactorOutcome::wrong_sign) return true;
     }
     return false;
@@ -255,7 +255,7 @@ void CondensedSystem::apply_factor(const VectorXd& p, const VectorXd& q, NewtonU
     ranges_.slides(out.x, image_, out.slide);
 }
 
-/// rest = what is left of the equations in p and q; its largest entry.
+/// rest = the residual of the equations in p and q; its largest entry.
 double CondensedSystem::residual(const NewtonRightSide& right_side, const NewtonUnknowns& at) {
     rest_p_ = right_side.p;
     add_transposed(-1.0, at.lambda, at.nu, rest_p_);
@@ -272,7 +272,7 @@ double CondensedSystem::residual(const NewtonRightSide& right_side, const Newton
 
 CondensedSystem::Accuracy CondensedSystem::solve(const NewtonRightSide& right_side, double goal,
                                                  NewtonUnknowns& out) {
-    // With f = 0 the forces stand in the right side: p + Cᵀ(f_l − f_u) + Wᵀ(f_l + f_u).
+    // With f = 0 the forces are in the right-hand side: p + Cᵀ(f_l − f_u) + Wᵀ(f_l + f_u).
     rest_p_ = right_side.p;
     rest_q_.setZero();
     add_transposed(1.0, rest_q_, right_side.force, rest_p_);

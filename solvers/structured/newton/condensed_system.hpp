@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
+//
 // Internal to solvers/structured/: the Newton system of the interior point,
 //
 //     ∇²f Δx + Eᵀ Δλ + Cᵀ (ν_l − ν_u) + Wᵀ (ν_l + ν_u) = p,   E Δx = q,
 //     ν_l = K_l (Δt + Δw) − f_l,   ν_u = K_u (Δw − Δt) − f_u,
 //
 // with the ranges of range_rows.hpp (t = C x, w = W x), the curvatures K of their sides (z/g, >= 0) and
-// the forces f. ν is eliminated: what is factorized is
+// the forces f. ν is eliminated; the matrix to be factorized is
 //
 //     [ ∇²f + Cᵀ(K_l + K_u)C + Cᵀ(K_l − K_u)W + Wᵀ(K_l − K_u)C + Wᵀ(K_l + K_u)W   Eᵀ ]
 //     [                                  E                                       0  ]
 //
-// whose pattern never changes. A solve is refined on the residual of the whole system, so that neither the
-// elimination nor shifts of the diagonal cost accuracy.
+// of fixed pattern. A solve is refined on the residual of the whole system, so that neither the elimination
+// nor shifts of the diagonal cost accuracy.
 #pragma once
 
 #include "linear/compressed_rows.hpp"
@@ -27,9 +28,9 @@
 namespace camopt::structured {
 
 struct NewtonUnknowns {
-    Eigen::VectorXd x, lambda;  ///< λ: one an equality
-    Eigen::VectorXd slide;      ///< [Δt + Δw; Δw − Δt], one a side
-    Eigen::VectorXd nu;         ///< ν, one a side
+    Eigen::VectorXd x, lambda;  ///< λ: one per equality
+    Eigen::VectorXd slide;      ///< [Δt + Δw; Δw − Δt], one per side
+    Eigen::VectorXd nu;         ///< ν, one per side
 };
 
 struct NewtonRightSide {
@@ -40,11 +41,11 @@ class CondensedSystem {
  public:
     CondensedSystem(const ConvexModel& model, const RangeRows& ranges, FactorKind kind, double shift);
 
-    /// `hessian`: values of ∇²f in the order of ConvexModel::hessian; `curvature`: K, one a side. Both must
+    /// `hessian`: values of ∇²f in the order of ConvexModel::hessian; `curvature`: K, one per side. Both must
     /// live until the last solve. False: breakdown.
     [[nodiscard]] bool factorize(const std::vector<double>& hessian, const Eigen::VectorXd& curvature);
 
-    /// The solution, refined until the largest entry of the residual is at most `goal` or falls no more.
+    /// The solution, refined until the largest entry of the residual is at most `goal` or stops decreasing.
     struct Accuracy {
         double residual = 0.0;  ///< largest entry; infinite: not finite
         bool reached = true;

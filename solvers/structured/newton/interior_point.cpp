@@ -51,7 +51,7 @@ class Iteration {
     [[nodiscard]] double merit(const Residuals& rest, const Iterate& point) const;
     [[nodiscard]] bool looks_infeasible() const;
     [[nodiscard]] bool looks_unbounded() const;
-    /// The change that makes every product g z the target.
+    /// The change that moves every product g z to the target.
     void aim_at(double target) { change_ = target * ranges_.present - point_.gap.cwiseProduct(point_.dual); }
     [[nodiscard]] double boundary_fraction() const { return std::clamp(1.0 - 10.0 * rest_.mu, 0.99, 0.9995); }
     [[nodiscard]] double primal_step(const Direction& direction, double fraction) const {
@@ -71,7 +71,7 @@ class Iteration {
     VectorXd change_;  ///< of the products g z
 };
 
-/// The start, moved off the bounds of the variables where it is at them.
+/// The start, moved off the active bounds of the variables.
 void Iteration::push_inside(const VectorXd& start) {
     constexpr double far = 1e3, away = 1.0;  // scaled problem: everything is of order 1
     point_.x = start.unaryExpr([&](double v) { return std::isfinite(v) ? std::clamp(v, -far, far) : 0.0; });
@@ -83,9 +83,9 @@ void Iteration::push_inside(const VectorXd& start) {
     }
 }
 
-/// One step of least squares from the given start, then gaps and multipliers pushed away from zero.
+/// One least-squares step from the given start, then gaps and multipliers shifted away from zero.
 bool Iteration::initialise(const VectorXd& start) {
-    // Measured: closer starts save linear problems one iteration in fifteen, and cost curved ones some.
+    // Measured: closer starts save linear problems one iteration in fifteen, but cost curved ones some.
     const double away = model_.kind == CostKind::linear ? 0.1 : 1.0;
     push_inside(start);
     point_.lambda = VectorXd::Zero(ranges_.equal_to.size());
@@ -115,10 +115,10 @@ bool Iteration::initialise(const VectorXd& start) {
     return true;
 }
 
-/// Takes the path up near one of its points. Bounds that were not there then, or that the point lies beyond
-/// now, get the gap and the multiplier that this place of the path has for them.
+/// Warm start near a point of the central path. Bounds that are new, or that the point violates now, get the
+/// gap and multiplier for its barrier parameter.
 bool Iteration::resume(const CentralPoint& near) {
-    // Of a bound that is new: sizes are of order 1. Products may leave the path by this factor.
+    // Of a new bound: sizes are of order 1. Products may differ from the path by this factor.
     constexpr double new_multiplier = 0.1, off_path = 10.0;
     point_.x = near.point.x;
     point_.lambda.resize(ranges_.equal_to.size());
@@ -162,7 +162,7 @@ bool Iteration::looks_unbounded() const {
            errors().dual > 1e3 * limits_.tolerance;
 }
 
-/// Mehrotra's choice: the better the affine direction does, the closer to the boundary the step aims.
+/// Mehrotra's choice: the better the affine direction, the smaller the centering parameter.
 double Iteration::target_after_affine() const {
     const double primal = primal_step(affine_, 1.0), dual = dual_step(affine_, 1.0);
     const double total =
@@ -224,13 +224,13 @@ bool Iteration::take_step(Stop& reason) {
     return false;
 }
 
-/// What is left of the dual equations, put right in the multipliers alone: in a proof it is multiplied by the
-/// size of the box that holds an optimum.
+/// The residual of the dual equations, removed by the multipliers alone: in a proof it is multiplied by the
+/// size of the box that contains an optimum.
 void Iteration::polish_multipliers(InteriorPointResult& result) {
     constexpr int most = 2;
     constexpr double rounding = 1e-15, most_shrunk = 0.9;
     for (int k = 0; k < most && result.errors.dual > rounding; ++k) {
-        // Linear costs: any factorization removes it, that of the last step too.
+        // Linear costs: any factorization removes it, also that of the last step.
         bool finite = true;
         if (model_.kind != CostKind::linear && !newton_.prepare(point_, finite)) return;
         tried_rest_ = rest_;
@@ -256,7 +256,7 @@ double Iteration::merit(const Residuals& rest, const Iterate& point) const {
 }
 
 /// Backtracking on the norm of all residuals: first along the corrected direction, then along the plain
-/// Newton direction, for which a decrease is certain.
+/// Newton direction, for which a decrease is guaranteed.
 bool Iteration::take_smooth_step(double target, Stop& reason) {
     constexpr double shrink = 0.6, decrease = 1e-3;
     bool evaluated = false;
@@ -285,7 +285,7 @@ bool Iteration::take_smooth_step(double target, Stop& reason) {
     return false;
 }
 
-/// Keeps the point where the path came closer by a factor since the last that was kept.
+/// Stores the point when the gap has decreased by a factor since the last one stored.
 void Iteration::keep_place(const Errors& now, std::vector<CentralPoint>& path) const {
     constexpr double first = 1.0, closer = 0.5, last = 1e-9;
     const double before = path.empty() ? 2.0 * first : path.back().gap;
@@ -342,7 +342,7 @@ InteriorPointResult Iteration::search(const SolveControl& control) {
 
 namespace {
 
-/// What was found for the smaller model, in terms of the given one.
+/// Converts the result of the smaller model to the given one.
 InteriorPointResult restored(InteriorPointResult result, const PathReduction& reduction) {
     const auto restore = [&](PrimalDualPoint& point) {
         point = {reduction.restored(point.x), reduction.restored_multipliers(point.lambda)};

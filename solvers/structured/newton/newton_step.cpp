@@ -11,25 +11,26 @@ namespace camopt::structured {
 
 namespace {
 
-// A direction may leave this part of what is wrong, and need not be more exact than rounding allows; where
-// the tolerance asks for the last digits, it must be more exact.
+// Relative residual allowed in a direction, which need not be more accurate than round-off allows; where the
+// tolerance requires the last digits, it must be more accurate.
 double inexactness(double tolerance) {
     return std::min(1e-3, 1e7 * tolerance);
 }
 double finest(double tolerance) {
     return std::min(1e-16, 1e-3 * tolerance);
 }
-// A direction is trusted whose residual is this part of what it answers, or of the tolerance.
+// A direction is accepted if its residual is this part of its right-hand side, or of the tolerance.
 constexpr double good_residual = 1e-8;
 constexpr double good_part_of_tolerance = 1e-3;
-// The careful system pivots on free variables too, which the condensed one never does.
+// The full system pivots on free variables too, unlike the condensed one.
 constexpr double careful_shift = 1e-9;
-// Stands for 0 where nothing moves.
+// Replaces 0 where nothing changes.
 constexpr double tiniest = 1e-300;
 
-constexpr double largest_kkt_shift = 1e-2;  // of entries near 1: beyond it the factor preconditions nothing
+constexpr double largest_kkt_shift =
+    1e-2;  // of entries near 1: a larger shift makes a useless preconditioner
 constexpr double kkt_shift_growth =
-    100.0;                           // a breakdown is rare; few retries matter more than the least shift
+    100.0;                           // a breakdown is rare; few retries matter more than the smallest shift
 constexpr double good_solve = 1e-8;  // relative; above it other shifts are tried and the best is kept
 constexpr RefinementLimits refinement{1e-14, 20};
 
@@ -104,7 +105,7 @@ bool NewtonStep::prepare(const Iterate& point, bool& finite) {
     return system_.factorize(hessian_, curvature_) || prepare_careful(point);
 }
 
-/// The careful system knows the model's own rows.
+/// The full system has the model's own rows.
 bool NewtonStep::prepare_careful(const Iterate& point) {
     if (!careful_) careful_ = std::make_unique<KktSystem>(model_, std::max(shift_, careful_shift));
     variable_curvature_.setZero(model_.variables());
@@ -128,7 +129,7 @@ void NewtonStep::solve(const Iterate& point, double goal) {
     if (!careful_is_current_) accuracy = system_.solve(right_side_, goal, solution_);
     solved_ = std::isfinite(accuracy.residual);
     if (accuracy.reached) return;
-    // Forces as the slides that they would cause alone.
+    // Forces as the equivalent slides.
     slide_ =
         right_side_.force.cwiseProduct(point.gap).cwiseProduct(inverse_dual_).cwiseProduct(ranges_.present);
     const double size = std::max({largest(right_side_.p), largest(right_side_.q), largest(slide_)});
@@ -159,7 +160,7 @@ void NewtonStep::solve_carefully(double known_residual) {
     system_.multiply(solution_.x, image_);
     ranges_.slides(solution_.x, image_, solution_.slide);
     solution_.nu = curvature_.cwiseProduct(solution_.slide) - right_side_.force;
-    // Of a row that has but one bound the multiplier is known better than from its slide.
+    // Of a row with one bound the multiplier is more accurate than its slide.
     for (Index b = 0; b < ranges_.sides(); ++b) {
         const RangeRows::Source& from = ranges_.source[static_cast<std::size_t>(b)];
         if (from.row < 0 || row_flatness_[from.row] >= 1.0) continue;
@@ -184,7 +185,7 @@ void NewtonStep::direction(const Iterate& point, const Residuals* residuals, con
         right_side_.p.setZero();
         right_side_.q.setZero();
     }
-    // A correction must be as exact as what it corrects: what it leaves over stays.
+    // A correction must be as accurate as the direction: its residual remains.
     solve(point, goal_);
     out.x = solution_.x;
     out.lambda = solution_.lambda;
@@ -195,9 +196,8 @@ void NewtonStep::direction(const Iterate& point, const Residuals* residuals, con
     out.finite = solved_ && finite(out.dual) && finite(out.x) && finite(out.lambda);
 }
 
-/// Each side from that of its two unknowns which is known better: the multiplier where the gap is the smaller
-/// one, the gap elsewhere; the other follows from the product g z. Rounding would be magnified the other way
-/// round.
+/// Each side from the more accurate of its two unknowns: the multiplier where the gap is smaller, the gap
+/// elsewhere; the other follows from the product g z. The opposite choice would amplify round-off.
 void NewtonStep::keep_products(const Iterate& point, const VectorXd& change, Direction& out) const {
     const double* const gap = point.gap.data();
     const double* const dual = point.dual.data();
@@ -277,8 +277,8 @@ bool KktSystem::factorize(const std::vector<double>& hessian, const Eigen::Vecto
 bool KktSystem::factorize_shifted() {
     const FactorOutcome outcome =
         factor_->factorize(lower_, Eigen::VectorXd::Constant(lower_.rows(), shift_));
-    // A wrong sign is rounding, the matrix being quasi-definite. As a preconditioner such a factor is often
-    // still excellent, and better than one with a larger shift: the residual of the solve decides.
+    // A wrong sign is round-off, since the matrix is quasi-definite. As a preconditioner such a factor is
+    // often still excellent, and better than one with a larger shift: the residual of the solve decides.
     return outcome == FactorOutcome::ok || outcome == FactorOutcome::wrong_sign;
 }
 

@@ -31,10 +31,10 @@ namespace camopt::structured {
 // solve that stays inaccurate tries other ones and keeps the best.
 class KktSystem {
  public:
-    /// `shift`: regularisation to begin with.
+    /// `shift`: initial regularisation.
     KktSystem(const ConvexModel& model, double shift);
 
-    /// False: no shift up to the largest one gave a factor.
+    /// False: no factorization with any shift up to the largest.
     [[nodiscard]] bool factorize(const std::vector<double>& hessian, const Eigen::VectorXd& sigma,
                                  const Eigen::VectorXd& d);
     struct Step {
@@ -56,14 +56,14 @@ class KktSystem {
 
 struct Iterate {
     Eigen::VectorXd x;
-    Eigen::VectorXd lambda;     ///< one an equality
-    Eigen::VectorXd gap, dual;  ///< g, z: one a side; 1 and 0 where there is none
+    Eigen::VectorXd lambda;     ///< one per equality
+    Eigen::VectorXd gap, dual;  ///< g, z: one per side; 1 and 0 for a missing side
 };
 
 struct Residuals {
     Eigen::VectorXd dual;      ///< of the variables
     Eigen::VectorXd equality;  ///< E x − e
-    Eigen::VectorXd bound;     ///< one a side: t + w − l − g
+    Eigen::VectorXd bound;     ///< one per side: t + w − l − g
     Eigen::VectorXd gradient;
     double mu = 0.0;  ///< mean of g z
     [[nodiscard]] bool finite() const;
@@ -84,10 +84,10 @@ class NewtonStep {
     /// Evaluates the Hessian and factorizes. False: breakdown, or a Hessian that is not finite (see
     /// `finite`).
     [[nodiscard]] bool prepare(const Iterate& point, bool& finite);
-    /// 1/g and 1/z of the point last prepared; where there is no side, some finite number.
+    /// 1/g and 1/z of the point last prepared; finite for missing sides.
     [[nodiscard]] const Eigen::VectorXd& inverse_gap() const { return inverse_gap_; }
     [[nodiscard]] const Eigen::VectorXd& inverse_dual() const { return inverse_dual_; }
-    /// The products g z are to change by `change`, to first order. With `residuals` null they alone.
+    /// Changes the products g z by `change`, to first order. `residuals` null: only the products.
     void direction(const Iterate& point, const Residuals* residuals, const Eigen::VectorXd& change,
                    Direction& out);
 
@@ -102,11 +102,11 @@ class NewtonStep {
     double tolerance_;
     double shift_;
     CondensedSystem system_;
-    std::unique_ptr<KktSystem> careful_;  ///< takes over where the condensed system is too inaccurate
+    std::unique_ptr<KktSystem> careful_;  ///< used where the condensed system is too inaccurate
     bool careful_is_current_ = false;
     std::vector<double> hessian_;
     Eigen::VectorXd inverse_gap_, inverse_dual_, curvature_, image_, slide_;
-    Eigen::VectorXd variable_curvature_, row_flatness_;  ///< of the careful system: Σ and D
+    Eigen::VectorXd variable_curvature_, row_flatness_;  ///< of the full system: Σ and D
     NewtonRightSide right_side_;
     NewtonUnknowns solution_;
     double goal_ = 0.0;  ///< largest entry that the residual of a direction may have

@@ -12,14 +12,14 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Trees with fewer rows stay: the band of the chain takes them as they are.
+// Trees with fewer rows stay: the band of the chain handles them.
 constexpr int least_rows = 8;
-// Each sum is a dense row; more of them cost more than the variables they take away.
+// Each sum is a dense row; more of them cost more than the eliminated variables save.
 constexpr int most_trees = 4;
-// τ beyond this would lose digits of the small rows.
+// A τ beyond this would lose digits of the small rows.
 constexpr double widest_parts = 1e3;
 
-/// A cost that does not depend on the variables that are gone.
+/// A cost that does not depend on the eliminated variables.
 class ReducedCost final : public ConvexCost {
  public:
     ReducedCost(const ConvexCost& full, std::vector<int> kept, Index variables)
@@ -45,7 +45,7 @@ class ReducedCost final : public ConvexCost {
     mutable VectorXd point_, gradient_;
 };
 
-/// Which rows hang together.
+/// Connected components of rows.
 class Forest {
  public:
     explicit Forest(int rows) : parent_(static_cast<std::size_t>(rows)) {
@@ -55,7 +55,7 @@ class Forest {
         while (at(row) != row) row = at(row) = at(at(row));
         return row;
     }
-    /// False: they hang together already.
+    /// False: they are connected already.
     bool join(int a, int b) {
         a = root(a);
         b = root(b);
@@ -139,7 +139,7 @@ std::vector<PathReduction::Candidate> PathReduction::candidates(const VectorXd& 
     return result;
 }
 
-/// Finds the trees, the part of every row in its sum, and the order in which the variables come back.
+/// Finds the trees, the factor of every row in its sum, and the order of back-substitution.
 void PathReduction::join(const std::vector<Candidate>& candidates) {
     const auto rows = static_cast<int>(full_.constraints());
     Forest forest(rows);
@@ -170,7 +170,7 @@ void PathReduction::join(const std::vector<Candidate>& candidates) {
                 const double part = -part_[static_cast<std::size_t>(row)] * here / there;
                 seen[static_cast<std::size_t>(next)] = 1;
                 part_[static_cast<std::size_t>(next)] = part;
-                row_[static_cast<std::size_t>(next)] = top;  // for now: the row that takes the sum
+                row_[static_cast<std::size_t>(next)] = top;  // temporarily: the row that becomes the sum
                 least = std::min(least, std::abs(part));
                 most = std::max(most, std::abs(part));
                 found.push_back({edge.variable, next, row, there, here});
@@ -185,12 +185,12 @@ void PathReduction::join(const std::vector<Candidate>& candidates) {
             continue;
         }
         ++trees;
-        // A row gives its own variable once those of the rows below it are known.
+        // A row determines its own variable once those of the rows below it are known.
         removed_.insert(removed_.end(), found.rbegin(), found.rend());
     }
 }
 
-/// Numbers what is left.
+/// Renumbers the remaining rows and variables.
 void PathReduction::number() {
     variable_.assign(static_cast<std::size_t>(full_.variables()), 0);
     for (const Removed& removed : removed_) variable_[static_cast<std::size_t>(removed.variable)] = -1;
@@ -234,7 +234,7 @@ void PathReduction::build() {
     reduced_.cost_unit = full_.cost_unit;
 }
 
-/// Entries of the same row are added; what cancels is left out.
+/// Entries of the same row are added; zero sums are omitted.
 void PathReduction::append_column(Index k, std::vector<std::pair<int, double>>& column) {
     std::ranges::sort(column);
     reduced_.rows.startVec(k);
@@ -255,7 +255,7 @@ VectorXd PathReduction::restored(const VectorXd& x) const {
     if (removed_.empty()) return x;
     VectorXd result = VectorXd::Zero(full_.variables());
     result(kept_variables_) = x;
-    VectorXd rest = full_.row_lower - full_.rows * result;  // what a row has left for its own variable
+    VectorXd rest = full_.row_lower - full_.rows * result;  // the residual of a row for its own variable
     for (const Removed& removed : removed_) {
         result[removed.variable] = rest[removed.row] / removed.entry;
         rest[removed.other_row] -= removed.other_entry * result[removed.variable];

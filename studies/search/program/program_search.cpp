@@ -126,8 +126,8 @@ void ProgramSearch::add_to_design(Solution& solution, std::vector<std::string> n
 
 void ProgramSearch::note_time(Solution& solution) const {
     if (!timed_out_) return;
-    solution.notes.push_back(
-        fmt::format("the time ended the search for {}: how far it came depends on the machine", kind_.name));
+    solution.notes.push_back(fmt::format(
+        "the search for {} reached its time limit: the result depends on the machine", kind_.name));
 }
 
 }  // namespace camopt

@@ -60,7 +60,7 @@ class Arrivals {
 
 constexpr std::string_view request = "GET / HTTP/1.1\r\nHost: a\r\n\r\nbody";
 
-TEST(RequestRoom, HalfOpenConnectionsDelayNobodyAndAreClosed) {
+TEST(RequestRoom, HalfOpenConnectionsAreClosed) {
     Arrivals arrivals;
     RequestRoom room({.seconds = 0.15}, [&](auto connection) { arrivals.add(std::move(connection)); });
     std::vector<Line> idle(64);
@@ -77,7 +77,7 @@ TEST(RequestRoom, HalfOpenConnectionsDelayNobodyAndAreClosed) {
     EXPECT_EQ(arrivals.count(), 1U);
 }
 
-TEST(RequestRoom, KeepsNoMoreThanItMayAndNoLongerHead) {
+TEST(RequestRoom, LimitsConnectionsAndHeaderSize) {
     Arrivals arrivals;
     RequestRoom room({.seconds = 60.0, .bytes = 10, .connections = 2},
                      [&](auto connection) { arrivals.add(std::move(connection)); });

@@ -26,7 +26,7 @@ int with(RequestHead request, const std::string& name, const std::string& value)
     return refusal_of(request, place);
 }
 
-TEST(RequestRules, LetItsOwnPageIn) {
+TEST(RequestRules, AdmitItsOwnPage) {
     EXPECT_EQ(refusal_of(page_request(), place), 0);
     EXPECT_EQ(refusal_of(solve_request(), place), 0);
     EXPECT_EQ(with(solve_request(), "origin", "http://127.0.0.1:4000"), 0);
@@ -47,7 +47,7 @@ TEST(RequestRules, RefuseWhatComesFromElsewhere) {
     EXPECT_EQ(with(page_request(), "sec-fetch-site", "same-site"), 403);
 }
 
-TEST(RequestRules, RefuseForeignBeforeItIsSaidWhetherTheTokenIsRight) {
+TEST(RequestRules, RefuseForeignOriginBeforeTokenCheck) {
     RequestHead lost = page_request();
     lost.target = "/0/";
     EXPECT_EQ(refusal_of(lost, place), 404);

@@ -19,7 +19,7 @@ TEST(SliderRange, ReachesTwiceTheValueRoundedUp) {
     expect_range(slider_range(ranges::any, 100.0, false), 0.0, 200.0, 1.0);
 }
 
-TEST(SliderRange, OfANegativeValueReachesBothWays) {
+TEST(SliderRange, NegativeValueReachesBothDirections) {
     expect_range(slider_range(ranges::any, -5.0, false), -10.0, 10.0, 0.1);
 }
 
@@ -31,7 +31,7 @@ TEST(SliderRange, KeepsWithinWhatIsAllowed) {
     expect_range(slider_range(ranges::positive, 0.4, false), 0.005, 1.0, 0.005);
 }
 
-TEST(SliderRange, OfManyDecadesStaysNearTheValue) {
+TEST(SliderRange, ManyDecadesStayNearValue) {
     expect_range(slider_range(Range::between(1, 65536), 12.0, true), 1.0, 51.0, 1.0);
     expect_range(slider_range(Range::between(2, 4), 3.0, true), 2.0, 4.0, 1.0);
 }

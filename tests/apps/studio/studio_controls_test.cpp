@@ -29,7 +29,7 @@ Json control_of(const Json& controls, const std::string& table, const std::strin
     return nullptr;
 }
 
-TEST(StudioControls, HaveEveryNumberOfAProgramWithItsPlace) {
+TEST(StudioControls, CoverEveryNumberOfAProgram) {
     const Json controls = studio_controls(text_of("cam_drdrd.toml"));
     EXPECT_EQ(control_of(controls, "motion.segments[1]", "to_mm")["value"], 10);
     EXPECT_EQ(control_of(controls, "motion.segments[3]", "angle_deg")["value"], 70);
@@ -38,7 +38,7 @@ TEST(StudioControls, HaveEveryNumberOfAProgramWithItsPlace) {
     EXPECT_EQ(control_of(controls, "motion.segments[1]", "angle_deg")["slider"]["to"], 360.0);
 }
 
-TEST(StudioControls, TellARangeAndWhatCouldBeOne) {
+TEST(StudioControls, DistinguishRangesAndPossibleRanges) {
     const Json controls = studio_controls(text_of("cam_smallest.toml"));
     const Json radius = control_of(controls, "cam", "base_radius_mm");
     EXPECT_EQ(radius["type"], "range");
@@ -47,7 +47,7 @@ TEST(StudioControls, TellARangeAndWhatCouldBeOne) {
     EXPECT_EQ(control_of(controls, "objective.reference", "jerk")["value"], 69);
 }
 
-TEST(StudioControls, OfferOnlyWhatTheSceneCouldHave) {
+TEST(StudioControls, OfferOnlyApplicableKeys) {
     const Json plain = studio_controls(text_of("drd_cubic_12.toml"));
     EXPECT_TRUE(control_of(plain, "limits", "pressure_angle_deg").is_null());
     EXPECT_FALSE(control_of(plain, "limits", "velocity").is_null());
@@ -58,7 +58,7 @@ TEST(StudioControls, OfferOnlyWhatTheSceneCouldHave) {
     EXPECT_TRUE(control_of(cam, "limits", "torque_nm").is_null());
 }
 
-TEST(StudioControls, KnowEveryKeyThatASceneGives) {
+TEST(StudioControls, CoverEveryKeyOfAScene) {
     for (const char* name : {"cam_forces.toml", "barrel_paper_cup.toml", "tappet_75.toml",
                              "inverse_feeder.toml", "drd_via_points.toml", "cylinder_slide.toml"}) {
         const Json controls = studio_controls(text_of(name));

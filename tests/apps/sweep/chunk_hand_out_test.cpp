@@ -36,7 +36,7 @@ TEST(ChunkHandOut, FirstAskedFirstServed) {
     EXPECT_FALSE(chunks.anybody_left());
 }
 
-TEST(ChunkHandOut, EveryChunkIsDoneWhoeverGoes) {
+TEST(ChunkHandOut, DepartedWorkersLoseNoChunk) {
     std::mt19937 generator(7);  // NOLINT(cert-msc51-cpp): the same every time
     for (int round = 0; round < 200; ++round) {
         constexpr int ranks = 6, count = 40;
@@ -68,7 +68,7 @@ TEST(ChunkHandOut, EveryChunkIsDoneWhoeverGoes) {
     }
 }
 
-TEST(RankMessage, IsReadBackAndNonsenseIsNot) {
+TEST(RankMessage, RoundTripsAndRefusesNonsense) {
     const auto message = read_rank_message(rank_message_bytes({RankMessage::Kind::error, -7, "φ ≤ 30°"}));
     ASSERT_TRUE(message);
     EXPECT_EQ(message->kind, RankMessage::Kind::error);

@@ -6,7 +6,7 @@
 namespace camopt::apps {
 namespace sweep_progress_test {
 
-TEST(SweepProgress, CountsRowsOnceAndGuessesTheRest) {
+TEST(SweepProgress, CountsRowsOnceAndEstimatesRest) {
     const Chunking chunking{100, 10};
     SweepProgress progress(chunking, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, {2, 3, 4, 5, 6, 7, 8, 9});
     EXPECT_EQ(progress.text(0.0), "[####--------------------] 20 of 100 rows, 0 s");
@@ -24,7 +24,7 @@ TEST(SweepProgress, AShardCountsItsOwnRows) {
     EXPECT_EQ(progress.text(1.0), "[################--------] 10 of 15 rows, 1 s");
 }
 
-TEST(SweepProgress, LongTimesAreToldInMinutesAndHours) {
+TEST(SweepProgress, LongTimesUseMinutesAndHours) {
     EXPECT_EQ(duration_text(119.0), "119 s");
     EXPECT_EQ(duration_text(150.0), "2 min");
     EXPECT_EQ(duration_text(3.0 * 3600.0), "3.0 h");

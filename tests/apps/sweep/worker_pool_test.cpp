@@ -53,7 +53,7 @@ struct Heard {
     }
 };
 
-TEST(WorkerPool, DoesEveryUnitOnceWithAnyNumberOfWorkers) {
+TEST(WorkerPool, DoesEveryUnitExactlyOnce) {
     for (const int workers : {1, 2, 5, 40}) {
         SCOPED_TRACE(workers);
         Heard heard;
@@ -67,7 +67,7 @@ TEST(WorkerPool, DoesEveryUnitOnceWithAnyNumberOfWorkers) {
     EXPECT_EQ(run_workers(heard.task(0, 2)), PoolOutcome::finished);
 }
 
-TEST(WorkerPool, AUnitWhoseWorkerDiesOnceIsDoneByAnother) {
+TEST(WorkerPool, UnitOfDeadWorkerIsRedone) {
     const TemporaryFolder folder;
     Heard heard;
     PoolTask task = heard.task(12, 2);
@@ -90,7 +90,7 @@ void crash() {
     std::raise(SIGSEGV);
 }
 
-TEST(WorkerPool, AUnitThatKillsTwoWorkersIsLostAndTheRestIsDone) {
+TEST(WorkerPool, UnitKillingTwoWorkersIsLost) {
     Heard heard;
     PoolTask task = heard.task(10, 3);
     task.work = [](int unit, const std::function<void(int)>& tell) {
@@ -136,7 +136,7 @@ void kill_and_see_it_dead(pid_t process) {
 }
 
 /// The second worker dies of unit 1, which goes to the first, who has said that it is done and is dead too.
-TEST(WorkerPool, AUnitGivenToTheDeadIsNotBlamedForThem) {
+TEST(WorkerPool, DeadWorkerDoesNotFailUnit) {
     const TemporaryFolder folder;
     const std::string mark = folder.path() + "/begun";
     Heard heard;
@@ -170,7 +170,7 @@ TEST(WorkerPool, AUnitGivenToTheDeadIsNotBlamedForThem) {
 }
 
 /// The first worker is stopped when it is done, is given unit 1 of the other, who died, and dies unread.
-TEST(WorkerPool, AUnitThatADyingWorkerNeverReadIsNotBlamedForIt) {
+TEST(WorkerPool, DyingWorkerDoesNotFailUnit) {
     const TemporaryFolder folder;
     const std::string mark = folder.path() + "/begun";
     Heard heard;
@@ -202,7 +202,7 @@ TEST(WorkerPool, AUnitThatADyingWorkerNeverReadIsNotBlamedForIt) {
     EXPECT_TRUE(heard.lost.empty());
 }
 
-TEST(WorkerPool, ExceptionsEndTheRunAndKeepTheirWords) {
+TEST(WorkerPool, ExceptionsEndRunWithTheirMessage) {
     Heard heard;
     PoolTask task = heard.task(10, 2);
     task.work = [](int unit, const std::function<void(int)>&) {
@@ -220,7 +220,7 @@ TEST(WorkerPool, ExceptionsEndTheRunAndKeepTheirWords) {
     EXPECT_TRUE(no_child_is_left());
 }
 
-TEST(WorkerPool, StopsAtOnceAndLeavesNobody) {
+TEST(WorkerPool, StopsImmediatelyWithoutOrphans) {
     Heard heard;
     PoolTask task = heard.task(1000, 2);
     task.work = [](int unit, const std::function<void(int)>& tell) {
@@ -232,7 +232,7 @@ TEST(WorkerPool, StopsAtOnceAndLeavesNobody) {
     EXPECT_TRUE(no_child_is_left());
 }
 
-TEST(WorkerPool, WorkersIgnoreCtrlCAndBeginOnce) {
+TEST(WorkerPool, WorkersIgnoreInterruptsAndStartOnce) {
     Heard heard;
     PoolTask task = heard.task(6, 2);
     int begun = 0;

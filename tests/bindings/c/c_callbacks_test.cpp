@@ -62,7 +62,7 @@ camopt_solve_options watched(Watch& watch) {
     return options;
 }
 
-TEST(CCallbacks, HearOfProgress) {
+TEST(CCallbacks, ReceiveProgress) {
     Watch watch;
     const camopt_solve_options options = watched(watch);
     const CSolution c = c_solved(c_scene_of_file("cam_roller"), &options);
@@ -115,7 +115,7 @@ TEST(CCallbacks, ThrowNothingAcross) {
         EXPECT_STREQ(camopt_error_text(), "a callback threw: the button is gone");
         watch.throws_a_number = true;
         EXPECT_EQ(camopt_solve(scene.get(), &options, &solution), CAMOPT_ERROR_CALLBACK);
-        EXPECT_STREQ(camopt_error_text(), "a callback threw something that is no std::exception");
+        EXPECT_STREQ(camopt_error_text(), "a callback threw an exception that is not a std::exception");
         options.cancel = nullptr;
         options.progress = throw_in_progress;
         EXPECT_EQ(camopt_solve(scene.get(), &options, &solution), CAMOPT_ERROR_CALLBACK);
@@ -139,7 +139,7 @@ TEST(CCallbacks, ThrowNothingThroughAnyBackend) {
     }
 }
 
-TEST(CThreads, SolveAtOnceAsOneAfterAnother) {
+TEST(CThreads, ConcurrentSolvesEqualSequentialOnes) {
     const CScene plain = c_scene(paper_toml), cam = c_scene_of_file("cam_roller");
     const auto lists = [](const CSolution& c) {
         return text_of(c, CAMOPT_CERTIFICATE_JSON) + text_of(c, CAMOPT_MOTION_CSV);

@@ -17,7 +17,7 @@ void expect_code(const Thrown& thrown, camopt_error code, const char* text) {
     EXPECT_STREQ(camopt_error_text(), text);
 }
 
-TEST(CFailure, HasACodeForWhateverIsThrown) {
+TEST(CFailure, EveryExceptionHasACode) {
     EXPECT_STREQ(camopt_error_text(), "");
     expect_code(Failure(CAMOPT_ERROR_CAPACITY, "too small"), CAMOPT_ERROR_CAPACITY, "too small");
     expect_code(InputError("wrong key"), CAMOPT_ERROR_INPUT, "wrong key");
@@ -25,7 +25,7 @@ TEST(CFailure, HasACodeForWhateverIsThrown) {
     expect_code(ModelError("sizes differ"), CAMOPT_ERROR_INTERNAL, "sizes differ");
     expect_code(std::bad_alloc(), CAMOPT_ERROR_MEMORY, "no memory was left");
     expect_code(std::logic_error("a fault"), CAMOPT_ERROR_INTERNAL, "a fault");
-    expect_code(42, CAMOPT_ERROR_INTERNAL, "something was thrown that is no std::exception");
+    expect_code(42, CAMOPT_ERROR_INTERNAL, "an exception was thrown that is not a std::exception");
 }
 
 TEST(CFailure, LeavesTheTextWhereNothingFails) {

@@ -121,7 +121,7 @@ TEST(CMemory, ScenesSayWhereThereIsNone) {
     EXPECT_GT(refused_everywhere(write, 1), 1);
 }
 
-TEST(CMemory, SolvesAndTextsSayWhereThereIsNone) {
+TEST(CMemory, SolveAndTextsReportExhaustion) {
     const CScene scene = c_scene(paper_toml);
     const CSolution before = c_solved(scene);
     const auto solve = [&] {

@@ -15,7 +15,7 @@ const char* error_words() {
     return camopt_error_text();
 }
 
-TEST(CScene, IsMadeKeyByKeyAndIsTheFile) {
+TEST(CScene, BuiltFromKeysEqualsFile) {
     camopt_scene* made = nullptr;
     ASSERT_EQ(camopt_scene_new(&made), CAMOPT_OK);
     const CScene scene(made);
@@ -37,7 +37,7 @@ TEST(CScene, IsMadeKeyByKeyAndIsTheFile) {
     EXPECT_EQ(summary_of(c_solved(scene)).objective, summary_of(c_solved(c_scene(paper_toml))).objective);
 }
 
-TEST(CScene, TakesEveryKindOfValueAndUnsets) {
+TEST(CScene, SetsAndUnsetsEveryKind) {
     const CScene scene = c_scene(paper_toml);
     EXPECT_EQ(toml_of(scene), paper_toml);
     const double breakpoints[] = {0, 0.2, 0.5, 0.8, 1};
@@ -59,7 +59,7 @@ TEST(CScene, TakesEveryKindOfValueAndUnsets) {
     EXPECT_OK(camopt_set_numbers(scene.get(), "spline.breakpoints", breakpoints, 5));
 }
 
-TEST(CScene, RefusesWithTheWordsOfAFileAndStaysAsItWas) {
+TEST(CScene, RefusalKeepsSceneAndFileWording) {
     const CScene scene = c_scene(paper_toml);
     camopt_scene* const s = scene.get();
     const double one = 0.5;
@@ -81,7 +81,7 @@ TEST(CScene, RefusesWithTheWordsOfAFileAndStaysAsItWas) {
     EXPECT_OK(camopt_set_number(s, "limits.velocity_mm_s", 300));
 }
 
-TEST(CScene, OfATextOrFileNamesTheirPlace) {
+TEST(CScene, FilesAndTextsReportTheirLocation) {
     camopt_scene* scene = nullptr;
     EXPECT_EQ(camopt_scene_from_toml("[motion]\ntype = \"DRD\"\nlift_mm = -1\n", "press.toml", &scene),
               CAMOPT_ERROR_INPUT);

@@ -158,7 +158,7 @@ void expect_same_documents(const CSolution& c, const Solution& cpp) {
 
 class CSolveOfScene : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(CSolveOfScene, IsThatOfCppBitForBit) {
+TEST_P(CSolveOfScene, EqualsCppExactly) {
     const CSolution c = c_solved_file(GetParam());
     const Solution cpp = cpp_solved_file(GetParam());
     ASSERT_TRUE(cpp.motion);
@@ -271,7 +271,7 @@ TEST(CSolve, MakesCamsOfOtherKinds) {
     EXPECT_NEAR(parameter.value, 30.0, 1e-12);
 }
 
-TEST(CSolve, HasAProfileForEachStationOfASpatialCam) {
+TEST(CSolve, ReportsProfileOfEachSpatialStation) {
     const CSolution barrel = c_solved_file("barrel_paper_cup");
     std::size_t stations = 0;
     EXPECT_OK(camopt_station_count(barrel.get(), &stations));
@@ -288,7 +288,7 @@ TEST(CSolve, HasAProfileForEachStationOfASpatialCam) {
     EXPECT_EQ(text.data, nullptr);
 }
 
-TEST(CSolve, RunsAFollowerOverTheCamWhereAskedTo) {
+TEST(CSolve, RunsForwardCheckOnRequest) {
     camopt_solve_options options{};
     options.size = sizeof options;
     options.forward_check = 1;
@@ -299,7 +299,7 @@ TEST(CSolve, RunsAFollowerOverTheCamWhereAskedTo) {
     EXPECT_EQ(without.find("\"deviation_mm\""), std::string::npos);
 }
 
-TEST(CSolve, SaysWhatWouldHelpWhereNothingIsFeasible) {
+TEST(CSolve, SuggestsChangesForInfeasibleScene) {
     const CSolution c = c_solved_file("infeasible_velocity_cap");
     const Solution cpp = cpp_solved_file("infeasible_velocity_cap");
     const camopt_summary summary = summary_of(c);
@@ -324,7 +324,7 @@ TEST(CSolve, SaysWhatWouldHelpWhereNothingIsFeasible) {
     EXPECT_EQ(camopt_relaxation_at(c.get(), count, &relaxation), CAMOPT_ERROR_ARGUMENT);
 }
 
-TEST(CSolve, SaysWhatASolutionHasNot) {
+TEST(CSolve, ReportsMissingPartsOfSolution) {
     const CSolution none = c_solved_file("infeasible_velocity_cap");
     camopt_peaks peaks{};
     peaks.size = sizeof peaks;
@@ -384,7 +384,7 @@ TEST(CSolve, RefusesArgumentsOutOfRange) {
     EXPECT_EQ(camopt_profile(cam.get(), 100'000'000, 0, nullptr, 0, &count), CAMOPT_ERROR_ARGUMENT);
 }
 
-TEST(CSolve, FillsStructsOfLaterHeadersAsFarAsItKnowsThem) {
+TEST(CSolve, FillsStructsOfLaterHeaders) {
     struct Later {
         camopt_summary known;
         double unknown;
@@ -462,7 +462,7 @@ TEST(CSolve, RefusesNulls) {
     EXPECT_OK(camopt_motion_samples(s, 2, nullptr, nullptr, nullptr, nullptr, nullptr));
 }
 
-TEST(CSolve, TellsWrongScenesAndAbsentSolvers) {
+TEST(CSolve, ReportsInvalidScenesAndMissingSolvers) {
     const CScene incomplete = c_scene(paper_toml);
     EXPECT_OK(camopt_unset(incomplete.get(), "motion.type"));
     camopt_solution* solution = nullptr;

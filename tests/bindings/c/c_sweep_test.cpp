@@ -113,7 +113,7 @@ TEST(CSweep, HasTheRowsOfCpp) {
                               {{"spline.segments"}, {8, 12, 16, 20}}}));
 }
 
-TEST(CSweep, TellsLimitsDimensionsAndRowsWithoutAMotion) {
+TEST(CSweep, ReportsLimitsDimensionsAndFailedRows) {
     const std::string toml =
         "[motion]\ntype = \"DRD\"\nlift_mm = 20\nrise_deg = 100\n[spline]\nsegments = 12\n"
         "[objective]\nacceleration = 1\nbase_radius = 0.1\n"
@@ -147,7 +147,7 @@ TEST(CSweep, EndsWhereItsCallbackSaysSo) {
     EXPECT_OK(camopt_sweep(c_scene(paper_toml).get(), axes, 2, nullptr, take, &last));
 }
 
-TEST(CSweep, EndsWithinARowWhereCancelSaysSo) {
+TEST(CSweep, StopsWithinRowOnCancel) {
     Rows all, rows;
     camopt_solve_options options{};
     options.size = sizeof options;
@@ -169,14 +169,14 @@ TEST(CSweep, EndsWithinARowWhereCancelSaysSo) {
     EXPECT_TRUE(none.all.empty());
 }
 
-TEST(CSweep, LetsNothingThroughThatACallbackThrows) {
+TEST(CSweep, ContainsExceptionsOfCallbacks) {
     Rows rows;
     rows.throws = true;
     EXPECT_EQ(camopt_sweep(c_scene(paper_toml).get(), axes, 2, nullptr, take, &rows), CAMOPT_ERROR_CALLBACK);
     EXPECT_STREQ(camopt_error_text(), "a callback threw: the disk is full");
 }
 
-TEST(CSweep, RefusesWrongRowsBeforeTheFirstIsSolved) {
+TEST(CSweep, RefusesInvalidRowsBeforeSolving) {
     const CScene scene = c_scene(paper_toml);
     Rows rows;
     const char* const velocity[] = {"limits.velocity"};
@@ -195,7 +195,7 @@ TEST(CSweep, RefusesWrongRowsBeforeTheFirstIsSolved) {
     EXPECT_EQ(toml_of(scene), paper_toml);
 }
 
-TEST(CSweep, RefusesNullsAndArgumentsOutOfRange) {
+TEST(CSweep, RefusesNullsAndInvalidArguments) {
     const CScene scene = c_scene(paper_toml);
     Rows rows;
     const char* const no_key[] = {nullptr};

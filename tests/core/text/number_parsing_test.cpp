@@ -18,7 +18,7 @@ TEST(NumberParsing, TakesNumbersAsProgramsWriteThem) {
     EXPECT_EQ(integer_in("+17"), 17);
 }
 
-TEST(NumberParsing, RefusesWhatIsNoneAsAWhole) {
+TEST(NumberParsing, RefusesPartlyNumericText) {
     for (const char* text : {"", "+", "-", "+-1", "1,5", " 1", "1 ", "1.5x", "0x10", "inf", "nan", "-inf",
                              "1e999", "1.2.3", "one"})
         EXPECT_FALSE(number_in(text)) << text;

@@ -30,7 +30,7 @@ std::string fault_on_full_disk(Write write, const std::filesystem::path& path, s
     return fault;
 }
 
-TEST(TextFile, OnAFullDiskTheOldFileStays) {
+TEST(TextFile, FullDiskKeepsOldFile) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("camopt_text_file_" + std::to_string(::getpid()));

@@ -57,7 +57,7 @@ TEST(SceneDocument, TakesEveryKindOfValue) {
     EXPECT_EQ(document.scene().motion.via[0].at, 0.3);
 }
 
-TEST(SceneDocument, ReplacesOtherSpellingsAndGoesBackToDefaults) {
+TEST(SceneDocument, ReplacesSynonymsAndRestoresDefaults) {
     SceneDocument document = document_of(document_scene);
     document.set("motion.lift_mm", 20);
     EXPECT_EQ(document.scene().motion.lift, 0.02);
@@ -76,7 +76,7 @@ TEST(SceneDocument, ReplacesOtherSpellingsAndGoesBackToDefaults) {
     EXPECT_TRUE(document.scene().motion.via.empty());
 }
 
-TEST(SceneDocument, RefusesWithTheWordsOfASceneFile) {
+TEST(SceneDocument, RefusesInSceneFileWording) {
     SceneDocument document = document_of(document_scene);
     const auto set = [&](const std::string& key, const SceneValue& value) {
         return refused(document, [&] { document.set(key, value); });
@@ -94,14 +94,14 @@ TEST(SceneDocument, RefusesWithTheWordsOfASceneFile) {
     EXPECT_NE(set("spline.end_jerk", std::string("zero")).find("spline.end_jerk: found"), std::string::npos);
     EXPECT_NE(set("motion.rise_deg", TomlValue{"ninety]"}).find("motion.rise_deg: found no TOML value"),
               std::string::npos);
-    EXPECT_NE(set("a key", 1).find("found \"a key\", which is no dotted key"), std::string::npos);
-    EXPECT_NE(set("", 1).find("no dotted key"), std::string::npos);
+    EXPECT_NE(set("a key", 1).find("found \"a key\", which is not a dotted key"), std::string::npos);
+    EXPECT_NE(set("", 1).find("not a dotted key"), std::string::npos);
     EXPECT_NE(set("motion.via[0].at", 1).find("motion.via"), std::string::npos);
     EXPECT_NE(refused(document, [&] { document.unset("motion.lft_mm"); }).find("did you mean 'lift_mm'?"),
               std::string::npos);
 }
 
-TEST(SceneDocument, LeavesWhatIsMissingToItsReaders) {
+TEST(SceneDocument, LeavesMissingKeysToReaders) {
     SceneDocument document = document_of("");
     document.set("cam.base_radius_mm", 30);
     document.set("objective.jerk", 1);

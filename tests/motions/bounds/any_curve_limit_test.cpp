@@ -121,7 +121,7 @@ TEST(AnyCurveLimit, Caps) {
     EXPECT_TRUE(std::isinf(any_curve_limit(drd(1, 1, 1, 1.5, 5.0, 40.0)).objective));
 }
 
-TEST(AnyCurveLimit, NoQuickestMotionOfRandomPeaksPassesIt) {
+TEST(AnyCurveLimit, IsBelowQuickestRandomMotions) {
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const auto power = [&](double decades) { return std::pow(10.0, decades * (2.0 * unit(random) - 1.0)); };

@@ -36,7 +36,7 @@ TEST(SmallestCam, HasThePrintedFigure) {
                 cam.prime_coordinate, 0.0);
 }
 
-TEST(SmallestCam, OffsetShiftsTheBoundUntilTheRestDecides) {
+TEST(SmallestCam, OffsetShiftsBoundUntilRestLimits) {
     const double tangent = std::tan(30 * degree), centred = 24.08131393108153;
     const SmallestCam helped = smallest_cam({20.0, 4.0}, 60 * degree, 30 * degree);
     EXPECT_NEAR(helped.prime_coordinate, centred - 4.0 / tangent, 1e-12);
@@ -152,7 +152,7 @@ TEST(SmallestCam, NoLawOfTheCatalogueFits) {
     }
 }
 
-TEST(SmallestCam, LeastAngleIsInfiniteWhereNoMotionIs) {
+TEST(SmallestCam, LeastAngleIsInfiniteWithoutMotion) {
     EXPECT_TRUE(std::isinf(least_stroke_angle({20.0, 10.0}, 9.9, 45 * degree)));
     EXPECT_TRUE(std::isfinite(least_stroke_angle({20.0, 10.0}, 10.1, 45 * degree)));
     EXPECT_TRUE(std::isinf(least_stroke_angle({20.0, 10.0, Stroke::return_stroke}, 9.9, 45 * degree)));

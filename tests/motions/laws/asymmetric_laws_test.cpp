@@ -35,7 +35,7 @@ const Symmetric kSymmetric[] = {
 
 class AsymmetricTest : public ::testing::TestWithParam<Symmetric> {};
 
-TEST_P(AsymmetricTest, PeaksAreThoseOfTheStretchedParts) {
+TEST_P(AsymmetricTest, PeaksMatchStretchedParts) {
     for (const double split : {0.1, 0.4, 0.7}) {
         const auto base = make_law(GetParam().key);
         const auto law = make_asymmetric(make_law(GetParam().key), split);
@@ -72,7 +72,7 @@ TEST_P(AsymmetricTest, PartsMeetAtTheSplit) {
 }
 
 /// As in the test of the catalogue, for laws that are not in it.
-TEST_P(AsymmetricTest, IsContinuousToItsStatedOrderAndNoFurther) {
+TEST_P(AsymmetricTest, ContinuityMatchesStatedOrder) {
     for (const double split : {0.3, 0.45}) {
         const auto law = make_asymmetric(make_law(GetParam().key), split);
         int continuous = 4;
@@ -129,7 +129,7 @@ TEST(AsymmetricLaws, HoldEveryBreakpointOfTheBase) {
     EXPECT_EQ(places.back(), 1.0);
 }
 
-TEST(AsymmetricLaws, TellTheirParameters) {
+TEST(AsymmetricLaws, ReportTheirParameters) {
     const LawInfo info = make_asymmetric(make_modified_sine(0.1), 0.3)->info();
     EXPECT_EQ(info.key, "asymmetric_modified_sine");
     EXPECT_EQ(info.title, "Modified sine, split 0.3/0.7");

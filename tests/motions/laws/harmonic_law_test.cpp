@@ -37,7 +37,7 @@ HarmonicLaw two_half_sines() {
     return HarmonicLaw(info(), {half_sine(0.0, 0.4, 3.0), half_sine(0.4, 1.0, -2.0)});
 }
 
-TEST(HarmonicLaw, AHalfSineThatBeginsLaterIsAHalfSine) {
+TEST(HarmonicLaw, ShiftedHalfSineIsHalfSine) {
     const HarmonicLaw law = two_half_sines();
     const double top = law.at(0.7).derivative[2];  // the middle of the second
     EXPECT_LT(top, 0.0);
@@ -54,7 +54,7 @@ TEST(HarmonicLaw, AHalfSineThatBeginsLaterIsAHalfSine) {
     EXPECT_NEAR(law.at(0.4).derivative[1], 2.0 * 1.5 * -top * 0.4 / pi, 1e-14);
 }
 
-TEST(HarmonicLaw, EveryPieceHasItsShapeWhereverItBegins) {
+TEST(HarmonicLaw, PieceShapeIsIndependentOfStart) {
     const double begin = 0.3, end = 0.55, height = -1.7, width = end - begin;
     const auto value = [&](const AccelerationPiece& piece, double part) {
         double sum = piece.constant;
@@ -75,7 +75,7 @@ TEST(HarmonicLaw, EveryPieceHasItsShapeWhereverItBegins) {
     }
 }
 
-TEST(HarmonicLaw, RefusesPiecesThatDoNotMakeARise) {
+TEST(HarmonicLaw, RefusesPiecesNotFormingRise) {
     EXPECT_EQ(refusal([] {
                   HarmonicLaw(info(), {half_sine(0.0, 0.4, 1.0), half_sine(0.5, 1.0, -0.8)});
               }),

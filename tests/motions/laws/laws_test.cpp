@@ -122,7 +122,7 @@ TEST_P(LawTest, RisesFromZeroToOne) {
     EXPECT_NEAR(law->at(0.5).derivative[0], GetParam().middle, GetParam().middle_tolerance);
 }
 
-TEST_P(LawTest, IsContinuousToItsStatedOrderAndNoFurther) {
+TEST_P(LawTest, ContinuityMatchesStatedOrder) {
     const auto law = make_law(GetParam().key);
     const bool turns = law->info().top == TopEnd::turning_point;
     int continuous = 4;

@@ -39,7 +39,7 @@ void expect_peaks(const Law& law, const ClosedForm& expected) {
 
 /// Quarter waves of width a, b - a, 1 - b: areas 2/π of height times width, lifts of the parts added up by
 /// hand.
-TEST(OneDwellLaws, ModifiedSineHasItsClosedPeaks) {
+TEST(OneDwellLaws, ModifiedSineMatchesClosedPeaks) {
     for (const double a : {0.01, 0.125, 0.25}) {
         const double b = 1.0 / (2.0 - a), p = b - a, q = 1.0 - b;
         const double lift =
@@ -57,7 +57,7 @@ TEST(OneDwellLaws, CycloidalHasItsClosedPeaks) {
                  {top / lift, b, 1 / lift, sqrt2 / lift, pi / b / lift, -pi / b / lift});
 }
 
-TEST(OneDwellLaws, ModifiedTrapezoidHasItsClosedPeaks) {
+TEST(OneDwellLaws, ModifiedTrapezoidMatchesClosedPeaks) {
     for (const double a : {0.01, 0.125, 0.25}) {
         const double b = 0.5 + a * (0.5 - 1.0 / pi), flat = b - 2 * a, last = 1 - b - a;
         const double start = 2 * a / pi, top = start + flat + start;

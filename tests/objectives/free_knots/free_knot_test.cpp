@@ -62,7 +62,7 @@ TEST_P(FreeKnots, DerivativesAreThoseOfTheRows) {
     EXPECT_GT(report.entries, 500);
 }
 
-TEST_P(FreeKnots, APointOfFixedBreakpointsKeepsRowsAndValue) {
+TEST_P(FreeKnots, FixedBreakpointsKeepRowsAndValue) {
     const Scene scene = scene_of(GetParam());
     const Peaks reference = reference_peaks(scene);
     const FreeKnotProblem problem(scene, reference);
@@ -83,7 +83,7 @@ TEST_P(FreeKnots, APointOfFixedBreakpointsKeepsRowsAndValue) {
 }
 
 /// A row that calls itself linear has the same slopes everywhere; one that does not has others somewhere.
-TEST_P(FreeKnots, LinearRowsAreThoseWhoseSlopesNeverChange) {
+TEST_P(FreeKnots, LinearRowsHaveConstantSlopes) {
     const Scene scene = scene_of(GetParam());
     const FreeKnotProblem problem(scene, reference_peaks(scene));
     const NlpShape& shape = problem.grid().shape();
@@ -111,7 +111,7 @@ TEST_P(FreeKnots, LinearRowsAreThoseWhoseSlopesNeverChange) {
     EXPECT_LT(linear, static_cast<int>(change.size()));
 }
 
-TEST(FreeKnotForm, AnExactPointKeepsItsSegmentsBreakpointsOnEitherSide) {
+TEST(FreeKnotForm, ExactPointKeepsNeighbouringBreakpoints) {
     Scene scene = scene_of({.name = "via", .segments = 6, .via = true});
     const FreeKnotProblem problem(scene, reference_peaks(scene));
     const FreeKnotForm& form = problem.form();
@@ -135,7 +135,7 @@ TEST(FreeKnotForm, AnExactPointKeepsItsSegmentsBreakpointsOnEitherSide) {
     EXPECT_EQ(other.form().lower()[form.breakpoint(3)], 0.34);
 }
 
-TEST(FreeKnotForm, APlaceIsItsDistanceToTheRightOfItsSegmentsBegin) {
+TEST(FreeKnotForm, PositionIsMeasuredWithinSegment) {
     const Scene scene = scene_of({.name = "cubic", .segments = 5});
     const FreeKnotProblem problem(scene, reference_peaks(scene));
     const FreeKnotForm& form = problem.form();
@@ -163,7 +163,7 @@ TEST(FreeKnotForm, APlaceIsItsDistanceToTheRightOfItsSegmentsBegin) {
     EXPECT_EQ(fixed.derivative[3], 5.0);
 }
 
-TEST_P(FreeKnots, MovedBreakpointsGiveACurveThatStillKeepsTheEnds) {
+TEST_P(FreeKnots, MovedBreakpointsSatisfyEndConditions) {
     const Scene scene = scene_of(GetParam());
     const FreeKnotProblem problem(scene, reference_peaks(scene));
     Eigen::VectorXd x = problem.start();

@@ -30,7 +30,7 @@ CamProblem problem_of(const Scene& scene, DesignKind kind = DesignKind::states) 
     return CamProblem(scene_model(scene, kind, reference_peaks(scene)));
 }
 
-TEST(CamProblem, CompletedPointsAreFeasibleOnTheGridAndTrueBetweenIt) {
+TEST(CamProblem, CompletedPointsAreContinuouslyFeasible) {
     for (const int degree : {3, 5}) {
         const CamProblem problem = problem_of(weighted_scene(degree, 9));
         std::mt19937 random(3);
@@ -57,7 +57,7 @@ TEST(CamProblem, CompletedPointsAreFeasibleOnTheGridAndTrueBetweenIt) {
     }
 }
 
-TEST(CamProblem, StartsFromTheCurveOfLeastJerkEnergy) {
+TEST(CamProblem, StartsFromLeastJerkEnergy) {
     // Least ∫ y'''² between rests is the 3-4-5 polynomial: 720 exactly. A quintic holds it, a cubic comes
     // close.
     const CamProblem quintic = problem_of(weighted_scene(5, 4));
@@ -82,7 +82,7 @@ Scene free_program() {
 
 /// Limits on acceleration or jerk alone bound a motion with free displacements as well: without a bound on
 /// the velocity at its joints nothing that is infeasible could be proved so.
-TEST(CamProblem, ABoxOfFreeDisplacementsIsBoundedByAnyPeak) {
+TEST(CamProblem, PeaksBoundTheFreeDisplacementBox) {
     for (const bool jerk : {false, true}) {
         Scene scene = free_program();
         (jerk ? scene.limits.jerk : scene.limits.acceleration) = PeakLimit{20.0, "limits", 20.0, ""};
@@ -94,7 +94,7 @@ TEST(CamProblem, ABoxOfFreeDisplacementsIsBoundedByAnyPeak) {
     }
 }
 
-TEST(CamProblem, ARefinementAddsTheMaximumAndItsBracketAndKeepsOldRows) {
+TEST(CamProblem, RefinementKeepsRowsAndAddsBracket) {
     CamProblem problem = problem_of(weighted_scene(5, 6));
     const NlpShape before = problem.grid().shape();
     std::vector<std::string> names;
@@ -117,7 +117,7 @@ int row_at(const CamProblem& problem, double x) {
     return -1;
 }
 
-TEST(CamProblem, RowsComeWhereThoseOnBothSidesPress) {
+TEST(CamProblem, RowsAppearNearActiveConstraints) {
     // +velocity, ten segments: rows at 0.3, 0.35 and 0.4. The two around the maximum at 0.36 press as 3 to 1.
     CamProblem problem = problem_of(weighted_scene(3, 10));
     const std::vector<Violation> worst{{0, {0.1, 0.36, Side::right}, 0.1, false}};
@@ -141,7 +141,7 @@ TEST(CamProblem, RowsComeWhereThoseOnBothSidesPress) {
     EXPECT_EQ(idle.refine_pressed(worst, Eigen::VectorXd::Zero(before)), 3);  // as refine() does
 }
 
-TEST(CamProblem, AppendedRowsAreThoseOfAGridMadeAtOnce) {
+TEST(CamProblem, AppendedRowsEqualFreshGrid) {
     const Scene scene = weighted_scene(5, 6);
     CamProblem grown = problem_of(scene, DesignKind::coefficients);
     EXPECT_GT(grown.refine(std::vector<Violation>{{0, {0.1, 0.07, Side::right}, 0.1, false},
@@ -161,7 +161,7 @@ TEST(CamProblem, AppendedRowsAreThoseOfAGridMadeAtOnce) {
     for (int i = 0; i < left.shape().constraints(); ++i) EXPECT_EQ(left.row_name(i), right.row_name(i));
 }
 
-TEST(CamProblem, TheWorstOfLimitsIsThatOfItsViolations) {
+TEST(CamProblem, WorstLimitIsLargestViolation) {
     Scene scene = weighted_scene(3, 12);
     EXPECT_EQ(problem_of(scene).worst_of_limits(problem_of(scene).start()), -1.0);  // it has none
     scene.limits.velocity = PeakLimit{1.6, "limits.velocity", 1.6, ""};
@@ -174,7 +174,7 @@ TEST(CamProblem, TheWorstOfLimitsIsThatOfItsViolations) {
     EXPECT_GT(worst, 0.0);
 }
 
-TEST(CamProblem, ALimitHasItsThreeBeats) {
+TEST(CamProblem, LimitIsInactiveActiveOrInfeasible) {
     Scene scene = weighted_scene(3, 12);
     const int rows_without = problem_of(scene).grid().shape().constraints();
     scene.limits.velocity = PeakLimit{1.6, "limits.velocity", 1.6, ""};
@@ -188,7 +188,7 @@ TEST(CamProblem, ALimitHasItsThreeBeats) {
     EXPECT_NEAR(worst, 1.875 / 1.6 - 1.0, 0.02);
 }
 
-TEST(CamProblem, TheBoxHoldsTheCurvesItPromises) {
+TEST(CamProblem, BoxContainsPromisedCurves) {
     for (const DesignKind kind : {DesignKind::ordinates, DesignKind::coefficients, DesignKind::states}) {
         for (const int degree : {3, 5}) {
             for (const double only : {0.0, 1.0, 2.0, 3.0}) {  // 0: all weights, else only one of them
@@ -222,7 +222,7 @@ TEST(CamProblem, TheBoxHoldsTheCurvesItPromises) {
 
 /// The weights of the cost and the end states say how large everything can be: no number in the box is looser
 /// than that. x in [0, 1]; peaks in units of their references.
-TEST(CamProblem, TheBoxIsAsSmallAsTheWeightsSay) {
+TEST(CamProblem, BoxSizeFollowsWeights) {
     const Scene scene = weighted_scene(3, 8);
     const Peaks reference = reference_peaks(scene);
     const CamProblem problem = problem_of(scene);
@@ -257,7 +257,7 @@ TEST(CamProblem, TheBoxIsAsSmallAsTheWeightsSay) {
 }
 
 /// A dwell that nothing fixes lies within what the velocity allows from the known beginning.
-TEST(CamProblem, TheBoxOfAFreeJointIsItsReach) {
+TEST(CamProblem, FreeJointBoxIsItsReach) {
     Scene scene = weighted_scene(3, 6);
     scene.motion.type = MotionType::program;
     scene.motion.segments = {{SegmentKind::spline, 2.0, "", {}},
@@ -280,7 +280,7 @@ TEST(CamProblem, TheBoxOfAFreeJointIsItsReach) {
     }
 }
 
-TEST(CurveBounds, MarkovAndIntegrationHoldForRandomPolynomials) {
+TEST(CurveBounds, MarkovAndIntegrationBoundRandomPolynomials) {
     std::mt19937 random(23);
     std::uniform_real_distribution<double> number(-1.0, 1.0);
     for (const int degree : {3, 5}) {

@@ -134,7 +134,7 @@ TEST_P(GridDerivatives, GradientAndJacobianAgreeWithDifferences) {
     }
 }
 
-TEST_P(GridDerivatives, HessianAgreesWithDifferencesOfTheGradient) {
+TEST_P(GridDerivatives, HessianMatchesDifferencesOfGradient) {
     constexpr double sigma = 0.7;
     std::vector<double> values(grid_->shape().hessian.size());
     grid_->hessian(x_, sigma, lambda_, values);
@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, GridDerivatives,
                                     name_of(std::get<1>(form.param));
                          });
 
-TEST(GridNlp, OnlyWhatTheSceneAsksForIsThere) {
+TEST(GridNlp, ContainsOnlyRequestedTerms) {
     Scene scene;
     scene.objective.velocity = 1.0;
     const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));

@@ -88,7 +88,7 @@ Scene random_scene(FollowerType follower, Random& random) {
     return scene;
 }
 
-TEST(CamReach, IsARowWhereDimensionsAreFree) {
+TEST(CamReach, AddsRowForFreeDimensions) {
     Random random(1);
     for (const FollowerType follower : followers) {
         int unbuildable = 0, different = 0;
@@ -127,7 +127,7 @@ Scene arm(const Dimension& base) {
     return scene;
 }
 
-TEST(CamReach, IsNoRowWhereTheRangesKeepIt) {
+TEST(CamReach, AddsNoRowWhenRangesSuffice) {
     EXPECT_TRUE(model_of(arm(Dimension(20e-3))).parameter_rows.empty());
     EXPECT_TRUE(model_of(arm(Dimension(11e-3, 169e-3))).parameter_rows.empty());
     EXPECT_EQ(model_of(arm(Dimension(9e-3, 169e-3))).parameter_rows.size(), 1u);
@@ -140,7 +140,7 @@ TEST(CamReach, IsNoRowWhereTheRangesKeepIt) {
 }
 
 /// The row stands among what is violated, and names how far: by the longest dimension.
-TEST(CamReach, IsViolatedByACamThatCannotBeBuilt) {
+TEST(CamReach, UnbuildableCamViolatesIt) {
     const CamProblem problem(model_of(arm(Dimension(5e-3, 25e-3))));
     Eigen::VectorXd x = problem.start();
     const Eigen::Index base = x.size() - 1;

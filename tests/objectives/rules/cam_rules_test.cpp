@@ -113,7 +113,7 @@ RuleValue at(const CamRule& rule, const Eigen::VectorXd& place) {
 
 class CamRules : public testing::TestWithParam<Case> {};
 
-TEST_P(CamRules, PlanesOverBoxesNeverLieAboveThem) {
+TEST_P(CamRules, BoxPlanesAreLowerBounds) {
     const Scene scene = scene_of(GetParam());
     const auto cam = variables_of(scene);
     unsigned seed = 11;
@@ -153,7 +153,7 @@ TEST_P(CamRules, PartialsAgreeWithDifferences) {
     }
 }
 
-TEST_P(CamRules, AreAsLinearAndAsConvexAsTheyClaim) {
+TEST_P(CamRules, SatisfyTheirLinearityAndConvexityFlags) {
     const Scene scene = scene_of(GetParam());
     const auto cam = variables_of(scene);
     std::mt19937 random(5);
@@ -203,7 +203,7 @@ TEST_P(CamRules, EnclosuresHoldTheirValues) {
         }
 }
 
-TEST(CamRules, BothSidesKeepTheirLimits) {
+TEST(CamRules, BothSidesSatisfyTheirLimits) {
     // A least radius and a Hertz pressure each once a side; the pressure angle of a groove once, of two disks
     // twice; partners of a rule are told apart by their remark.
     const auto count = [](CamForm form, const std::string& name, const std::string& remark) {
@@ -250,7 +250,7 @@ INSTANTIATE_TEST_SUITE_P(All, CamRules, testing::ValuesIn(cases()), [](const aut
            (which.param.variable ? "_variable_" : "_fixed_") + name_of(which.param.form);
 });
 
-TEST(CamRules, AnArmsPressureAngleIsConvexOnlyNearTheRightAngle) {
+TEST(CamRules, ArmPressureAngleIsLocallyConvex) {
     // docs/theory/pressure_angle.md: both sides convex where |ψ − 90°| <= φ_max.
     for (const double start_degrees : {75.0, 40.0}) {
         Scene scene = scene_of({FollowerType::oscillating_roller, Rotation::counterclockwise, false});

@@ -62,7 +62,7 @@ TEST(MechanismRule, TheSceneIsSound) {
     EXPECT_FALSE(find_fault(scene()).has_value()) << find_fault(scene())->found;
 }
 
-TEST(MechanismRule, ExactlyTheRowsAskedFor) {
+TEST(MechanismRule, ContainsOnlyRequestedRows) {
     Scene own = scene();
     const Peaks reference = reference_peaks(own);
     EXPECT_TRUE(limits_of(scene_model(own, DesignKind::states, reference)).empty());
@@ -81,7 +81,7 @@ TEST(MechanismRule, ExactlyTheRowsAskedFor) {
     EXPECT_EQ(limits_of(scene_model(own, DesignKind::states, reference)).size(), 2u);
 }
 
-TEST(MechanismRule, KeptJustWhereThePointOfTheCamKeepsTheLimit) {
+TEST(MechanismRule, SatisfiedExactlyWhenLimitIs) {
     Scene own = scene();
     own.limits.pressure_angle = limit("limits.pressure_angle_deg", 30 * degree);
     own.limits.cam_radius_min = limit("limits.cam_radius_min_mm", 0.01);

@@ -120,7 +120,7 @@ TEST(MechanismShape, TheOthersClaimNothing) {
 
 /// Where the index is within the limit of the line through both axes, the rule is the pressure angle's;
 /// beyond, it is never more generous, and its partials are the differences across the joint.
-TEST(MechanismShape, ABarrelsRuleIsContinuedOnTheSafeSide) {
+TEST(MechanismShape, BarrelRuleIsExtendedConservatively) {
     for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
         const Scene scene = barrel(rotation);
         const std::vector<double> numbers = scene.cam->middle();
@@ -152,7 +152,7 @@ TEST(MechanismShape, ABarrelsRuleIsContinuedOnTheSafeSide) {
     }
 }
 
-TEST(MechanismShape, PartialsAreTheDifferencesOnTheContinuationToo) {
+TEST(MechanismShape, ContinuationPartialsMatchDifferences) {
     constexpr double step = 1e-5;
     for (const PlacedRule& rule : limits_of(barrel(Rotation::clockwise)))
         for (const double displacement : {-2.5, -0.7, -0.35, 0.4, 1.35, 1.7, 3.5}) {

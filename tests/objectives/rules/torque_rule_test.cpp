@@ -26,7 +26,7 @@ CamProblem problem_of(const Scene& scene, DesignKind kind) {
     return CamProblem(scene_model(scene, kind, reference_peaks(scene)));
 }
 
-TEST(TorqueRule, HasTheValueAndPartialsOfItsFormula) {
+TEST(TorqueRule, ValueAndPartialsMatchFormula) {
     const MotionPoint point{0.3, {0.4, 1.5, -3.0, 20.0}};
     const Eigen::VectorXd q = Eigen::VectorXd::Constant(1, 0.8);
     const double step = 1e-5;
@@ -70,7 +70,7 @@ double dense_torque(const Motion& motion, double end) {
     return largest;
 }
 
-TEST(TorqueRule, CompletedPeakIsTheTrueOneOfTheCurve) {
+TEST(TorqueRule, CompletedPeakMatchesCurve) {
     for (const MotionType type : {MotionType::drd, MotionType::rr}) {
         for (const int degree : {3, 5}) {
             const CamProblem problem = problem_of(torque_scene(type, degree), DesignKind::coefficients);
@@ -87,7 +87,7 @@ TEST(TorqueRule, CompletedPeakIsTheTrueOneOfTheCurve) {
 }
 
 // The exact roots of y' y'' on each piece find what a sampled slope would find, and never less.
-TEST(TorqueRule, MaximaAreThoseOfTheSampledRule) {
+TEST(TorqueRule, MaximaMatchSampledRule) {
     const CamProblem problem = problem_of(torque_scene(MotionType::drd, 5), DesignKind::coefficients);
     const Eigen::VectorXd x = problem.random_start(11), none = Eigen::VectorXd::Zero(1);
     const MotionChain motion = problem.motion(x);
@@ -100,7 +100,7 @@ TEST(TorqueRule, MaximaAreThoseOfTheSampledRule) {
     }
 }
 
-TEST(TorqueRule, PlanesOverBoxesNeverLieAboveIt) {
+TEST(TorqueRule, BoxPlanesAreLowerBounds) {
     for (const int sign : {1, -1}) {
         const TorqueRule rule(sign, 0, 5.5);
         const auto place = [](std::mt19937& random) -> Eigen::VectorXd {
@@ -124,7 +124,7 @@ TEST(TorqueRule, StaysAwayWithoutAWeight) {
     for (const PlacedRule& rule : model.rules) EXPECT_TRUE(rule->linear()) << rule->name();
 }
 
-TEST(TorqueRule, OfAProgramIsNormalisedBySegment) {
+TEST(TorqueRule, ProgramIsNormalisedBySegment) {
     Scene scene = torque_scene(MotionType::program, 3);
     scene.motion.closed = false;
     scene.motion.segments = {{SegmentKind::dwell, 1.0, "", {}},

@@ -25,7 +25,7 @@ TEST(AxisTicks, NoTwoHaveOneText) {
         }
 }
 
-TEST(ValueRange, WhatIsLevelButForRoundingIsLevel) {
+TEST(ValueRange, RoundOffCountsAsLevel) {
     ValueRange level;
     for (const double value : {1.6096, 1.6096 + 1e-9, 1.6096 - 1e-9}) level.add(value);
     const ValueRange shown = level.padded(0.06);

@@ -62,7 +62,7 @@ TEST(MotionSvg, IsWellFormedAndComplete) {
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
-TEST(MotionSvg, ALawWithImpulsesIsDrawnWithoutThem) {
+TEST(MotionSvg, LawImpulsesAreOmitted) {
     Solution solution = test::sample_solution();
     solution.scene.objective.jerk = 0.0;
     for (const char* law : {"parabolic", "simple_harmonic", "mcv_50"}) {
@@ -74,7 +74,7 @@ TEST(MotionSvg, ALawWithImpulsesIsDrawnWithoutThem) {
     }
 }
 
-TEST(MotionSvg, AProgramShowsItsSegmentsAndNoLaw) {
+TEST(MotionSvg, ProgramShowsSegmentsWithoutLaw) {
     Solution solution = test::program_solution();
     solution.scene.limits.velocity = PeakLimit{2.5, "limits.velocity", 2.5, ""};
     const std::string svg = motion_svg(solution);
@@ -87,13 +87,13 @@ TEST(MotionSvg, AProgramShowsItsSegmentsAndNoLaw) {
         EXPECT_NE(svg.find(part), std::string::npos) << part;
 }
 
-TEST(MotionSvg, ALimitInTimeHoldsForTheWholeProgram) {
+TEST(MotionSvg, TimeLimitCoversWholeProgram) {
     Solution solution = test::program_solution();
     solution.scene.limits.velocity = PeakLimit{4.0, "limits.velocity_mm_s", 800.0, "mm/s"};
     EXPECT_NE(motion_svg(solution).find(">limit 800 mm/s<"), std::string::npos);
 }
 
-TEST(ReferenceMotion, AProgramHasPeaksToCompareWithAndNoCurve) {
+TEST(ReferenceMotion, ProgramHasPeaksButNoCurve) {
     const ReferenceMotion reference = reference_motion(test::program_solution().scene);
     EXPECT_EQ(reference.motion, nullptr);
     EXPECT_EQ(reference.title, "modified sine");
@@ -105,7 +105,7 @@ TEST(MotionSvg, NeedsACurve) {
               "motion.svg needs a motion, and this solution has none");
 }
 
-TEST(ReferenceMotion, TheReturnMirrorsTheRiseOnItsOwnAngle) {
+TEST(ReferenceMotion, ReturnMirrorsRiseOnItsAngle) {
     Scene scene = test::sample_solution().scene;
     scene.motion.type = MotionType::rr;
     scene.motion.return_angle = scene.motion.rise / 2;
@@ -135,7 +135,7 @@ TEST(AxisTicks, AreRoundAndInside) {
     EXPECT_EQ(tick_text(20, 10), "20");
 }
 
-TEST(NumberText, RoundTripsAndStaysSilentOnInfinity) {
+TEST(NumberText, RoundTripsAndOmitsInfinity) {
     for (const double value : {1.0 / 3.0, 5e-324, -1.7976931348623157e308, 0.1})
         EXPECT_EQ(std::strtod(round_trip_text(value).c_str(), nullptr), value);
     EXPECT_EQ(round_trip_text(-0.0), "0");
@@ -146,7 +146,7 @@ TEST(NumberText, RoundTripsAndStaysSilentOnInfinity) {
     EXPECT_EQ(change_text(1.0, infinity), "–");
 }
 
-TEST(Report, SaysWhatACamEngineerAsks) {
+TEST(Report, AnswersCamEngineersQuestions) {
     const std::string text = report_markdown(test::sample_solution(), {"a.toml", "camopt solve a.toml"});
     for (const char* part :
          {"Proved optimal", "| velocity V | 400 mm/s | 12.7324 mm/rad | 2 |", "modified sine",
@@ -169,12 +169,13 @@ TEST(SolutionText, HasASentenceForEveryVerdict) {
     EXPECT_TRUE(sentence(Verdict::local).starts_with("Local optimum"));
     certificate.gap = 6.7e-7;
     EXPECT_NE(sentence(Verdict::local).find("at most 0.00007 % from the optimum"), std::string::npos);
-    EXPECT_EQ(sentence(Verdict::feasible),
-              "Feasible: every limit is kept; proved to be at most 0.00007 % from the optimum (time limit).");
+    EXPECT_EQ(
+        sentence(Verdict::feasible),
+        "Feasible: every limit is satisfied; proved to be at most 0.00007 % from the optimum (time limit).");
     certificate.gap.reset();
     EXPECT_EQ(sentence(Verdict::feasible),
-              "Feasible: every limit is kept; that it is optimal is not shown (time limit).");
-    EXPECT_TRUE(sentence(Verdict::infeasible).starts_with("Infeasible, and proved so"));
+              "Feasible: every limit is satisfied; optimality is not proved (time limit).");
+    EXPECT_TRUE(sentence(Verdict::infeasible).starts_with("Proved infeasible"));
     EXPECT_EQ(sentence(Verdict::failed), "Failed: neither a curve nor a proof was found (time limit).");
 }
 

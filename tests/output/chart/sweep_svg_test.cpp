@@ -107,7 +107,7 @@ TEST(XmlFault, FindsFaults) {
     EXPECT_NE(xml_fault("<a x=\"></a>"), "");
 }
 
-TEST(SweepSvg, EveryRowOfAWeightSweepIsInEveryTriangle) {
+TEST(SweepSvg, TriangleContainsEveryWeightRow) {
     const SweepTable table = weight_table();
     const LawLosses losses = some_losses();
     Scene scene;
@@ -127,7 +127,7 @@ TEST(SweepSvg, EveryRowOfAWeightSweepIsInEveryTriangle) {
     EXPECT_EQ(svg, sweep_svg({table, scene, &losses}));
 }
 
-TEST(SweepSvg, TheNearerToACornerTheMoreAPeakWeighs) {
+TEST(SweepSvg, PeakWeightGrowsTowardsCorner) {
     SweepTable table = weight_table();
     table.rows = {row_of(0, {1, 0, 0}, 1.0), row_of(1, {0, 1, 0}, 2.0), row_of(2, {0, 0, 5}, 3.0),
                   row_of(3, {0, 0, 0}, 3.0)};
@@ -148,7 +148,7 @@ TEST(SweepSvg, TheNearerToACornerTheMoreAPeakWeighs) {
     EXPECT_EQ(y[0], y[1]);
 }
 
-TEST(SweepSvg, LinesOverOneKeyShadeWhatIsInfeasibleAndCrossWhatFailed) {
+TEST(SweepSvg, LinesMarkInfeasibleAndFailedRows) {
     const SweepTable table = key_table();
     const std::string svg = sweep_svg({table, Scene{}});
     expect_sound(svg);
@@ -166,7 +166,7 @@ TEST(SweepSvg, LinesOverOneKeyShadeWhatIsInfeasibleAndCrossWhatFailed) {
     EXPECT_NE(svg.find("base radius (mm)"), std::string::npos);
 }
 
-TEST(SweepSvg, TwoKeysOfAGridGiveMaps) {
+TEST(SweepSvg, TwoGridKeysGiveMaps) {
     SweepTable table = key_table();
     table.columns.keys = {"cam.base_radius_mm", "limits.pressure_angle_deg"};
     for (SweepRow& row : table.rows) row.settings = {20.0 + row.number / 3, 25.0 + row.number % 3};
@@ -180,7 +180,7 @@ TEST(SweepSvg, TwoKeysOfAGridGiveMaps) {
     EXPECT_EQ(marked_rows(scattered).size(), 6U);
 }
 
-TEST(SweepSvg, NothingFeasibleIsNoTrouble) {
+TEST(SweepSvg, NothingFeasibleIsDrawn) {
     SweepTable table = key_table();
     empty_rows(table, Verdict::infeasible);
     expect_sound(sweep_svg({table, Scene{}}));
@@ -203,7 +203,7 @@ class ParetoOutput : public testing::Test {
     ParetoFront front;
 };
 
-TEST_F(ParetoOutput, CsvHasOneLineASpacedPoint) {
+TEST_F(ParetoOutput, CsvHasOneLinePerPoint) {
     const std::string csv = pareto_csv(front);
     EXPECT_EQ(count_of(csv, "\n"), 1 + 5);
     EXPECT_TRUE(csv.starts_with("point,solve,end,velocity,acceleration,arc,minimized,cap,verdict"));

@@ -47,7 +47,7 @@ TEST(MotionCsv, HeaderCarriesUnits) {
     EXPECT_EQ(header().size(), 10U);
 }
 
-TEST(MotionCsv, AJumpOfTheJerkStandsInTwoRows) {
+TEST(MotionCsv, JerkJumpTakesTwoRows) {
     const Solution solution = test::sample_solution();
     const auto rows = motion_rows(*solution.curve, solution.peaks);
     int at_quarter = 0, at_half = 0;
@@ -75,7 +75,7 @@ TEST(MotionCsv, ValuesFollowFromTheNormalisedOnes) {
     EXPECT_EQ(table.back()[6], "1");
 }
 
-TEST(MotionCsv, ABreakpointThatIsNotRepresentableIsNotMissed) {
+TEST(MotionCsv, UnrepresentableBreakpointIsIncluded) {
     // Three segments: 1/3 and 120/360 may differ in the last bit, and the jump must still be seen.
     Eigen::MatrixXd pieces = Eigen::MatrixXd::Zero(4, 3);
     pieces(3, 1) = 1.0;

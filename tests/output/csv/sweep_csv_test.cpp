@@ -116,7 +116,7 @@ TEST(SweepCsv, NamesItsColumnsWithUnits) {
                          "profile_points,seconds_solve,seconds_total\n0,"));
 }
 
-TEST(SweepCsv, RefusesWhatItWouldNotHaveWritten) {
+TEST(SweepCsv, RefusesForeignTables) {
     SweepTable table = random_table();
     table.rows.resize(1);
     table.rows[0].reason.clear();

@@ -35,7 +35,7 @@ std::string fault_of(const Solution& solution, const UniformTableOptions& option
     return "";
 }
 
-TEST(UniformTable, AnglesDoNotDriftAndEndAtTheEnd) {
+TEST(UniformTable, AnglesEndExactlyWithoutDrift) {
     const Solution solution = test::program_solution();  // a whole turn
     const UniformTable table = uniform_table(solution, {.rows = 36'001, .columns = {"theta_deg"}});
     const std::vector<CsvRecord> records = records_of(table);
@@ -46,7 +46,7 @@ TEST(UniformTable, AnglesDoNotDriftAndEndAtTheEnd) {
     EXPECT_EQ(table.words(), "36001 rows over the whole turn, 0 to 360 deg");
 }
 
-TEST(UniformTable, OfAMotionThatDoesNotCloseEndsWithIt) {
+TEST(UniformTable, OpenMotionEndsWithoutWrapping) {
     const UniformTable table =
         uniform_table(test::sample_solution(), {.step_deg = 0.7, .columns = {"theta_deg", "s_mm"}});
     const std::vector<CsvRecord> records = records_of(table);
@@ -59,7 +59,7 @@ TEST(UniformTable, OfAMotionThatDoesNotCloseEndsWithIt) {
 }
 
 // lift 10 mm, rise 90 deg, 300 rpm: omega = 10 π rad/s; y' = 2, y'' = 0, y''' = −32 in the middle.
-TEST(UniformTable, EveryUnitOfAColumnIsTheSameMotion) {
+TEST(UniformTable, ColumnUnitsDescribeSameMotion) {
     const double omega = 10.0 * std::acos(-1.0), rise = std::acos(0.0);
     const UniformTable table = uniform_table(
         test::sample_solution(), {.rows = 3,
@@ -78,7 +78,7 @@ TEST(UniformTable, EveryUnitOfAColumnIsTheSameMotion) {
     EXPECT_NEAR(number(cells[9]), 45.0 / 360.0 / 5.0, 1e-15);
 }
 
-TEST(UniformTable, UsualColumnsAreThoseOfTheReport) {
+TEST(UniformTable, UsualColumnsMatchReport) {
     EXPECT_EQ(records_of(uniform_table(test::sample_solution(), {}))[0].cells,
               (std::vector<std::string>{"theta_deg", "s_mm", "v_mm_s", "a_m_s2", "j_m_s3"}));
     const UniformTable cam = uniform_table(test::cam_solution(), {.rows = 19});
@@ -87,7 +87,7 @@ TEST(UniformTable, UsualColumnsAreThoseOfTheReport) {
 }
 
 // At the top, 10 mm up and at rest in all derivatives but the jerk, the spring of 10 N/mm and its 60 N press.
-TEST(UniformTable, HasTheLoadsOfACamWithForces) {
+TEST(UniformTable, ForcesAddLoadColumns) {
     const UniformTable table = uniform_table(
         test::cam_solution(),
         {.rows = 5, .columns = {"s_mm", "force_n", "torque_nm", "normal_force_n", "hertz_pressure_mpa"}});
@@ -105,7 +105,7 @@ TEST(UniformTable, HasTheLoadsOfACamWithForces) {
               std::string::npos);
 }
 
-TEST(UniformTable, DigitsAreThoseAskedFor) {
+TEST(UniformTable, UsesRequestedDigits) {
     const UniformTable table =
         uniform_table(test::sample_solution(), {.rows = 4, .columns = {"theta_deg", "s_mm"}, .digits = 4});
     EXPECT_EQ(records_of(table)[2].cells[0], "30");

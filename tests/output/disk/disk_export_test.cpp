@@ -38,7 +38,7 @@ TEST(DiskNc, IsCheckedAlongTheContour) {
     }
 }
 
-TEST(NcRapids, OneSpoiledWordIsRefusedAroundADiskCam) {
+TEST(NcRapids, CorruptedWordIsRefusedForDisk) {
     const auto machine = plane_milling_machine();
     const ProfileShape shape = harmonic_disk(10.0 * millimetre);
     DiskNcOptions options;
@@ -63,7 +63,7 @@ TEST(NcRapids, OneSpoiledWordIsRefusedAroundADiskCam) {
 }
 
 // A block left out, and blocks as rapids: the contour itself.
-TEST(NcRapids, BlocksOfTheContourAreNoRapids) {
+TEST(NcRapids, ContourBlocksAreNotRapids) {
     const auto machine = plane_milling_machine();
     const PostProcessor post = generic_post(*machine);
     const ProfileShape shape = harmonic_disk(10.0 * millimetre);
@@ -87,7 +87,7 @@ TEST(NcRapids, BlocksOfTheContourAreNoRapids) {
 }
 
 // A cutter of 60 mm in hollows of 20 mm: not a program that is handed out.
-TEST(NcGouge, LargeCutterInAHollowIsRefused) {
+TEST(NcGouge, LargeCutterInHollowIsRefused) {
     const auto machine = plane_milling_machine();
     ProfileShape shape = harmonic_disk(0.0);
     shape.at = [](double theta) {

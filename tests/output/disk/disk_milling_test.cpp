@@ -90,7 +90,7 @@ double area_of_last_pass(const std::string& text) {
     return area;
 }
 
-TEST(DiskMilling, RoughsInLayersAndRingsAndLeavesItsAllowance) {
+TEST(DiskMilling, RoughingLayersLeaveAllowance) {
     DiskNcOptions options = coarse_roughing(3.0 * millimetre, 8.0 * millimetre);
     options.milling.finish_allowance = 0.4 * millimetre;
     const Milled milled(waves(4.0 * millimetre), options);
@@ -109,7 +109,7 @@ TEST(DiskMilling, RoughsInLayersAndRingsAndLeavesItsAllowance) {
 }
 
 // The hollows have 21.6 mm, the outer rings of a cutter of 30 mm more: what crosses itself is left out.
-TEST(DiskMilling, RingsThatCrossThemselvesLeaveTheAllowance) {
+TEST(DiskMilling, CrossingRingsLeaveAllowance) {
     DiskNcOptions options = coarse_roughing(6.0 * millimetre);
     options.cutter_diameter = 30.0 * millimetre;
     const Milled milled(waves(4.0 * millimetre), options);
@@ -148,7 +148,7 @@ std::string refusal_of_way_in(const Milled& milled, const DiskNcOptions& options
     }
 }
 
-TEST(DiskMilling, AWayInThroughTheCamIsRefused) {
+TEST(DiskMilling, EntryThroughCamIsRefused) {
     for (const CompensationWords words : {CompensationWords::none, CompensationWords::control}) {
         DiskNcOptions options = coarse();
         options.milling.compensation = words;
@@ -174,7 +174,7 @@ TEST(DiskMilling, AWayInThroughTheCamIsRefused) {
     }
 }
 
-TEST(DiskMilling, OneSpoiledRapidAmongRoughingIsRefused) {
+TEST(DiskMilling, CorruptedRoughingRapidIsRefused) {
     DiskNcOptions options = coarse_roughing(8.0 * millimetre, 11.0 * millimetre);
     options.chord_tolerance = 1e-4;
     options.gouge_tolerance = 5e-4;
@@ -219,7 +219,7 @@ TEST(DiskMilling, ClimbAndConventionalAreSo) {
             }
 }
 
-TEST(DiskMilling, ADirectionThatIsNotSoIsRefused) {
+TEST(DiskMilling, WrongDirectionIsRefused) {
     const DiskNcOptions options = coarse();
     Milled milled(waves(4.0 * millimetre), options);
     milled.work.task.passes.back().climbs = false;
@@ -227,7 +227,7 @@ TEST(DiskMilling, ADirectionThatIsNotSoIsRefused) {
               std::string::npos);
 }
 
-TEST(DiskMilling, CompensationByTheControlMakesTheSameCam) {
+TEST(DiskMilling, ControlCompensationMakesSameCam) {
     for (const MillingDirection direction : {MillingDirection::climb, MillingDirection::conventional}) {
         DiskNcOptions options = coarse();
         options.chord_tolerance = 1e-6;

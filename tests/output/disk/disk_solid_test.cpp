@@ -43,7 +43,7 @@ double expected_volume(double bore, bool keyway) {
     return 12.0 * (std::numbers::pi * (1600.0 - r * r) - (keyway ? slot : 0.0));
 }
 
-TEST(DiskSolid, VolumesOfADiskWithBoreAndKeywayAreThoseOfTheFormula) {
+TEST(DiskSolid, BoreAndKeywayVolumesMatchFormula) {
     for (const auto& [bore, keyway] :
          {std::pair{0.0, false}, std::pair{25.0, false}, std::pair{25.0, true}}) {
         const double expected = expected_volume(bore, keyway) * cubic_mm;
@@ -59,7 +59,7 @@ TEST(DiskSolid, VolumesOfADiskWithBoreAndKeywayAreThoseOfTheFormula) {
     }
 }
 
-TEST(DiskSolid, FinerFacetsComeNearerToTheCam) {
+TEST(DiskSolid, FinerFacetsConverge) {
     const ProfileShape shape = shape_of(10.0 * millimetre);
     double last = 1.0;
     for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
@@ -76,7 +76,7 @@ TEST(DiskSolid, FinerFacetsComeNearerToTheCam) {
 }
 
 // A dwell is an arc; every edge begins where the one before it ended.
-TEST(DiskSolid, ThePlateIsOneLineOfTangentEdges) {
+TEST(DiskSolid, PlateOutlineHasTangentEdges) {
     ProfileShape shape = shape_of(10.0 * millimetre);
     const Plate plate = disk_plate(shape, drawn(25.0, true), "cam");
     ASSERT_EQ(plate.outline.size(), 2u);

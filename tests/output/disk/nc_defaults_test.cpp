@@ -58,7 +58,7 @@ struct Made {
     }
 };
 
-TEST(NcDefaults, RoughsInLayersOfHalfTheCutter) {
+TEST(NcDefaults, RoughingLayersAreHalfCutterDeep) {
     const Made made(of_22_mm());
     EXPECT_EQ(made.program.fault(), "");
     EXPECT_TRUE(made.has("(roughing: 4 of 4 layers, 5.75 mm deep each, step-over "))
@@ -76,11 +76,11 @@ TEST(NcDefaults, RoughsInLayersOfHalfTheCutter) {
     EXPECT_GT(made.program.roughed.at(0).check.least_stock, 0.29 * millimetre);
 }
 
-TEST(NcDefaults, FullDepthNeedsItsOptionAndWarns) {
+TEST(NcDefaults, FullDepthNeedsOptionAndWarns) {
     DiskNcOptions options = of_22_mm();
     options.milling.full_depth = true;
     const std::string warning = "the only pass cuts a slot 23 mm deep, 1.9 times the cutter's diameter";
-    const std::string loose = ", what it cuts off around the cam comes loose";
+    const std::string loose = ", the ring that it cuts off around the cam comes loose";
     const Made made(options);
     EXPECT_EQ(made.program.fault(), "");
     EXPECT_EQ(made.program.travel.passes, 1);
@@ -107,8 +107,7 @@ TEST(NcDefaults, DrumsAreRoughedInLayers) {
         EXPECT_NE(text.find("(pass: roughing, layer 1 of "), std::string::npos);
         EXPECT_EQ(text.find(", for finishing"),
                   share == 1.0 ? std::string::npos : text.find(", for finishing 0.3 mm"));
-        EXPECT_NE(text.find("(fixture: the cam is held at both ends by what lies within diameter "),
-                  std::string::npos);
+        EXPECT_NE(text.find("(fixture: the cam is clamped at both ends within diameter "), std::string::npos);
         EXPECT_EQ(text.find("slot"), std::string::npos);
     }
 }
@@ -163,8 +162,8 @@ TEST(NcDefaults, NoMoveComesWhereClampsLie) {
     options.milling.full_depth = true;
     const Made made(options);
     EXPECT_TRUE(
-        made.has("(fixture: the cam is held by its bore, clamps lie within diameter 75 mm about its axis, no "
-                 "more than 18 mm above the blank)"));
+        made.has("(fixture: the cam is held by its bore, clamps lie within diameter 75 mm about its axis, at "
+                 "most 18 mm above the blank)"));
     EXPECT_TRUE(made.check_has("no move comes within diameter 75 mm about the cam's axis"));
     // Above the cam's upper face, so that it is not gouged; a rapid above the blank.
     NcWork spoiled = made.work;

@@ -81,7 +81,7 @@ TEST(ArcChain, ACircleIsExact) {
     for (const ArcVertex& vertex : chain.vertices) EXPECT_GT(vertex.bulge, 0.0);
 }
 
-TEST(ArcChain, KeepsTheToleranceWithAThirdOrderNumberOfArcs) {
+TEST(ArcChain, NumberOfArcsIsThirdOrder) {
     int arcs_before = 0;
     for (const double tolerance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
         ArcChainOptions options;
@@ -116,7 +116,7 @@ TEST(ArcChain, GoesThroughACuspBetweenKnots) {
     EXPECT_EQ(chain.vertices.back().bulge, 0.0);
 }
 
-TEST(ArcChain, LeavesOutAStretchThatStandsStill) {
+TEST(ArcChain, SkipsStretchesAtRest) {
     const PlaneCurve curve = [](double t) {
         const double turn = t < 1.0 ? t : t < 2.0 ? 1.0 : t - 1.0;
         const Vector2d out(std::cos(turn), std::sin(turn));

@@ -49,7 +49,7 @@ double largest_distance(const Solution& solution, int station, bool of_cam, cons
     return largest;
 }
 
-TEST(MechanismDxf, ARemoteCamIsOneClosedOutlineWithinAMicrometre) {
+TEST(MechanismDxf, RemoteCamIsOneClosedOutline) {
     const Solution solution = solved("tappet_75");
     ASSERT_TRUE(solution.cam->cam.formulas->is_plane_curve());
     const ProfileDxf dxf = cam_dxf(solution);

@@ -37,7 +37,7 @@ double largest_distance(const ProfileShape& shape, const test::DxfPolyline& line
     return worst * millimetre;
 }
 
-TEST(ProfileDxf, TheArcsReadBackKeepTheTolerance) {
+TEST(ProfileDxf, ArcsStayWithinTolerance) {
     for (const std::string law : {"polynomial_4567", "modified_sine"})
         for (const FollowerType follower : test::all_followers)
             for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
@@ -68,7 +68,7 @@ TEST(ProfileDxf, TheArcsReadBackKeepTheTolerance) {
             }
 }
 
-TEST(ProfileDxf, HandlesAreUniqueAndBelowTheSeed) {
+TEST(ProfileDxf, HandlesAreUniqueBelowSeed) {
     const MotionChain motion = test::turn_motion("modified_sine");
     const auto follower = FollowerType::oscillating_flat;
     const ProfileDxf dxf = profile_dxf(
@@ -89,7 +89,7 @@ TEST(ProfileDxf, HandlesAreUniqueAndBelowTheSeed) {
     EXPECT_TRUE(dxf.text.ends_with("  0\nEOF\n"));
 }
 
-TEST(ProfileDxf, AnUndercutCamIsDrawnWithItsLoops) {
+TEST(ProfileDxf, UndercutCamShowsLoops) {
     DiskCam cam = test::sample_cam(FollowerType::translating_roller);
     cam.dimensions[static_cast<std::size_t>(DimensionIndex::roller_radius)] = 39 * millimetre;
     cam.dimensions[static_cast<std::size_t>(DimensionIndex::base_radius)] = 6 * millimetre;
@@ -101,7 +101,7 @@ TEST(ProfileDxf, AnUndercutCamIsDrawnWithItsLoops) {
     EXPECT_LT(dxf.arcs, 2000);
 }
 
-TEST(ProfileDxf, ASectorStaysOpenAndTheToleranceMustBePositive) {
+TEST(ProfileDxf, SectorIsOpenWithPositiveTolerance) {
     const auto law = test::turn_motion("modified_sine");
     ProfileShape shape = profile_shape(disk_mechanism(test::sample_cam(FollowerType::translating_flat)), law,
                                        test::sample_scale(FollowerType::translating_flat));

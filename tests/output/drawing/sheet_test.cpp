@@ -72,7 +72,7 @@ TEST(Sheet, SaysItsLengthsInInchesWhereAsked) {
         std::ranges::any_of(sheet.texts, [](const SheetText& text) { return text.words == "A4, in"; }));
 }
 
-TEST(Sheet, AnArcOfABulgePassesItsPoints) {
+TEST(Sheet, BulgeArcPassesThroughItsPoints) {
     for (const double bulge : {0.2, -0.7, 1.0, 2.5}) {
         const Vector2d from(1.0, 2.0), to(3.0, -1.0);
         const BulgeArc arc = bulge_arc(from, to, bulge);
@@ -86,7 +86,7 @@ TEST(Sheet, AnArcOfABulgePassesItsPoints) {
 }
 
 // A short dimension has its arrows outside and its words beside them.
-TEST(Sheet, MarksStandWhereTheyHaveRoom) {
+TEST(Sheet, MarksAvoidOverlap) {
     SheetDimension dimension;
     dimension.place = {0.0, 0.01};
     for (const double length : {0.05, 0.002}) {

@@ -35,7 +35,7 @@ TEST(ResultJson, EveryKeyIsInTheManual) {
         expect_documented(json_of(solution), manual);
 }
 
-TEST(ResultJsonCam, ASceneWithoutOneSaysSo) {
+TEST(ResultJsonCam, SceneWithoutCamIsReported) {
     const Json json = json_of(test::sample_solution());
     EXPECT_EQ(json["dimensions"], Json::object());
     EXPECT_TRUE(json["cam"].is_null());
@@ -45,7 +45,7 @@ TEST(ResultJsonCam, ASceneWithoutOneSaysSo) {
     EXPECT_EQ(json["solver"]["starts"], 1);
 }
 
-TEST(ResultJsonCam, DimensionsAreThoseOfTheFollower) {
+TEST(ResultJsonCam, ListsFollowerDimensions) {
     const Json json = json_of(test::cam_solution());
     EXPECT_EQ(json["dimensions"].dump(),
               R"({"base_radius_mm":30.0,"roller_radius_mm":10.0,"offset_mm":0.0,"prime_radius_mm":40.0})");
@@ -57,7 +57,7 @@ TEST(ResultJsonCam, DimensionsAreThoseOfTheFollower) {
     EXPECT_TRUE(other["cam"].is_null());
 }
 
-TEST(ResultJsonCam, CarriesTheFiguresInDisplayUnits) {
+TEST(ResultJsonCam, UsesDisplayUnits) {
     Solution solution = test::cam_solution();
     const CamSummary& summary = solution.cam->summary;
     solution.cam->forward_check = ForwardCheckReport{1.2e-9, 3e-8, 0.5, 2001, 0.25};
@@ -80,7 +80,7 @@ TEST(ResultJsonCam, CarriesTheFiguresInDisplayUnits) {
     EXPECT_DOUBLE_EQ(cam["forward_check"]["at_deg"].get<double>(), 45.0);
 }
 
-TEST(ResultJsonCam, WhatDoesNotExistIsNull) {
+TEST(ResultJsonCam, AbsentValuesAreNull) {
     Solution solution = test::cam_solution();
     solution.scene.limits.pressure_angle.reset();
     solution.cam->smallest.reset();
@@ -98,7 +98,7 @@ TEST(ResultJsonCam, WhatDoesNotExistIsNull) {
     EXPECT_TRUE(json["constraints"].back()["worst"].is_null());
 }
 
-TEST(ResultJsonCam, AFlatFaceHasAContactOffsetAndASwingAMoment) {
+TEST(ResultJsonCam, ReportsContactOffsetAndMoment) {
     Solution solution = test::cam_solution();
     solution.scene.cam = disk_spec({.follower = FollowerType::oscillating_flat});
     solution.scene.cam->set(DimensionIndex::base_radius, 30 * units::millimetre);
@@ -115,13 +115,13 @@ TEST(ResultJsonCam, AFlatFaceHasAContactOffsetAndASwingAMoment) {
         R"({"base_radius_mm":30.0,"center_distance_mm":0.0,"face_offset_mm":0.0,"prime_radius_mm":30.0})");
 }
 
-TEST(ResultJsonCam, AnUndercutIsTold) {
+TEST(ResultJsonCam, UndercutIsReported) {
     const Json cam = json_of(test::undercut_solution())["cam"];
     EXPECT_EQ(cam["undercut"], true);
     EXPECT_LE(cam["regularity"]["value"].get<double>(), 0.0);
 }
 
-TEST(ResultJsonProgram, HasItsSegmentsAndNoTopLevelSpline) {
+TEST(ResultJsonProgram, ListsSegmentsInsteadOfSpline) {
     const Json json = json_of(test::program_solution());
     EXPECT_TRUE(json["spline"].is_null());
     ASSERT_EQ(json["segments"].size(), 4U);
@@ -142,19 +142,19 @@ TEST(ResultJsonProgram, HasItsSegmentsAndNoTopLevelSpline) {
     EXPECT_TRUE(json["segments"][0]["peaks"].is_null());
 }
 
-TEST(ResultJsonProgram, PhysicalPeaksAreThoseOfTheMotion) {
+TEST(ResultJsonProgram, PhysicalPeaksMatchMotion) {
     const Json json = json_of(test::program_solution());
     EXPECT_EQ(json["peaks"]["velocity"]["value"], 2.0);
     EXPECT_NEAR(json["physical_peaks"]["v_mm_s"].get<double>(), 3.5192 * 10.0 / 0.05, 1e-9);
 }
 
-TEST(ResultJsonProgram, AnOpenBeginningHasNoContinuity) {
+TEST(ResultJsonProgram, OpenStartHasNoContinuity) {
     Solution solution = test::program_solution();
     solution.segments[0].continuity = -1;
     EXPECT_TRUE(json_of(solution)["segments"][0]["continuity"].is_null());
 }
 
-TEST(ResultJsonInfeasible, NamesTheLimitsThatFight) {
+TEST(ResultJsonInfeasible, NamesConflictingLimits) {
     const Json json = json_of(test::infeasible_cam_solution());
     ASSERT_EQ(json["conflict"].size(), 4U);
     EXPECT_EQ(json["conflict"][0]["key"], "limits.pressure_angle_deg");

@@ -66,7 +66,7 @@ TEST(ResultJson, WritesTheValues) {
     EXPECT_DOUBLE_EQ(json["physical_peaks"]["v_mm_s"].get<double>(), 2.0 * 10.0 / 0.05);
 }
 
-TEST(ResultJson, AnInfeasibleSceneHasARelaxationAndNullsElsewhere) {
+TEST(ResultJson, InfeasibleSceneHasRelaxationAndNulls) {
     const std::string text = result_json(test::infeasible_solution());
     const Json json = Json::parse(text);
     EXPECT_EQ(json["verdict"], "infeasible");
@@ -79,7 +79,7 @@ TEST(ResultJson, AnInfeasibleSceneHasARelaxationAndNullsElsewhere) {
     EXPECT_EQ(text.find("inf,"), std::string::npos);
 }
 
-TEST(ResultJson, AWrongByteInATitleDoesNotBreakTheFile) {
+TEST(ResultJson, InvalidByteInTitleIsEscaped) {
     Solution solution = test::sample_solution();
     solution.scene.title = "broken \xff title";
     EXPECT_TRUE(Json::accept(result_json(solution)));

@@ -36,7 +36,7 @@ double sampled_distance(const ToolPose& pose, double radius) {
     return least;
 }
 
-TEST(BlankDistance, IsNeverMoreThanItIsAndNearlyIt) {
+TEST(BlankDistance, IsTightLowerBound) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
     int apart = 0;
@@ -64,7 +64,7 @@ TEST(BlankDistance, FacesAndSidesAreExact) {
     EXPECT_LE(distance_to_blank(drum, {{0.0, 0.0, -0.1}, down}, 0.006), 0.0);
 }
 
-TEST(Blank, HeightHoweverTheTableStands) {
+TEST(Blank, HeightAtAnyTableAngle) {
     EXPECT_DOUBLE_EQ(greatest_height(drum, *plane_milling_machine()), 0.040);
     EXPECT_DOUBLE_EQ(greatest_height(drum, *rotary_table_machine()), 0.050);
     const auto five = table_tilting_machine(0.12);

@@ -23,7 +23,7 @@ ContourPoint circle(double theta) {
     return {40.0 * millimetre * out, out};
 }
 
-TEST(FinishedPlaneCam, DepthBesideAboveAndInside) {
+TEST(FinishedPlaneCam, DepthOutsideAboveAndInside) {
     const auto cam = plane_finished_cam({circle, {0.0, test::full_turn}});
     const double radius = 6.0 * millimetre, error = 1e-7;  // of the polygon
     const auto depth = [&](double x, double z) {
@@ -52,7 +52,7 @@ std::unique_ptr<FinishedCam> grooved() {
     return grooved_finished_cam(body);
 }
 
-TEST(FinishedGroovedCam, TheRollersOwnPlaceIsFree) {
+TEST(FinishedGroovedCam, RollerGrooveIsFree) {
     const auto cam = grooved();
     std::mt19937 random(7);
     std::uniform_real_distribution<double> angle(0.0, test::full_turn);
@@ -67,7 +67,7 @@ TEST(FinishedGroovedCam, TheRollersOwnPlaceIsFree) {
     }
 }
 
-TEST(FinishedGroovedCam, WhatReachesOutOfItIsDeep) {
+TEST(FinishedGroovedCam, PointsOutsideAreDeep) {
     const auto cam = grooved();
     for (const double theta : test::even(5.0 * degree, 355.0 * degree, 70)) {
         const RollerPose roller = test::rotating_roller()(theta, 20.0 * millimetre);

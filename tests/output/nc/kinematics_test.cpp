@@ -40,7 +40,7 @@ TEST(CutterLocation, ReferencePointOfPaper001) {
     EXPECT_NEAR(values(4), 0.216636968809034, 5e-15);
 }
 
-TEST(CutterLocation, EqualCutterIsTheRollerOnBothFlanks) {
+TEST(CutterLocation, EqualCutterReplacesRollerOnFlanks) {
     const RollerPath roller = test::rotating_roller();
     for (const double theta : test::even(0.0, test::full_turn, 97)) {
         const RollerPose at = roller(theta, 20.0 * millimetre);
@@ -51,7 +51,7 @@ TEST(CutterLocation, EqualCutterIsTheRollerOnBothFlanks) {
     }
 }
 
-TEST(CutterLocation, RefusesACutterThatWouldTakeTheOtherFlank) {
+TEST(CutterLocation, RefusesCutterGougingOtherFlank) {
     EXPECT_THROW(
         static_cast<void>(cutter_path(test::rotating_roller(), test::rotating_location(17.0 * millimetre))),
         InputError);
@@ -63,7 +63,7 @@ TEST(CutterLocation, RefusesACutterThatWouldTakeTheOtherFlank) {
     EXPECT_THROW(location.validate(), InputError);
 }
 
-TEST(TableTilting, ClosedFormOfTheTurnAndTheTilt) {
+TEST(TableTilting, MatchesClosedFormOfBothAxes) {
     const auto machine = table_tilting_machine(test::z_offset);
     const FollowerMotion motion = test::rotating_motion();
     const ToolPath path = cutter_path(test::rotating_roller(), test::rotating_location(16.0 * millimetre));
@@ -118,7 +118,7 @@ TEST(Machines, RefuseWhatTheyCannotTake) {
     EXPECT_THROW(static_cast<void>(table_tilting_machine(NAN)), InputError);
 }
 
-TEST(RotaryTable, BarrelAndCylindricalCamsTurnWithTheirCamAngle) {
+TEST(RotaryTable, SpatialCamsRotateWithCamAngle) {
     const auto machine = rotary_table_machine();
     CutterLocation location;
     location.roller_radius = 31.75 * millimetre;
@@ -138,7 +138,7 @@ TEST(RotaryTable, BarrelAndCylindricalCamsTurnWithTheirCamAngle) {
 }
 
 // θ in (−179.5°, 179.5°): the printed equations (20)-(24), with the one-valued arc tangent of the paper.
-TEST(PrintedFormulas, ReverseTheToolAndMirrorTheCam) {
+TEST(PrintedFormulas, ReverseToolAndMirrorCam) {
     const auto machine = table_tilting_machine(test::z_offset);
     const ToolPath path = cutter_path(test::rotating_roller(), test::rotating_location(16.0 * millimetre));
     int reversed = 0;

@@ -70,7 +70,7 @@ TEST_F(Reading, RefusesOtherCoordinatesUnderWay) {
     EXPECT_NEAR(read[0].values(0), 0.254, 1e-16);
 }
 
-TEST_F(Reading, TravelKeepsTheMovesBeforeEveryAxisIsKnown) {
+TEST_F(Reading, TravelKeepsMovesBeforeAllAxesKnown) {
     const auto read = read_nc_travel("G21 G90\nG0 Z50\nG0 X1\nG0 Y2 A3\n", *machine, post);
     ASSERT_EQ(read.size(), 3u);
     EXPECT_NEAR(read[0].values(2), 0.05, 1e-17);

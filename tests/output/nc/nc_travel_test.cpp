@@ -50,7 +50,7 @@ TEST_F(RoundCam, RapidsKeepTheirDistance) {
 }
 
 // A control may run X before Z.
-TEST_F(RoundCam, RapidsAreNotTakenToBeStraight) {
+TEST_F(RoundCam, RapidsAreNotAssumedStraight) {
     const std::string above = "G0 Z20\nG0 X70 Y0\nG0 Z-21\n";
     EXPECT_NE(fault(above + "G0 X-40 Z200\n"), "");
     EXPECT_EQ(fault(above + "G0 Z200\nG0 X-40\n"), "");
@@ -65,7 +65,7 @@ TEST_F(RoundCam, TheFirstMovesCountToo) {
     EXPECT_NE(fault("G0 Z20\nG0 X70\nG0 Z-5\n"), "");  // Y is not known yet
 }
 
-TEST_F(RoundCam, FeedsStayOutOfTheFinishedCam) {
+TEST_F(RoundCam, FeedsStayOutsideFinishedCam) {
     const std::string beside = "G0 Z20\nG0 X46 Y0\nG0 Z2\nG1 Z-21 F100\n";
     EXPECT_EQ(fault(beside + "G1 Z2\nG0 Z20\n"), "");
     EXPECT_NE(fault(beside + "G1 Y-1\nG1 X-46\n"), "");  // straight through the cam

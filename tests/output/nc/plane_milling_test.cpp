@@ -32,7 +32,7 @@ std::vector<Eigen::Vector3d> disk_surface(double height, int count) {
     return points;
 }
 
-TEST(PlaneMilling, DiskCam) {
+TEST(PlaneMilling, MillsDiskCam) {
     const auto machine = plane_milling_machine();
     const PlaneCutter cutter{16.0 * millimetre, 0.0, -22.0 * millimetre};
     const ToolPath path = plane_cutter_path(
@@ -62,7 +62,7 @@ TEST(PlaneMilling, DiskCam) {
     }
 }
 
-TEST(PlaneMilling, LargeCutterInAHollowIsFound) {
+TEST(PlaneMilling, LargeCutterInHollowIsFound) {
     const auto machine = plane_milling_machine();
     const auto contour = [](double theta) {  // a cam with hollows of 21.6 mm radius
         const double r = 50.0 * millimetre, wave = 4.0 * millimetre;

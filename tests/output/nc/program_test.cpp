@@ -36,7 +36,7 @@ TEST(NcProgram, ReadsBackWithinTheLastDigit) {
     }
 }
 
-TEST(NcProgram, EveryUnitSignAndOffsetReadsBack) {
+TEST(NcProgram, UnitsSignsAndOffsetsRoundTrip) {
     const auto machine = table_tilting_machine(test::z_offset);
     const ToolPath path = cutter_path(test::rotating_roller(), test::rotating_location(16.0 * millimetre));
     const std::vector<ToolPose> poses = test::poses_at(path, test::even(0.0, test::full_turn, 90));

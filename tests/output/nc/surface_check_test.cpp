@@ -118,7 +118,7 @@ TEST(SurfaceCheck, SmallerCutterLeavesStock) {
     }
 }
 
-TEST(SurfaceCheck, StockIsLeftAsAsked) {
+TEST(SurfaceCheck, RequestedStockIsLeft) {
     const auto machine = table_tilting_machine(test::z_offset);
     CutterLocation location = test::rotating_location(10.0 * millimetre, 0.2 * millimetre);
     location.tip_beyond = tip_beyond;
@@ -174,7 +174,7 @@ TEST(BlockAngles, KeepTheChordTolerance) {
 
 // Position error of the tip: 1.548e-3, 3.87e-4, 9.67e-5 mm; the part along the normal is what the paper's
 // example counts as chord error (ChordErrorsOfPaper001).
-TEST(BlockAngles, CountsAreEvenAndErrorsOfSecondOrder) {
+TEST(BlockAngles, CountsEvenWithSecondOrderErrors) {
     const auto machine = table_tilting_machine(test::z_offset);
     const ToolPath path = cutter_path(test::rotating_roller(), test::rotating_location(16.0 * millimetre));
     const std::vector<double> rise{180.0 * degree, 360.0 * degree};

@@ -43,7 +43,7 @@ void expect_close(const json& shown, double value) {
     EXPECT_NEAR(shown.get<double>(), value, printed * std::abs(value) + 1e-12);
 }
 
-TEST(PageData, CurvesAreTheMotionInShownUnits) {
+TEST(PageData, CurvesAreInShownUnits) {
     const Solution solution = test::sample_solution();
     const json data = data_of(solution);
     const ShownUnits units = shown_units(solution.scene);
@@ -63,7 +63,7 @@ TEST(PageData, CurvesAreTheMotionInShownUnits) {
     }
 }
 
-TEST(PageData, BesideStandsTheSameByCamAngle) {
+TEST(PageData, RepeatsMotionByCamAngle) {
     const Solution solution = test::sample_solution();
     const json velocity = curve(data_of(solution), "velocity");
     // 300 rpm: mm/rad = mm/s / (10 π).
@@ -71,7 +71,7 @@ TEST(PageData, BesideStandsTheSameByCamAngle) {
     expect_close(velocity.at("beside").at("factor"), 1.0 / (10.0 * 3.14159265358979));
 }
 
-TEST(PageData, PeaksAreMarkedWhereTheResultHasThem) {
+TEST(PageData, PeaksAreMarkedAtResults) {
     const Solution solution = test::sample_solution();
     const json data = data_of(solution);
     // V = 2 at x = 1/2 of 90 deg: 10 mm · 2 / (π/2) · 10 π 1/s = 400 mm/s.
@@ -94,7 +94,7 @@ TEST(PageData, ExactPointsAreMarkedAsGiven) {
     EXPECT_EQ(curve(data, "acceleration").at("marks").size(), 2U);
 }
 
-TEST(PageData, PeaksOfBothSignsAreMarkedWithTheirSign) {
+TEST(PageData, SignedPeaksAreMarked) {
     const json data = data_of(test::sample_solution());
     const json& marks = curve(data, "acceleration").at("marks");
     ASSERT_EQ(marks.size(), 2U);
@@ -104,7 +104,7 @@ TEST(PageData, PeaksOfBothSignsAreMarkedWithTheirSign) {
     EXPECT_NEAR(marks[1].at("at").get<double>(), 67.5, 1e-6);
 }
 
-TEST(PageData, ADisplacementOutsideItsStrokeIsMarked) {
+TEST(PageData, DisplacementOutsideStrokeIsMarked) {
     Solution solution = test::cam_solution();
     EXPECT_TRUE(curve(data_of(solution), "displacement").at("marks").empty());
     ChainPart part = solution.motion->parts().front();
@@ -117,7 +117,7 @@ TEST(PageData, ADisplacementOutsideItsStrokeIsMarked) {
               std::string::npos);
 }
 
-TEST(PageData, AFlatFaceHasNoCurveOfThePressureAngleZero) {
+TEST(PageData, FlatFaceOmitsZeroPressureAngle) {
     Solution solution = test::cam_solution();
     solution.scene.cam = disk_spec({.follower = FollowerType::translating_flat});
     solution.scene.cam->set(DimensionIndex::base_radius, 30 * units::millimetre);
@@ -127,7 +127,7 @@ TEST(PageData, AFlatFaceHasNoCurveOfThePressureAngleZero) {
     EXPECT_NO_THROW((void)curve(data_of(solution), "curvature"));
 }
 
-TEST(PageData, ALocalOptimumSaysItsProvedGap) {
+TEST(PageData, LocalOptimumReportsGap) {
     Solution solution = test::cam_solution();
     solution.certificate.verdict = Verdict::local;
     solution.certificate.lower_bound = solution.certificate.objective * (1.0 - 1.6e-6);
@@ -137,7 +137,7 @@ TEST(PageData, ALocalOptimumSaysItsProvedGap) {
     EXPECT_EQ(sentences.find("ruled out"), std::string::npos) << sentences;
 }
 
-TEST(PageData, MarksOfTheCamAreTheSummary) {
+TEST(PageData, CamMarksMatchSummary) {
     const Solution solution = test::cam_solution();
     const json data = data_of(solution);
     const CamSummary& summary = solution.cam->summary;
@@ -155,7 +155,7 @@ TEST(PageData, MarksOfTheCamAreTheSummary) {
 }
 
 /// The drawn points pass the extremes nowhere, and come close to them: curve and mark are one figure.
-TEST(PageData, CurvesOfTheCamReachTheirExtremesAndPassThemNowhere) {
+TEST(PageData, CamCurvesReachTheirExtremes) {
     const Solution solution = test::cam_solution();
     const json data = data_of(solution);
     for (const char* const key : {"pressure_angle", "torque", "normal_force", "hertz_pressure", "force"}) {
@@ -171,7 +171,7 @@ TEST(PageData, CurvesOfTheCamReachTheirExtremesAndPassThemNowhere) {
     }
 }
 
-TEST(PageData, LimitsAreShadedOnTheSideThatIsForbidden) {
+TEST(PageData, ForbiddenSideIsShaded) {
     const json data = data_of(test::cam_solution());
     const json& limits = curve(data, "pressure_angle").at("limits");
     ASSERT_GE(limits.size(), 2U);
@@ -182,7 +182,7 @@ TEST(PageData, LimitsAreShadedOnTheSideThatIsForbidden) {
 }
 
 /// By row the roller's centre stands where the cam frame, turned, has the pitch point.
-TEST(PageData, TheFollowerStandsOnTheTurnedCam) {
+TEST(PageData, FollowerTouchesRotatedCam) {
     const Solution solution = test::cam_solution();
     const json data = data_of(solution);
     const json& drawing = data.at("drawing");
@@ -216,7 +216,7 @@ TEST(PageData, TheFollowerStandsOnTheTurnedCam) {
     }
 }
 
-TEST(PageData, WithoutAMotionItSaysWhatWouldHaveToChange) {
+TEST(PageData, MissingMotionListsSuggestedChanges) {
     const json data = data_of(test::infeasible_cam_solution());
     EXPECT_EQ(data.at("verdict").at("tone"), "bad");
     EXPECT_TRUE(data.at("angle").is_null());
@@ -233,7 +233,7 @@ TEST(PageData, AProgramHasItsSegments) {
     EXPECT_TRUE(data.at("drawing").is_null());
 }
 
-TEST(PageData, AnUndercutCamHasNoLoadsToSpeakOf) {
+TEST(PageData, UndercutCamHasNoLoads) {
     const json data = data_of(test::undercut_solution());
     for (const json& one : data.at("curves")) {
         EXPECT_NE(one.at("key"), "hertz_pressure");

@@ -20,7 +20,7 @@ TEST(PageHtml, HoldsTheDataAsTheyAre) {
     EXPECT_EQ(data_of(report_html(solution, origin)), nlohmann::json::parse(page_data(solution, origin)));
 }
 
-TEST(PageHtml, ASceneThatEndsScriptsDoesNoHarm) {
+TEST(PageHtml, ScriptEndInSceneIsHarmless) {
     Solution solution = test::cam_solution();
     const std::string hostile =
         "</script><script>alert(1)</script><!-- <SCRIPT> \"'&@DATA@ @SCRIPTS@ @TITLE@";
@@ -40,7 +40,7 @@ TEST(PageHtml, ASceneThatEndsScriptsDoesNoHarm) {
     EXPECT_EQ(count_of(html, "</html>"), 1);
 }
 
-TEST(PageHtml, BytesThatAreNoTextAreReplaced) {
+TEST(PageHtml, InvalidBytesAreReplaced) {
     Solution solution = test::sample_solution();
     solution.scene.title = "cut \xff off \xe2\x80";
     EXPECT_NO_THROW(static_cast<void>(data_of(report_html(solution))));

@@ -52,7 +52,7 @@ const json& column(const json& data, const std::string& key) {
     throw std::runtime_error("no column " + key);
 }
 
-TEST(ComparisonHtml, HoldsEveryLawWithItsNumbersAndScene) {
+TEST(ComparisonHtml, ContainsEveryLawAndScene) {
     const Comparison comparison = compare(small_scene());
     const json data = data_of(comparison_html(comparison, {"front.toml", "", scene_text}));
     ASSERT_EQ(data.at("items").at("names").size(), comparison.rows.size());
@@ -102,7 +102,7 @@ TEST(ParetoHtml, ThePointsHaveTheirScenes) {
     }
 }
 
-TEST(SweepHtml, EveryRowHasItsSettingsAndNothingEscapes) {
+TEST(SweepHtml, RowsContainSettingsAndEscapedText) {
     SweepTable table;
     table.columns.keys = {"objective.velocity"};
     for (int i = 0; i < 4; ++i) {

@@ -21,7 +21,7 @@ PlcTable table_of(const PlcFormat& format, const MasterCurve& curve, const PlcOp
     return format.prepare(curve, options, format);
 }
 
-TEST(MasterCurve, IsTheWholeTurnInMachineUnits) {
+TEST(MasterCurve, CoversCycleInMachineUnits) {
     // Four cubic segments over 90 deg, 10 mm: y''' = ±32, so V = 2 at the middle of the rise.
     const MasterCurve curve = curve_of(test::sample_solution());
     EXPECT_EQ(curve.end(), 360.0);
@@ -35,7 +35,7 @@ TEST(MasterCurve, IsTheWholeTurnInMachineUnits) {
     EXPECT_DOUBLE_EQ(curve.travel(), 10.0);
 }
 
-TEST(CamPieces, ReproduceCubicsAndSayWhatAWrongOneLoses) {
+TEST(CamPieces, ReproduceCubicsAndReportLoss) {
     const MasterCurve curve = curve_of(test::sample_solution());
     for (const int degree : {3, 5}) {
         std::vector<CamPiece> pieces = fitted_pieces(curve, {.degree = degree});
@@ -50,7 +50,7 @@ TEST(CamPieces, ReproduceCubicsAndSayWhatAWrongOneLoses) {
     }
 }
 
-TEST(CamLoss, IsFoundBetweenTheEndsOfAPiece) {
+TEST(CamLoss, IsFoundInsidePieces) {
     const MasterCurve curve = curve_of(test::sample_solution());
     std::vector<CamPiece> pieces = fitted_pieces(curve, {});
     // t (h − t) is 0 at both ends and h²/4 in the middle.
@@ -60,7 +60,7 @@ TEST(CamLoss, IsFoundBetweenTheEndsOfAPiece) {
     EXPECT_NEAR(loss[0].at, 225.0, 1e-6);
 }
 
-TEST(CamLoss, RefusesPiecesThatAreNoTurn) {
+TEST(CamLoss, RefusesPiecesNotFormingACycle) {
     const MasterCurve curve = curve_of(test::sample_solution());
     std::vector<CamPiece> pieces = fitted_pieces(curve, {});
     pieces.pop_back();
@@ -118,7 +118,7 @@ TEST(PlcFormats, NoticeASpoiledFile) {
     }
 }
 
-TEST(PlcExport, StatesNeverLessThanIsLost) {
+TEST(PlcExport, StatedLossIsUpperBound) {
     const Solution solution = test::program_solution();
     const MasterCurve curve = curve_of(solution);
     const PlcExport exported = plc_export(solution, plc_format_keys(), {});
@@ -142,7 +142,7 @@ TEST(PlcExport, StatesNeverLessThanIsLost) {
 }
 
 // 10/3 mm is no whole number of units: the drive adds 3333 units of a micrometre each turn.
-TEST(PlcExport, SaysWhatWholePeriodsAddEachTurn) {
+TEST(PlcExport, ReportsAccumulationPerCycle) {
     Solution solution = test::sample_solution();
     solution.scene.motion.lift = 0.01 / 3.0;
     const PlcExport exported = plc_export(solution, {"br"}, {});

@@ -27,7 +27,7 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
     return names;
 }
 
-TEST(ResultFolder, IsCreatedAndHoldsExactlyItsFiles) {
+TEST(ResultFolder, IsCreatedWithExactlyItsFiles) {
     const test::TemporaryFolder folder;
     const std::filesystem::path out = folder.path() + "/a/b";
     const auto written = write_result_folder(out, test::sample_solution());
@@ -36,7 +36,7 @@ TEST(ResultFolder, IsCreatedAndHoldsExactlyItsFiles) {
                                                     "report.md", "result.json"}));
 }
 
-TEST(ResultFolder, ALaterRunWithoutACurveLeavesNoOldOne) {
+TEST(ResultFolder, LaterRunRemovesStaleCurve) {
     const test::TemporaryFolder folder;
     write_result_folder(folder.path(), test::sample_solution());
     write_result_folder(folder.path(), test::infeasible_solution());
@@ -56,7 +56,7 @@ TEST(ResultFolder, ACamComesWithItsProfile) {
     EXPECT_NEAR(static_cast<double>(std::count(table.begin(), table.end(), '\n')), 95.0, 6.0);
 }
 
-TEST(ResultFolder, ADrawingIsWrittenOnlyWhereItIsAskedFor) {
+TEST(ResultFolder, DrawingIsWrittenOnlyOnRequest) {
     const test::TemporaryFolder folder;
     write_result_folder(folder.path(), test::cam_solution(), {}, {.dxf = true});
     EXPECT_TRUE(names_in(folder.path()).contains("profile.dxf"));
@@ -92,7 +92,7 @@ class SizeLimit {
     rlimit before_{};
 };
 
-TEST(ResultFolder, ASecondRunThatEndsHalfWayLeavesTheFirst) {
+TEST(ResultFolder, InterruptedRunKeepsPreviousResults) {
     const test::TemporaryFolder first, second;
     const WriteOptions many{.points = 5000};  // so that the longest file is not the first
     write_result_folder(second.path(), test::cam_solution(), {}, many);
@@ -112,7 +112,7 @@ TEST(ResultFolder, ASecondRunThatEndsHalfWayLeavesTheFirst) {
 }
 
 // A name that cannot be taken once the others have been: what a kill there would leave.
-TEST(ResultFolder, SaysThatItIsIncomplete) {
+TEST(ResultFolder, ReportsIncompleteRuns) {
     const test::TemporaryFolder folder;
     write_result_folder(folder.path(), test::sample_solution());
     std::filesystem::remove(folder.path() + "/report.md");
@@ -125,7 +125,7 @@ TEST(ResultFolder, SaysThatItIsIncomplete) {
     EXPECT_FALSE(names_in(folder.path()).contains("INCOMPLETE.txt"));
 }
 
-TEST(ResultFolder, ClearsUpAfterRunsThatWereKilled) {
+TEST(ResultFolder, CleansUpAfterKilledRuns) {
     const test::TemporaryFolder folder;
     std::filesystem::create_directories(folder.path() +
                                         "/.camopt-4194305.tmp/x");             // beyond the largest process
@@ -150,7 +150,7 @@ TEST(ResultFolder, RefusesAFile) {
     EXPECT_EQ(read_text_file(path), "x");
 }
 
-TEST(TextFile, ReplacesInOneStepAndLeavesNothingElse) {
+TEST(TextFile, ReplacesAtomicallyWithoutRemains) {
     const test::TemporaryFolder folder;
     const std::filesystem::path path = folder.path() + "/file";
     write_text_file(path, "first");

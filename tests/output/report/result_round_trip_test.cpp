@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.name; });
 
 // A result folder holds the table that its scene named.
-TEST(RoundTripOfATable, TheFolderStandsAlone) {
+TEST(RoundTripOfATable, FolderIsComplete) {
     const test::TemporaryFolder folder;
     const std::filesystem::path file = std::string(CAMOPT_SOURCE_DIR) + "/scenes/drd_measured.toml";
     const Solution solution = solve(input::read_scene_file(file, known_names()));
@@ -136,7 +136,7 @@ TEST(RoundTripOfATable, TheFolderStandsAlone) {
 }
 
 // What the scene says goes through text: a scene with settings is written anew, and is the same scene.
-TEST(SceneText, WithSettingsIsTheSameSceneInOneText) {
+TEST(SceneText, SettingsAreMergedIntoOneText) {
     const std::string text =
         "title = \"a \\\"b\\\" \\\\ \\u0007\"\n[motion]\ntype = \"DRD\"\nlift_mm = 1e1\nrise_deg = 0.1\n"
         "via = [{ at = 0.25, displacement = 0.1 }]\n[spline]\nbreakpoints = [0, 0.3333333333333333, 1]\n"
@@ -244,7 +244,7 @@ TEST_F(ChangedFolder, Numbers) {
     changed("title: found no such key", [](Json& json) { json.erase("title"); });
     changed("motion.curves[0].degree", [](Json& json) { json["motion"]["curves"][0]["degree"] = 4; });
     changed("parts", [](Json& json) { json["motion"]["parts"].erase(0); });
-    changed("which is what the motion and its scene give", [](Json& json) {
+    changed("as computed from the motion and its scene", [](Json& json) {
         double& number = json["motion"]["curves"][0]["pieces"][3][2].get_ref<double&>();
         number *= 1.0 + 1e-6;
     });
@@ -253,7 +253,7 @@ TEST_F(ChangedFolder, Numbers) {
 
 TEST_F(ChangedFolder, AnotherScene) {
     replace("scene.toml", "lift_mm = ", "lift_mm = 1");
-    expect_says(refused(), "which is what the motion and its scene give");
+    expect_says(refused(), "as computed from the motion and its scene");
     SetUp();
     replace("scene.toml", "segments = [", "segments = [{kind=\"dwell\", angle_deg=1},");
     EXPECT_NE(refused(), "");
@@ -267,7 +267,7 @@ TEST_F(ChangedFolder, NoJson) {
     expect_says(refused(), "found no JSON");
 }
 
-TEST(ResultFolderReader, ASceneWithoutAMotionHasNoneToRead) {
+TEST(ResultFolderReader, InfeasibleSceneHasNoMotion) {
     const test::TemporaryFolder folder;
     const Solution solution = solved_into(folder.path(), "infeasible_velocity_cap", {});
     ASSERT_FALSE(solution.motion);

@@ -81,7 +81,7 @@ TEST(SweepJson, ReadsBackTheSame) {
               "x: found no description of a sweep; allowed: one that camopt sweep wrote");
 }
 
-TEST(SweepJson, TellsWhatMakesTwoSweepsDifferent) {
+TEST(SweepJson, ReportsDifferencesOfSweeps) {
     const SweepIdentity one = sample_sweep().identity;
     const auto with = [&](const std::function<void(SweepIdentity&)>& change) {
         SweepIdentity other = one;
@@ -131,7 +131,7 @@ TEST(SweepFolder, AShardHoldsEveryNthChunk) {
     EXPECT_EQ(SweepFolder::create(temporary.path() + "/1", sweep).chunks(), (std::vector{0, 2}));
 }
 
-TEST(SweepFolder, RefusesAFolderThatIsInUse) {
+TEST(SweepFolder, RefusesFolderInUse) {
     const TemporaryFolder temporary;
     const std::string other = temporary.path() + "/other", sweep = temporary.path() + "/sweep";
     std::filesystem::create_directories(other);
@@ -149,7 +149,7 @@ TEST(SweepFolder, RefusesAFolderThatIsInUse) {
               std::string::npos);
 }
 
-TEST(SweepFolder, WhatAKilledRunLeftIsNoHindrance) {
+TEST(SweepFolder, IgnoresRemainsOfKilledRuns) {
     const TemporaryFolder temporary;
     write_text_file(temporary.path() + "/sweep.json.77.tmp", "{ \"camo");
     const SweepFolder folder = SweepFolder::create(temporary.path(), sample_sweep());
@@ -165,7 +165,7 @@ TEST(SweepFolder, WhatAKilledRunLeftIsNoHindrance) {
     EXPECT_EQ(files, 2);  // sweep.json and chunk 0
 }
 
-TEST(SweepText, FailedRowsAreToldWithTheirReasons) {
+TEST(SweepText, FailedRowsShowReasons) {
     SweepTable table{sample_sweep().identity.columns, rows(0, 4)};
     table.rows[1].verdict = table.rows[2].verdict = Verdict::failed;
     table.rows[1].reason = table.rows[2].reason = "worker died: signal 11";

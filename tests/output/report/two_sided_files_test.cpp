@@ -77,7 +77,7 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
     return rows;
 }
 
-TEST_F(TwoSidedFiles, BothTablesAreOffsetsOfOnePath) {
+TEST_F(TwoSidedFiles, TablesAreOffsetsOfPath) {
     const auto inner = rows_of(file(grooved(), "profile.csv")),
                outer = rows_of(file(grooved(), "second_profile.csv"));
     ASSERT_GT(inner.size(), 190U);
@@ -92,7 +92,7 @@ TEST_F(TwoSidedFiles, BothTablesAreOffsetsOfOnePath) {
     }
 }
 
-TEST_F(TwoSidedFiles, TheUniformTableIsOfTheFirstSide) {
+TEST_F(TwoSidedFiles, UniformTableUsesFirstSide) {
     UniformTableOptions options;
     options.columns = {"theta_deg",  "cam_x_mm", "cam_y_mm",      "pitch_x_mm",
                        "pitch_y_mm", "force_n",  "normal_force_n"};
@@ -106,7 +106,7 @@ TEST_F(TwoSidedFiles, TheUniformTableIsOfTheFirstSide) {
     EXPECT_LT(least, -1.0);
 }
 
-TEST_F(TwoSidedFiles, PicturesAndDrawingHaveBothSides) {
+TEST_F(TwoSidedFiles, FiguresShowBothSides) {
     for (const char* layer : {"INNER_FLANK", "OUTER_FLANK", "RIM", "PITCH"})
         EXPECT_NE(file(grooved(), "profile.dxf").find(layer), std::string::npos) << layer;
     for (const char* layer : {"SECOND_CAM", "SECOND_PITCH", "SECOND_ROLLER"})
@@ -130,12 +130,11 @@ TEST_F(TwoSidedFiles, WordsNameTheSide) {
     for (const char* words : {"oscillating roller on conjugate disks", "first disk: largest pressure angle",
                               "second disk: least convex radius"})
         EXPECT_NE(pair.find(words), std::string::npos) << words;
-    EXPECT_NE(remarks(grooved()).find("The load goes over between inner flank and outer flank"),
+    EXPECT_NE(remarks(grooved()).find("The load changes between inner flank and outer flank"),
               std::string::npos);
-    EXPECT_NE(
-        remarks(grooved()).find("The groove is 20.05 mm wide where it is narrowest, the roller 20 mm: it "
-                                "fits all round."),
-        std::string::npos)
+    EXPECT_NE(remarks(grooved()).find(
+                  "The groove is 20.05 mm wide where it is narrowest, the roller 20 mm: it fits everywhere."),
+              std::string::npos)
         << remarks(grooved());
     EXPECT_NE(remarks(conjugate()).find("Both rollers at once: the sum of the gaps at both disks is"),
               std::string::npos);
@@ -168,7 +167,7 @@ TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
     }
 }
 
-TEST_F(TwoSidedFiles, AGrooveIsMilledByAnyCutterThatFits) {
+TEST_F(TwoSidedFiles, FittingCuttersMillTheGroove) {
     const MotionChain motion = drawn_motion(grooved());
     const ProfileShape shape = delivered_shape(grooved(), motion).value();
     ASSERT_EQ(made_pieces(shape).size(), 1u);

@@ -28,7 +28,7 @@ std::set<std::string> names(const std::vector<std::filesystem::path>& paths) {
     return result;
 }
 
-TEST(CamExport, WritesWhatIsAskedFor) {
+TEST(CamExport, WritesRequestedFiles) {
     const test::TemporaryFolder temporary;
     const std::filesystem::path folder = temporary.path();
     CamExportOptions options;

@@ -40,7 +40,7 @@ struct Grooved {
           program(checked_program(*machine, post, work)) {}
 };
 
-TEST(GrooveMilling, RoughsTheMiddleAndTowardsBothFlanks) {
+TEST(GrooveMilling, RoughsMiddleThenBothFlanks) {
     const SpatialCam cam = test::translating_cam();
     NcExportOptions options = coarse(cam, 0.6);
     options.milling.full_depth = false;
@@ -75,7 +75,7 @@ TEST(GrooveMilling, RoughingBelowItsStockIsRefused) {
               std::string::npos);
 }
 
-TEST(GrooveMilling, LayersOfACutterLikeTheRoller) {
+TEST(GrooveMilling, RollerSizedCutterWorksInLayers) {
     const SpatialCam cam = test::barrel_cam();
     NcExportOptions options = coarse(cam, 1.0);
     options.milling.full_depth = false;
@@ -141,7 +141,7 @@ double steepest_way_down(const Grooved& groove) {
     return steepest * 180.0 / std::numbers::pi;
 }
 
-TEST(GrooveMilling, GoesDownNoSteeperThanTheRamp) {
+TEST(GrooveMilling, DescendsWithinRampAngle) {
     const SpatialCam cam = test::translating_cam();  // its floor is level
     for (const double ramp : {3.0, 10.0}) {
         NcExportOptions options = coarse(cam, 1.0);
@@ -178,7 +178,7 @@ TEST(GrooveMilling, RefusesWhatIsOutsideItsRange) {
               std::string::npos);
     EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 2.0; }).find("<= 90 deg"),
               std::string::npos);
-    EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 0.001; }).find("ways to and fro"),
+    EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 0.001; }).find("passes to and fro"),
               std::string::npos);
 }
 

@@ -72,7 +72,7 @@ TEST(IndexingBody, HoldsWhatRollersLeave) {
 
 // In the dwell the rib of the paper-cup machine fills the gap between two rollers at ±180°/7:
 // 2 r_i sin(π/7) − 2 r along the cam's axis.
-TEST(IndexingBody, RibFillsTheGapBetweenTwoRollers) {
+TEST(IndexingBody, RibFillsGapBetweenRollers) {
     const SpatialCam cam = test::barrel_cam();
     const IndexingGroove groove(cam, test::barrel_motion(), cam.roller_length + floor_clearance);
     const double gap = 2.0 * 0.164 * std::sin(std::numbers::pi / 7.0) - 2.0 * 0.03175;

@@ -24,7 +24,7 @@ CheckedProgram exported(const SpatialCam& cam, const FollowerMotion& motion, con
     return nc_export(cam, motion, *machine, generic_post(*machine), options);
 }
 
-TEST(NcExport, RollerEqualCutterIsAsExactAsItsBlocks) {
+TEST(NcExport, RollerSizedCutterIsBlockExact) {
     NcExportOptions options;
     options.milling.full_depth = true;
     options.chord_tolerance = 5e-6;
@@ -47,7 +47,7 @@ TEST(NcExport, RollerEqualCutterIsAsExactAsItsBlocks) {
     }
 }
 
-TEST(NcExport, SmallerCutterTakesTwoPassesAndLeavesWhatMechanismsSay) {
+TEST(NcExport, SmallerCutterLeavesPredictedStock) {
     NcExportOptions options;
     options.milling.full_depth = true;
     options.cutter_diameter = 10.0 * millimetre;
@@ -61,7 +61,7 @@ TEST(NcExport, SmallerCutterTakesTwoPassesAndLeavesWhatMechanismsSay) {
     EXPECT_LT(result.surfaces[4].check.stock, options.chord_tolerance + result.poses.tip_rounding);
 }
 
-TEST(NcExport, RefusesACutterLargerThanTheRoller) {
+TEST(NcExport, RefusesCutterLargerThanRoller) {
     NcExportOptions options;
     options.cutter_diameter = 64.0 * millimetre;
     EXPECT_EQ(refusal([&] { (void)exported(test::barrel_cam(), test::barrel_motion(), options); }),
@@ -71,7 +71,7 @@ TEST(NcExport, RefusesACutterLargerThanTheRoller) {
 
 // The neighbour's groove in the dwell, and the ways in and out of every roller: a program of one roller over
 // one turn leaves them.
-TEST(NcExport, MillsTheGroovesOfAllRollersOfAnIndex) {
+TEST(NcExport, MillsAllGroovesOfAnIndex) {
     for (const auto& [cam, motion] : {std::pair{test::barrel_cam(), test::barrel_motion()},
                                       std::pair{test::rotating_cam(), test::rotating_motion()}}) {
         NcExportOptions options;

@@ -64,7 +64,7 @@ double printed(const PostProcessor& post, const Machine& machine, double height)
     return (z.sign * (height - (five ? z_offset : 0.0)) + z.offset) / metres_of(post.unit);
 }
 
-TEST(NcRapids, OneSpoiledWordIsRefusedOnEveryMachineAndPost) {
+TEST(NcRapids, EveryMachineRefusesCorruptedWord) {
     for (const Case& one : cases()) {
         const auto machine = machine_for(one.cam, z_offset);
         const NcWork work = work_of(one);
@@ -107,7 +107,7 @@ TEST(NcRapids, AHigherPlaneIsNotRefused) {
     }
 }
 
-TEST(NcRapids, HeightsFollowTheBlankThatIsGiven) {
+TEST(NcRapids, HeightsFollowGivenBlank) {
     const Case one = cases().front();
     const auto machine = machine_for(one.cam, 0.0);
     const PostProcessor post = generic_post(*machine);

@@ -19,7 +19,7 @@ using testing_support::refusal;
 
 using test::millimetre;
 
-TEST(FlankCsv, HasThePaperS3200PointsAndReadsBackExactly) {
+TEST(FlankCsv, RoundTrips3200PaperPoints) {
     const FlankGrid grid = test::barrel_grid();
     std::istringstream text(flank_csv(grid));
     std::string line;
@@ -41,7 +41,7 @@ TEST(FlankCsv, HasThePaperS3200PointsAndReadsBackExactly) {
     EXPECT_GE(lines, 3200u);
 }
 
-TEST(GrooveBody, IsASolidOfTheRollerSSweep) {
+TEST(GrooveBody, IsSweptSolidOfRoller) {
     for (const FlankGrid& grid : {test::barrel_grid(), test::rotating_grid(), test::closed_grid()}) {
         const TriangleMesh body = groove_body(grid);
         EXPECT_TRUE(mesh_edges(body).watertight());

@@ -23,7 +23,7 @@ Section square(double a, double z) {
     return {{-a, -a, z}, {a, -a, z}, {a, a, z}, {-a, a, z}};
 }
 
-TEST(SweptSolid, BoxEitherWay) {
+TEST(SweptSolid, BoxInEitherDirection) {
     for (const double direction : {1.0, -1.0}) {
         const TriangleMesh box = swept_solid(
             std::vector{square(0.5, 0.0), square(0.5, direction), square(0.5, 2.0 * direction)}, false);
@@ -110,7 +110,7 @@ TEST(MeshFiles, Obj) {
               "1.000000 0.000000 0.000000\nv 0.000000 2.500000 0.000000\nf 4 5 6\n");
 }
 
-TEST(MeshSvg, RoundingDoesNotDecideHowAPictureIsWritten) {
+TEST(MeshSvg, OutputIsIndependentOfRounding) {
     std::vector<Section> sections;
     for (int k = 0; k < 24; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / 24, c = std::cos(angle), s = std::sin(angle);
@@ -130,7 +130,7 @@ TEST(MeshSvg, RoundingDoesNotDecideHowAPictureIsWritten) {
     EXPECT_NE(picture(1e-1), exact);
 }
 
-TEST(MeshSvg, DrawsWhatFacesTheEyeFromFarToNear) {
+TEST(MeshSvg, DrawsVisibleFacesBackToFront) {
     TriangleMesh two = swept_solid(std::vector{square(1, 0), square(1, 1)}, false);
     const PaintedMesh box{two, {200, 100, 50}};
     MeshView view;

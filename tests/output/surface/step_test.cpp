@@ -19,7 +19,7 @@ std::vector<BsplineSurface> surfaces() {
     return bspline_surfaces(flank_surfaces(test::barrel_grid(4, 40))[0]);
 }
 
-TEST(StepFile, IsWrittenSilentlyOrSaysWhatIsMissing) {
+TEST(StepFile, IsWrittenOrNamesMissingLibrary) {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() /
         ("camopt_step_test_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + ".step");
@@ -51,7 +51,7 @@ TEST(StepFile, RefusesWhatCannotBeWritten) {
     EXPECT_FALSE(std::filesystem::exists("cam.step"));
 }
 
-TEST(StepFile, AFullDiskIsRefusedAndLeavesNothing) {
+TEST(StepFile, FullDiskIsRefusedWithoutRemains) {
     if (!step_available() || !std::filesystem::exists("/dev/full"))
         GTEST_SKIP() << "no Open CASCADE in this build, or no /dev/full";
     const std::string path =

@@ -44,7 +44,7 @@ std::string weighing_all() {
     return scene_text(false, fmt::format("{}reference = {{ {} }}", weights, numbers), "");
 }
 
-TEST(CostTable, HasARowForEveryReferenceAndWeight) {
+TEST(CostTable, CoversEveryReferenceAndWeight) {
     // Members cannot be counted, but their size can: the law, the numbers, the flag behind them.
     EXPECT_EQ(sizeof(Reference),
               sizeof(std::string) +
@@ -79,7 +79,7 @@ TEST(CostTable, FiguresAreTheMembersOfPeaks) {
     EXPECT_EQ(derivative_mean(peaks, 1), peaks.rms_velocity);
 }
 
-TEST(CostTable, EveryRowIsReadAsWeightAndAsReference) {
+TEST(CostTable, EveryRowReadsWeightAndReference) {
     for (const CostTerm& term : cost_terms()) {
         SCOPED_TRACE(term.name());
         const Scene scene = read(weighing(term, 0.25));
@@ -92,7 +92,7 @@ TEST(CostTable, EveryRowIsReadAsWeightAndAsReference) {
     }
 }
 
-TEST(CostTable, EveryRowIsRefusedOutOfItsRange) {
+TEST(CostTable, EveryRowRefusesInvalidRange) {
     for (const CostTerm& term : cost_terms()) {
         SCOPED_TRACE(term.name());
         const std::string negative = refusal_of(weighing(term, -1.0));
@@ -116,7 +116,7 @@ TEST(CostTable, EveryRowIsRefusedOutOfItsRange) {
     }
 }
 
-TEST(CostTable, EveryRowIsAParameterOfTheModel) {
+TEST(CostTable, EveryRowIsAModelParameter) {
     for (const CostTerm& term : cost_terms()) {
         const Scene scene = read(weighing(term, 0.5));
         const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
@@ -125,7 +125,7 @@ TEST(CostTable, EveryRowIsAParameterOfTheModel) {
     }
 }
 
-TEST(CostTable, EveryRowCanBeSweptAndWhereItSaysSoTraded) {
+TEST(CostTable, EveryRowIsSweptOrTraded) {
     std::string titles;
     for (const CostTerm& term : cost_terms()) {
         titles += fmt::format("{}{}", titles.empty() ? "" : ",", term.name());
@@ -168,7 +168,7 @@ TEST(CostTable, EveryRowIsPaidAndWritten) {
     }
 }
 
-TEST(CostTable, EveryRowIsAColumnOfTheComparison) {
+TEST(CostTable, EveryRowIsAComparisonColumn) {
     Scene scene = read(weighing_all());
     scene.cam.reset();
     scene.forces.reset();

@@ -46,7 +46,7 @@ void for_each_key(const Visit& visit) {
             }
 }
 
-TEST(LimitTable, HasARowForEveryMemberOfLimitSpec) {
+TEST(LimitTable, CoversEveryMemberOfLimitSpec) {
     // Members cannot be counted, but their size can.
     EXPECT_EQ(sizeof(LimitSpec), peak_limit_rows().size() * sizeof(std::optional<PeakLimit>) +
                                      limit_rows().size() * sizeof(std::optional<WrittenLimit>));
@@ -72,7 +72,7 @@ TEST(LimitTable, HasARowForEveryMemberOfLimitSpec) {
     EXPECT_EQ(limit_name_in("cam.face_half_width_mm"), nullptr);
 }
 
-TEST(LimitTable, EveryRowIsReadByEachOfItsKeysAndSetsNothingElse) {
+TEST(LimitTable, EveryKeySetsOneRow) {
     for_each_key([](const LimitRow& row, bool swings, const Spelling& spelling) {
         const double value = loose_value(row);
         const Scene scene = read(scene_text(swings, least_jerk, limit_line(row, swings, spelling, value)));
@@ -86,7 +86,7 @@ TEST(LimitTable, EveryRowIsReadByEachOfItsKeysAndSetsNothingElse) {
     });
 }
 
-TEST(LimitTable, EveryRowIsRefusedOutOfItsRangeFromAFileAndFromCpp) {
+TEST(LimitTable, EveryRowRefusesInvalidRange) {
     for_each_key([](const LimitRow& row, bool swings, const Spelling& spelling) {
         const std::string key = name_of_limit(row, swings) + std::string(spelling.suffix);
         const std::string message =
@@ -105,7 +105,7 @@ TEST(LimitTable, EveryRowIsRefusedOutOfItsRangeFromAFileAndFromCpp) {
     });
 }
 
-TEST(LimitTable, EveryRowNeedsACamAndItsForces) {
+TEST(LimitTable, EveryRowRequiresItsCamData) {
     for (const LimitRow& row : rows_of_cams()) {
         Scene scene = read(scene_text(false, least_jerk, ""));
         row.in(scene.limits) = WrittenLimit{loose_value(row)};
@@ -117,7 +117,7 @@ TEST(LimitTable, EveryRowNeedsACamAndItsForces) {
     }
 }
 
-TEST(LimitTable, EveryRowHasItsRuleAndItsRelaxation) {
+TEST(LimitTable, EveryRowHasRuleAndRelaxation) {
     for (const LimitRow& row : rows_of_cams()) {
         SCOPED_TRACE(row.name);
         const Spelling& spelling = row.spellings.front();
@@ -138,7 +138,7 @@ TEST(LimitTable, EveryRowHasItsRuleAndItsRelaxation) {
     }
 }
 
-TEST(LimitTable, EveryRowIsReportedInJsonReportAndWords) {
+TEST(LimitTable, EveryRowIsReportedEverywhere) {
     for (const bool swings : {false, true}) {
         std::string lines;
         for (const LimitRow& row : rows_of_cams())
@@ -171,7 +171,7 @@ TEST(LimitTable, EveryRowIsReportedInJsonReportAndWords) {
     }
 }
 
-TEST(LimitTable, EveryCapOnAPeakIsReadRuledRelaxedAndReported) {
+TEST(LimitTable, EveryPeakCapIsFullySupported) {
     for (const PeakLimitRow& row : peak_limit_rows())
         for (const Spelling& spelling : row.spellings) {
             const std::string key = row.name() + std::string(spelling.suffix);
@@ -203,7 +203,7 @@ TEST(LimitTable, EveryCapOnAPeakIsReadRuledRelaxedAndReported) {
     }
 }
 
-TEST(LimitTable, WhatOtherProgramsCallARowIsUnderstood) {
+TEST(LimitTable, SynonymsOfRowsAreRecognized) {
     int count = 0;
     const auto hinted = [&](const char* name, const Spelling& spelling, std::string_view word) {
         const std::string message =

@@ -70,7 +70,7 @@ DiskNcOptions with_roughing() {
     return options;
 }
 
-TEST(ToolPathPicture, GoesThroughTheEndOfEveryMoveOfTheText) {
+TEST(ToolPathPicture, PassesThroughEveryProgrammedMove) {
     const Milled made = milled(with_roughing());
     ASSERT_EQ(made.program.fault(), "");
     const std::vector<TextMove> wanted = moves_of(made.program.program.text);
@@ -92,7 +92,7 @@ TEST(ToolPathPicture, GoesThroughTheEndOfEveryMoveOfTheText) {
     EXPECT_EQ(next, wanted.size());
 }
 
-TEST(ToolPathPicture, TellsRoughingFromFinishing) {
+TEST(ToolPathPicture, DistinguishesRoughingFromFinishing) {
     const Milled made = milled(with_roughing());
     const double radius = 0.5 * made.work.task.cutter.diameter;
     int finishing = 0, roughing = 0;
@@ -145,7 +145,7 @@ TEST(ToolPathPicture, DrawsThoseLines) {
     EXPECT_EQ(svg.find("REFUSED"), std::string::npos);
 }
 
-TEST(ToolPathPicture, SaysThatAProgramIsRefused) {
+TEST(ToolPathPicture, ReportsRefusedProgram) {
     Milled made = milled({});
     std::string& text = made.program.program.text;
     const std::size_t rapid = text.find("G0 Z"), number = rapid + 4;

@@ -46,7 +46,7 @@ TEST(KeyWords, NamesAndUnitsOfKeys) {
     EXPECT_EQ(key_words("cam.base_radius_mm.max").unit, "mm");
 }
 
-TEST(KeyWords, ANumberInAListOfTheMotionKeepsItsIndex) {
+TEST(KeyWords, ListNumbersKeepTheirIndex) {
     EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").words, "motion.via[0].velocity");
     EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").unit, "mm/deg");
     EXPECT_EQ(key_words("motion.segments[2].via[1].acceleration_m_s2").unit, "m/s²");
@@ -54,7 +54,7 @@ TEST(KeyWords, ANumberInAListOfTheMotionKeepsItsIndex) {
     EXPECT_EQ(key_words("motion.segments[2].to").unit, "");
 }
 
-TEST(KeyWords, AChangeIsAnActionOnTheSideThatStillDoes) {
+TEST(KeyWords, ChangeNamesTheSideStillEffective) {
     EXPECT_EQ(change_words({"cam.base_radius_mm", 30.0, 31.41231}), "increase the base radius to 31.413 mm");
     EXPECT_EQ(change_words({"spline.segments", 7.0, 14.0}), "use 14 segments");
     EXPECT_EQ(change_words({"spline.breakpoints", 7.0, 14.0}), "use 14 segments (every interval cut in two)");
@@ -72,7 +72,7 @@ TEST(KeyWords, AChangeIsAnActionOnTheSideThatStillDoes) {
     EXPECT_EQ(change_words({"motion.speed_rpm", 300.0, 280.0}), "reduce the speed to 280 rpm");
 }
 
-TEST(KeyWords, AChangeNamesWhatGivesWay) {
+TEST(KeyWords, ChangeNamesTheReducedSide) {
     EXPECT_EQ(
         change_words({"motion.segments[2].angle_deg",
                       50.0,
@@ -86,7 +86,7 @@ TEST(KeyWords, AChangeNamesWhatGivesWay) {
               "lengthen the rise to 95 deg, with the return at 95 deg");
 }
 
-TEST(CamWords, DimensionsOfTheFollowerAndThePrimeRadius) {
+TEST(CamWords, ListFollowerDimensionsAndPrimeRadius) {
     EXPECT_EQ(dimensions_text(test::cam_solution()),
               "base radius 30 mm, roller radius 10 mm, offset 0 mm, prime radius 40 mm");
     Solution free = test::infeasible_cam_solution();
@@ -101,14 +101,14 @@ TEST(CamRemarks, SayWhetherTheCamIsUndercut) {
     EXPECT_TRUE(says(undercut, "or a smaller roller helps"));
 }
 
-TEST(CamRemarks, SayWhatLimitsTheCamAndHowSmallItCouldBe) {
+TEST(CamRemarks, NameActiveLimitAndSmallestSize) {
     Solution solution = test::cam_solution();
     EXPECT_TRUE(says(remarks_of(solution), "No limit shapes it"));
-    EXPECT_TRUE(says(remarks_of(solution), "any motion whatever needs a prime radius above "));
+    EXPECT_TRUE(says(remarks_of(solution), "every motion needs a prime radius of at least "));
     EXPECT_TRUE(says(remarks_of(solution), "this cam has 40 mm"));
     EXPECT_TRUE(says(remarks_of(solution), "the sector of the motion, 90 deg"));
     solution.constraints.back().active = true;
-    EXPECT_TRUE(says(remarks_of(solution), "What limits it: the pressure angle at "));
+    EXPECT_TRUE(says(remarks_of(solution), "Active limits: the pressure angle at "));
     solution.scene.cam->set(DimensionIndex::base_radius, Dimension(0.03, 0.06));
     EXPECT_TRUE(says(remarks_of(solution), "; the base radius is the least allowed."));
 }
@@ -123,14 +123,14 @@ TEST(CamRemarks, SayWhenTheFollowerLiftsOff) {
     EXPECT_TRUE(says(remarks_of(solution), "LIFTS OFF the cam at 0 deg: it needs more preload."));
 }
 
-TEST(CamRemarks, AForceThatJustReachesZeroIsNoLiftOff) {
+TEST(CamRemarks, ZeroForceIsNotLiftOff) {
     Solution solution = test::cam_solution();
     solution.cam->summary.forces->least_force = {-1e-9, 0.75};
     EXPECT_FALSE(says(remarks_of(solution), "LIFTS OFF"));
     EXPECT_TRUE(says(remarks_of(solution), "just reaches 0 at 67.5 deg"));
 }
 
-TEST(CamRemarks, ARegularityOfZeroIsACusp) {
+TEST(CamRemarks, ZeroRegularityIsCusp) {
     Solution solution = test::cam_solution();
     solution.cam->summary.regularity = {0.0, 0.5};
     EXPECT_TRUE(says(remarks_of(solution), "A CUSP at 45 deg"));
@@ -139,20 +139,20 @@ TEST(CamRemarks, ARegularityOfZeroIsACusp) {
     EXPECT_TRUE(says(remarks_of(solution), "UNDERCUT at 45 deg"));
 }
 
-TEST(CamRemarks, TellTheForwardCheck) {
+TEST(CamRemarks, ReportForwardCheck) {
     Solution solution = test::cam_solution();
     EXPECT_FALSE(says(remarks_of(solution), "Forward check"));
     solution.cam->forward_check = ForwardCheckReport{1.2e-9, 3e-8, 0.5, 2001, 0.1};
     EXPECT_TRUE(says(remarks_of(solution),
-                     "over 2001 points of the cam, and nothing else, moves as designed within 1.2e-6 mm "
+                     "over 2001 points of the cam alone moves as designed within 1.2e-6 mm "
                      "(3e-8 of the prime radius, at 45 deg)"));
     solution.cam->forward_check->relative = 0.02;
     EXPECT_TRUE(says(remarks_of(solution), "DEPARTS from the designed motion by"));
     solution.cam->forward_check->deviation = std::numeric_limits<double>::infinity();
-    EXPECT_TRUE(says(remarks_of(solution), "no place was found where the follower touches the cam"));
+    EXPECT_TRUE(says(remarks_of(solution), "no point was found where the follower touches the cam"));
 }
 
-TEST(CheckCam, TheSampleMovesItsFollowerAsDesigned) {
+TEST(CheckCam, SampleMovesFollowerAsDesigned) {
     const Solution solution = test::cam_solution();
     const ForwardCheckReport check = check_cam(solution);
     EXPECT_LT(check.deviation, 1e-9);
@@ -160,7 +160,7 @@ TEST(CheckCam, TheSampleMovesItsFollowerAsDesigned) {
     EXPECT_GT(check_cam(test::undercut_solution()).relative, 1e-3);
 }
 
-TEST(CheckCam, AReturnThatEndsBeforeTheTurnIsFollowedByItsDwell) {
+TEST(CheckCam, EarlyReturnIsFollowedByDwell) {
     Solution solution = test::cam_solution();
     EXPECT_EQ(cam_motion(solution).end(), 1.0);
     solution.scene.motion.type = MotionType::rr;
@@ -169,7 +169,7 @@ TEST(CheckCam, AReturnThatEndsBeforeTheTurnIsFollowedByItsDwell) {
 }
 
 // The rest of the turn, half before the rise and half after it; open between the far ends, and said why.
-TEST(CheckCam, ARiseAloneIsDrawnWithItsDwellArcs) {
+TEST(CheckCam, SingleRiseIncludesDwellArcs) {
     Solution solution = test::cam_solution();
     ASSERT_EQ(solution.scene.motion.type, MotionType::drd);
     const MotionChain drawn = drawn_motion(solution);
@@ -184,7 +184,7 @@ TEST(CheckCam, ARiseAloneIsDrawnWithItsDwellArcs) {
     EXPECT_DOUBLE_EQ(drawn_motion(solution).end(), 4.0);
 }
 
-TEST(SolutionText, TellsTheCamInASection) {
+TEST(SolutionText, CamHasItsOwnSection) {
     const std::string text = summary_text(test::cam_solution(), {});
     for (const char* part :
          {"cam: translating roller, the cam turning counterclockwise", "dimensions: base radius 30 mm",
@@ -193,11 +193,11 @@ TEST(SolutionText, TellsTheCamInASection) {
         EXPECT_TRUE(says(text, part)) << part;
 }
 
-TEST(SolutionText, ASceneWithoutACamIsToldAsBefore) {
+TEST(SolutionText, SceneWithoutCamIsUnchanged) {
     const std::string text = summary_text(test::sample_solution(), {});
     for (const char* part : {"cam:", "joint", "undercut", "starts"}) EXPECT_FALSE(says(text, part)) << part;
     EXPECT_TRUE(says(summary_text(test::infeasible_solution(), {}),
-                     "One of these alone would do: raise the velocity limit to 312.5 mm/s."));
+                     "Any one of these changes suffices: raise the velocity limit to 312.5 mm/s."));
 }
 
 TEST(SolutionText, IsHonestAboutALocalOptimum) {
@@ -210,7 +210,7 @@ TEST(SolutionText, IsHonestAboutALocalOptimum) {
                      "Local optimum, the best of 8 starts: no small change improves it, and it is proved to "
                      "be at most 0.00001 % from the optimum."));
     EXPECT_TRUE(says(text, "bound of the convex relaxation 1.1259609"));
-    EXPECT_TRUE(says(report_markdown(solution), "(bound of the convex relaxation): 1.1259609"));
+    EXPECT_TRUE(says(report_markdown(solution), "(convex relaxation): 1.1259609"));
     solution.certificate.verdict = Verdict::feasible;
     EXPECT_TRUE(says(summary_text(solution, {}), "Feasible, the best of 8 starts"));
     solution.certificate.verdict = Verdict::optimal;  // proved is proved
@@ -218,7 +218,7 @@ TEST(SolutionText, IsHonestAboutALocalOptimum) {
     solution.certificate.verdict = Verdict::failed;
     solution.certificate.reason = Reason::no_feasible_point;
     solution.motion.reset();
-    EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, and no proof that there is none"));
+    EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, infeasibility is not proved"));
 }
 
 TEST(SolutionText, SaysTheGapThatIsProved) {
@@ -270,7 +270,7 @@ TEST(SolutionText, NamesTheSegmentOfAnExcursion) {
                   "The output goes 1 mm above the stroke of segment 2 (0 to 9 mm) at 150 deg."});
 }
 
-TEST(SolutionText, PeaksHaveTheirSignAndTheOtherSide) {
+TEST(SolutionText, SignedPeaksShowOtherSide) {
     const Solution solution = test::sample_solution();
     const SignedPeaks peaks = signed_peaks(solution, 2);
     EXPECT_DOUBLE_EQ(peaks.largest.value, 8.0);
@@ -281,7 +281,7 @@ TEST(SolutionText, PeaksHaveTheirSignAndTheOtherSide) {
     EXPECT_TRUE(says(report_markdown(solution), "−32 m/s² at 67.5 deg"));
 }
 
-TEST(SolutionText, AProgramHasATableOfItsSegments) {
+TEST(SolutionText, ProgramHasTableOfSegments) {
     const Solution solution = test::program_solution();
     const TextTable table = segment_table(solution);
     ASSERT_EQ(table.rows.size(), 4U);
@@ -297,18 +297,18 @@ TEST(SolutionText, AProgramHasATableOfItsSegments) {
     EXPECT_TRUE(says(text, "22.4039 mm/rad"));
 }
 
-TEST(InfeasibleWords, NameTheLimitsThatFightAndWhere) {
-    EXPECT_EQ(
-        conflict_sentence(test::infeasible_cam_solution()),
-        "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg fights the cam radius limit at 81 "
-        "deg: no spline of 4 cubic segments keeps all limits.");
+TEST(InfeasibleWords, NameConflictingLimitsAndLocation) {
+    EXPECT_EQ(conflict_sentence(test::infeasible_cam_solution()),
+              "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg conflicts with the cam radius "
+              "limit at 81 "
+              "deg: no spline of 4 cubic segments satisfies all limits.");
     EXPECT_EQ(conflict_sentence(test::cam_solution()), "");
     Solution alone = test::infeasible_cam_solution();
     alone.conflict.resize(1);
-    EXPECT_EQ(
-        conflict_sentence(alone),
-        "The pressure angle limit at 23.4 deg cannot be kept: no spline of 4 cubic segments that makes the "
-        "lift in its angle does.");
+    EXPECT_EQ(conflict_sentence(alone),
+              "The pressure angle limit at 23.4 deg cannot be satisfied by any spline of 4 cubic segments "
+              "that makes the "
+              "lift in its angle does.");
     alone.explanation = Explanation{.together = {},
                                     .any_motion = {"limits.pressure_angle_deg"},
                                     .alone = {},
@@ -317,23 +317,25 @@ TEST(InfeasibleWords, NameTheLimitsThatFightAndWhere) {
                                     .unsettled = {},
                                     .seconds = 0.0,
                                     .allowed = 30.0};
-    EXPECT_EQ(conflict_sentence(alone),
-              "The pressure angle limit at 23.4 deg cannot be kept by any motion that makes the lift in its "
-              "angle.");
+    EXPECT_EQ(
+        conflict_sentence(alone),
+        "The pressure angle limit at 23.4 deg cannot be satisfied by any motion that makes the lift in its "
+        "angle.");
 }
 
-TEST(InfeasibleWords, LimitsThatAreImpossibleAloneDoNotFight) {
+TEST(InfeasibleWords, SeparatelyImpossibleLimitsDoNotConflict) {
     Solution solution = test::infeasible_cam_solution();
     solution.explanation.emplace();
     solution.explanation->alone = {"limits.pressure_angle_deg", "limits.cam_radius_min_mm"};
     const std::string text = conflict_sentence(solution);
-    EXPECT_FALSE(says(text, "fight")) << text;
+    EXPECT_FALSE(says(text, "conflicts with")) << text;
     EXPECT_TRUE(
         says(text, "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg cannot be kept: no "));
-    EXPECT_TRUE(says(text, "The cam radius limit at 81 deg cannot be kept: no spline of 4 cubic segments"));
+    EXPECT_TRUE(
+        says(text, "The cam radius limit at 81 deg cannot be satisfied by any spline of 4 cubic segments"));
 }
 
-TEST(InfeasibleWords, TellsWhatWasNotSettledInTheTime) {
+TEST(InfeasibleWords, ReportWhatTimeLeftUnsettled) {
     Solution solution = test::infeasible_cam_solution();
     solution.explanation.emplace();
     Explanation& explanation = *solution.explanation;
@@ -347,37 +349,36 @@ TEST(InfeasibleWords, TellsWhatWasNotSettledInTheTime) {
         for (const std::string& remark : infeasible_remarks(solution)) all += remark + "\n";
         return all;
     };
-    EXPECT_TRUE(
-        says(text(),
-             "The search for changes ended after 30 s of 30 s (what solver.max_seconds leaves): others "
-             "may help. It did not settle: offset, all limits together."))
+    EXPECT_TRUE(says(text(),
+                     "The search for changes ended after 30 s of 30 s (the rest of solver.max_seconds); "
+                     "others may suffice. Not decided: offset, all limits together."))
         << text();
-    EXPECT_TRUE(says(text(), "More segments do not help: as many as 32 were tried.")) << text();
+    EXPECT_TRUE(says(text(), "More segments were tried without success, up to 32.")) << text();
     explanation.own_limit = true;
     EXPECT_TRUE(says(text(), "of 30 s (solver.explain_seconds)")) << text();
     explanation.end = ExplanationEnd::interrupted;
-    EXPECT_TRUE(says(text(), "The search for changes was interrupted after 30 s: others may help."))
+    EXPECT_TRUE(says(text(), "The search for changes was interrupted after 30 s; others may suffice."))
         << text();
     EXPECT_FALSE(says(text(), "max_seconds")) << text();
     explanation.end = ExplanationEnd::enough;
     EXPECT_TRUE(says(text(), "ended with these (solver.explain_changes)")) << text();
 }
 
-TEST(InfeasibleWords, ALawThatBreaksALimitIsToBlame) {
+TEST(InfeasibleWords, LawViolatingLimitIsBlamed) {
     Solution solution = test::program_solution();
     solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
     EXPECT_EQ(conflict_sentence(solution),
-              "The velocity limit at 338 deg cannot be kept: the motion there is the law modified sine, "
-              "whatever the splines do.");
+              "The velocity limit at 338 deg cannot be satisfied: the motion there is the law modified sine, "
+              "regardless of the splines.");
     solution.conflict.front().at = 1.0;
     EXPECT_TRUE(says(conflict_sentence(solution), "no spline of 4 cubic segments in each of its parts that"));
 }
 
-TEST(InfeasibleWords, ALawBetweenFreeDisplacementsIsNotToBlame) {
+TEST(InfeasibleWords, FreeDisplacementsExonerateTheLaw) {
     Solution solution = test::program_solution();
     solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
     solution.scene.motion.segments[1].to.reset();  // then the spline decides how far the law moves
-    EXPECT_FALSE(says(conflict_sentence(solution), "whatever the splines do"));
+    EXPECT_FALSE(says(conflict_sentence(solution), "regardless of the splines"));
 }
 
 TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
@@ -395,12 +396,12 @@ TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
     EXPECT_TRUE(says(report_markdown(sure), "## Why no motion exists, and what would have to change"));
     sure.certificate.verdict = Verdict::failed;
     EXPECT_TRUE(says(report_markdown(sure), "## No motion was found, and what would have to change"));
-    EXPECT_TRUE(says(report, "One of these alone would do: increase the base radius to 31.413 mm"));
-    EXPECT_TRUE(says(report, "`cam.roller_radius_mm` | 10 | no value tried helps"));
+    EXPECT_TRUE(says(report, "Any one of these changes suffices: increase the base radius to 31.413 mm"));
+    EXPECT_TRUE(says(report, "`cam.roller_radius_mm` | 10 | tried without success"));
     EXPECT_FALSE(says(report, "profile.svg"));
 }
 
-TEST(Report, TellsTheCamWithItsPictures) {
+TEST(Report, ReportsCamWithPictures) {
     const std::string text = report_markdown(test::cam_solution());
     for (const char* part :
          {"## The cam", "base radius 30 mm", "| largest pressure angle |", "- No undercut",
@@ -409,7 +410,7 @@ TEST(Report, TellsTheCamWithItsPictures) {
     EXPECT_FALSE(says(report_markdown(test::sample_solution()), "The cam"));
 }
 
-TEST(Report, TellsAProgramBySegments) {
+TEST(Report, ReportsProgramBySegments) {
     const std::string text = report_markdown(test::program_solution());
     for (const char* part : {"a program of 4 segments over 360 deg", "## Segments", "| modified sine |",
                              "spline segments | at (deg)", "22.4039 mm/rad | 337.5"})

@@ -140,12 +140,12 @@ TEST(InfeasibleClaims, OneSplineIsNotEveryMotion) {
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
     EXPECT_FALSE(says(text, "any motion")) << text;
-    EXPECT_TRUE(says(text, "cannot be kept: no spline of 4 quintic segments")) << text;
+    EXPECT_TRUE(says(text, "cannot be satisfied by any spline of 4 quintic segments")) << text;
     EXPECT_TRUE(says(text, "use ")) << text;
     EXPECT_GE(expect_each_does(coarse, text), 5);
 }
 
-TEST(InfeasibleClaims, OneSplineIsNotEveryMotionForACapInTimeEither) {
+TEST(InfeasibleClaims, TimeCapConcernsOnlyOneSpline) {
     Scene scene = roller_scene(4, 60);
     scene.motion.speed = 300 * units::revolution_per_minute;
     // 5 normalised; every motion needs 4, four quintic segments about 5.9.
@@ -160,18 +160,18 @@ TEST(InfeasibleClaims, OneSplineIsNotEveryMotionForACapInTimeEither) {
     EXPECT_GE(expect_each_does(scene, text), 3);
 }
 
-TEST(InfeasibleClaims, EveryMotionIsSaidWhereNoMotionCan) {
+TEST(InfeasibleClaims, ReportEveryMotionWhenNoneExists) {
     // The smallest prime radius is 24.08 mm (docs/cams.md).
     const Solution solution = solve(roller_scene(8, 14.0));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
-    EXPECT_TRUE(says(told(solution), "cannot be kept by any motion that makes the lift in its angle"))
+    EXPECT_TRUE(says(told(solution), "cannot be satisfied by any motion that makes the lift in its angle"))
         << told(solution);
     EXPECT_TRUE(std::ranges::none_of(changes_in(told(solution)), [](const Change& one) {
         return one.words == "segments";
     })) << told(solution);
 }
 
-TEST(InfeasibleClaims, ASplineTooCoarseForAnythingIsMendedBySegmentsAlone) {
+TEST(InfeasibleClaims, MoreSegmentsFixCoarseSpline) {
     Scene scene = roller_scene(2, 60);
     scene.spline.degree = 3;
     const Solution solution = solve(scene);
@@ -181,7 +181,7 @@ TEST(InfeasibleClaims, ASplineTooCoarseForAnythingIsMendedBySegmentsAlone) {
     EXPECT_TRUE(says(text, "use ")) << text;
 }
 
-TEST(InfeasibleClaims, EveryChangeThatIsToldHasBeenSolved) {
+TEST(InfeasibleClaims, EveryReportedChangeWasSolved) {
     Scene turning = roller_scene(4, 20);
     turning.motion.type = MotionType::rr;
     turning.motion.rise = 90 * degree;
@@ -204,8 +204,8 @@ TEST(InfeasibleClaims, LimitsImpossibleAloneAreRelaxedTogether) {
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
-    EXPECT_FALSE(says(text, "fight")) << text;
-    EXPECT_TRUE(says(text, "Together these would do: ")) << text;
+    EXPECT_FALSE(says(text, "conflicts with")) << text;
+    EXPECT_TRUE(says(text, "A combined change that suffices: ")) << text;
     const std::vector<Change> together = changes_in(text.substr(text.find("Together")));
     EXPECT_EQ(together.size(), 3U) << text;
     Scene changed = scene;
@@ -248,7 +248,7 @@ TEST(SmallestCam, TheReturnCountsToo) {
     EXPECT_FALSE(says(text, "on this rise")) << text;
 }
 
-TEST(LimitOfAnyCurve, SaysThatItLeavesTheCamOut) {
+TEST(LimitOfAnyCurve, ReportsOmittedCam) {
     const Solution solution = solve(roller_scene(16, 30));
     ASSERT_TRUE(solution.motion && solution.any_curve_limit);
     const std::string text = summary_text(solution, {}), report = report_markdown(solution);

@@ -8,7 +8,7 @@
 namespace camopt {
 namespace number_text_test {
 
-TEST(ShortText, HasNoPowerOfTenBelowTenMillion) {
+TEST(ShortText, AvoidsExponentsBelowTenMillion) {
     EXPECT_EQ(short_text(134147.4, 5), "134150");
     EXPECT_EQ(short_text(-4639474.0), "−4639470");
     EXPECT_EQ(short_text(999999.6, 6), "1000000");

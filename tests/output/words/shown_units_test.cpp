@@ -45,7 +45,7 @@ const std::vector<Expected>& expectations() {
     return all;
 }
 
-TEST(ShownUnits, WithASpeedTimeStandsFirstAndTheCamAngleBeside) {
+TEST(ShownUnits, SpeedShowsTimeBeforeCamAngle) {
     for (const Expected& expected : expectations()) {
         const ShownUnits shown = shown_units(scene_of(expected.speed, expected.swings, expected.length));
         EXPECT_EQ(shown.in_time, expected.speed);
@@ -87,7 +87,7 @@ TEST(ShownUnits, FactorsAreThoseOfTheNames) {
     EXPECT_EQ(swing.motion[0].first.text(20.0 * degree), "20 deg");
 }
 
-TEST(ShownUnits, DegreesAreAnsweredWhereDegreesAreGiven) {
+TEST(ShownUnits, DegreesInputGivesDegreesOutput) {
     Scene scene = scene_of(true, true, LengthUnit::millimetre);
     scene.limits.velocity = PeakLimit{1.5, "limits.velocity_deg_s", 600.0, "deg/s"};
     const ShownUnits shown = shown_units(scene);

@@ -62,7 +62,7 @@ class RegularCam : public ::testing::TestWithParam<TestCam> {
     [[nodiscard]] static std::vector<double> places() { return angles(5.5, 10.0); }
 };
 
-TEST_P(RegularCam, NormalIsAtARightAngleToTheSurfaceAndPointsOutward) {
+TEST_P(RegularCam, NormalIsPerpendicularAndOutward) {
     for (const double theta : places()) {
         const ProfilePoint point = GetParam().at(theta, turn);
         const Vector2d tangent =
@@ -73,7 +73,7 @@ TEST_P(RegularCam, NormalIsAtARightAngleToTheSurfaceAndPointsOutward) {
     }
 }
 
-TEST_P(RegularCam, RadiusIsThatOfTheTurningNormal) {
+TEST_P(RegularCam, RadiusMatchesRotationOfNormal) {
     for (const double theta : places()) {
         const ProfilePoint point = GetParam().at(theta, turn);
         const Vector2d tangent =
@@ -96,7 +96,7 @@ TEST_P(RegularCam, RegularityComparesSurfaceWithPitchCurve) {
     }
 }
 
-TEST_P(RegularCam, PressureAngleIsBetweenNormalAndVelocityOfTheContact) {
+TEST_P(RegularCam, PressureAngleUsesNormalAndVelocity) {
     const DiskCam& cam = GetParam().cam;
     for (const double theta : places()) {
         const ProfilePoint point = GetParam().at(theta, turn);
@@ -113,7 +113,7 @@ TEST_P(RegularCam, PressureAngleIsBetweenNormalAndVelocityOfTheContact) {
 }
 
 /// The cam of the other rotation that meets the same positions in the opposite order is the same cam.
-TEST_P(RegularCam, IsTheSameCamTurningTheOtherWay) {
+TEST_P(RegularCam, IsUnchangedByOppositeRotation) {
     DiskCam other = GetParam().cam;
     const bool forward = other.rotation == Rotation::counterclockwise;
     other.rotation = forward ? Rotation::clockwise : Rotation::counterclockwise;

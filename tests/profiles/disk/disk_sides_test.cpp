@@ -152,7 +152,7 @@ TEST_P(DiskSides, BoundWhatTheRollersSweep) {
     });
 }
 
-TEST_P(DiskSides, PressureAngleAndRadiusAreThoseOfThePath) {
+TEST_P(DiskSides, PressureAngleAndRadiusMatchPath) {
     repeat(4, [](const DiskCam& cam, std::mt19937&) {
         constexpr double step = 1e-4;
         for (int side = 0; side < 2; ++side)
@@ -173,7 +173,7 @@ TEST_P(DiskSides, PressureAngleAndRadiusAreThoseOfThePath) {
                 EXPECT_NEAR(point.regularity, 1.0 - surface_offset(cam, side) * point.pitch_curvature, 1e-13);
                 EXPECT_NEAR(point.cam_radius, 1.0 / point.pitch_curvature - surface_offset(cam, side),
                             1e-9 * std::abs(point.cam_radius));
-                // The way of the roller's centre as the follower moves by +s, against the normal.
+                // The path of the roller's centre as the follower moves by +s, against the normal.
                 const Vector2d moved = drawn_center(cam, state.s + step * swing_of(cam), side) -
                                        drawn_center(cam, state.s - step * swing_of(cam), side);
                 const Vector2d fixed_normal =
@@ -199,7 +199,7 @@ struct Situation {
     }
 };
 
-TEST_P(DiskSides, PartialsAreDifferencesAndValuesThoseOfThePoint) {
+TEST_P(DiskSides, PartialsMatchDifferences) {
     const double step = 1e-6;
     repeat(12, [&](const DiskCam& given, std::mt19937& random) {
         DiskCam cam = given;
@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(All, DiskSides,
                                     name_of(which.param.form);
                          });
 
-TEST(DiskSides, ACamThatCannotBeBuiltSaysWhy) {
+TEST(DiskSides, UnbuildableCamGivesReason) {
     std::mt19937 random(5U);
     DiskCam cam = random_cam(FollowerType::translating_roller, CamForm::conjugate, random);
     cam.form.roller_distance = 60e-3;
@@ -332,7 +332,7 @@ TEST(DiskMechanism, OnlyGroovesHaveAWall) {
     EXPECT_FALSE(wall(random_cam(FollowerType::translating_roller, CamForm::conjugate, random)));
 }
 
-TEST(DiskMechanism, ArmPivotIsThatOfItsShapes) {
+TEST(DiskMechanism, ArmPivotMatchesShapes) {
     std::mt19937 random(9U);
     for (const FollowerType follower : {FollowerType::translating_roller, FollowerType::oscillating_roller}) {
         const DrivenMechanism cam = disk_mechanism(random_cam(follower, CamForm::open, random));

@@ -138,7 +138,7 @@ class Envelope {
 
 class EnvelopeOf : public ::testing::TestWithParam<TestCam> {};
 
-TEST_P(EnvelopeOf, ContactPointsTouchTheirFollowerAndEnterNone) {
+TEST_P(EnvelopeOf, ContactPointsTouchWithoutPenetration) {
     const TestTurn turn;
     const Envelope envelope(GetParam());
     for (const double theta : angles(1.25, 5.0)) {
@@ -160,7 +160,7 @@ TEST_P(EnvelopeOf, ContactPointsLieOnTheBoundary) {
 
 class PitchCurveOf : public EnvelopeOf {};
 
-TEST_P(PitchCurveOf, IsThePathOfTheRollerOrEdge) {
+TEST_P(PitchCurveOf, IsRollerOrEdgePath) {
     const TestTurn turn;
     const Envelope envelope(GetParam());
     const double radius = has_roller(GetParam().cam.follower) ? GetParam().cam[roller_radius] : 0.0;

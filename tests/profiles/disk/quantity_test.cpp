@@ -114,7 +114,7 @@ TEST_P(QuantityOf, AgreesWithThePoint) {
 }
 
 /// The lever is what the principle of virtual work says: the normal's part along the follower's velocity.
-TEST_P(QuantityOf, LeverIsTheVelocityOfTheContactAlongTheNormal) {
+TEST_P(QuantityOf, LeverIsNormalContactVelocity) {
     repeat([](const Situation& situation) {
         const ProfilePoint point = profile_point(situation.cam, 0.0, situation.state);
         Eigen::Vector2d velocity(0.0, 1.0);
@@ -127,7 +127,7 @@ TEST_P(QuantityOf, LeverIsTheVelocityOfTheContactAlongTheNormal) {
     });
 }
 
-TEST_P(QuantityOf, FirstPartialsAreDifferencesOfTheValue) {
+TEST_P(QuantityOf, FirstPartialsMatchDifferences) {
     repeat([](const Situation& situation) {
         for (const MechanismQuantity which : every_quantity) {
             if (!has_quantity(situation.cam.follower, which)) continue;
@@ -144,7 +144,7 @@ TEST_P(QuantityOf, FirstPartialsAreDifferencesOfTheValue) {
     });
 }
 
-TEST_P(QuantityOf, SecondPartialsAreDifferencesOfTheFirst) {
+TEST_P(QuantityOf, SecondPartialsMatchDifferences) {
     repeat([](const Situation& situation) {
         Eigen::Matrix<double, quantity_variables, 1> sizes;
         for (int i = 0; i < quantity_variables; ++i) sizes(i) = size_of(situation, i);

@@ -86,7 +86,7 @@ TEST(InverseFeeder, DerivativesAgainstPositions) {
     EXPECT_GT(compared, 1900);
 }
 
-TEST(InverseFeeder, AngleOfTheRockerHasNoStep) {
+TEST(InverseFeeder, RockerAngleIsContinuous) {
     // The pin stands left of the rocker's pivot: atan2 would jump by a turn where it passes its height.
     const FeederLinkage linkage = test::reference_linkage();
     double last = feeder_motion(linkage, {0.0, 0.0, 0.0}).rocker_angle;
@@ -98,7 +98,7 @@ TEST(InverseFeeder, AngleOfTheRockerHasNoStep) {
 }
 
 /// Random linkages on both branches and both sides: back from the feeder to the body that moved it.
-TEST(InverseFeeder, WayBackFindsTheBody) {
+TEST(InverseFeeder, InverseFindsTheBody) {
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> part(-1.0, 1.0);
     int compared = 0;
@@ -131,7 +131,7 @@ TEST(InverseFeeder, WayBackFindsTheBody) {
     }
 }
 
-TEST(InverseFeeder, GuideOfAMotionIsTheGuideThatMadeIt) {
+TEST(InverseFeeder, GuideOfMotionRoundTrips) {
     const Guide guide = make_g1_guide(test::forward_dimensions());
     const FeederLinkage linkage = test::reference_linkage();
     const RollerLaw roller = test::reference_roller();
@@ -180,7 +180,7 @@ TEST(RollerLaw, StrokesAndTheirTimes) {
         }
     EXPECT_TRUE(std::isnan(time_at(roller.strokes()[0], 20.0 * inch)));
     EXPECT_EQ(refusal([&] { (void)roller.at(0.3); }),
-              "the roller's motion lasts from 0 to 0.258 s; 0.3 s was asked for");
+              "the roller's motion lasts from 0 to 0.258 s; 0.3 s was requested");
     EXPECT_EQ(refusal([&] {
                   RollerLaw({test::forward_stroke(), test::forward_stroke()});
               }),

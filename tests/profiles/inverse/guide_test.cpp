@@ -95,7 +95,7 @@ TEST(Guide, DerivativesOfLinesAndArcs) {
     EXPECT_GT(chain.largest_kink(), 0.01);
 }
 
-TEST(Guide, FormulasOfThePaperForLineAndCircle) {
+TEST(Guide, MatchesPaperForLineAndCircle) {
     // Eqs. 3 to 5 and 9 to 12 as corrected, in their own symbols, at unit roller speed and an acceleration
     // of 7.
     const double L_dot = 1.0, L_acc = 7.0;

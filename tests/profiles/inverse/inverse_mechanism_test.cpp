@@ -56,7 +56,7 @@ FollowerState feeder_of_arcs(const Guide& guide, double theta) {
     return feeder;
 }
 
-TEST(InverseMechanism, PointsAreThoseOfTheGuideOfArcs) {
+TEST(InverseMechanism, PointsMatchGuideOfArcs) {
     const Guide guide = make_g1_guide(test::forward_dimensions());
     const Numbers numbers = reference_numbers();
     for (const double part : {0.1, 0.3, 0.5, 0.62, 0.8, 0.95}) {

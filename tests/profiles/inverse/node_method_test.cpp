@@ -42,7 +42,7 @@ TEST(NodeMethod, VelocityConvergesAccelerationDoesNot) {
 TEST(NodeMethod, RefusesTooFewNodes) {
     const Guide guide = make_g1_guide(test::forward_dimensions());
     EXPECT_EQ(refusal([&] { (void)node_method(guide, test::forward_stroke(), 2); }),
-              "2 nodes were asked for; central differences need at least 3");
+              "2 nodes were requested; central differences need at least 3");
     EXPECT_EQ(node_method(guide, test::forward_stroke(), 3).size(), 3U);
 }
 

@@ -100,7 +100,7 @@ TEST(RemoteCam, MT60At100Degrees) {
 }
 
 /// The radius of the cam is that of the circle through three of its points, near each other.
-TEST(RemoteCam, ItsRadiusIsThatOfItsContactPoints) {
+TEST(RemoteCam, RadiusMatchesContactPoints) {
     const CamSpec spec = tappet();
     const std::vector<double> numbers = spec.middle();
     const RemoteCam cam(spec);
@@ -120,7 +120,7 @@ TEST(RemoteCam, ItsRadiusIsThatOfItsContactPoints) {
 
 /// The cam is the envelope of the roller: the distance from its points to every other position of the
 /// roller's centre is at least the radius, and just that at their own.
-TEST(RemoteCam, PointsLieOnTheEnvelopeOfTheRoller) {
+TEST(RemoteCam, PointsLieOnRollerEnvelope) {
     const CamSpec spec = tappet();
     const std::vector<double> numbers = spec.middle();
     const RemoteCam cam(spec);
@@ -136,7 +136,7 @@ TEST(RemoteCam, PointsLieOnTheEnvelopeOfTheRoller) {
     }
 }
 
-TEST(RemoteCam, ClockwiseIsTheMirrorImageOfTheMirroredMechanism) {
+TEST(RemoteCam, ClockwiseMirrorsMirroredMechanism) {
     const CamSpec spec = tappet();
     CamSpec mirrored = spec;
     mirrored.rotation = Rotation::clockwise;
@@ -160,7 +160,7 @@ TEST(RemoteCam, ClockwiseIsTheMirrorImageOfTheMirroredMechanism) {
     }
 }
 
-TEST(RemoteCam, LinkageRunForwardsFindsTheOutputAgain) {
+TEST(RemoteCam, ForwardLinkageReproducesOutput) {
     for (const RemoteLinkage type :
          {RemoteLinkage::lever, RemoteLinkage::lever_coupler_slider, RemoteLinkage::lever_coupler_lever,
           RemoteLinkage::lever_coupler_lever_coupler_slider}) {

@@ -23,7 +23,7 @@ TEST(RemoteFault, TheReferenceHasNone) {
     EXPECT_EQ(fault_of(tappet(true)), "");
 }
 
-TEST(RemoteFault, NamesTheDyadThatIsTooShortAndByHowMuch) {
+TEST(RemoteFault, NamesShortDyadAndDeficit) {
     CamSpec spec = tappet();
     set(spec, second_coupler, 40);
     // (10, 560) is 296.816 mm from (260, 400): 6.816 mm more than 250 + 40.
@@ -40,20 +40,20 @@ TEST(RemoteFault, NamesTheDyadThatCannotFold) {
     expect_words(fault_of(spec), {"second_coupler", "cannot fold", "by 53.18"});
 }
 
-TEST(RemoteFault, FindsWhatOnlyTheTopOfTheLiftReaches) {
+TEST(RemoteFault, FindsFaultsOnlyAtFullLift) {
     CamSpec spec = tappet();
     EXPECT_EQ(fault_of(spec, 0.08), "");
     expect_words(fault_of(spec, 0.4), {"at displacement"});
 }
 
-TEST(RemoteFault, NamesALeverThatTheCamCannotMove) {
+TEST(RemoteFault, NamesLeverWithoutMotion) {
     CamSpec spec = tappet();
     set(spec, center_x, 100);  // the arm, at -7 deg at first, passes -3 deg on its way
     set(spec, center_y, 72);
     expect_words(fault_of(spec), {"line to the cam's centre"});
 }
 
-TEST(RemoteFault, NamesADimensionThatIsNotPositive) {
+TEST(RemoteFault, NamesNonpositiveDimension) {
     CamSpec spec = tappet();
     set(spec, coupler, 0);
     expect_words(fault_of(spec), {"the coupler of 0 mm is not positive"});

@@ -119,7 +119,7 @@ TEST_P(RemoteQuantity, PartialsAreTheDifferences) {
     }
 }
 
-TEST_P(RemoteQuantity, PartialsByFewerDimensionsAreThoseOfAll) {
+TEST_P(RemoteQuantity, PartialsOfSubsetMatchAll) {
     std::mt19937 generator(3);
     const RemoteCam cam(spec);
     const Situation situation = random(generator);

@@ -37,7 +37,7 @@ TEST_P(ContactOf, EnvelopeAndRelativeVelocityAgree) {
 }
 
 /// cos φ = |n · v_f| / |v_f|, v_f the velocity of the axis as a point of the follower; at rest its direction.
-TEST_P(ContactOf, PressureAngleIsThatBetweenNormalAndTravel) {
+TEST_P(ContactOf, PressureAngleUsesNormalAndTravel) {
     repeat(GetParam(), [](const Situation& at) {
         const SpatialPoint point = spatial_point(at.cam, at.theta, at.state, at.station);
         const RollerAxis axis = roller_axis(at.cam, at.theta, at.state.s);
@@ -46,7 +46,7 @@ TEST_P(ContactOf, PressureAngleIsThatBetweenNormalAndTravel) {
     });
 }
 
-TEST_P(ContactOf, ContactLineHoldsThePointsOfEveryHeight) {
+TEST_P(ContactOf, LineContainsPointsOfAllHeights) {
     repeat(GetParam(), [](const Situation& at) {
         const std::vector<double> heights{0.0, 0.4 * at.cam.roller_length, at.cam.roller_length};
         const auto line = contact_line(at.cam, at.theta, at.state, -1, heights);
@@ -126,7 +126,7 @@ TEST(SpatialFaults, NameWhatCannotBeBuilt) {
 }
 
 /// The arm reaches farthest where it is straightest: at 0 where it passes that, else at the nearer end.
-TEST(SpatialFaults, TheFarEndIsLookedAtWhereTheArmIsStraightest) {
+TEST(SpatialFaults, CheckFarEndAtStraightestArm) {
     const auto reaches = [](double low, double high, double center_distance) {
         SpatialCam cam = rotating_cam();
         cam.start = low;

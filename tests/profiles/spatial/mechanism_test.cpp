@@ -135,7 +135,7 @@ class Rebuilt {
     }
 };
 
-TEST_P(SpatialMechanismOf, HasTheValuesThatFollowFromWhereItsRollerGoes) {
+TEST_P(SpatialMechanismOf, ValuesMatchRollerPath) {
     repeat(GetParam(), [](const Situation& at) {
         for (int station = 0; station < 2 * mechanism_heights; ++station) {
             const Row row(at, station);
@@ -157,7 +157,7 @@ TEST_P(SpatialMechanismOf, HasTheValuesThatFollowFromWhereItsRollerGoes) {
     });
 }
 
-TEST_P(SpatialMechanismOf, PartialsByEveryNumberAreThoseOfDifferences) {
+TEST_P(SpatialMechanismOf, PartialsMatchDifferences) {
     repeat(GetParam(), [](const Situation& at) {
         const int station = 2 + at.station.flank;  // 1 and 3: near end and middle, flank −1
         const Row row(at, station);
@@ -184,7 +184,7 @@ TEST_P(SpatialMechanismOf, PartialsByEveryNumberAreThoseOfDifferences) {
     });
 }
 
-TEST_P(SpatialMechanismOf, StationsThatDoNotBindAreImplied) {
+TEST_P(SpatialMechanismOf, InactiveStationsAreImplied) {
     repeat(GetParam(), [](const Situation& at) {
         double bound = 0.0, other = 0.0;
         for (int station = 0; station < 2 * mechanism_heights; ++station) {
@@ -221,7 +221,7 @@ struct BarrelState {
     static constexpr double limit = 0.5;
 };
 
-TEST(BarrelPressureAngle, IsConvexByTheNumbersThatDoNotTurnIt) {
+TEST(BarrelPressureAngle, IsConvexInNonrotatingDimensions) {
     const BarrelState barrel(Rotation::counterclockwise);
     const auto shape = [&](std::vector<SpatialNumber> moved) {
         std::vector<int> active;
@@ -241,7 +241,7 @@ TEST(BarrelPressureAngle, IsConvexByTheNumbersThatDoNotTurnIt) {
 
 /// Beyond 0 <= u <= π it goes on along its tangents: nothing jumps, and the Hessian has no negative
 /// direction.
-TEST(BarrelPressureAngle, GoesOnAlongItsTangentsBothWaysRound) {
+TEST(BarrelPressureAngle, ContinuesAlongTangentsBothWays) {
     for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise})
         for (const int sign : {-1, 1}) {
             const BarrelState barrel(rotation);

@@ -67,7 +67,7 @@ TEST(BarrelCam, CriticalDimensions) {
     EXPECT_NEAR(distance(-1).value / millimetre, 102.0995154388, 1e-8);
 }
 
-TEST(BarrelCam, PointsAtTwoHundredAndEightyDegrees) {
+TEST(BarrelCam, PointsAt280Degrees) {
     const SpatialCam cam = barrel_cam();
     const double theta = 280.0 * degree;
     const FollowerState state = barrel_motion().state(theta);
@@ -133,7 +133,7 @@ TEST(RotatingFollower, LeastUndercutFunctionAndCriticalRadius) {
             61.1559651020, 1e-8);
 }
 
-TEST(RotatingFollower, PointsAtTwoHundredAndFortyDegrees) {
+TEST(RotatingFollower, PointsAt240Degrees) {
     const SpatialCam cam = rotating_cam();
     const double theta = 240.0 * degree;
     const FollowerState state = rotating_motion().state(theta);

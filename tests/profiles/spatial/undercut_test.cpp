@@ -176,7 +176,7 @@ struct Tip {
 
 class CriticalRadius : public ::testing::TestWithParam<int> {};
 
-TEST_P(CriticalRadius, BelowItNothingFlipsAndNothingIsCutAway) {
+TEST_P(CriticalRadius, BelowItNothingIsUndercut) {
     for (const double share : {0.5, 0.97, 0.999}) {
         const Tip tip(share, GetParam());
         EXPECT_LT(tip.depth(), 1e-16) << share;  // 1e-13 mm
@@ -204,7 +204,7 @@ TEST(Interference, NoneInTheReferenceCams) {
 
 /// g > 0 on the roller says nothing about a cutter that is longer: it sweeps where g < 0, and takes away from
 /// the flank that the roller would have left alone.
-TEST(Interference, ACutterLongerThanTheRollerUndercutsASoundFlank) {
+TEST(Interference, CutterLongerThanRollerUndercutsFlank) {
     SpatialCam cam = barrel_cam();
     cam[SpatialDimension::roller_radius] = 0.97 * 95.0217882563 * millimetre;
     FollowerMotion motion = barrel_motion();
@@ -219,7 +219,7 @@ TEST(Interference, ACutterLongerThanTheRollerUndercutsASoundFlank) {
 }
 
 /// A roller so large that the groove it makes in the dwell is met again on the way: g sees nothing of it.
-TEST(Interference, SeesWhatIsFarAwayOnTheCam) {
+TEST(Interference, SeesDistantPartsOfCam) {
     SpatialCam cam = barrel_cam();
     cam[SpatialDimension::roller_radius] = 80.0 * millimetre;
     for (const int flank : {1, -1})

@@ -59,7 +59,7 @@ TEST(ContinuousSolve, ProvesTheOptimumByDuality) {
     EXPECT_EQ(recomputed_bound(*result.certificate.proof), *result.certificate.lower_bound);
 }
 
-TEST(ContinuousSolve, ABackendsSuccessIsNotTheVerdict) {
+TEST(ContinuousSolve, VerdictIgnoresBackendSuccess) {
     DiscProblem problem;
     const ContinuousResult result = solve_continuous(
         problem, PuppetSolver(says(Termination::converged, Eigen::Vector2d(0.1, 0.2))), {}, {}, {});
@@ -79,7 +79,7 @@ TEST(ContinuousSolve, ASmallViolationIsRepaired) {
     EXPECT_NEAR(result.certificate.objective, -std::sqrt(2.0), 3e-6);
 }
 
-TEST(ContinuousSolve, InfeasibleIsProvedWhateverTheBackendSays) {
+TEST(ContinuousSolve, InfeasibilityProofIgnoresBackendStatus) {
     for (const Termination termination : {Termination::converged, Termination::infeasible}) {
         DiscProblem problem(1.0, 1.5);  // x0 >= 1.5 outside the unit disc
         const ContinuousResult result =
@@ -91,7 +91,7 @@ TEST(ContinuousSolve, InfeasibleIsProvedWhateverTheBackendSays) {
     }
 }
 
-TEST(ContinuousSolve, ABackendWithNothingToShowFails) {
+TEST(ContinuousSolve, BackendWithoutPointFails) {
     DiscProblem problem(1.0, 0.999999);
     JudgeOptions judge;
     SolveControl stop;
@@ -144,7 +144,7 @@ TEST(Verdict, EachHasItsCondition) {
     EXPECT_EQ(verdict_of(certificate), Verdict::failed);
 }
 
-TEST(Elastic, FindsTheDeepestPointWhereThereIsRoom) {
+TEST(Elastic, FindsDeepestFeasiblePoint) {
     DiscProblem problem;
     const Feasibility found = find_feasible(problem, {}, {});
     EXPECT_LT(found.point.violation, -0.4);
@@ -181,7 +181,7 @@ TEST(Duality, FittedMultipliersOfTheOptimumAreExact) {
     EXPECT_LT(stationarity_of(problem.grid(), Eigen::Vector2d(r, r), multipliers, 1e-6), 1e-8);
 }
 
-TEST(Duality, ABoundIsNeverAboveTheTruthForAnyMultipliers) {
+TEST(Duality, AnyMultipliersGiveLowerBound) {
     DiscProblem problem;
     for (int trial = 0; trial < 50; ++trial) {
         Eigen::VectorXd multipliers(problem.grid().shape().constraints());

@@ -41,7 +41,7 @@ void expect_gaps(const ConvexModel& model, const Eigen::VectorXd& x) {
     EXPECT_EQ(seen, ranges.sides_present);
 }
 
-TEST(RangeRows, TwinsBecomeOneRangeWithAWidth) {
+TEST(RangeRows, TwinsFormRangeWithWidth) {
     Eigen::MatrixXd rows(4, 3);
     rows << 2, -1, -1,  //  2a − b − V <= 0
         0, 1, -1,       //
@@ -57,7 +57,7 @@ TEST(RangeRows, TwinsBecomeOneRangeWithAWidth) {
     expect_gaps(model, Eigen::Vector3d(0.3, -0.7, 2.0));
 }
 
-TEST(RangeRows, OppositeRowsBecomeOneRangeWithoutWidth) {
+TEST(RangeRows, OppositeRowsFormRangeWithoutWidth) {
     const ConvexModel model = model_of((Eigen::MatrixXd(2, 2) << 1, 3, -1, -3).finished(),
                                        Eigen::Vector2d(-infinity, -infinity), Eigen::Vector2d(2, 1));
     const RangeRows ranges(model);
@@ -66,7 +66,7 @@ TEST(RangeRows, OppositeRowsBecomeOneRangeWithoutWidth) {
     expect_gaps(model, Eigen::Vector2d(0.5, 0.25));
 }
 
-TEST(RangeRows, WhatOnlyLooksAlikeStaysApart) {
+TEST(RangeRows, SimilarRowsStaySeparate) {
     Eigen::MatrixXd rows(5, 3);
     rows << 1, 2, -1,  //
         -1, 2.5, -1,   // another size

@@ -28,7 +28,7 @@ TEST(StructuredBasic, LinearProgramInTheBox) {
     EXPECT_NEAR((*result.bound_multipliers)[2], -3.0, 1e-8);
 }
 
-TEST(StructuredBasic, MultipliersHaveTheSignsOfTheContract) {
+TEST(StructuredBasic, MultiplierSignsFollowTheContract) {
     // min x² + y², x + y >= 2 (as −infinity <= −x − y <= −2 too), 0 <= x − y + 1 <= 9: x = y = 1.
     QuadraticData data(2);
     data.hessian.insert(0, 0) = 2.0;
@@ -48,7 +48,7 @@ TEST(StructuredBasic, MultipliersHaveTheSignsOfTheContract) {
     EXPECT_EQ((*result.row_multipliers)[2], 0.0);
 }
 
-TEST(StructuredBasic, EqualityQuadraticProgramIsALinearSystem) {
+TEST(StructuredBasic, EqualityQuadraticProgramIsLinearSystem) {
     // min ½‖x‖², Σ x = 3 written three times: x = 1, multipliers of the copies sum to −1.
     QuadraticData data(3);
     for (int i = 0; i < 3; ++i) data.hessian.insert(i, i) = 1.0;
@@ -115,7 +115,7 @@ TEST(StructuredBasic, BadlyScaledRowsAndColumns) {
     EXPECT_NEAR(problem.cost(result.x), 2.0, 1e-8);
 }
 
-TEST(StructuredBasic, NonNegativeLeastSquaresAgainstEverySubset) {
+TEST(StructuredBasic, NonnegativeLeastSquaresMatchesEverySubset) {
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
     for (int trial = 0; trial < 60; ++trial) {
@@ -237,7 +237,7 @@ TEST(StructuredBasic, NamesUnboundedProblems) {
     EXPECT_EQ(solve(QuadraticNlp(free)).termination, Termination::unbounded);
 }
 
-TEST(StructuredBasic, TakesRowsAndCostsThatAreOnlyCalledDifficult) {
+TEST(StructuredBasic, AcceptsLinearProblemsDeclaredNonlinear) {
     // x² − 2 x with −1 <= x <= 3 as a row: the flags alone choose the sequential method.
     QuadraticData data(1, 1);
     data.hessian.insert(0, 0) = 2.0;
@@ -255,7 +255,7 @@ TEST(StructuredBasic, TakesRowsAndCostsThatAreOnlyCalledDifficult) {
     EXPECT_NEAR(result.x[0], 1.0, 1e-8);
 }
 
-TEST(StructuredBasic, RefusesAStartOfTheWrongSize) {
+TEST(StructuredBasic, RefusesStartOfWrongSize) {
     const QuadraticData data(1, 1);
     EXPECT_EQ(refusal([&] {
                   (void)make_structured_solver()->minimize(QuadraticNlp(data), Eigen::VectorXd(3), {}, {});
@@ -270,7 +270,7 @@ TEST(StructuredBasic, NamesValuesThatAreNotFinite) {
     EXPECT_EQ(solve(QuadraticNlp(data)).termination, Termination::evaluation_error);
 }
 
-TEST(StructuredBasic, KeepsTheLimitsOfTheCaller) {
+TEST(StructuredBasic, RespectsLimitsOfTheCaller) {
     const QuadraticNlp problem(cam_problem(uniform_cam(12)));
     BackendOptions options;
     options.max_iterations = 3;

@@ -7,7 +7,7 @@
 namespace camopt::testing {
 namespace structured_infeasible_test {
 
-TEST(StructuredInfeasible, NoCurveIsSlowerThanItsMean) {
+TEST(StructuredInfeasible, NoCurveIsSlowerThanMean) {
     for (const int n : {8, 24, 64})
         for (const double cap : {0.2, 0.9, 0.999999}) {
             CamCase cam = uniform_cam(n);
@@ -53,7 +53,7 @@ TEST(StructuredInfeasible, CapsAroundTheLeastVelocity) {
     }
 }
 
-TEST(StructuredInfeasible, RowsOfFixedVariablesAndCrossedBounds) {
+TEST(StructuredInfeasible, RejectsFixedRowsAndCrossedBounds) {
     QuadraticData data(2);
     data.x_lower << 1.0, 0.0;
     data.x_upper << 1.0, 5.0;

@@ -55,7 +55,7 @@ CurvedNlp disc(double cost_x, double cost_y, double factor = 1.0, double scale =
     return problem;
 }
 
-TEST(StructuredNonlinear, EndsBesideAMinimumThatIsKnown) {
+TEST(StructuredNonlinear, StopsNearKnownMinimum) {
     const PitchCurveNlp curve({});
     const BackendResult whole = solve(curve, curve.start());
     ASSERT_EQ(whole.termination, Termination::converged) << whole.native_status;
@@ -76,7 +76,7 @@ TEST(StructuredNonlinear, TestProblemsHaveRightDerivatives) {
     EXPECT_TRUE(check_derivatives(round, {&point, 1}).passed());
 }
 
-TEST(StructuredNonlinear, DiscFromInsideOutsideAndItsCenter) {
+TEST(StructuredNonlinear, DiscFromInsideOutsideAndCenter) {
     const CurvedNlp problem = disc(-1.0, -1.0);
     for (const Vector2d& start : {Vector2d(0.0, 0.0), Vector2d(0.1, -0.3), Vector2d(40.0, -7.0)}) {
         const BackendResult result = solve(problem, start);
@@ -95,7 +95,7 @@ TEST(StructuredNonlinear, LowerSidesHaveNegativeMultipliers) {
     EXPECT_NEAR((*result.row_multipliers)[0], -std::sqrt(0.5), 1e-8);
 }
 
-TEST(StructuredNonlinear, EllipseWithALinearRowAndBounds) {
+TEST(StructuredNonlinear, EllipseWithLinearRowAndBounds) {
     // min −x − 2y, x²/4 + y² <= 1, y <= 0.6 as a row, x <= 1.2 as a bound: x = 1.2, y = 0.6.
     CurvedNlp problem(affine(Vector2d(-1.0, -2.0)), true);
     problem.add({Vector2d(0.5, 2.0).asDiagonal(), Vector2d::Zero(), -1.0}, -infinity, 0.0)
@@ -189,7 +189,7 @@ TEST(StructuredNonlinear, ContradictingConvexRowsAreInfeasible) {
     EXPECT_EQ(solve(linear, Vector2d(0.0, 0.0)).termination, Termination::infeasible);
 }
 
-TEST(StructuredNonlinear, SaysNothingOfFeasibilityWhereItIsNotConvex) {
+TEST(StructuredNonlinear, NonconvexProblemsClaimNoInfeasibility) {
     CurvedNlp problem(affine(Vector2d(-1.0, -1.0)), false);
     problem.add(ball(Vector2d::Zero(), 1.0), -infinity, 0.0);
     problem.add(ball(Vector2d(3.0, 0.0), 1.0), -infinity, 0.0);
@@ -214,7 +214,7 @@ CurvedNlp random_convex(std::mt19937& random, int size, int ellipsoids) {
     return problem;
 }
 
-TEST(StructuredNonlinear, RandomConvexProblemsAgainstIpoptAndDuality) {
+TEST(StructuredNonlinear, RandomConvexProblemsMatchIpopt) {
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
     const auto entries = solver_entries();
@@ -318,7 +318,7 @@ TEST(StructuredNonlinear, PitchCurvesOfLimitedCurvature) {
     }
 }
 
-TEST(StructuredNonlinear, StartsThatBreakEveryRow) {
+TEST(StructuredNonlinear, StartsViolatingEveryRow) {
     const PitchCurveNlp problem({30, 1.2, 2.0, 0.62});
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
@@ -338,7 +338,7 @@ TEST(StructuredNonlinear, NamesUnboundedProblems) {
     EXPECT_EQ(solve(problem, Vector2d(0.0, 0.0)).termination, Termination::unbounded);
 }
 
-TEST(StructuredNonlinear, KeepsTheLimitsOfTheCaller) {
+TEST(StructuredNonlinear, RespectsLimitsOfTheCaller) {
     const PitchCurveNlp problem({40, 1.2, 2.0, 0.62});
     BackendOptions options;
     options.max_iterations = 2;
@@ -386,7 +386,7 @@ class SpoiledNlp final : public Nlp {
     bool throws_;
 };
 
-TEST(StructuredNonlinear, StepsBackFromWhereTheRowsEnd) {
+TEST(StructuredNonlinear, StepsBackFromDomainEdge) {
     const CurvedNlp problem = disc(-1.0, -1.0);
     const SpoiledNlp spoiled(problem, false);
     const BackendResult result = solve(spoiled, Vector2d(0.0, 0.0));

@@ -40,7 +40,7 @@ CamCase coarse_cam(int segments) {
     return cam;
 }
 
-TEST(PathPoints, TheLastThatIsFarEnoughOffIsFound) {
+TEST(PathPoints, FindsLastSufficientlyDistantPoint) {
     EXPECT_EQ(point_before({}, 1e-3), nullptr);
     std::vector<PathPoint> path(3);
     path[0].gap = 1e-1;
@@ -52,7 +52,7 @@ TEST(PathPoints, TheLastThatIsFarEnoughOffIsFound) {
     EXPECT_EQ(point_before(path, 10.0), &path[0]) << "the first where none is that far off";
 }
 
-TEST(StructuredPath, IsKeptWhereItIsAskedFor) {
+TEST(StructuredPath, IsReturnedOnRequest) {
     const QuadraticNlp problem(cam_problem(uniform_cam(10)));
     EXPECT_TRUE(solve(problem).path.empty());
     const BackendResult result = solve(problem, keeping_path());
@@ -69,7 +69,7 @@ TEST(StructuredPath, IsKeptWhereItIsAskedFor) {
     }
 }
 
-TEST(StructuredPath, ANeighbourIsReachedInFewerIterations) {
+TEST(StructuredPath, NeighbourNeedsFewerIterations) {
     for (const int segments : {6, 10, 32, 64}) {
         const BackendResult before = solve(QuadraticNlp(cam_problem(coarse_cam(segments))), keeping_path());
         const QuadraticNlp neighbour(with_rows_between(coarse_cam(segments)));
@@ -84,7 +84,7 @@ TEST(StructuredPath, ANeighbourIsReachedInFewerIterations) {
     }
 }
 
-TEST(StructuredPath, APlaceThatLeadsNowhereCostsIterationsOnly) {
+TEST(StructuredPath, UselessWarmStartCostsOnlyIterations) {
     const QuadraticNlp problem(cam_problem(uniform_cam(8)));
     const BackendResult cold = solve(problem, keeping_path());
     const PathPoint good = cold.path[cold.path.size() / 2];
@@ -103,7 +103,7 @@ TEST(StructuredPath, APlaceThatLeadsNowhereCostsIterationsOnly) {
     EXPECT_EQ(solve(problem, from(bad[0])).iterations, cold.iterations);
 }
 
-TEST(StructuredPath, ANeighbourWithoutAPointIsProvedInfeasible) {
+TEST(StructuredPath, InfeasibleNeighbourIsProved) {
     CamCase cam = uniform_cam(8);
     const BackendResult before = solve(QuadraticNlp(cam_problem(cam)), keeping_path());
     cam.velocity_cap = 0.9;  // the mean velocity is 1

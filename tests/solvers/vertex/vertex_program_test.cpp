@@ -19,7 +19,7 @@ Eigen::VectorXd random_vector(std::mt19937& random, int size) {
     return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(random, -1.0, 1.0); });
 }
 
-TEST(VertexProgram, MeetsItsBoundForEveryCostAndAfterEveryRow) {
+TEST(VertexProgram, ReachesBoundForEveryCost) {
     std::mt19937 random(5);
     for (int problem = 0; problem < 40; ++problem) {
         const int variables = 2 + problem % 23;

@@ -49,7 +49,7 @@ CamModel model_of(const Scene& scene) {
 }
 
 // docs/method.md and docs/cams.md say so of every kind of cam.
-TEST(BoxBound, EveryLimitOfEveryKindOfCamIsBounded) {
+TEST(BoxBound, BoundsEveryLimitOfEveryCam) {
     for (const char* const name : {"cam_arm_flat", "cam_conjugate", "cam_forces", "cam_grooved", "tappet_75",
                                    "inverse_feeder", "barrel_smallest", "ocrf_indexing", "cylinder_slide"}) {
         const Scene scene = load_scene(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml");
@@ -79,7 +79,7 @@ TEST(BoxBound, ClosesTheGapOfRollerCams) {
     }
 }
 
-TEST(BoxBound, PassesNoMotionWhateverItIsTold) {
+TEST(BoxBound, IsBelowEveryMotion) {
     const RollerCase& which = roller_cases[0];
     const CamModel model = model_of(roller_scene(which));
     for (const double more : {1e-6, 1e-3, 0.1}) {
@@ -93,7 +93,7 @@ TEST(BoxBound, PassesNoMotionWhateverItIsTold) {
     }
 }
 
-TEST(BoxBound, CountsTheWeightOfADimensionThatIsGiven) {
+TEST(BoxBound, CountsWeightOfFixedDimension) {
     const RollerCase& which = roller_cases[0];
     constexpr double weight = 0.5;
     Scene scene = roller_scene(which);
@@ -108,7 +108,7 @@ TEST(BoxBound, CountsTheWeightOfADimensionThatIsGiven) {
     EXPECT_NEAR(bound->bound, without->bound + given, 1e-6);
 }
 
-TEST(BoxBound, OfASmallGapTakesMorePasses) {
+TEST(BoxBound, SmallerGapTakesMorePasses) {
     Scene scene = roller_scene(roller_cases[1]);
     scene.solver.gap = 1e-6;
     const Solution solution = solve(scene);
@@ -117,7 +117,7 @@ TEST(BoxBound, OfASmallGapTakesMorePasses) {
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
 }
 
-TEST(BoxBound, ProvesThatNoMotionKeepsTheRadius) {
+TEST(BoxBound, ProvesRadiusLimitInfeasible) {
     Scene scene = roller_scene(roller_cases[0]);
     scene.limits.cam_radius_min = millimetres(14.0, "limits.cam_radius_min_mm");
     const Solution solution = solve_without_explaining(scene, {});
@@ -128,7 +128,7 @@ TEST(BoxBound, ProvesThatNoMotionKeepsTheRadius) {
     EXPECT_EQ(recomputed_bound(*solution.certificate.box_proof), infinity);
 }
 
-TEST(BoxBound, ASpoiledProofIsRefusedOrSaysLess) {
+TEST(BoxBound, CorruptedProofIsRefusedOrWeaker) {
     const RollerCase& which = roller_cases[2];
     const auto bound = bound_over_boxes(model_of(roller_scene(which)), which.optimum, {}, {});
     ASSERT_TRUE(bound && bound->proof);
@@ -159,7 +159,7 @@ TEST(BoxBound, ASpoiledProofIsRefusedOrSaysLess) {
     EXPECT_GT(less, 0);
 }
 
-TEST(BoxBound, TorqueIsBoundedByBothOfItsHalves) {
+TEST(BoxBound, BoundsBothSignsOfTorque) {
     Scene scene;
     scene.spline.segments = 10;
     scene.objective.velocity = 0.1;

@@ -45,7 +45,7 @@ TEST(PointCurve, IsOfTheSixthOrder) {
     EXPECT_LT(before, 1e-6);
 }
 
-TEST(PointCurve, KeepsACornerAtABreakAndLeavesRepeatedPointsOut) {
+TEST(PointCurve, KeepsCornersAndDropsDuplicates) {
     const std::vector<Vector2d> points = {{0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 1}, {2, 2}};
     const PointCurve curve(points, std::vector<int>{3}, false);
     EXPECT_DOUBLE_EQ(curve.length(), 4.0);
@@ -79,7 +79,7 @@ TEST(ForwardCheck, EveryFollowerMovesAsDesigned) {
             }
 }
 
-TEST(ForwardCheck, JumpsOfTheAccelerationAndShortStretchesDoNotMatter) {
+TEST(ForwardCheck, AccelerationJumpsAndShortStretchesPass) {
     for (const std::string law : {"parabolic", "mcv_50", "double_harmonic"})
         for (const FollowerType follower : test::all_followers) {
             const MotionChain motion = test::turn_motion(law);
@@ -101,7 +101,7 @@ TEST(ForwardCheck, AWrongCamIsFound) {
     }
 }
 
-TEST(ForwardCheck, OneDisplacedPointAndTheWrongRotationAreFound) {
+TEST(ForwardCheck, DisplacedPointAndWrongRotationFail) {
     for (const FollowerType follower : test::all_followers) {
         const MotionChain motion = test::turn_motion("modified_sine");
         ForwardCheckInput input = forward_check_input(disk_mechanism(test::sample_cam(follower)), motion,
@@ -130,7 +130,7 @@ TEST(ForwardCheck, UndercutCamsAreFound) {
     }
 }
 
-TEST(ForwardCheck, ASectorIsCheckedBetweenItsEnds) {
+TEST(ForwardCheck, SectorIsCheckedBetweenEnds) {
     for (const FollowerType follower : test::all_followers) {
         const auto scale = test::sample_scale(follower);
         const DiskCam cam = test::sample_cam(follower);

@@ -105,7 +105,7 @@ void expect_faults_found(const std::string& name, const std::vector<std::string>
     }
 }
 
-TEST(SceneCheck, FindsEveryPartialThatIsWrongByATenThousandth) {
+TEST(SceneCheck, FindsPartialsWrongByTenThousandth) {
     expect_faults_found("barrel_smallest", {"spline.segments=6"});
     expect_faults_found("cam_forces", {"spline.segments=8"});
     expect_faults_found("drd_rms_jerk", {});
@@ -133,7 +133,7 @@ class OneWrong final : public Nlp {
     int entry_;
 };
 
-TEST(SceneCheck, FindsOneWrongEntryOfABarrelsHessian) {
+TEST(SceneCheck, FindsWrongEntryOfBarrelHessian) {
     const Scene scene = scene_of("barrel_smallest", {"spline.segments=6"});
     const CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
     const Eigen::VectorXd x = off_every_special_place(problem);

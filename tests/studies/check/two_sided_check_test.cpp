@@ -44,7 +44,7 @@ DiskCam sample(FollowerType follower, CamForm form, std::mt19937& random) {
 
 constexpr FollowerType rollers[] = {FollowerType::translating_roller, FollowerType::oscillating_roller};
 
-TEST(TwoSidedCheck, EitherSideMovesTheFollowerAsDesigned) {
+TEST(TwoSidedCheck, EitherSideReproducesDesignedMotion) {
     std::mt19937 random(11U);
     const MotionChain motion = test::turn_motion("polynomial_4567");
     for (const FollowerType follower : rollers)
@@ -74,7 +74,7 @@ TEST(TwoSidedCheck, EitherSideMovesTheFollowerAsDesigned) {
             }
 }
 
-TEST(TwoSidedCheck, FindsASpoiledOuterFlankAndANarrowGroove) {
+TEST(TwoSidedCheck, FindsWrongFlankOrGroove) {
     std::mt19937 random(3U);
     const MotionChain motion = test::turn_motion("polynomial_4567");
     const DiskCam cam = sample(FollowerType::translating_roller, CamForm::grooved, random);

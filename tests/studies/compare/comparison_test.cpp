@@ -69,7 +69,7 @@ const ComparisonRow& row_of(const Comparison& comparison, const std::string& key
     return *row;
 }
 
-TEST(Comparison, EveryLawOfTheCatalogueHasARowAndTheyAreSorted) {
+TEST(Comparison, ListsEveryLawSorted) {
     const Comparison comparison = compare(scene_of(MotionType::drd, 12));
     EXPECT_EQ(comparison.rows.size(), rises().size() + 1);
     for (const LawInfo& law : rises()) {
@@ -87,7 +87,7 @@ TEST(Comparison, EveryLawOfTheCatalogueHasARowAndTheyAreSorted) {
 
 /// A valve's flat tappet on a base circle so small that most laws undercut: they have smaller objectives than
 /// the optimum, and stand below it all the same.
-TEST(Comparison, LawsThatCannotWorkStandBelowThoseThatCan) {
+TEST(Comparison, InfeasibleLawsRankLast) {
     Scene scene = scene_of(MotionType::rr, 24);
     scene.objective = {};
     scene.objective.acceleration = scene.objective.jerk = 0.5;
@@ -122,7 +122,7 @@ TEST(Comparison, LawsThatCannotWorkStandBelowThoseThatCan) {
     EXPECT_GE(undercut, 1);
 }
 
-TEST(Comparison, TheModifiedSineOverItsOwnPeaksIsTheSumOfTheWeights) {
+TEST(Comparison, ModifiedSinePeaksSumToWeights) {
     const Comparison comparison = compare(scene_of(MotionType::drd, 12));
     const ComparisonRow& row = row_of(comparison, "modified_sine");
     EXPECT_NEAR(row.objective, 1.0, 1e-14);
@@ -133,7 +133,7 @@ TEST(Comparison, TheModifiedSineOverItsOwnPeaksIsTheSumOfTheWeights) {
     EXPECT_EQ(row_of(comparison, "").loss_percent, 0.0);
 }
 
-TEST(Comparison, NoLawPassesTheLimitOfAnyCurve) {
+TEST(Comparison, NoLawBeatsAnyCurveLimit) {
     const Comparison comparison = compare(scene_of(MotionType::drd, 12));
     for (const ComparisonRow& row : comparison.rows) {
         if (!row.misfit.empty()) continue;
@@ -145,7 +145,7 @@ TEST(Comparison, NoLawPassesTheLimitOfAnyCurve) {
     }
 }
 
-TEST(Comparison, AnInfiniteJerkCountsOnlyWhereItHasAWeight) {
+TEST(Comparison, InfiniteJerkCountsOnlyIfWeighted) {
     Scene scene = scene_of(MotionType::drd, 12);
     EXPECT_TRUE(std::isinf(row_of(compare(scene), "parabolic").objective));
     EXPECT_FALSE(row_of(compare(scene), "parabolic").loss_percent);
@@ -155,7 +155,7 @@ TEST(Comparison, AnInfiniteJerkCountsOnlyWhereItHasAWeight) {
     EXPECT_TRUE(std::isinf(parabolic.peaks.jerk.value));
 }
 
-TEST(Comparison, SaysByHowMuchALimitIsBroken) {
+TEST(Comparison, ReportsAmountOfViolation) {
     Scene scene = scene_of(MotionType::drd, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 1.8);
     scene.motion.via = {{0.25, 0.1, {}, {}}};
@@ -174,7 +174,7 @@ TEST(Comparison, SaysByHowMuchALimitIsBroken) {
 
 // A law that misses a set point makes another motion, and a broken limit makes a law no better: neither has a
 // loss that could be negative.
-TEST(Comparison, NoLossOfAMissedSetPointOrBelowABrokenLimit) {
+TEST(Comparison, ViolatedConditionsHaveNoLoss) {
     Scene scene = scene_of(MotionType::drd, 12);
     scene.motion.via = {{0.25, 0.02, {}, {}}};
     for (const ComparisonRow& row : compare(scene).rows)
@@ -192,7 +192,7 @@ TEST(Comparison, NoLossOfAMissedSetPointOrBelowABrokenLimit) {
     EXPECT_TRUE(better_and_broken);
 }
 
-TEST(Comparison, AsymmetricLawsAreNotSymmetricAndOnlySomeEndWithoutJerk) {
+TEST(Comparison, AsymmetricLawsDifferInEndJerk) {
     Scene scene = scene_of(MotionType::drd, 12);
     scene.motion.symmetric = true;
     scene.spline.degree = 5;
@@ -209,7 +209,7 @@ TEST(Comparison, AsymmetricLawsAreNotSymmetricAndOnlySomeEndWithoutJerk) {
     }
 }
 
-TEST(Comparison, TheBaseRadiusOfTheAxialRollerIsThatOfADenseComputation) {
+TEST(Comparison, AxialRollerBaseRadiusMatchesDenseComputation) {
     const Comparison comparison = compare(pressure_scene(30e-3));
     int seen = 0;
     for (const LawInfo& info : rises()) {
@@ -233,7 +233,7 @@ TEST(Comparison, TheBaseRadiusOfTheAxialRollerIsThatOfADenseComputation) {
     EXPECT_NEAR(*row_of(comparison, "").base->radius, 30e-3, 1e-7);
 }
 
-TEST(Comparison, TheBaseRadiusOfTheFlatFaceIsThatOfADenseComputation) {
+TEST(Comparison, FlatFaceBaseRadiusMatchesDenseComputation) {
     Scene scene = scene_of(MotionType::rr, 24);
     scene.motion.lift = 10e-3;
     scene.motion.rise = 1.3;
@@ -263,7 +263,7 @@ TEST(Comparison, TheBaseRadiusOfTheFlatFaceIsThatOfADenseComputation) {
     }
 }
 
-TEST(LawMotion, OneSideOfAJumpStaysOnItsSide) {
+TEST(LawMotion, OneSidedValuesAtJumps) {
     MotionSpec motion;
     motion.type = MotionType::rr;
     motion.rise = 1.3;
@@ -279,7 +279,7 @@ TEST(LawMotion, OneSideOfAJumpStaysOnItsSide) {
     }
 }
 
-TEST(Comparison, NoBaseRadiusHelpsAgainstALimitThatKnowsNone) {
+TEST(Comparison, RadiusIndependentLimitNeedsNoBaseRadius) {
     Scene scene = pressure_scene(40e-3);
     scene.limits.velocity = normalised_limit("limits.velocity", 1.9);
     const Comparison comparison = compare(scene);
@@ -289,7 +289,7 @@ TEST(Comparison, NoBaseRadiusHelpsAgainstALimitThatKnowsNone) {
     EXPECT_TRUE(row_of(comparison, "modified_sine").base->radius);
 }
 
-TEST(Comparison, AVariableBaseRadiusIsTheOptimumsForAll) {
+TEST(Comparison, VariableBaseRadiusIsOptimalForAll) {
     Scene scene = pressure_scene(30e-3);
     scene.cam->set(DimensionIndex::base_radius, Dimension(20e-3, 60e-3));
     scene.objective.dimensions[0] = 0.5;
@@ -300,7 +300,7 @@ TEST(Comparison, AVariableBaseRadiusIsTheOptimumsForAll) {
     EXPECT_NEAR(row_of(comparison, "").base->radius.value_or(0.0), base, 1e-6);
 }
 
-TEST(Comparison, OnARiseAndReturnTheLawsWithATurningPointFit) {
+TEST(Comparison, RiseAndReturnAcceptsTurningPointLaws) {
     const Comparison comparison = compare(scene_of(MotionType::rr, 24));
     for (const LawInfo& law : rises()) {
         const ComparisonRow& row = row_of(comparison, law.key);
@@ -314,7 +314,7 @@ TEST(Comparison, OnARiseAndReturnTheLawsWithATurningPointFit) {
     EXPECT_DOUBLE_EQ(row.motion->at(1.3).derivative[0], row.motion->at(0.7).derivative[0]);
 }
 
-TEST(Comparison, AShorterReturnJerksAtTheTopOfATurningPointLaw) {
+TEST(Comparison, ShortReturnMakesJerkDiscontinuous) {
     Scene scene = scene_of(MotionType::rr, 24);
     scene.motion.rise = pi;
     scene.motion.return_angle = pi / 2;
@@ -325,7 +325,7 @@ TEST(Comparison, AShorterReturnJerksAtTheTopOfATurningPointLaw) {
     EXPECT_NEAR(row_of(comparison, "cycloidal").peaks.jerk.value, 8 * 4 * pi * pi, 1e-9);
 }
 
-TEST(Comparison, InAProgramEachStrokeIsNormalisedByItself) {
+TEST(Comparison, NormalisesEachProgramStrokeSeparately) {
     const Comparison comparison = compare(program_scene());
     for (const LawInfo& law : rises()) {
         const ComparisonRow& row = row_of(comparison, law.key);
@@ -338,7 +338,7 @@ TEST(Comparison, InAProgramEachStrokeIsNormalisedByItself) {
     EXPECT_NEAR(row_of(comparison, "modified_sine").objective, 1.0, 1e-12);
 }
 
-TEST(Comparison, AnEccentricOfTwoSimpleHarmonicsHasNoImpulse) {
+TEST(Comparison, TwoSimpleHarmonicsHaveNoImpulse) {
     Scene scene = program_scene();
     scene.motion.segments = {{SegmentKind::spline, pi, {}, 1.0}, {SegmentKind::spline, pi, {}, 0.0}};
     const Comparison comparison = compare(scene);
@@ -349,7 +349,7 @@ TEST(Comparison, AnEccentricOfTwoSimpleHarmonicsHasNoImpulse) {
     EXPECT_NE(row_of(comparison, "double_harmonic").misfit, "");
 }
 
-TEST(Comparison, ATurningPointLawFitsAProgramThatTurnsBetweenDwells) {
+TEST(Comparison, TurningPointLawsFitProgramsBetweenDwells) {
     Scene scene = program_scene();
     scene.motion.segments = {{SegmentKind::dwell, pi, {}, {}},
                              {SegmentKind::spline, pi / 2, {}, 1.0},
@@ -372,7 +372,7 @@ TEST(Comparison, AFreeDisplacementIsTheOptimums) {
     EXPECT_NEAR(row_of(comparison, "cycloidal").motion->at(2.0).derivative[0], chosen, 1e-12);
 }
 
-TEST(Comparison, AStrokeOfAlmostNothingMakesNoImpulseAndNoTurn) {
+TEST(Comparison, ZeroStrokeHasNoImpulseOrReversal) {
     Scene scene = program_scene();
     scene.motion.segments = {{SegmentKind::dwell, 1.0, {}, {}},
                              {SegmentKind::spline, 1.7, {}, 1.0},
@@ -384,7 +384,7 @@ TEST(Comparison, AStrokeOfAlmostNothingMakesNoImpulseAndNoTurn) {
     EXPECT_NE(row_of(comparison, "double_harmonic").misfit, "");
 }
 
-TEST(Comparison, WithoutAnOptimumAFreeDisplacementIsUnknown) {
+TEST(Comparison, FreeDisplacementUnknownWithoutOptimum) {
     Scene scene = program_scene();
     scene.motion.segments = {{SegmentKind::dwell, pi / 2, {}, {}},
                              {SegmentKind::spline, pi / 2, {}, 1.0},
@@ -396,7 +396,7 @@ TEST(Comparison, WithoutAnOptimumAFreeDisplacementIsUnknown) {
     EXPECT_TRUE(row_of(comparison, "cycloidal").misfit.starts_with("the scene leaves a displacement"));
 }
 
-TEST(Comparison, WithoutAnOptimumTheLawsAreStillThere) {
+TEST(Comparison, ListsLawsWithoutOptimum) {
     Scene scene = scene_of(MotionType::drd, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
     const Comparison comparison = compare(scene);

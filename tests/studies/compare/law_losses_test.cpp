@@ -40,7 +40,7 @@ TEST(MatrixGame, KnownGames) {
     EXPECT_NEAR(solve_game(one).mix[1], 1.0, 1e-12);
 }
 
-TEST(MatrixGame, NoMixOfALatticeIsBetter) {
+TEST(MatrixGame, NoLatticeMixIsBetter) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(0.2, 3.0);
     for (int game = 0; game < 20; ++game) {
@@ -57,7 +57,7 @@ TEST(MatrixGame, NoMixOfALatticeIsBetter) {
     }
 }
 
-TEST(MatrixGame, CornersOfNearlyParallelFacesAreNoNumbersAndNoValue) {
+TEST(MatrixGame, NearlyParallelFacesGiveNoValue) {
     // Games of a trade-off surface with thin triangles: a determinant rounds to more than nothing where the
     // pivot is zero, and the corner was NaN with the value infinity; the cuts went on for ever.
     using Rows = std::vector<std::array<double, 3>>;
@@ -97,7 +97,7 @@ class LawLossesOfDrd : public testing::Test {
     }
 };
 
-TEST_F(LawLossesOfDrd, AreOfEveryLawWithFinitePeaks) {
+TEST_F(LawLossesOfDrd, CoverFinitePeakLaws) {
     EXPECT_TRUE(losses().complete);
     EXPECT_EQ(std::ranges::find(losses().laws, "parabolic", &LawLoss::key), losses().laws.end());
     for (const char* key : {"modified_sine", "cycloidal", "polynomial_345", "mcv_50"})
@@ -110,7 +110,7 @@ TEST_F(LawLossesOfDrd, AreOfEveryLawWithFinitePeaks) {
     }
 }
 
-TEST_F(LawLossesOfDrd, NoOtherWeightsBringALawCloser) {
+TEST_F(LawLossesOfDrd, WeightsAreOptimal) {
     for (int i = 0; i <= 4; ++i) {
         for (int j = 0; i + j <= 4; ++j) {
             Scene scene = paper_objective(MotionType::drd, 3, 24);
@@ -129,7 +129,7 @@ TEST_F(LawLossesOfDrd, NoOtherWeightsBringALawCloser) {
 }
 
 /// Some motion has all three peaks at θ of the law's: solved with these three as limits (and a hair more).
-TEST_F(LawLossesOfDrd, AMotionHasAllPeaksLowerByTheLeastLoss) {
+TEST_F(LawLossesOfDrd, LeastLossLowersPeaks) {
     for (const char* key : {"modified_sine", "cycloidal", "modified_trapezoid"}) {
         const LawLoss& loss = law(key);
         const double part = 1.0 / (1.0 + loss.closest->loss_percent / 100.0);
@@ -149,7 +149,7 @@ TEST_F(LawLossesOfDrd, AMotionHasAllPeaksLowerByTheLeastLoss) {
 
 // Without splines the modified sine has 42 % more jerk than its V and A need, 3-4-5 47 %, the modified
 // trapezoid and the cycloid 14 %; splines of 24 segments come near that from below.
-TEST_F(LawLossesOfDrd, TheLeastJerkAtALawsVelocityAndAcceleration) {
+TEST_F(LawLossesOfDrd, LeastJerkUsesPeaks) {
     const auto more_jerk = [&](const char* key) {
         return 100.0 * (law(key).peaks[2] / *law(key).least[2] - 1.0);
     };
@@ -166,7 +166,7 @@ TEST_F(LawLossesOfDrd, TheLeastJerkAtALawsVelocityAndAcceleration) {
     }
 }
 
-TEST_F(LawLossesOfDrd, TheLossAtTheScenesWeightsIsThatOfTheComparison) {
+TEST_F(LawLossesOfDrd, MatchTheComparison) {
     const Comparison comparison = compare(paper_objective(MotionType::drd, 3, 24));
     for (const ComparisonRow& row : comparison.rows) {
         const auto found = std::ranges::find(losses().laws, row.key, &LawLoss::key);
@@ -176,7 +176,7 @@ TEST_F(LawLossesOfDrd, TheLossAtTheScenesWeightsIsThatOfTheComparison) {
     }
 }
 
-TEST_F(LawLossesOfDrd, KnownMotionsSaveSolvesAndChangeNothing) {
+TEST_F(LawLossesOfDrd, KnownMotionsSaveSolves) {
     std::vector<PeakTriple> known;
     for (int i = 1; i <= 8; ++i) {
         for (int j = 1; i + j <= 9; ++j) {

@@ -34,7 +34,7 @@ double largest(const Function& f) {
 }
 
 /// |φ| <= φm on the cam's axis: s' <= tan φm (base + roller + s).
-TEST(NeededBase, IsTheLeastThatKeepsThePressureAngle) {
+TEST(NeededBase, IsLeastRadiusForPressureAngle) {
     const Scene scene = pressure_angle_scene(40.0);
     const DrivenMechanism cam = disk_mechanism(middle_cam(disk_of(*scene.cam)));
     for (const char* key : {"modified_sine", "cycloidal", "polynomial_4567"}) {
@@ -52,7 +52,7 @@ TEST(NeededBase, IsTheLeastThatKeepsThePressureAngle) {
 }
 
 /// A flat face: base + s + s'' >= ρ.
-TEST(NeededBase, IsTheLeastThatKeepsTheRadiusOfAFlatFacesCam) {
+TEST(NeededBase, IsLeastRadiusForFlatFace) {
     Scene scene = flat_scene(30.0, 2.0);
     scene.motion.type = MotionType::drd;
     const DrivenMechanism cam = disk_mechanism(middle_cam(disk_of(*scene.cam)));
@@ -67,7 +67,7 @@ TEST(NeededBase, IsTheLeastThatKeepsTheRadiusOfAFlatFacesCam) {
     EXPECT_NEAR(*found.radius / expected, 1.0, 1e-10);
 }
 
-TEST(NeededBase, NamesTheLimitThatNoRadiusKeeps) {
+TEST(NeededBase, NamesLimitWithoutFeasibleRadius) {
     Scene scene = pressure_angle_scene(40.0);
     scene.motion.speed = 10.0;
     scene.forces = ForceSpec{};

@@ -55,7 +55,7 @@ TEST(ReferenceTable, EveryRowIsProvedOptimal) {
     for (const WeightEffectRow& row : table.weights) expect_proved(row.optimum);
 }
 
-TEST(ReferenceTable, OptimaWithFewSegmentsAreTheFractions) {
+TEST(ReferenceTable, FewSegmentOptimaAreFractions) {
     struct Exact {
         int segments;
         double velocity, acceleration, jerk;
@@ -90,7 +90,7 @@ TEST(ReferenceTable, OptimaAgreeWithIndependentLinearPrograms) {
     }
 }
 
-TEST(ReferenceTable, PrintedPointsEvaluateToPrintedPeaksButForTheMisprint) {
+TEST(ReferenceTable, PrintedPointsReproducePrintedPeaks) {
     for (const int segments : {6, 8, 12}) {
         SCOPED_TRACE(segments);
         const ConvergenceRow& row = row_of(segments);
@@ -104,7 +104,7 @@ TEST(ReferenceTable, PrintedPointsEvaluateToPrintedPeaksButForTheMisprint) {
     }
 }
 
-TEST(ReferenceTable, MisprintOfTenSegmentsIsShownAndPutRight) {
+TEST(ReferenceTable, TenSegmentMisprintIsCorrected) {
     const ConvergenceRow& row = row_of(10);
     ASSERT_TRUE(row.points_exact && row.corrected_exact && row.points_end_acceleration);
     // Clamped cubic spline through the printed points, solved in fractions; the other rows leave less than
@@ -128,7 +128,7 @@ TEST(ReferenceTable, FiveWeightingsHaveOneOptimum) {
     }
 }
 
-TEST(ReferenceTable, LimitOfAllCurvesLiesBelowEveryRow) {
+TEST(ReferenceTable, LowerBoundIsBelowEveryRow) {
     const LimitCurve& limit = reference_table().limit;
     expect_relative(limit.objective, 0.9371963699, 1e-10);
     ASSERT_TRUE(limit.velocity && limit.acceleration && limit.jerk);
@@ -139,7 +139,7 @@ TEST(ReferenceTable, LimitOfAllCurvesLiesBelowEveryRow) {
         EXPECT_LT(limit.objective, row.optimum.certificate.objective) << row.segments;
 }
 
-TEST(ReferenceTable, LawsWithImpulsesHaveInfiniteJerkAndNoLoss) {
+TEST(ReferenceTable, ImpulseLawsHaveInfiniteJerk) {
     const auto law = std::ranges::find(reference_table().laws, "parabolic", &LawComparisonRow::key);
     ASSERT_NE(law, reference_table().laws.end());
     EXPECT_TRUE(std::isinf(law->exact->jerk));
@@ -149,7 +149,7 @@ TEST(ReferenceTable, LawsWithImpulsesHaveInfiniteJerkAndNoLoss) {
     EXPECT_NEAR(*sine->loss_percent, 100.0 * (sine->exact->objective / 0.940489277 - 1.0), 1e-4);
 }
 
-TEST(ReferenceTable, LawsAreAsPrintedButForWhatThePaperRoundsElsewhere) {
+TEST(ReferenceTable, LawsMatchPrintOutsideRoundingFaults) {
     // Half of the last digit printed. Printed otherwise: the velocity of 3-4-5 (1.875), the acceleration of
     // 4-5-6-7 (7.513) and the jerk of the cycloid (39.48).
     int compared = 0;

@@ -64,7 +64,7 @@ Scene random_rms_scene(unsigned seed) {
     return scene;
 }
 
-TEST(DeliveredObjective, IsThatOfTheCurveWhereRootMeanSquaresAreWeighed) {
+TEST(DeliveredObjective, MatchesCurveForRootMeanSquares) {
     int delivered = 0;
     for (unsigned seed = 1; seed <= 12; ++seed) {
         const Scene scene = random_rms_scene(seed);
@@ -84,7 +84,7 @@ Solution solved_twelve() {
     return solve(paper_objective(MotionType::drd, 3, 12));
 }
 
-TEST(DeliveredAudit, AGapWiderThanAllowedIsNotCalledOptimal) {
+TEST(DeliveredAudit, WideGapIsNotOptimal) {
     Solution solution = solved_twelve();
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     solution.scene.solver.gap = 1e-12;
@@ -114,7 +114,7 @@ TEST(DeliveredAudit, LeavesATrueVerdictAlone) {
     EXPECT_TRUE(solution.certificate.proof);
 }
 
-TEST(DeliveredAudit, AFalseObjectiveEndsTheVerdictAndTheTrueOneIsReported) {
+TEST(DeliveredAudit, FalseObjectiveIsCorrectedWithoutVerdict) {
     Solution solution = solved_twelve();
     const double objective = solution.certificate.objective;
     solution.certificate.objective *= 1.0 - 1e-6;
@@ -123,7 +123,7 @@ TEST(DeliveredAudit, AFalseObjectiveEndsTheVerdictAndTheTrueOneIsReported) {
     EXPECT_NEAR(solution.certificate.objective, objective, 1e-12);
 }
 
-TEST(DeliveredAudit, ALimitThatIsPassedEndsTheVerdict) {
+TEST(DeliveredAudit, ViolatedLimitEndsVerdict) {
     Solution solution = solved_twelve();
     ConstraintReport velocity{"velocity", "limits.velocity", 1.7, 1.7 * (1.0 + 1e-9), "", 0.5, true};
     solution.constraints = {velocity};
@@ -135,7 +135,7 @@ TEST(DeliveredAudit, ALimitThatIsPassedEndsTheVerdict) {
     expect_failed(solution, "limit_not_kept");
 }
 
-TEST(DeliveredAudit, EveryConditionIsLookedAt) {
+TEST(DeliveredAudit, EveryConditionIsChecked) {
     const Solution solution = solved_twelve();
     const auto with = [&](auto change) {
         Solution changed = solution;
@@ -167,7 +167,7 @@ Scene program() {
     return scene;
 }
 
-TEST(DeliveredAudit, ProgramsAreLookedAtToo) {
+TEST(DeliveredAudit, ProgramsAreChecked) {
     Solution solution = solve(program());
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     EXPECT_TRUE(missed_conditions(solution, 1e-10).empty());
@@ -180,7 +180,7 @@ TEST(DeliveredAudit, ProgramsAreLookedAtToo) {
     EXPECT_GT(missed_conditions(open, 1e-10).at(0).relative, 0.05);
 }
 
-TEST(DeliveredAudit, ADerivativeThatVanishesAtEveryJointDoesNotJump) {
+TEST(DeliveredAudit, SmoothJointsDoNotJump) {
     // y'' of two mirrored quintics is 0 at 0, 1/2 and 1: what is left there is rounding, and no measure of
     // itself.
     for (const DesignKind kind : {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates}) {
@@ -196,7 +196,7 @@ TEST(DeliveredAudit, ADerivativeThatVanishesAtEveryJointDoesNotJump) {
     }
 }
 
-TEST(DeliveredAudit, ARelaxationWithAMarginHasAMotionThoughOnlyOneCurveIsLeft) {
+TEST(DeliveredAudit, RelaxationWithMarginFindsMotion) {
     Scene scene = paper_objective(MotionType::rr, 5, 2);
     scene.motion.symmetric = true;
     scene.limits.acceleration = normalised_limit("limits.acceleration", 5.5);
@@ -236,7 +236,7 @@ Scene program_that_may_stand() {
 }
 
 /// The last run, which may end where it likes, stands: what rounding leaves there is no measure of itself.
-TEST(DeliveredAudit, ARunThatStandsStillIsMeasuredByTheWholeMotion) {
+TEST(DeliveredAudit, StationaryRunIsScaledByMotion) {
     const Solution solution = solve(program_that_may_stand());
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     ASSERT_FALSE(solution.segments.empty());
@@ -280,7 +280,7 @@ Scene pressed_flat_arm() {
     return scene;
 }
 
-TEST(DeliveredAudit, NoLimitIsPassedUnderAVerdict) {
+TEST(DeliveredAudit, VerdictAllowsNoViolation) {
     testing_support::CountingClock clock;
     const Solution solution = solve(pressed_flat_arm(), clock.control());
     const Verdict verdict = solution.certificate.verdict;
@@ -292,7 +292,7 @@ TEST(DeliveredAudit, NoLimitIsPassedUnderAVerdict) {
 }
 
 /// A cost is never negative. Numerically hard scenes have dual bounds far below: none is shown.
-TEST(DeliveredAudit, ABoundBelowZeroIsNotShown) {
+TEST(DeliveredAudit, NegativeBoundIsHidden) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
         const Certificate certificate = solve(random_rms_scene(seed)).certificate;
         if (certificate.verdict == Verdict::optimal || !certificate.lower_bound) continue;
@@ -309,7 +309,7 @@ TEST(DeliveredAudit, ABoundBelowZeroIsNotShown) {
 }
 
 /// The cost of a point that nobody gets is no objective.
-TEST(DeliveredAudit, WhatIsNotDeliveredHasNoObjective) {
+TEST(DeliveredAudit, MissingMotionHasNoObjective) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
     const Solution solution = solve(scene);
@@ -318,7 +318,7 @@ TEST(DeliveredAudit, WhatIsNotDeliveredHasNoObjective) {
 }
 
 /// Pieces that do not meet are no one motion, and no figure of them is one of it: nothing is delivered.
-TEST(DeliveredAudit, DeliversNoMotionOfPiecesThatDoNotMeet) {
+TEST(DeliveredAudit, DisjointPiecesDeliverNoMotion) {
     Solution solution = solved_twelve();
     Eigen::MatrixXd pieces = solution.curve->pieces();
     pieces(0, 5) += 1e-4;

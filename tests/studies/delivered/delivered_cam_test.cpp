@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Random cams of every follower, rotation and kind of motion: whatever is delivered keeps every limit of its
-// scene, evaluated independently on 20,000 angles and closer about the worst. The limits are set near what
-// the motion without them reaches, so that many of them bite, among them where the cam would undercut.
+// Random cams of every follower, rotation and kind of motion: whatever is delivered satisfies every limit of
+// its scene, evaluated independently on 20,000 angles and closer about the worst. The limits are set near
+// what the motion without them reaches, so that many of them bite, among them where the cam would undercut.
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/search/solve_without_explaining.hpp"
 #include "tests/studies/cam_scenes.hpp"
@@ -206,7 +206,7 @@ double worst_excess(const Scene& scene, const DiskCam& cam, const Motion& motion
 
 class DeliveredCam : public testing::TestWithParam<Case> {};
 
-TEST_P(DeliveredCam, KeepsEveryLimitOfItsScene) {
+TEST_P(DeliveredCam, SatisfiesEveryLimitOfItsScene) {
     Random random(GetParam().seed);
     Scene scene = base_scene(GetParam(), random);
     const Solution free = solve_without_explaining(scene, {});

@@ -120,7 +120,7 @@ double value_of(const std::optional<CamExtreme>& extreme) {
     return extreme ? extreme->value : -1.0;
 }
 
-TEST(DirectMechanism, CarriesLoadsWhateverItsKind) {
+TEST(DirectMechanism, EveryKindCarriesLoads) {
     const MotionChain motion = test::turn_motion("modified_sine");
     for (const DrivenMechanism& cam : samples()) {
         const Scene scene = loaded_scene(cam.formulas->swings());
@@ -136,7 +136,7 @@ TEST(DirectMechanism, CarriesLoadsWhateverItsKind) {
     }
 }
 
-TEST(DirectMechanism, IsCheckedWhateverItsKind) {
+TEST(DirectMechanism, EveryKindIsChecked) {
     const MotionChain motion = test::turn_motion("modified_sine");
     for (const DrivenMechanism& cam : samples()) {
         const MotionScale scale{loaded_scene(cam.formulas->swings()).motion.lift, 1.0};
@@ -153,7 +153,7 @@ TEST(DirectMechanism, IsCheckedWhateverItsKind) {
     }
 }
 
-TEST(DirectMechanism, HasASmallestSizeWhateverItsKind) {
+TEST(DirectMechanism, EveryKindHasSmallestSize) {
     const Scene scene = pressure_angle_scene(40.0);
     const DrivenMechanism cam = disk_mechanism(middle_cam(disk_of(*scene.cam))), other = foreign(cam);
     const auto law = make_law("modified_sine");

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wanted{"cylinder_slide", {"limits.pressure_angle_deg"}, {"limits.undercut_margin"}}));
 
 /// Between what the enclosures say and a dense sample there is no room.
-TEST(EnclosedLimits, AreTheLargestOfADenseSample) {
+TEST(EnclosedLimits, EqualMaximaOfDenseSample) {
     const Solution solution = solve(scene_of("cam_roller"));
     ASSERT_TRUE(solution.cam);
     double most = 0.0;
@@ -92,7 +92,7 @@ TEST(EnclosedLimits, AreTheLargestOfADenseSample) {
     EXPECT_LE(worst, figure_rounding);
 }
 
-TEST(EnclosedLimits, ThatArePassedBetweenPlacesFailTheVerdict) {
+TEST(EnclosedLimits, ViolationsBetweenSamplesFailVerdict) {
     Solution solution = solve(scene_of("cam_knife"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_FALSE(solution.cam->limits_along.empty());
@@ -100,7 +100,7 @@ TEST(EnclosedLimits, ThatArePassedBetweenPlacesFailTheVerdict) {
     audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
     EXPECT_EQ(solution.certificate.reason, Reason::limit_not_kept);
-    EXPECT_NE(solution.notes.back().find("limits.pressure_angle_deg is not kept"), std::string::npos);
+    EXPECT_NE(solution.notes.back().find("limits.pressure_angle_deg is violated"), std::string::npos);
 }
 
 TEST(EnclosedLimits, OfSeveralRulesAreVerifiedTogether) {

@@ -29,7 +29,7 @@ bool is_active(const WrittenLimit& limit, std::optional<WrittenLimit> LimitSpec:
     return solution.constraints.front().active;
 }
 
-TEST(LimitActivity, AForceLimitOfZeroIsMeasuredByTheForceReached) {
+TEST(LimitActivity, ZeroForceLimitScalesWithForce) {
     const WrittenLimit zero{0.0, "limits.contact_force_min_n", 1.0, "N"};
     const auto active = [&](double least) {
         return is_active(zero, &LimitSpec::contact_force_min, "contact_force_min", least);
@@ -39,7 +39,7 @@ TEST(LimitActivity, AForceLimitOfZeroIsMeasuredByTheForceReached) {
     EXPECT_FALSE(active(1e-2));
 }
 
-TEST(LimitActivity, ARadiusLimitOfZeroIsMeasuredByTheBaseCircle) {
+TEST(LimitActivity, ZeroRadiusLimitUsesBaseCircle) {
     const WrittenLimit zero{0.0, "limits.cam_radius_min_mm", 1e-3, "mm"};
     const auto active = [&](double least) {
         return is_active(zero, &LimitSpec::cam_radius_min, "cam_radius_min", least);
@@ -49,13 +49,13 @@ TEST(LimitActivity, ARadiusLimitOfZeroIsMeasuredByTheBaseCircle) {
     EXPECT_FALSE(active(1e-3));
 }
 
-TEST(LimitActivity, ARadiusThatExistsNowhereIsNotActive) {
+TEST(LimitActivity, UndefinedRadiusIsNotActive) {
     const WrittenLimit thirty{30e-3, "limits.concave_radius_min_mm", 1e-3, "mm"};
     EXPECT_FALSE(is_active(thirty, &LimitSpec::concave_radius_min, "concave_radius_min", infinity));
     EXPECT_TRUE(is_active(thirty, &LimitSpec::concave_radius_min, "concave_radius_min", 30.0 + 1e-6));
 }
 
-TEST(LimitActivity, ASmallLimitFarAboveTheAngleIsNotActive) {
+TEST(LimitActivity, SmallDistantLimitIsNotActive) {
     const WrittenLimit small{1e-5 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
     EXPECT_FALSE(is_active(small, &LimitSpec::pressure_angle, "pressure_angle", 0.0));
     EXPECT_TRUE(is_active(small, &LimitSpec::pressure_angle, "pressure_angle", 1e-5));
@@ -97,7 +97,7 @@ starts = 1
 )";
 
 // The roller is larger than the nose of the best motion's cam: the limit of 0 holds it at a cusp.
-TEST(LimitActivity, AnActiveLimitOfNoUndercutEndsInACusp) {
+TEST(LimitActivity, ActiveUndercutLimitIsCusp) {
     const Solution solution = solve(scene_of_toml(std::string(roller) + "cam_radius_min_mm = 0\n"));
     ASSERT_TRUE(solution.cam);
     EXPECT_TRUE(limit_of(solution, "limits.cam_radius_min_mm").active);
@@ -107,10 +107,10 @@ TEST(LimitActivity, AnActiveLimitOfNoUndercutEndsInACusp) {
     const std::string text = text_of(solution);
     EXPECT_TRUE(says(text, "A CUSP at ")) << text;
     EXPECT_FALSE(says(text, "UNDERCUT")) << text;
-    EXPECT_TRUE(says(text, "What limits it: the cam radius at ")) << text;
+    EXPECT_TRUE(says(text, "Active limits: the cam radius at ")) << text;
 }
 
-TEST(LimitActivity, ACamThatIsNowhereHollowHasNoConcaveRadius) {
+TEST(LimitActivity, ConvexCamHasNoConcaveRadius) {
     const Solution solution = solve(scene_of_toml(R"(
 [motion]
 type = "RR"

@@ -29,7 +29,7 @@ const Relaxation* row_of(const Solution& solution, const std::string& key) {
     return found == solution.relaxation.end() ? nullptr : &*found;
 }
 
-TEST(SafeValue, LiesBeyondTheEdgeByAMillionthAndADigitAtMost) {
+TEST(SafeValue, ExceedsEdgeByMillionthOrDigit) {
     EXPECT_EQ(safe_value(33.7191, true, 0.0), 33.72);
     EXPECT_EQ(safe_value(33.7191, false, 0.0), 33.719);
     EXPECT_EQ(safe_value(1.2, true, 0.0), 1.2001) << "the edge itself is no value to tell";
@@ -55,7 +55,7 @@ TEST(FinerSpline, HalvesGivenBreakpoints) {
     EXPECT_EQ(segments_of(with_segments(scene, 7).spline), 12);
 }
 
-TEST(FinerSpline, IsTheFewestSegmentsThatWereSolved) {
+TEST(FinerSpline, IsFewestSegmentsSolved) {
     Scene scene = paper_objective(MotionType::drd, 5, 4);
     scene.limits.acceleration = normalised_limit("limits.acceleration", 5.0);
     const Solution solution = solve(scene);
@@ -70,7 +70,7 @@ TEST(FinerSpline, IsTheFewestSegmentsThatWereSolved) {
 }
 
 /// Fourteen uniform segments have none: what was solved are the given intervals, halved.
-TEST(FinerSpline, OfGivenBreakpointsSaysThatTheyWereCut) {
+TEST(FinerSpline, ReportsSubdivisionOfGivenBreakpoints) {
     Scene scene;
     scene.spline.degree = 5;
     scene.spline.end_jerk = EndJerk::zero;
@@ -99,7 +99,7 @@ TEST(FinerSpline, OfGivenBreakpointsSaysThatTheyWereCut) {
     EXPECT_FALSE(solve(uniform).motion);
 }
 
-TEST(FinerSpline, IsNotSoughtWhereNoMotionCan) {
+TEST(FinerSpline, IsNotSearchedWhereImpossible) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
     const Solution solution = solve(scene);
@@ -109,7 +109,7 @@ TEST(FinerSpline, IsNotSoughtWhereNoMotionCan) {
     EXPECT_EQ(solution.explanation->finest, 0);
 }
 
-TEST(SmallestOfAnyMotion, IsOfTheStrokeThatNeedsMost) {
+TEST(SmallestOfAnyMotion, UsesMostDemandingStroke) {
     // Rise 0 to 1 in 120 deg, return in two parts: 1 to 0.5 in 20 deg, 0.5 to 0 in 60 deg, with 25 deg there.
     Scene scene = pressure_angle_scene(40);
     scene.motion.type = MotionType::program;
@@ -146,7 +146,7 @@ TEST(SmallestOfAnyMotion, BoundsRealMotions) {
     EXPECT_FALSE(solve(scene).motion);
 }
 
-TEST(FinerSpline, IsNotAdvisedWhereItDoesNotHelp) {
+TEST(FinerSpline, IsNotSuggestedWhereUseless) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.motion.symmetric = true;
     scene.motion.via = {{0.5, 0.4, {}, {}}};  // symmetry makes it 0.5
@@ -188,7 +188,7 @@ TEST(JointRelaxation, IsTheLeastCommonPart) {
     EXPECT_TRUE(solve(scene).motion);
 }
 
-TEST(JointRelaxation, LowerLimitsGiveWayByTheSameFactor) {
+TEST(JointRelaxation, ScalesLowerLimitsEqually) {
     Scene scene = pressure_angle_scene(30, 12);
     scene.limits.pressure_angle = degrees(15.0, "limits.pressure_angle_deg");
     scene.limits.concave_radius_min = millimetres(300.0, "limits.concave_radius_min_mm");
@@ -208,7 +208,7 @@ TEST(JointRelaxation, LowerLimitsGiveWayByTheSameFactor) {
     EXPECT_GT(factor, 1.0);
 }
 
-TEST(Adjustment, ARiseMayTakeWhatTheReturnLeavesOfTheTurn) {
+TEST(Adjustment, LongerRiseUsesAngleOfReturn) {
     const auto most_of_rise = [](const Scene& scene) {
         const std::vector<Adjustment> all = adjustments(scene);
         return std::ranges::find(all, "motion.rise_deg", &Adjustment::key)->most;
@@ -223,7 +223,7 @@ TEST(Adjustment, ARiseMayTakeWhatTheReturnLeavesOfTheTurn) {
     EXPECT_NEAR(most_of_rise(scene), 260.0, 1e-9);
 }
 
-TEST(Explanation, TimeThatRunsOutLeavesKeysUnsettledAndTellsProgress) {
+TEST(Explanation, TimeoutLeavesUnsettledKeysAndReportsProgress) {
     Solution solution;
     solution.scene = pressure_angle_scene(24);
     solution.certificate.verdict = Verdict::infeasible;
@@ -238,11 +238,11 @@ TEST(Explanation, TimeThatRunsOutLeavesKeysUnsettledAndTellsProgress) {
     for (const char* key : {"limits.pressure_angle_deg", "motion.rise_deg", "cam.base_radius_mm"})
         EXPECT_TRUE(std::ranges::find(unsettled, key) != unsettled.end()) << key;
     ASSERT_FALSE(told.empty());
-    EXPECT_NE(told[0].find("searches what would help, for 0 s at most"), std::string::npos) << told[0];
+    EXPECT_NE(told[0].find("searching for changes, for at most 0 s"), std::string::npos) << told[0];
 }
 
 /// "Nothing helps" and "nobody looked to the end" must not be told by the same words.
-TEST(Explanation, ASearchForAJointRemedyThatEndsEarlyIsUnsettled) {
+TEST(Explanation, InterruptedCombinedSearchIsUnsettled) {
     Solution solution;
     solution.scene = paper_objective(MotionType::drd, 3, 12);
     solution.scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
@@ -264,7 +264,7 @@ TEST(Explanation, ASearchForAJointRemedyThatEndsEarlyIsUnsettled) {
         EXPECT_EQ(std::ranges::count(unsettled, row.key), 0) << row.key;
 }
 
-TEST(Explanation, EveryNumberOfACamAndItsSpringsIsTried) {
+TEST(Explanation, TriesEveryCamAndSpringDimension) {
     Scene scene = pressure_angle_scene(40);
     scene.motion.speed = 60.0;
     scene.forces = ForceSpec{.mass = 0.8, .spring_rate = 4000.0, .preload = 20.0, .contact_width = 12e-3};

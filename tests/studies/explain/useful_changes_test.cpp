@@ -49,7 +49,7 @@ const Case lobe = {"lobe", "tests/support/cases/lobe_ramp_set_point", {}};
 
 class UsefulChanges : public testing::TestWithParam<Case> {};
 
-TEST_P(UsefulChanges, AreFoundInTimeAndMakeTheSceneFeasible) {
+TEST_P(UsefulChanges, AreFoundInTimeAndSuffice) {
     const Solution solution = solve(scene_of(GetParam()));
     ASSERT_FALSE(solution.motion);
     ASSERT_TRUE(solution.explanation);
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"cap", "scenes/infeasible_velocity_cap", {}}),
     [](const auto& one) { return one.param.name; });
 
-TEST(UsefulChange, OfAServoProgramIsTheAngleAndTheDwellThatGivesWay) {
+TEST(UsefulChange, ServoProgramChangesAngleAndDwell) {
     const Solution solution = solve(scene_of(servo));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const Relaxation& first = solution.relaxation.front();
@@ -93,7 +93,7 @@ TEST(UsefulChange, OfAServoProgramIsTheAngleAndTheDwellThatGivesWay) {
     EXPECT_NE(told(solution).find("raise the acceleration limit to 66"), std::string::npos) << told(solution);
 }
 
-TEST(UsefulChange, TakesFromTheNextDwellThenFromTheOneBefore) {
+TEST(UsefulChange, UsesNextDwellBeforePreviousOne) {
     const std::vector<Adjustment> all = motion_adjustments(scene_of(servo));
     std::vector<std::string> givers;
     for (const Adjustment& one : all)
@@ -103,7 +103,7 @@ TEST(UsefulChange, TakesFromTheNextDwellThenFromTheOneBefore) {
               (std::vector<std::string>{"motion.segments[3].angle_deg", "motion.segments[1].angle_deg"}));
 }
 
-TEST(UsefulChange, NamesTheSetPointThatARampContradicts) {
+TEST(UsefulChange, NamesSetPointContradictedByRamp) {
     const Solution solution = solve(scene_of(lobe));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     ASSERT_TRUE(solution.explanation);
@@ -118,7 +118,7 @@ TEST(UsefulChange, NamesTheSetPointThatARampContradicts) {
 }
 
 /// Other conditions leave one value: 0.5 mm and 10 deg of 0.012 mm/deg.
-TEST(UsefulChange, OfADeterminedSetPointIsItsOneValue) {
+TEST(UsefulChange, DeterminedSetPointIsItsValue) {
     Case inside = lobe;
     inside.settings.insert(
         inside.settings.end(),
@@ -133,7 +133,7 @@ TEST(UsefulChange, OfADeterminedSetPointIsItsOneValue) {
     EXPECT_TRUE(solve(with_change(inside, *row)).motion);
 }
 
-TEST(UsefulChange, EndsTheSearchWhenEnoughAreFound) {
+TEST(UsefulChange, StopsAfterEnoughAreFound) {
     Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
     const Solution three = solve(scene);
     ASSERT_EQ(three.relaxation.size(), 3U);
@@ -148,7 +148,7 @@ TEST(UsefulChange, EndsTheSearchWhenEnoughAreFound) {
 }
 
 /// A lift written in mm keeps the displacements that are written in mm.
-TEST(UsefulChange, OfALiftScalesOnlyDisplacementsInLifts) {
+TEST(UsefulChange, LiftChangeScalesOnlyLiftUnits) {
     Scene scene = scene_of(servo);
     const auto keys = [&] {
         std::vector<std::string> all;
@@ -169,11 +169,11 @@ TEST(UsefulChange, OfALiftScalesOnlyDisplacementsInLifts) {
     EXPECT_NEAR(*less.motion.segments[2].to * less.motion.lift, 0.048, 1e-15);
 }
 
-TEST(ExplanationTime, IsNotBlamedOnMaxSecondsAfterAnInterruption) {
+TEST(ExplanationTime, InterruptionIsNotReportedAsTimeout) {
     bool stop = false;
     SolveControl control;
     control.progress = [&](const Progress& progress) {
-        stop = stop || progress.message.find("what would help: limits.") != std::string_view::npos;
+        stop = stop || progress.message.find("suggested changes: limits.") != std::string_view::npos;
     };
     control.stop_requested = [&] { return stop; };
     Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
@@ -187,12 +187,12 @@ TEST(ExplanationTime, IsNotBlamedOnMaxSecondsAfterAnInterruption) {
     EXPECT_EQ(told(solution).find("max_seconds"), std::string::npos);
 }
 
-TEST(ExplanationTime, OfFiveSecondsEndsTheSearchAndIsNamed) {
+TEST(ExplanationTime, FiveSecondLimitIsReported) {
     double now = 0.0;
     SolveControl control;
     control.deadline = Deadline::after(1e9, [&] { return now; });
     control.progress = [&](const Progress& progress) {
-        if (progress.message.find("what would help: limits.") != std::string_view::npos) now += 6.0;
+        if (progress.message.find("suggested changes: limits.") != std::string_view::npos) now += 6.0;
     };
     Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
     scene.solver.explain_changes = 100;

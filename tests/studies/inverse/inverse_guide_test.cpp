@@ -59,7 +59,7 @@ TEST(WishedGuide, PeaksAreThoseOfTheMotion) {
     EXPECT_LT(guide.largest_kink(), 1e-12);
 }
 
-TEST(WishedGuide, ReturnIsTheForwardMotionRunFaster) {
+TEST(WishedGuide, ReturnIsFasterForwardMotion) {
     const auto law = make_law("cycloidal");
     const FeederWish wish = reference_wish();
     const double ratio = 2496.4 / 1000.0;
@@ -78,19 +78,20 @@ TEST(WishedGuide, ArcsStepAndSplinesDoNot) {
     EXPECT_NEAR(arcs.pressure_angle / units::degree, 20.295024957442, 1e-9);
 }
 
-TEST(WishedGuide, RefusesWhatTheMachineCannotDo) {
+TEST(WishedGuide, RefusesUnreachableMotions) {
     const auto law = make_law("cycloidal");
     FeederWish wish = reference_wish();
     EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 1); }),
-              "1 nodes of the guide were asked for; it needs at least 2");
+              "1 nodes of the guide were requested; it needs at least 2");
     wish.upper = 40.0 * inch;
     EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 16); }),
-              "the machine cannot move the feeder as wished at 0.110815 s: rocker_misses_pin");
+              "the machine cannot produce the required feeder motion at 0.110815 s: rocker_misses_pin");
     wish = reference_wish();
     wish.to = 20.0 * inch;
-    EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 16); }),
-              "the wished feeder motion: guide from 0.038099999999999995 to 0.35559999999999997 m, rise from "
-              "0.13335 to 0.508 m; must be 0 < begin <= from < to <= end");
+    EXPECT_EQ(
+        refusal([&] { (void)wished_guide(wish, *law, 16); }),
+        "the required feeder motion: guide from 0.038099999999999995 to 0.35559999999999997 m, rise from "
+        "0.13335 to 0.508 m; must be 0 < begin <= from < to <= end");
 }
 
 }  // namespace inverse_guide_test

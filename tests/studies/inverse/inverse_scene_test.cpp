@@ -70,7 +70,7 @@ Rebuilt rebuilt(const std::function<double(double)>& lift) {
     return result;
 }
 
-TEST(InverseScene, KeepsTenDegreesRebuiltFromTheMotionAlone) {
+TEST(InverseScene, ForwardModelConfirmsTenDegrees) {
     const Scene scene = scene_of_the_feeder();
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion) << "no motion within 10 deg was found";

@@ -59,7 +59,7 @@ degree = 3
 segments = 12
 )";
 
-TEST(OwnLaw, IsAReferenceAComparisonAndASegment) {
+TEST(OwnLaw, WorksAsReferenceComparisonAndSegment) {
     const std::span<const LawInfo> before = law_catalogue();
     add_law(smoothstep("smoothstep"));
     EXPECT_EQ(law_catalogue().size(), before.size() + 1);
@@ -113,7 +113,7 @@ TEST(OwnLaw, OneThatIsNoneIsRefused) {
     expect_law_refused(smoothstep("Smooth Step"),
                        "found this key; allowed: lower case letters, digits and _");
     expect_law_refused(smoothstep("slipped", 0.1), "found y that grows by");
-    expect_law_refused({}, "found nothing that makes a law");
+    expect_law_refused({}, "found an empty function");
     EXPECT_EQ(law_catalogue().size(), before);
 }
 
@@ -133,7 +133,7 @@ class Counted final : public Solver {
     std::atomic<int>& calls_;
 };
 
-TEST(OwnSolver, IsNamedByScenesAndJudgedByTheCertificate) {
+TEST(OwnSolver, IsSelectedByNameAndCertified) {
     static std::atomic<int> calls{0};
     SolverEntry entry;
     entry.name = "counted";
@@ -176,7 +176,7 @@ acceleration = 1
 pressure_angle_deg = 60
 )";
 
-TEST(OwnCamKind, IsReadByItsKeysAndSolvedByItsFormulas) {
+TEST(OwnCamKind, IsReadAndSolved) {
     CamKind kind = *cam_kind("remote");
     kind.type = "rocking";
     kind.rows.clear();  // its keys are those of the kind it was made from
@@ -208,7 +208,7 @@ TEST(OwnCamKind, IsReadByItsKeysAndSolvedByItsFormulas) {
     EXPECT_THROW(add_cam_kind(kind), InputError);
 }
 
-TEST(OpenRegistries, ReadersSeeWholeListsWhileOthersAdd) {
+TEST(OpenRegistries, ReadersSeeCompleteListsDuringAdds) {
     const std::size_t before = law_catalogue().size();
     std::atomic<bool> done{false};
     std::thread reader([&] {

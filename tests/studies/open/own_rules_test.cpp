@@ -55,7 +55,7 @@ std::string told(const Solution& solution) {
     return text;
 }
 
-TEST(OwnTerm, ALinearOneFindsAndProvesWhatTheBuiltInFinds) {
+TEST(OwnTerm, LinearTermMatchesBuiltIn) {
     Scene built_in = without_objective();
     built_in.objective.velocity = 0.5;
     built_in.objective.acceleration = 0.5;
@@ -85,7 +85,7 @@ TEST(OwnTerm, AConvexOneIsProved) {
     EXPECT_LE(*found.certificate.lower_bound, found.certificate.objective + 1e-9);
 }
 
-TEST(OwnTerm, WithNothingThatBoundsTheMotionItIsNotCalledProved) {
+TEST(OwnTerm, UnboundedTermIsNotCalledProved) {
     Scene own = without_objective();
     own.own_terms = {term("squared_jerk", squared_derivative(3), Curvature::convex, 69.0 * 69.0)};
     const Solution found = solve(own);
@@ -96,7 +96,7 @@ TEST(OwnTerm, WithNothingThatBoundsTheMotionItIsNotCalledProved) {
     EXPECT_NEAR(std::sqrt(found.certificate.objective), solve(built_in).certificate.objective, 1e-6);
 }
 
-TEST(OwnTerm, AGeneralOneIsSearchedForAndNeverCalledProvedByItself) {
+TEST(OwnTerm, GeneralTermIsNeverCalledProved) {
     Scene own = without_objective();
     own.objective.velocity = 0.2;
     own.own_terms = {term(
@@ -114,7 +114,7 @@ TEST(OwnTerm, AGeneralOneIsSearchedForAndNeverCalledProvedByItself) {
     EXPECT_NEAR(found.certificate.objective, 0.2 * found.peaks.velocity.value / 1.76 + largest / 5.0, 1e-6);
 }
 
-TEST(OwnTerm, AutomaticPartialsAreThoseByHand) {
+TEST(OwnTerm, AutomaticPartialsMatchManualOnes) {
     const MotionFormula automatic =
         motion_formula([](const auto& y, const auto& v, const auto& a, const auto& j) {
             return y * y * v + v * a - 0.5 * j * j + 3.0 * y;
@@ -131,7 +131,7 @@ TEST(OwnTerm, AutomaticPartialsAreThoseByHand) {
     EXPECT_LT((found.hessian - hessian).norm(), 1e-13);
 }
 
-TEST(OwnTerm, AScaleOfAllWeightsMovesNoMotion) {
+TEST(OwnTerm, CommonScaleChangesNoMotion) {
     Scene scene = paper_objective(MotionType::rr, 5, 10);
     scene.own_terms = {term("squared_acceleration", squared_derivative(2), Curvature::convex, 40.0)};
     const Solution one = solve(scene);
@@ -146,7 +146,7 @@ TEST(OwnTerm, AScaleOfAllWeightsMovesNoMotion) {
     EXPECT_EQ(other.own_terms.front().weight, 1e6);
 }
 
-TEST(OwnLimit, KeepsWhatTheBuiltInKeeps) {
+TEST(OwnLimit, MatchesBuiltInLimit) {
     Scene built_in = paper_objective(MotionType::drd, 3, 12);
     built_in.limits.velocity = 1.6;
     Scene own = paper_objective(MotionType::drd, 3, 12);
@@ -163,7 +163,7 @@ TEST(OwnLimit, KeepsWhatTheBuiltInKeeps) {
     EXPECT_TRUE(report.active);
 }
 
-TEST(OwnLimit, OneThatNoMotionKeepsIsProvedAndExplained) {
+TEST(OwnLimit, InfeasibleLimitIsProvedAndExplained) {
     Scene scene = paper_objective(MotionType::drd, 3, 8);
     scene.own_limits = {{"slow", 0.5, derivative_of_motion(1), Curvature::linear, 1, {}, 0.0}};
     const Solution solution = solve(scene);
@@ -181,7 +181,7 @@ TEST(OwnLimit, OneThatNoMotionKeepsIsProvedAndExplained) {
     EXPECT_EQ(solve(scene).certificate.verdict, Verdict::infeasible);
 }
 
-TEST(OwnLimit, OfZeroIsMeasuredByItsSize) {
+TEST(OwnLimit, ZeroLimitScalesWithSize) {
     // Acceleration above -20 wherever: g = -y'' - 20 <= 0 written with a limit of 0.
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     const MotionFormula formula =
@@ -195,7 +195,7 @@ TEST(OwnLimit, OfZeroIsMeasuredByItsSize) {
     EXPECT_GE(least, -5.0 * (1.0 + 1e-8));
 }
 
-TEST(OwnRule, StandsInComparisonsWithTheLaws) {
+TEST(OwnRule, AppearsInComparisons) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.own_terms = {term("squared_acceleration", squared_derivative(2), Curvature::convex, 30.0)};
     scene.own_limits = {{"speed", 1.8, derivative_of_motion(1), Curvature::linear, 1, {}, 0.0}};
@@ -215,7 +215,7 @@ TEST(OwnRule, StandsInComparisonsWithTheLaws) {
     EXPECT_EQ(comparison.rows.front().title, "optimum");
 }
 
-TEST(OwnRule, HoldsOverTheWholeTurnOfAProgram) {
+TEST(OwnRule, HoldsOverWholeProgram) {
     Scene scene = paper_objective(MotionType::program, 5, 8);
     scene.motion.segments = {{SegmentKind::spline, 120 * units::degree, {}, 1.0},
                              {SegmentKind::dwell, 60 * units::degree, {}, {}},
@@ -237,7 +237,7 @@ TEST(OwnRule, HoldsOverTheWholeTurnOfAProgram) {
     EXPECT_LE(steepest, 1.3 * (1.0 + 1e-8));
 }
 
-TEST(OwnRule, IsKeptWhileBreakpointsMove) {
+TEST(OwnRule, IsSatisfiedWhileBreakpointsMove) {
     Scene scene = paper_objective(MotionType::drd, 3, 5);
     scene.spline.free_knots = true;
     Scene built_in = scene;
@@ -249,7 +249,7 @@ TEST(OwnRule, IsKeptWhileBreakpointsMove) {
     EXPECT_NEAR(found.certificate.objective, expected.certificate.objective, 1e-4);
 }
 
-TEST(OwnRule, AFalseShapeIsFoundOut) {
+TEST(OwnRule, WrongShapeIsDetected) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     const MotionFormula bent =
         motion_formula([](const auto&, const auto& v, const auto& a, const auto&) { return v * a; });
@@ -266,7 +266,7 @@ TEST(OwnRule, AFalseShapeIsFoundOut) {
     }
 }
 
-TEST(OwnRule, ItsExceptionsComeThrough) {
+TEST(OwnRule, ItsExceptionsPropagate) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.own_limits = {{"broken",
                          1.0,
@@ -287,7 +287,7 @@ void expect_refused(const Scene& scene, const std::string& words) {
     }
 }
 
-TEST(OwnRule, WhatIsWrongWithItIsSaid) {
+TEST(OwnRule, FaultsAreReported) {
     const Scene good = paper_objective(MotionType::drd, 3, 12);
     Scene scene = good;
     scene.own_terms = {term("Speed", derivative_of_motion(1), Curvature::linear)};

@@ -51,7 +51,7 @@ TEST(Paper000, WhatIsNotFlaggedAgrees) {
     }
 }
 
-TEST(Paper000, WhatIsFlaggedContradictsAndOursDoesNot) {
+TEST(Paper000, FlaggedValuesContradictAndOursAgree) {
     int seen = 0;
     for (const PrintedRow& row : printed_rows()) {
         for (int column = 0; column < columns; ++column) {
@@ -68,7 +68,7 @@ TEST(Paper000, WhatIsFlaggedContradictsAndOursDoesNot) {
 }
 
 /// The row's own Y says which theta is meant.
-TEST(Paper000, FeederTellsTheMisprintedAngles) {
+TEST(Paper000, FeederIdentifiesMisprintedAngles) {
     const auto angle_at = [](double inches) {
         return body_motion(linkage(), {inches * units::inch, 0.0, 0.0}).body.angle / units::degree;
     };
@@ -122,7 +122,7 @@ TEST(Paper000, ReportIsWhole) {
     }
 }
 
-TEST(Paper000, FiguresOfTheGuidesRunOverTheForwardStroke) {
+TEST(Paper000, GuideFiguresCoverForwardStroke) {
     for (const char* key : {"guides_acceleration", "guides_curvature", "guides_pressure_angle"}) {
         const PaperFigure& figure = *std::ranges::find(report().figures, key, &PaperFigure::key);
         for (const PaperSeries& series : figure.series) {

@@ -56,7 +56,7 @@ TEST(Paper003, ReportsTheReferenceNumbersAndBothVerdicts) {
     EXPECT_NE(report.notes.front().find("EVIDENCE VALUE LOW"), std::string::npos);
 }
 
-TEST(Paper003, ForwardCheckFindsTheFrameFromProfilePointsAlone) {
+TEST(Paper003, ForwardCheckFindsFrameFromPoints) {
     // A polygon's, MT60: 2.9e-6, 5.9e-9, 1.8e-11 mm; ours goes through the points with a smoother curve.
     const CamSpec spec = tappet_spec(false);
     const DrivenMechanism mechanism{std::make_shared<RemoteCam>(spec), spec.middle()};
@@ -69,7 +69,7 @@ TEST(Paper003, ForwardCheckFindsTheFrameFromProfilePointsAlone) {
     }
 }
 
-TEST(Paper003, ForwardCheckDoesNotMindWhereTheFrameHasItsOrigin) {
+TEST(Paper003, ForwardCheckIgnoresFrameOrigin) {
     CamSpec spec = tappet_spec(true);
     using enum RemoteDimension;
     const std::initializer_list<std::pair<RemoteDimension, double>> moved = {
@@ -84,7 +84,7 @@ TEST(Paper003, ForwardCheckDoesNotMindWhereTheFrameHasItsOrigin) {
     EXPECT_LE(forward_check(forward_check_input(mechanism, motion, tappet_scale(), 1440)).deviation, 1e-11);
 }
 
-TEST(Paper003, ForwardCheckSeesACamThatIsNotTheDesignedOne) {
+TEST(Paper003, ForwardCheckRejectsOtherCam) {
     const CamSpec spec = tappet_spec(false);
     const DrivenMechanism mechanism{std::make_shared<RemoteCam>(spec), spec.middle()};
     const MotionChain motion = tappet_motion("modified_trapezoid", 60);

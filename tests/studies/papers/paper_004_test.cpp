@@ -41,7 +41,7 @@ TEST(Paper004, AnUnprovedRowIsAFault) {
     EXPECT_EQ(paper_004_report(reference).faults.size(), 1U);
 }
 
-TEST(PaperCatalogue, FindsByIdAndNamesTheKnown) {
+TEST(PaperCatalogue, FindsByIdAndListsKnown) {
     EXPECT_EQ(find_paper("004").id, "004");
     EXPECT_TRUE(std::ranges::is_sorted(paper_catalogue(), {}, &PaperInfo::id));
     try {

@@ -29,7 +29,7 @@ const PaperReport& rotating() {
     return report;
 }
 
-TEST(Paper002, TheIndexTurnsOneSeventhWithinThePrintedRounding) {
+TEST(Paper002, IndexRotatesOneSeventh) {
     const PaperTable& given = table_of(barrel(), "given");
     EXPECT_NEAR(number(given, 0, "ours"), 360.0 / 7.0, 1e-11);
     EXPECT_LT(std::abs(number(given, 0, "difference")), 0.005);
@@ -64,7 +64,7 @@ TEST(Paper002, ContactAnglesAndPoints) {
     EXPECT_NEAR(number(points, 1, "z_mm"), -24.443988626445, 1e-11);
 }
 
-TEST(Paper002, TheOptimisedMotionNeedsLessThanTheModifiedSine) {
+TEST(Paper002, OptimisedMotionBeatsModifiedSine) {
     const PaperReport whole = paper_002();
     EXPECT_TRUE(whole.faults.empty());
     const PaperTable& rows = table_of(whole, "optimised");
@@ -83,7 +83,7 @@ const PaperSeries& series_of(const PaperReport& report, const std::string& figur
                               &PaperSeries::title);
 }
 
-TEST(SpatialPapers, FiguresOfTheDisplacementAreInDegrees) {
+TEST(SpatialPapers, DisplacementFiguresAreInDegrees) {
     const PaperSeries& index = series_of(barrel(), "figure_2", "displacement");
     EXPECT_NEAR(std::ranges::max(index.y) - std::ranges::min(index.y), 360.0 / 7.0, 1e-9);
     EXPECT_NEAR(std::ranges::max(index.x), 360.0, 1e-9);

@@ -83,7 +83,7 @@ Solution solved(Scene scene) {
 
 class TappetScene : public ::testing::TestWithParam<int> {};
 
-TEST_P(TappetScene, KeepsThirtyDegreesRebuiltFromTheMotionAlone) {
+TEST_P(TappetScene, ForwardModelConfirmsThirtyDegrees) {
     Scene scene = scene_of("tappet_" + std::to_string(GetParam()) + ".toml");
     const Solution solution = solved(scene);
     ASSERT_TRUE(solution.motion) << "no motion within 30 deg was found";
@@ -119,7 +119,7 @@ TEST_P(TappetScene, KeepsThirtyDegreesRebuiltFromTheMotionAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Dwells, TappetScene, ::testing::Values(75, 90));
 
-TEST(TappetScenes, TheFileAndTheStudyAreTheSameScene) {
+TEST(TappetScenes, FileEqualsStudy) {
     const Scene file = scene_of("tappet_75.toml"), study = tappet_scene(75, 30);
     ASSERT_EQ(file.cam->dimensions.size(), study.cam->dimensions.size());
     for (std::size_t i = 0; i < file.cam->dimensions.size(); ++i)
@@ -131,7 +131,7 @@ TEST(TappetScenes, TheFileAndTheStudyAreTheSameScene) {
     EXPECT_EQ(file.objective.jerk, study.objective.jerk);
 }
 
-TEST(TappetScenes, NoMotionKeepsWhatTheDwellItselfBreaks) {
+TEST(TappetScenes, LimitViolatedInDwellIsInfeasible) {
     // At rest the pressure angle is 8.1 deg at the bottom and 9.0 deg at the top, whatever the motion.
     Scene scene = tappet_scene(75, 8.5);
     const Solution solution = solve_without_explaining(scene, {});
@@ -161,7 +161,7 @@ TEST(TappetScenes, AVariableDimensionIsUsed) {
     EXPECT_LE(free.cam->summary.pressure_angle.value, 30.0 * units::degree + 1e-8);
 }
 
-TEST(TappetScenes, AMechanismThatDoesNotReachIsRefusedWithTheDyad) {
+TEST(TappetScenes, UnreachableMechanismIsRefusedWithDyad) {
     Scene scene = tappet_scene(75, 30);
     CamSpec& spec = *scene.cam;
     Dimension& coupler = spec.dimensions[static_cast<std::size_t>(RemoteDimension::second_coupler)].value;

@@ -17,7 +17,7 @@ TEST(FrontSpacing, JumpsHaveNoLength) {
     EXPECT_DOUBLE_EQ(arc[3], 1.0);
 }
 
-TEST(FrontSpacing, TargetsLieOnPiecesThatHaveALength) {
+TEST(FrontSpacing, TargetsLieOnNonemptyPieces) {
     const std::vector<double> arc = arc_lengths(places);
     const FrontTarget first = target_at(arc, 0.25), second = target_at(arc, 0.6);
     EXPECT_EQ(first.after, 0);
@@ -29,7 +29,7 @@ TEST(FrontSpacing, TargetsLieOnPiecesThatHaveALength) {
     EXPECT_EQ(target_at(arc, 0.0).after, 0);
 }
 
-TEST(FrontSpacing, FindsTheLongestPieceAndTheNearestPlace) {
+TEST(FrontSpacing, FindsLongestPieceAndNearestPoint) {
     std::vector<FrontPlace> more = places;
     more[2].box = {0.9, 0.2};
     EXPECT_EQ(longest_piece(more), 0);

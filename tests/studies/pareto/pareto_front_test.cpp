@@ -57,14 +57,14 @@ void expect_ends(const ParetoFront& front, const std::array<double, 2>& first,
 // all others equal, V = n/(n − 2), and then y'' rises to A = V n in one segment, J = V n². The least A keeps
 // y'' at ±A but for the ends and the middle: A = 4n/(n − 2), V = 2, J = A n. The least J of n divisible by 4
 // is 32, with A = 8, V = 2.
-TEST(ParetoFront, EndsAreTheLeastOfEitherGoal) {
+TEST(ParetoFront, EndsMinimizeEachGoal) {
     expect_ends(front_of(request_of(V, A), cubic_12()), {1.2, 14.4}, {2.0, 4.8});
     expect_ends(front_of(request_of(A, J), cubic_12()), {4.8, 57.6}, {8.0, 32.0});
     expect_ends(front_of(request_of(V, J), cubic_12()), {1.2, 172.8}, {2.0, 32.0});
     expect_ends(front_of(request_of(J, A), cubic_12()), {32.0, 8.0}, {57.6, 4.8});
 }
 
-TEST(ParetoFront, EveryPointIsProvedAndNoneIsWorseThanAnother) {
+TEST(ParetoFront, PointsAreProvedAndNondominated) {
     for (const FrontRequest& request : {request_of(V, A), request_of(A, J), request_of(V, J)}) {
         const ParetoFront front = front_of(request, cubic_12());
         for (std::size_t i = 0; i < front.points.size(); ++i) {
@@ -116,7 +116,7 @@ TEST(ParetoFront, NeighboursKeepAGivenSpacing) {
 
 // The front of a linear program is made of straight pieces. On one of them every point has the same weighted
 // objective, that of the weights at right angles to it; a solve by weights finds its corners only.
-TEST(ParetoFront, PointsInsideAPieceAgreeWithTheWeightedOptimum) {
+TEST(ParetoFront, InnerPointsMatchWeightedOptimum) {
     const Scene scene = cubic_12();
     const std::array<double, 2> reference{1.76, 5.53};
     const std::vector<FrontPoint> points = spaced(front_of(request_of(V, A), scene));
@@ -157,7 +157,7 @@ TEST(ParetoFront, StaysAboveEveryWeightedOptimum) {
     }
 }
 
-TEST(ParetoFront, CutsOffWhatTheOtherGoalWouldPayTooMuchFor) {
+TEST(ParetoFront, ExcludesExcessiveCostOfOtherGoal) {
     FrontRequest request = request_of(V, A);
     request.cut_off = 2.0;
     const ParetoFront front = front_of(request, cubic_12());
@@ -184,7 +184,7 @@ TEST(ParetoFront, KeepsTheScenesOwnLimits) {
     EXPECT_NEAR(points.back().value[0], 1.9, 1e-6);
 }
 
-TEST(ParetoFront, KeepsTheScenesOtherWeightsWhereAsked) {
+TEST(ParetoFront, KeepsOtherWeightsOnRequest) {
     const Scene scene = cubic_12();
     FrontRequest request = request_of(V, A);
     request.points = 9;
@@ -223,7 +223,7 @@ TEST(ParetoFront, TradesTheBaseCircleForJerk) {
     EXPECT_TRUE(front.even);
 }
 
-TEST(ParetoFront, TracesARootMeanSquareByCapsOnThePeak) {
+TEST(ParetoFront, TracesRootMeanSquareByCaps) {
     Scene scene = cubic_12();
     scene.objective.reference = {};
     for (const FrontRequest& request :
@@ -250,7 +250,7 @@ TEST(ParetoFront, IsTheSameEveryTime) {
     }
 }
 
-TEST(ParetoFront, GoalsThatDoNotConflictGiveOnePoint) {
+TEST(ParetoFront, AgreeingGoalsGiveOnePoint) {
     // y''' is one constant for four segments: nothing is free.
     const ParetoFront front = front_of(request_of(V, A), paper_objective(MotionType::drd, 3, 4));
     ASSERT_EQ(spaced(front).size(), 1U);

@@ -48,7 +48,7 @@ const char* const chain =
     "2500\ndamping_ratio = 0.01\n";
 
 // No dwell, no transient: there is no acceleration of 0.
-TEST(TrainScenes, AProgramWithoutADwellHasNoTransient) {
+TEST(TrainScenes, ProgramWithoutDwellHasNoTransient) {
     const Solution solution = solve(scene_of_toml(R"(
 [motion]
 type = "program"
@@ -189,7 +189,7 @@ TEST(TrainScenes, ResidualIsThatOfAnIntegrator) {
 }
 
 /// Nothing exceeds its limit between the speeds that the exchange looked at.
-TEST(TrainScenes, KeptAtEverySpeed) {
+TEST(TrainScenes, AreSatisfiedAtEverySpeed) {
     const Scene scene =
         scene_of_toml(slide(std::string(ranged) + "return_spring_n_mm = 8\npreload_n = 120\n",
                             "[objective]\nacceleration = 0.6\njerk = 0.1\n[limits]\nresidual_um = "

@@ -12,7 +12,7 @@ namespace any_curve_limit_solve_test {
 
 using testing_support::paper_objective;
 
-TEST(AnyCurveLimitSolve, ThePapersWeightsHaveThePublishedLimit) {
+TEST(AnyCurveLimitSolve, MatchesPublishedLimit) {
     const Solution solution = solve(paper_objective(MotionType::drd, 3, 12));
     ASSERT_TRUE(solution.any_curve_limit);
     EXPECT_NEAR(solution.any_curve_limit->objective, 0.9371963699, 1e-10);
@@ -21,7 +21,7 @@ TEST(AnyCurveLimitSolve, ThePapersWeightsHaveThePublishedLimit) {
     EXPECT_NEAR(*solution.any_curve_limit->jerk, 54.609086, 1e-6);
 }
 
-TEST(AnyCurveLimitSolve, HoldsForFiveHundredRandomWeights) {
+TEST(AnyCurveLimitSolve, HoldsForRandomWeights) {
     std::mt19937 random(2026);
     std::uniform_real_distribution<double> weight(0.0, 1.0);
     std::uniform_int_distribution<int> segments(4, 20);
@@ -50,7 +50,7 @@ TEST(AnyCurveLimitSolve, HoldsForFiveHundredRandomWeights) {
     EXPECT_GT(reached, 100);  // a limit far below every solve would prove nothing
 }
 
-TEST(AnyCurveLimitSolve, SevenFreeSegmentsOnTheLimitsBreakpointsReachIt) {
+TEST(AnyCurveLimitSolve, SevenSegmentsReachIt) {
     // τ = A/J, V/A, … : the switching points of the double-S for the paper's weights.
     const double velocity = 1.7455851, acceleration = 5.2837114, jerk = 54.609086;
     const double tau = acceleration / jerk;

@@ -116,16 +116,16 @@ void expect_hertz_kept(const Scene& scene) {
                 worst, 1e-6);
 }
 
-TEST(HertzPressure, IsKeptWhereAFlatFaceWouldUndercut) {
+TEST(HertzPressure, IsSatisfiedByFlatFace) {
     expect_hertz_kept(flat_scene_under_pressure(720.0));
 }
 
-TEST(HertzPressure, OfAFlatFaceIsProvedInfeasibleWhereItIs) {
+TEST(HertzPressure, ProvesFlatFaceInfeasible) {
     const Solution solution = solve_without_explaining(flat_scene_under_pressure(459.7), {});
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
 }
 
-TEST(HertzPressure, IsKeptWhereAFaceOnAnArmWouldUndercut) {
+TEST(HertzPressure, FlatFaceOnArmSatisfiesIt) {
     expect_hertz_kept(flat_arm_under_pressure(0.085));
     const Solution broken = solve_without_explaining(flat_arm_under_pressure(0.0607), {});
     EXPECT_TRUE(broken.certificate.verdict == Verdict::failed ||
@@ -133,11 +133,11 @@ TEST(HertzPressure, IsKeptWhereAFaceOnAnArmWouldUndercut) {
         << name_of(broken.certificate.verdict);
 }
 
-TEST(HertzPressure, IsKeptWhereARollersCamWouldUndercut) {
+TEST(HertzPressure, IsSatisfiedByRoller) {
     expect_hertz_kept(roller_under_pressure(2400.0));
 }
 
-TEST(TorqueLimit, ImpliesThatTheFollowerTouchesTheCam) {
+TEST(TorqueLimit, ImpliesContactWithCam) {
     Scene scene = flat_scene_under_pressure(720.0);
     scene.limits.hertz_pressure_max.reset();
     scene.limits.torque_max = WrittenLimit{1e6, "limits.torque_max_nm", 1.0, "N m"};
@@ -148,7 +148,7 @@ TEST(TorqueLimit, ImpliesThatTheFollowerTouchesTheCam) {
 }
 
 /// A least radius of 0 allows a cusp, and rounding a little less; beside a torque it does not.
-TEST(TorqueLimit, HoldsTheCamOffTheCuspThatALeastRadiusOf0Allows) {
+TEST(TorqueLimit, PreventsCuspAllowedByZeroRadius) {
     Scene scene = roller_under_pressure(2400.0);
     scene.limits.hertz_pressure_max.reset();
     scene.limits.cam_radius_min = millimetres(0.0, "limits.cam_radius_min_mm");
@@ -160,7 +160,7 @@ TEST(TorqueLimit, HoldsTheCamOffTheCuspThatALeastRadiusOf0Allows) {
     for (const ConstraintReport& row : solution.constraints) EXPECT_FALSE(row.no_contact) << row.name;
 }
 
-TEST(UndercutMargin, KeepsAFaceOnAnArmFromTurningBack) {
+TEST(UndercutMargin, PreventsReversalOfFaceOnArm) {
     Scene scene = flat_arm_under_pressure(0.0607);
     scene.limits.hertz_pressure_max.reset();
     scene.limits.undercut_margin = WrittenLimit{0.0, "limits.undercut_margin", 1.0, ""};
@@ -172,7 +172,7 @@ TEST(UndercutMargin, KeepsAFaceOnAnArmFromTurningBack) {
 }
 
 /// An undercut flat face, and one that turns back: every figure is a number or says that there is none.
-TEST(CamFigures, OfAFlatFaceThatCannotTouchAreNoNumbers) {
+TEST(CamFigures, UnreachableFlatFaceHasNoNumbers) {
     for (const double lift : {0.3, 0.9}) {
         Scene scene = flat_arm_under_pressure(0.0607);
         scene.limits.hertz_pressure_max.reset();
@@ -229,7 +229,7 @@ Scene resting_arm(double general_deg, MotionType type) {
     return scene;
 }
 
-TEST(PressureAtRest, IsThatOfTheLeastOfAllThreeLimits) {
+TEST(PressureAtRest, UsesSmallestOfThreeLimits) {
     for (const MotionType type : {MotionType::drd, MotionType::rr, MotionType::program}) {
         const Solution broken = solve_without_explaining(resting_arm(26.4, type), {});
         EXPECT_EQ(broken.certificate.verdict, Verdict::infeasible);
@@ -242,7 +242,7 @@ TEST(PressureAtRest, IsThatOfTheLeastOfAllThreeLimits) {
     }
 }
 
-TEST(PressureAtRest, IsHeldByTheDimensionsWhereTheyAreFree) {
+TEST(PressureAtRest, IsSatisfiedByFreeDimensions) {
     Scene scene = resting_arm(26.4, MotionType::drd);
     scene.cam->set(arm_length, {0.055, 0.0668});
     const Solution solution = solve_without_explaining(scene, {});
@@ -254,7 +254,7 @@ TEST(PressureAtRest, IsHeldByTheDimensionsWhereTheyAreFree) {
     }
 }
 
-TEST(PressureAtRest, OfAnOffsetFollowerIsLimitedByTheGeneralLimit) {
+TEST(PressureAtRest, OffsetFollowerUsesGeneralLimit) {
     for (const FollowerType follower : {FollowerType::translating_roller, FollowerType::translating_knife}) {
         Scene scene;
         paper_weights(scene);
@@ -273,7 +273,7 @@ TEST(PressureAtRest, OfAnOffsetFollowerIsLimitedByTheGeneralLimit) {
     }
 }
 
-TEST(PressureAtRest, IsOfferedAsARemedyWhereItIsTheCause) {
+TEST(PressureAtRest, IsSuggestedWhereItMatters) {
     const auto offered = [](double general) {
         for (const Adjustment& adjustment : adjustments(resting_arm(general, MotionType::drd)))
             if (adjustment.key == "limits.pressure_angle_deg") return true;

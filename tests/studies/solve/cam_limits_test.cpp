@@ -230,7 +230,7 @@ const Beat beats[] = {
 
 class CamLimit : public testing::TestWithParam<Beat> {};
 
-TEST_P(CamLimit, HasItsThreeBeats) {
+TEST_P(CamLimit, IsInactiveActiveOrInfeasible) {
     const Beat& beat = GetParam();
     Scene scene = beat.scene();
     const Solution free = solve(scene);

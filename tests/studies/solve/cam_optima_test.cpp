@@ -26,7 +26,7 @@ struct Optimum {
     double prime_radius, free, antisymmetric;  // 0: not in the table
 };
 
-TEST(PressureAngle, TheOptimaOfTheTableAreProved) {
+TEST(PressureAngle, TabulatedOptimaAreProved) {
     for (const Optimum& row : {Optimum{50, 0.940489277, 0},
                                {40, 1.01911894, 1.09082869},
                                {35, 1.21170602, 1.52206845},
@@ -95,7 +95,7 @@ Scene smallest_cam_scene(int segments, double weight) {
     return scene;
 }
 
-TEST(SmallestCam, WithGrowingWeightTheCamShrinksTowardsTheLeast) {
+TEST(SmallestCam, LargerWeightShrinksCam) {
     double last = 1e9;
     for (const double weight : {0.3, 3.0, 30.0, 300.0, 3000.0}) {
         const Solution solution = solve(smallest_cam_scene(24, weight));
@@ -110,7 +110,7 @@ TEST(SmallestCam, WithGrowingWeightTheCamShrinksTowardsTheLeast) {
     EXPECT_NEAR(last, 27.00587, 0.02);
 }
 
-TEST(SmallestCam, ForItselfAloneItIsTheSplinesLeast) {
+TEST(SmallestCam, AloneReachesTheSplineMinimum) {
     for (const auto& [segments, least] :
          {std::pair{24, 27.00587}, {48, 25.4783}, {96, 24.7645}, {192, 24.4192}}) {
         Scene scene = smallest_cam_scene(segments, 1.0);
@@ -123,7 +123,7 @@ TEST(SmallestCam, ForItselfAloneItIsTheSplinesLeast) {
     }
 }
 
-TEST(SmallestCam, BelowTheLimitOfAnyMotionItIsProvedInfeasibleAndExplained) {
+TEST(SmallestCam, BelowLowerBoundIsProvedInfeasible) {
     Scene scene = pressure_angle_scene(24.0);
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
@@ -170,7 +170,7 @@ TEST(Explanation, EachChangeIsEnoughAndNeeded) {
     EXPECT_EQ(checked, 6);
 }
 
-TEST(FlatFace, UndercutIsLinearSoTheOptimumIsProved) {
+TEST(FlatFace, LinearUndercutProvesOptimum) {
     Scene scene = flat_scene(30, 8);
     const Solution limited = solve(scene);
     ASSERT_EQ(limited.certificate.verdict, Verdict::optimal);
@@ -209,7 +209,7 @@ TEST(NoCam, NoProfileIsEverTouched) {
     EXPECT_FALSE(solution.cam);
 }
 
-TEST(ClockwiseCams, AnOffsetActsTheOtherWay) {
+TEST(ClockwiseCams, OffsetActsInOppositeDirection) {
     Scene scene = pressure_angle_scene(40);
     scene.cam->set(offset, 8e-3);
     const double counterclockwise = solve(scene).certificate.objective;

@@ -38,7 +38,7 @@ std::string refusal(const Scene& scene) {
     return "accepted";
 }
 
-TEST(ConstantVelocity, IsAStraightLineWhoseEndsMove) {
+TEST(ConstantVelocity, IsLinearWithMovableEnds) {
     const auto law = make_law("constant_velocity");
     EXPECT_FALSE(law->info().rests);
     EXPECT_EQ(law->info().continuity, 0);
@@ -69,12 +69,11 @@ TEST(ConstantVelocity, NeighboursJoinWithItsVelocity) {
     }
 }
 
-TEST(ConstantVelocity, StandsOnlyBetweenSplines) {
+TEST(ConstantVelocity, OccursOnlyBetweenSplines) {
     Scene scene = cutter_scene();
     scene.motion.segments[3] = {SegmentKind::law, 50 * degree, "cycloidal", 1.0};
-    EXPECT_NE(refusal(scene).find(
-                  "motion.segments[2].law: found \"constant_velocity\", a law whose ends move, beside "
-                  "motion.segments[3] of kind \"law\""),
+    EXPECT_NE(refusal(scene).find("motion.segments[2].law: found \"constant_velocity\", a law whose ends "
+                                  "move, next to motion.segments[3] of kind \"law\""),
               std::string::npos)
         << refusal(scene);
     scene = cutter_scene();
@@ -98,7 +97,7 @@ TEST(ConstantVelocity, IsNoReference) {
               "its ends, or numbers");
 }
 
-TEST(ConstantVelocity, NoRestingLawStandsBesideIt) {
+TEST(ConstantVelocity, HasNoRestingNeighbours) {
     const Comparison comparison = compare(cutter_scene());
     ASSERT_EQ(comparison.optimum.certificate.verdict, Verdict::optimal);
     for (const ComparisonRow& row : comparison.rows) {

@@ -38,7 +38,7 @@ ConstraintReport only(const Solution& solution) {
     return solution.constraints.front();
 }
 
-TEST(LimitsFromCpp, ANormalisedCapIsReportedWithItsKeyAndValue) {
+TEST(LimitsFromCpp, NormalisedCapReportsItsKey) {
     Scene scene = rise();
     scene.limits.velocity = PeakLimit(1.7);
     const Solution solution = solve(scene);
@@ -51,7 +51,7 @@ TEST(LimitsFromCpp, ANormalisedCapIsReportedWithItsKeyAndValue) {
     EXPECT_TRUE(report.active);
 }
 
-TEST(LimitsFromCpp, ACapInTimeNeedsOnlyItsUnitBesideEitherNumber) {
+TEST(LimitsFromCpp, TimeCapNeedsOnlyUnit) {
     Scene scene = rise();
     scene.motion.speed = 300.0 * units::revolution_per_minute;
     const double per_unit = 10.0 * (300.0 * std::numbers::pi / 30.0) / scene.motion.rise;  // mm/s
@@ -67,7 +67,7 @@ TEST(LimitsFromCpp, ACapInTimeNeedsOnlyItsUnitBesideEitherNumber) {
     }
 }
 
-TEST(LimitsFromCpp, TheirRelaxationSaysWhatWasGivenAndWhatIsNeeded) {
+TEST(LimitsFromCpp, RelaxationReportsGivenAndNeeded) {
     Scene scene = rise();
     scene.limits.velocity = PeakLimit(0.9);
     const Solution solution = solve(scene);
@@ -81,7 +81,7 @@ TEST(LimitsFromCpp, TheirRelaxationSaysWhatWasGivenAndWhatIsNeeded) {
     EXPECT_EQ(solution.conflict.front().key, "limits.velocity");
 }
 
-TEST(LimitsFromCpp, ALimitOfTheCamIsReportedInTheUnitOfTheManual) {
+TEST(LimitsFromCpp, CamLimitUsesManualUnit) {
     Scene scene = roller_cam();
     scene.limits.pressure_angle = WrittenLimit(20.0 * units::degree);
     const ConstraintReport report = only(solve(scene));
@@ -93,7 +93,7 @@ TEST(LimitsFromCpp, ALimitOfTheCamIsReportedInTheUnitOfTheManual) {
     EXPECT_LE(report.worst, 20.0 + 1e-6);
 }
 
-TEST(LimitsFromCpp, ALimitOfTheCamKeepsTheUnitThatIsSet) {
+TEST(LimitsFromCpp, CamLimitKeepsSelectedUnit) {
     Scene scene = roller_cam();
     scene.limits.cam_radius_min = WrittenLimit(1.0 * units::inch, {}, units::inch, "in");
     scene.limits.pressure_angle = WrittenLimit(0.35, "limits.pressure_angle_rad");
@@ -107,7 +107,7 @@ TEST(LimitsFromCpp, ALimitOfTheCamKeepsTheUnitThatIsSet) {
     EXPECT_EQ(solution.constraints[1].limit, 1.0);
 }
 
-TEST(LimitsFromCpp, TheRemediesOfACamHaveKeysToo) {
+TEST(LimitsFromCpp, CamChangesHaveKeys) {
     Scene scene = roller_cam();
     scene.limits.pressure_angle = WrittenLimit(5.0 * units::degree);
     const Solution solution = solve(scene);
@@ -133,16 +133,17 @@ TEST(LimitsFromCpp, AComparisonNamesThem) {
         }
 }
 
-TEST(LimitsFromCpp, NumbersThatContradictEachOtherAreRefused) {
+TEST(LimitsFromCpp, ContradictoryNumbersAreRefused) {
     Scene scene = rise();
     scene.limits.velocity = PeakLimit(1.7, {}, 5.0);
     try {
         (void)solve(scene);
         ADD_FAILURE() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "limits.velocity: found normalised 1.7 beside given 5; allowed: one of them, "
-                     "or two that say the same");
+        EXPECT_STREQ(
+            error.what(),
+            "limits.velocity: found normalised 1.7 together with given 5; allowed: one of them, or two "
+            "equal values");
     }
     scene.limits.velocity = PeakLimit(0.0, {}, 5.0, "furlong/s");
     try {

@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, ExactOptima, testing::Values("auto", "structu
                              return name;
                          });
 
-TEST(ExactOptima, PeaksOfTheShortSplinesAreTheFractionsOfTheClosedForm) {
+TEST(ExactOptima, ShortSplinePeaksMatchClosedForm) {
     struct Row {
         int segments;
         double velocity, acceleration, jerk;

@@ -60,7 +60,7 @@ double objective_at(const Scene& scene, double top) {
     return solution.motion ? solution.certificate.objective : HUGE_VAL;
 }
 
-TEST(FreeAngles, WhereNothingKnowsTheAngleOneBoundSettlesAll) {
+TEST(FreeAngles, OneBoundSettlesAngleIndependentCosts) {
     Scene scene = strokes_scene();
     scene.limits.acceleration.reset();
     const Solution solution = solve(scene);
@@ -69,7 +69,7 @@ TEST(FreeAngles, WhereNothingKnowsTheAngleOneBoundSettlesAll) {
     EXPECT_NEAR(solution.certificate.objective, 0.947449535, 1e-7);  // n = 16, as a rise alone
 }
 
-TEST(FreeAngles, LimitsInTimeArePassedByTheBestShareAndItIsProved) {
+TEST(FreeAngles, OptimalShareIsProved) {
     const Scene scene = strokes_scene();
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
@@ -91,7 +91,7 @@ TEST(FreeAngles, LimitsInTimeArePassedByTheBestShareAndItIsProved) {
     EXPECT_EQ(solution.design.names.front(), "motion.segments[3].angle_rad");
 }
 
-TEST(FreeAngles, ThatNoShareMakesFeasibleAreProvedInfeasible) {
+TEST(FreeAngles, InfeasibleSharesAreProved) {
     Scene scene = strokes_scene();
     scene.limits.acceleration = limit_of(12.0);
     const Solution solution = solve(scene);
@@ -117,7 +117,7 @@ TEST(FreeAngles, OfJointsAtSpeedAreLocal) {
     EXPECT_LT(solution.certificate.objective, solve(given).certificate.objective - 1e-4);
 }
 
-TEST(FreeAngles, RangesThatCannotAddUpAreRefused) {
+TEST(FreeAngles, InconsistentRangesAreRefused) {
     Scene scene = strokes_scene();
     scene.limits = {};
     scene.motion.segments[3].angle_range.reset();
@@ -132,7 +132,7 @@ TEST(FreeAngles, RangesThatCannotAddUpAreRefused) {
     EXPECT_EQ(find_fault(scene)->found, "a range in a program that is not closed");
 }
 
-TEST(FreeAngles, PointsInUnitsStayWhereTheyAre) {
+TEST(FreeAngles, PointsInUnitsKeepTheirAngle) {
     Scene scene = strokes_scene();
     SetPoint point{.at = 0.5, .velocity = 1.0};
     point.units = {.place = "deg", .velocity = "mm/s"};

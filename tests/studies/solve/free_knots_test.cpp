@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes with free breakpoints against the limit no curve can pass and against fixed breakpoints.
+// Scenes with free breakpoints against the lower bound for every curve and against fixed breakpoints.
 #include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
 #include "solvers/structured/structured_solver.hpp"
@@ -46,7 +46,7 @@ void expect_ascending(const Solution& solution) {
     EXPECT_EQ(solution.design.values[0], points[1]);
 }
 
-TEST(FreeKnotSolve, SevenSegmentsReachTheLimitFromUniformOnes) {
+TEST(FreeKnotSolve, SevenSegmentsReachTheLimit) {
     const Solution solution = solve(scene_of(MotionType::drd, 3, 7));
     EXPECT_NEAR(solution.certificate.objective, 0.9371963699, 1e-7);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
@@ -59,7 +59,7 @@ TEST(FreeKnotSolve, SevenSegmentsReachTheLimitFromUniformOnes) {
     EXPECT_NEAR(solution.curve->space().breakpoints()[2], 1.7455851 / 5.2837114, 1e-4);
 }
 
-TEST(FreeKnotSolve, AReturnReachesItsLimitToo) {
+TEST(FreeKnotSolve, ReturnReachesItsLimit) {
     const Solution solution = solve(scene_of(MotionType::rr, 3, 16));
     EXPECT_NEAR(solution.certificate.objective, 0.8521595, 1e-6);
     expect_ascending(solution);
@@ -79,7 +79,7 @@ TEST(FreeKnotSolve, NeverWorseThanFixedOnes) {
     }
 }
 
-TEST(FreeKnotSolve, FourSegmentsAreLocalAndSaySo) {
+TEST(FreeKnotSolve, FourSegmentsReportLocalOptimum) {
     const Solution solution = solve(scene_of(MotionType::drd, 3, 4));
     EXPECT_NEAR(solution.certificate.objective, 1.0444566874, 1e-6);
     EXPECT_NE(solution.certificate.verdict, Verdict::optimal);
@@ -98,7 +98,7 @@ TEST(FreeKnotSolve, SymmetricMotionsStaySymmetric) {
         EXPECT_NEAR(points[i] + points[points.size() - 1 - i], 1.0, 1e-12);
 }
 
-TEST(FreeKnotSolve, CapsAreKept) {
+TEST(FreeKnotSolve, CapsAreSatisfied) {
     Scene scene = scene_of(MotionType::drd, 3, 7);
     scene.limits.velocity = PeakLimit{1.6, "limits.velocity", 1.6, ""};
     const Solution solution = solve(scene);
@@ -107,7 +107,7 @@ TEST(FreeKnotSolve, CapsAreKept) {
     EXPECT_NEAR(solution.certificate.objective, solution.any_curve_limit->objective, 1e-6);
 }
 
-TEST(FreeKnotSolve, LimitsThatUniformBreakpointsCannotKeep) {
+TEST(FreeKnotSolve, FreeBreakpointsSatisfyTighterLimits) {
     Scene scene = scene_of(MotionType::drd, 3, 7);
     scene.limits.jerk = PeakLimit{33.0, "limits.jerk", 33.0, ""};
     ASSERT_EQ(solve(fixed(scene)).certificate.verdict, Verdict::infeasible);
@@ -116,7 +116,7 @@ TEST(FreeKnotSolve, LimitsThatUniformBreakpointsCannotKeep) {
     EXPECT_LE(solution.peaks.jerk.value, 33.0 * (1.0 + 1e-8));
 }
 
-TEST(FreeKnotSolve, ExactPointsAreKept) {
+TEST(FreeKnotSolve, ExactPointsAreSatisfied) {
     Scene scene = scene_of(MotionType::drd, 3, 8);
     scene.motion.via.push_back({0.3, 0.25, {}, {}});
     const Solution free = solve(scene);
@@ -125,7 +125,7 @@ TEST(FreeKnotSolve, ExactPointsAreKept) {
     EXPECT_NEAR(free.motion->at(0.3).derivative[0], 0.25, 1e-10);
 }
 
-TEST(FreeKnotSolve, BreakpointsThatWantToMeetStayApart) {
+TEST(FreeKnotSolve, CoalescingBreakpointsStayApart) {
     Scene scene = scene_of(MotionType::drd, 3, 7);
     scene.objective.velocity = scene.objective.jerk = 0.0;  // bang-bang acceleration, A = 4, is best
     const Solution solution = solve(scene);
@@ -139,7 +139,7 @@ TEST(FreeKnotSolve, BreakpointsThatWantToMeetStayApart) {
 
 /// All breakpoints crowded in the middle, the optimum far off: 35 steps, where 70 are needed when a step that
 /// held does not let the next one be longer.
-TEST(FreeKnotDescent, StepsGrowWhereTheModelHolds) {
+TEST(FreeKnotDescent, StepsGrowWithAccurateModel) {
     int steps = 0;
     for (const int segments : {5, 7, 8}) {
         Scene scene;
@@ -172,7 +172,7 @@ TEST(FreeKnotSolve, ProgramsAreRefused) {
 
 /// What the search found is lost where it is stopped before the solve on the breakpoints found: the motion on
 /// the first ones is delivered then, and is no local optimum of free ones.
-TEST(FreeKnotSolve, StoppedItDoesNotCallTheFirstBreakpointsLocal) {
+TEST(FreeKnotSolve, InterruptedSolveClaimsNoOptimum) {
     Scene scene = scene_of(MotionType::drd, 3, 6);
     scene.solver.starts.reset();
     const double at_start = solve(fixed(scene)).certificate.objective;
@@ -193,7 +193,7 @@ TEST(FreeKnotSolve, StoppedItDoesNotCallTheFirstBreakpointsLocal) {
 
 /// Promised for a move as large as the motion, not for one as short as the step: on uniform breakpoints, 15 %
 /// from the optimum, it is no small number.
-TEST(FreeKnotDescent, WhatAStepStillPromisesIsNotMeasuredByItsLength) {
+TEST(FreeKnotDescent, PredictedDecreaseIgnoresStepLength) {
     const Scene scene = scene_of(MotionType::drd, 3, 6);
     FreeKnotOptions options;
     for (int most = 5; most < 200; ++most) {

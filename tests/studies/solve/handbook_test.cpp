@@ -68,7 +68,7 @@ void expect_conditions(const Solution& solution) {
             << "derivative " << one.order << " at " << one.angle << " deg";
 }
 
-TEST(Handbook, TheOptimumLiesUnderTheSplineThroughAllPoints) {
+TEST(Handbook, OptimumIsBelowInterpolatingSpline) {
     const std::vector<double> breakpoints = breakpoints_of_interpolation();
     ASSERT_EQ(breakpoints.size(), 16U);
     const Solution through =

@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, Infeasible,
                              return name;
                          });
 
-TEST(Relaxation, AppliedWithAMillionthToSpareMakesTheSceneFeasible) {
+TEST(Relaxation, AppliedWithMarginMakesSceneFeasible) {
     int applied = 0;
     for (const InfeasibleCase& one : infeasible_cases()) {
         SCOPED_TRACE(one.name);
@@ -99,7 +99,7 @@ TEST(Relaxation, AppliedWithAMillionthToSpareMakesTheSceneFeasible) {
     EXPECT_GE(applied, 8);
 }
 
-TEST(Relaxation, IsNullWhereOneLimitAloneCannotHelp) {
+TEST(Relaxation, IsNullWhenOneLimitCannotHelp) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
     scene.limits.acceleration = normalised_limit("limits.acceleration", 3.0);
@@ -109,7 +109,7 @@ TEST(Relaxation, IsNullWhereOneLimitAloneCannotHelp) {
     EXPECT_FALSE(solution.relaxation[1].needed);
 }
 
-TEST(Infeasible, NativeOptionsOfTheBackendDoNotReachTheProof) {
+TEST(Infeasible, BackendOptionsDoNotAffectProof) {
     if (!is_available("ipopt")) GTEST_SKIP() << "ipopt is not part of this build";
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 1.6);
@@ -133,7 +133,7 @@ TEST(Contradiction, IsInfeasibleAndNamed) {
     EXPECT_NE(solution.notes[0].find("motion.via["), std::string::npos) << solution.notes[0];
 }
 
-TEST(Contradiction, OfAConditionThatNoFreeNumberMovesIsSeenByEveryDesignVector) {
+TEST(Contradiction, FixedConditionIsFoundByEveryForm) {
     // Two quintic segments leave one control point free, whose basis function is level in the middle: y'(0.5)
     // is 1.875 whatever it is.
     for (const DesignKind kind : {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates}) {

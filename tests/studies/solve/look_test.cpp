@@ -18,7 +18,7 @@ Scene torque_scene(double velocity) {
     return scene;
 }
 
-TEST(LookTest, ASearchGoesOnFromTheLastMotion) {
+TEST(LookTest, SearchContinuesFromLastMotion) {
     SolveSequence sequence;
     const Solution first = sequence.solve(torque_scene(0.4), {});
     ASSERT_GE(first.solver.starts, 2);
@@ -31,7 +31,7 @@ TEST(LookTest, ASearchGoesOnFromTheLastMotion) {
     EXPECT_LT(seen.solver.iterations, whole.solver.iterations);
 }
 
-TEST(LookTest, WithoutALastMotionItSolvesAll) {
+TEST(LookTest, SolvesCompletelyWithoutLastMotion) {
     SolveSequence sequence;
     const Solution seen = sequence.look(torque_scene(0.4), {});
     EXPECT_EQ(seen.solver.starts, default_starts);
@@ -40,7 +40,7 @@ TEST(LookTest, WithoutALastMotionItSolvesAll) {
     EXPECT_EQ(sequence.look(other, {}).solver.starts, default_starts) << "another spline is no neighbour";
 }
 
-TEST(LookTest, AConvexSceneIsSolvedAndItsTieBroken) {
+TEST(LookTest, ConvexSceneIsSolvedAndTied) {
     SolveSequence sequence;
     Scene scene = testing_support::paper_objective(MotionType::drd, 3, 16);
     for (const double velocity : {0.4, 0.45}) {
@@ -55,7 +55,7 @@ TEST(LookTest, AConvexSceneIsSolvedAndItsTieBroken) {
     }
 }
 
-TEST(LookTest, ASolveAfterALookIsAsAnyOther) {
+TEST(LookTest, SolveAfterLookIsUnchanged) {
     SolveSequence sequence;
     (void)sequence.solve(torque_scene(0.4), {});
     (void)sequence.look(torque_scene(0.41), {});

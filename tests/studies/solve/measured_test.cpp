@@ -49,7 +49,7 @@ double mean_square(const Scene& scene, const Motion& motion) {
     return sum / static_cast<double>(table.angle.size());
 }
 
-TEST(Measured, AMotionOfTheSpaceComesBackAsItIs) {
+TEST(Measured, MotionInSpaceIsReproduced) {
     Scene plain = paper_objective(MotionType::drd, 3, 12);
     const Solution optimum = solve(plain);
     const Scene scene = measured_scene(
@@ -63,7 +63,7 @@ TEST(Measured, AMotionOfTheSpaceComesBackAsItIs) {
     EXPECT_NEAR(solution.measured->peaks.velocity.value, optimum.peaks.velocity.value, 1e-6);
 }
 
-TEST(Measured, TheFitKeepsTheEndsAndItsErrorIsThatOfTheTable) {
+TEST(Measured, FitKeepsEndsAndReportsError) {
     const Scene scene = measured_scene(180, cycloid);
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.measured);
@@ -86,7 +86,7 @@ TEST(Measured, TheFitKeepsTheEndsAndItsErrorIsThatOfTheTable) {
 }
 
 /// No other motion of the space has a smaller mean square: every admissible change makes it larger.
-TEST(Measured, NoOtherMotionOfTheSpaceIsNearer) {
+TEST(Measured, NoMotionInSpaceIsNearer) {
     const Scene scene =
         measured_scene(90, [](double x) { return cycloid(x) + 2e-3 * std::sin(91.0 * x) * x * (1 - x); });
     const MotionFamily family = scene_family(scene, DesignKind::coefficients);
@@ -102,7 +102,7 @@ TEST(Measured, NoOtherMotionOfTheSpaceIsNearer) {
 }
 
 /// Where nothing was measured the fit is the smoothest one, not whatever a singular system gives.
-TEST(Measured, AGapInTheTableIsBridgedSmoothly) {
+TEST(Measured, TableGapIsBridgedSmoothly) {
     Scene scene = measured_scene(300, cycloid, 24);
     MeasuredMotion& table = *scene.measured;
     MeasuredMotion seen = table;
@@ -123,7 +123,7 @@ TEST(Measured, AGapInTheTableIsBridgedSmoothly) {
     }
 }
 
-TEST(Measured, TooFewRowsForTheSplineAreRefused) {
+TEST(Measured, TooFewRowsAreRefused) {
     const Scene scene = measured_scene(9, cycloid, 64);
     try {
         (void)solve(scene);
@@ -152,7 +152,7 @@ TEST(Measured, FaultsNameTheRow) {
         fault_of([](MeasuredMotion& m) {
             for (double& s : m.displacement) s *= 0.5;
         }),
-        "measured.s[20]: found 6 mm at 114.592 deg; allowed: 12 mm, to 0.6 mm: what the scene asks for at "
+        "measured.s[20]: found 6 mm at 114.592 deg; allowed: 12 mm, to 0.6 mm: what the scene requires at "
         "114.592 deg");
     EXPECT_EQ(fault_of([](MeasuredMotion& m) {
                   m.angle.resize(5);
@@ -166,7 +166,7 @@ TEST(Measured, FaultsNameTheRow) {
 }
 
 /// A pressure angle that is not convex over base radius and motion together: searched from starts.
-TEST(Measured, AStartIsTheFirstOfASearch) {
+TEST(Measured, StartIsFirstSearchPoint) {
     Scene scene = measured_scene(180, cycloid, 8);
     scene.measured->start = true;
     scene.objective.torque = 0.5;

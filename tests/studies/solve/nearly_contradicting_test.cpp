@@ -32,7 +32,7 @@ Scene scene_with(int segments) {
         std::to_string(segments) + "\n");
 }
 
-TEST(NearlyContradicting, WhatIsDeliveredIsHeldByDoubles) {
+TEST(NearlyContradicting, DeliveredMotionIsRepresentable) {
     Scene scene = scene_with(9);
     scene.motion.within_lift = false;  // so few segments cannot
     const Solution solution = solve(scene);

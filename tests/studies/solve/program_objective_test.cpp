@@ -172,14 +172,14 @@ TEST(ProgramObjective, IsMeasuredByTheLift) {
     expect_proved(solution);
 }
 
-TEST(ProgramObjective, OfAnOpenChainIsMeasuredByTheLift) {
+TEST(ProgramObjective, OpenChainScalesWithLift) {
     const Solution solution = solve(program({spline(60), spline(80, 1.0), dwell(30)}, false));
     expect_measured(solution);
     expect_proved(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
 }
 
-TEST(ProgramObjective, OfADwellBetweenSplinesIsMeasuredByTheLift) {
+TEST(ProgramObjective, DwellBetweenSplinesScalesWithLift) {
     // Two rises of the same shape share the lift: each half of it has half the peaks.
     const Solution solution = solve(program({spline(60), dwell(30), spline(80, 1.0), dwell(30)}, false));
     expect_measured(solution);
@@ -190,7 +190,7 @@ TEST(ProgramObjective, OfADwellBetweenSplinesIsMeasuredByTheLift) {
     EXPECT_NEAR(solution.certificate.objective, 0.5 * solve(rise).certificate.objective, 1e-7);
 }
 
-TEST(ProgramObjective, CapsOnPeaksAreMeasuredByTheLift) {
+TEST(ProgramObjective, PeakCapsScaleWithLift) {
     Scene scene = program({spline(60), spline(80, 1.0), dwell(30)}, false);
     scene.limits.velocity = PeakLimit{1.3, "limits.velocity", 1.3, ""};
     const Solution solution = solve(scene);
@@ -200,7 +200,7 @@ TEST(ProgramObjective, CapsOnPeaksAreMeasuredByTheLift) {
     EXPECT_NEAR(solution.constraints.front().worst, measured(solution).peak[1], 1e-7);
 }
 
-TEST(ProgramObjective, OfThreeFreeDisplacementsIsMeasuredByTheLift) {
+TEST(ProgramObjective, ThreeFreeDisplacementsScaleWithLift) {
     Scene scene = program({spline(50), spline(60), spline(40), spline(70, 1.0), dwell(30)}, false);
     scene.spline.segments = 2;
     const Solution solution = solve(scene);
@@ -208,14 +208,14 @@ TEST(ProgramObjective, OfThreeFreeDisplacementsIsMeasuredByTheLift) {
     expect_proved(solution);
 }
 
-TEST(ProgramObjective, OfAFreeLawIsMeasuredByTheLift) {
+TEST(ProgramObjective, FreeLawScalesWithLift) {
     const Solution solution =
         solve(program({law(60, "cycloidal"), dwell(20), spline(80, 1.0), dwell(30), spline(170, 0.0)}));
     expect_measured(solution);
     expect_proved(solution);
 }
 
-TEST(ProgramObjective, OnACamIsMeasuredByTheLift) {
+TEST(ProgramObjective, CamProgramScalesWithLift) {
     Scene scene = program({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)});
     scene.cam = disk_spec({});
     scene.cam->set(DimensionIndex::base_radius, 25e-3);
@@ -237,7 +237,7 @@ TEST(ProgramObjective, ACheckCountsTheFreeDisplacements) {
 }
 
 /// Its control points are one number; the derivatives of its pieces were the rounding of that number.
-TEST(ProgramObjective, OfASplineThatStandsIsZero) {
+TEST(ProgramObjective, StationarySplineIsZero) {
     Scene scene = program({dwell(30), law(32, "polynomial_345", 0.75), spline(29),
                            law(50, "modified_sine", 1.0), law(105, "modified_sine", 0.0), dwell(114)});
     scene.spline.segments = 8;
@@ -266,7 +266,7 @@ TEST(ProgramObjective, OfASplineThatStandsIsZero) {
 
 /// The first spline has a least acceleration of 3, whatever follows, and only one displacement of the second
 /// needs no more: cases that hold no motion have to be proved empty, or the search ends among them.
-TEST(ProgramObjective, OfTheOnlyDisplacementThatKeepsTheCapsIsFound) {
+TEST(ProgramObjective, FindsOnlyFeasibleDisplacement) {
     Scene scene = program({spline(85, 0.5), spline(102), law(173, "polynomial_4567", 0.0)});
     scene.spline.segments = 3;
     scene.objective = {};
@@ -296,7 +296,7 @@ std::string message_of(const Scene& scene) {
     return "";
 }
 
-TEST(ProgramObjective, AProgramInWhichNothingHasToMoveIsRefused) {
+TEST(ProgramObjective, MotionlessProgramIsRefused) {
     const std::string free = message_of(program({spline(180), spline(180)}));
     EXPECT_NE(free.find("motion.segments[0].to"), std::string::npos) << free;
     EXPECT_NE(free.find("nothing has to move"), std::string::npos) << free;
@@ -357,7 +357,7 @@ class RandomPrograms {
     std::mt19937 engine_;
 };
 
-TEST(ProgramObjective, OfRandomProgramsIsThatOfTheirSplines) {
+TEST(ProgramObjective, RandomProgramsMatchTheirSplines) {
     RandomPrograms programs(18);
     std::map<Verdict, int> verdicts;
     for (int k = 0; k < 20; ++k) {

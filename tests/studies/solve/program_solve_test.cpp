@@ -39,7 +39,7 @@ double jump(const Motion& motion, double left, double right, int order) {
                     motion.at(right, Side::right).derivative[order]);
 }
 
-TEST(Program, ASingleRiseBetweenDwellsIsTheRiseAlone) {
+TEST(Program, RiseBetweenDwellsMatchesSingleRise) {
     Scene rise;
     paper_weights(rise);
     Scene whole = program({dwell(60), spline(100, 1.0), dwell(40), law(160, "polynomial_345", 0.0)});
@@ -57,7 +57,7 @@ TEST(Program, ASingleRiseBetweenDwellsIsTheRiseAlone) {
     EXPECT_EQ(within.curve, std::nullopt);
 }
 
-TEST(Program, EqualStrokesSplitByADwellCostWhatOneDoes) {
+TEST(Program, EqualStrokesCostAsMuchAsOne) {
     const Scene scene =
         program({dwell(40), spline(80, 0.5), dwell(30), spline(80, 1.0), dwell(20), spline(110, 0.0)});
     const Solution solution = solve(scene);
@@ -123,7 +123,7 @@ TEST(Program, AFreeDisplacementIsFound) {
     EXPECT_LT(level, 1.0 + 1e-9);
 }
 
-TEST(Program, AnOpenProgramStartsAndEndsAtRest) {
+TEST(Program, OpenProgramBeginsAndEndsAtRest) {
     Scene scene = program({spline(90, 1.0), dwell(30), spline(60, 0.5)});
     scene.motion.closed = false;
     const Solution solution = solve(scene);
@@ -148,7 +148,7 @@ TEST(Program, CapsInTimeHoldForLawsToo) {
     EXPECT_EQ(solve(scene).certificate.verdict, Verdict::infeasible);
 }
 
-TEST(Program, APressureAngleHoldsOverTheWholeTurn) {
+TEST(Program, PressureAngleCoversWholeRevolution) {
     Scene scene = program({dwell(40), spline(80, 0.5), dwell(30), spline(60, 1.0), spline(150, 0.0)});
     scene.cam = disk_spec({});
     scene.cam->set(DimensionIndex::base_radius, 25e-3);
@@ -172,7 +172,7 @@ TEST(Program, APressureAngleHoldsOverTheWholeTurn) {
 
 /// Quintics of the same continuity hold every cubic. A row of the last spline before the law was one of the
 /// law, and "proved" that the jerk limit cannot be kept.
-TEST(Program, OfQuinticsIsNoWorseThanOfCubicsBesideALaw) {
+TEST(Program, QuinticsAreNoWorseThanCubics) {
     Scene scene;
     scene.motion.type = MotionType::program;
     constexpr double degree = 3.14159265358979323846 / 180.0;

@@ -99,7 +99,7 @@ double worst_violation(const Solution& solution) {
 
 class RandomScenes : public testing::TestWithParam<std::string> {};
 
-TEST_P(RandomScenes, NoVerdictClaimsMoreThanTheCurveKeeps) {
+TEST_P(RandomScenes, VerdictsHoldForTheCurve) {
     if (!is_available(GetParam())) GTEST_SKIP() << GetParam() << " is not part of this build";
     const bool slow = GetParam().starts_with("nlopt");
     const int scenes = scenes_to_try(slow ? 32 : scene_count, scene_count);

@@ -96,7 +96,7 @@ TEST(Region, EveryDesignVectorFindsTheSameOptimum) {
     }
 }
 
-TEST(Region, ItsEndsAreBreakpointsAndNothingIsBetween) {
+TEST(Region, EndsAreBreakpointsWithNoneBetween) {
     const std::vector<double> points =
         spline_request(region_scene(3, DesignKind::states), DesignKind::states).space.breakpoints();
     int inside = 0, ends = 0;
@@ -120,7 +120,7 @@ TEST(Region, OfASymmetricMotionIsThereTwice) {
     EXPECT_LT(farthest_from(*solution.motion, 1.1, 0.7, 0.8), 1e-10);
 }
 
-TEST(Region, OfARiseAndReturnMayFallAndRest) {
+TEST(Region, RiseAndReturnMayFallAndRest) {
     Scene scene = paper_objective(MotionType::rr, 5, 32);
     scene.motion.via = {{.at = 1.3, .velocity = -1.4, .until = 1.6}};
     const Solution falls = solve(scene);
@@ -132,7 +132,7 @@ TEST(Region, OfARiseAndReturnMayFallAndRest) {
     EXPECT_NEAR(rests.motion->at(0.45).derivative[0], 0.5, 1e-10);
 }
 
-TEST(Region, InAProgramCountsFromTheSegmentsStart) {
+TEST(Region, ProgramRegionsCountFromSegmentStart) {
     Scene scene = paper_objective(MotionType::program, 3, 16);
     scene.motion.lift = 20e-3;
     const auto spline = [](double degrees, std::optional<double> to) {
@@ -154,7 +154,7 @@ TEST(Region, InAProgramCountsFromTheSegmentsStart) {
     EXPECT_NEAR(points[1].end, 1.8, 1e-15);
 }
 
-TEST(Region, ThatContradictsAPointIsInfeasibleAndBothAreNamed) {
+TEST(Region, ContradictedPointIsInfeasibleAndNamed) {
     Scene scene = region_scene(3, DesignKind::states);
     scene.motion.via.push_back({.at = 0.5, .velocity = 1.5});
     const Solution solution = solve(scene);
@@ -177,9 +177,9 @@ TEST(Region, ThatContradictsTheEndsIsInfeasible) {
     EXPECT_EQ(solution.certificate.reason, Reason::conditions_contradict);
     ASSERT_EQ(solution.notes.size(), 1u);
     EXPECT_EQ(solution.notes[0],
-              "motion.via[0].velocity = 180 mm/s from 0 deg to 70 deg contradicts what holds at the ends of "
-              "the motion, "
-              "at its top or where its segments join; more segments were tried and do not help: change it");
+              "motion.via[0].velocity = 180 mm/s from 0 deg to 70 deg contradicts the conditions at the ends "
+              "of the motion, "
+              "at its top or where its segments join; more segments were tried without success: change it");
 }
 
 /// 40 mm in 10 ms leave nothing for the rest of the lift: no condition contradicts, but no limit can be kept.
@@ -191,7 +191,7 @@ TEST(Region, ThatNoLimitAllowsIsProvedInfeasible) {
     EXPECT_EQ(solution.certificate.reason, Reason::limits_contradict);
 }
 
-TEST(SetPoints, InUnitsStayWhatTheyAreWhereTheRiseChanges) {
+TEST(SetPoints, UnitsSurviveChangesOfRise) {
     const Scene scene = region_scene(3, DesignKind::states);
     MotionSpec longer = scene.motion;
     longer.rise = 160 * degree;
@@ -213,7 +213,7 @@ TEST(SetPoints, InUnitsStayWhatTheyAreWhereTheRiseChanges) {
     EXPECT_EQ(placed_points(same)[0].wanted[1], before.wanted[1]);
 }
 
-TEST(SetPoints, OverlappingBreakpointsGiveWay) {
+TEST(SetPoints, OverlappingBreakpointsAreReplaced) {
     const std::vector<double> points =
         with_regions({0.0, 0.1, 0.2, 0.3, 0.4, 1.0}, {{0.19, 0.26}, {0.25, 0.3}}, 0.02);
     EXPECT_EQ(points, (std::vector<double>{0.0, 0.1, 0.19, 0.3, 0.4, 1.0}));

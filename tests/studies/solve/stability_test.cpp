@@ -79,7 +79,7 @@ TEST(MotionAudit, SeesAJumpOfEveryOrder) {
         EXPECT_GT(audit(with_bent_piece(solution, power, 1e-6)).violation, 1e-8L) << power;
 }
 
-TEST(MotionAudit, SeesBrokenDemands) {
+TEST(MotionAudit, FindsViolatedConditions) {
     Solution capped = solved_twelve();
     capped.scene.limits.velocity = PeakLimit{1.5, "limits.velocity", 1.5, ""};
     EXPECT_NEAR(static_cast<double>(audit(capped).violation), 12.0 / 7 / 1.5 - 1.0, 1e-8);
@@ -89,7 +89,7 @@ TEST(MotionAudit, SeesBrokenDemands) {
     EXPECT_THROW(static_cast<void>(audit(Solution{})), InputError);
 }
 
-TEST(MotionAudit, SeesABrokenPressureAngle) {
+TEST(MotionAudit, FindsViolatedPressureAngle) {
     Solution solution = solve(scene_of_file("cam_smallest.toml"));
     EXPECT_LE(audit(solution).violation, 1e-9L);
     solution.scene.limits.pressure_angle->value *= 0.99;
@@ -135,7 +135,7 @@ TEST(CostScale, LeavesScenesNearOneAlone) {
     EXPECT_TRUE(CostScale(scene, solved_twelve().reference_peaks).is_idle());
 }
 
-TEST(CostScale, TheProofIsThatOfTheScene) {
+TEST(CostScale, ProofRefersToScene) {
     Scene scene = study_scene(MotionType::drd, 3, 12);
     scene.objective.velocity *= 1e-9;
     scene.objective.acceleration *= 1e-9;
@@ -152,7 +152,7 @@ TEST(CostScale, TheProofIsThatOfTheScene) {
     EXPECT_EQ(solution.scene.objective.velocity, scene.objective.velocity);
 }
 
-TEST(DeliveredAudit, AJumpIsAFailureWithAName) {
+TEST(DeliveredAudit, JumpIsNamedFailure) {
     Solution solution = solved_twelve();
     audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);

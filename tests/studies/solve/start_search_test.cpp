@@ -60,7 +60,7 @@ TEST(StartSearch, LeavesRowsThatAreNotActive) {
 }
 
 /// All eight lead to the same minimum: seven end beside it, before their last digits.
-TEST(StartSearch, EndsBesideAMinimumThatIsKnown) {
+TEST(StartSearch, StopsNearKnownMinimum) {
     const Scene scene = sharp_cam(24);
     const Searched first = searched(scene, 1), all = searched(scene, starts);
     EXPECT_EQ(all.starts, starts);
@@ -71,7 +71,7 @@ TEST(StartSearch, EndsBesideAMinimumThatIsKnown) {
 
 /// The limit on searches in vain strikes while the first start has just found a motion within the limits:
 /// that one goes on to its end, and the others are begun.
-TEST(StartSearch, ThatFoundSomethingWasNotInVain) {
+TEST(StartSearch, FoundPointIsReported) {
     const Scene scene = sharp_cam(12);
     const double tolerance = ExchangeOptions().tolerance;
     SolveControl control;

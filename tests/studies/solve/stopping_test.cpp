@@ -45,7 +45,7 @@ TEST_P(Stopping, ATimeLimitDeliversAFeasibleCurve) {
     ASSERT_TRUE(solution.curve);
 }
 
-TEST_P(Stopping, AStopWithoutAFeasiblePointSaysSo) {
+TEST_P(Stopping, StopWithoutFeasiblePointIsReported) {
     Scene capped = scene();
     capped.limits.velocity = normalised_limit("limits.velocity", 1.3);
     SolveControl control;
@@ -56,10 +56,10 @@ TEST_P(Stopping, AStopWithoutAFeasiblePointSaysSo) {
     EXPECT_FALSE(solution.curve);
 }
 
-TEST_P(Stopping, AStopBeforeAnythingWasFoundDeliversNoMotion) {
+TEST_P(Stopping, EarlyStopDeliversNoMotion) {
     SolveControl control;
     control.stop_requested = [] { return true; };
-    const Solution solution = solve(scene(), control);  // its start keeps every limit
+    const Solution solution = solve(scene(), control);  // its start satisfies every limit
     EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
     EXPECT_EQ(solution.certificate.reason, "interrupted");
     EXPECT_FALSE(solution.motion);
@@ -79,7 +79,7 @@ Scene searched_scene() {
     return scene;
 }
 
-TEST(StoppingASearch, AtOnceDeliversNoMotionAndSaysInterrupted) {
+TEST(StoppingASearch, ImmediatelyDeliversNoMotion) {
     for (const bool free_knots : {false, true}) {
         Scene scene = free_knots ? paper_objective(MotionType::drd, 3, 6) : searched_scene();
         scene.spline.free_knots = free_knots;
@@ -92,7 +92,7 @@ TEST(StoppingASearch, AtOnceDeliversNoMotionAndSaysInterrupted) {
     }
 }
 
-TEST(StoppingASearch, AtAnyPollEndsAsInterruptedOrWithWhatWasFound) {
+TEST(StoppingASearch, AnyPollEndsConsistently) {
     for (const int patience : {1, 10, 40, 160}) {
         SolveControl control;
         int polls = 0;

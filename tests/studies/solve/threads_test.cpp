@@ -85,7 +85,7 @@ TEST(Threads, SolveOneCamAtOnce) {
     expect_side_by_side(roller_scene());
 }
 
-TEST(Threads, SolveOneLinkageAtOnceWithSharedFormulas) {
+TEST(Threads, SolveLinkageConcurrentlyWithSharedFormulas) {
     expect_side_by_side(linkage_scene());
 }
 
@@ -113,7 +113,7 @@ double evaluated(const CamModel& model, int points) {
     return sum;
 }
 
-TEST(Threads, EvaluateOneModelAtOnceAndCountEveryPoint) {
+TEST(Threads, EvaluateOneModelConcurrently) {
     constexpr int points = 2000;
     for (const Scene& scene : {roller_scene(), linkage_scene()}) {
         const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));

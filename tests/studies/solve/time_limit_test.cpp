@@ -53,7 +53,7 @@ class TimeLimit : public testing::TestWithParam<Case> {
     }
 };
 
-TEST_P(TimeLimit, HoldsForEverythingWhereverItStrikes) {
+TEST_P(TimeLimit, HoldsAtEveryStage) {
     Scene scene = scene_of(GetParam());
     scene.solver.max_seconds = 1e12;
     scene.solver.explain_seconds = 1e11;  // far above what is read: max_seconds governs when it is hurried
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, TimeLimit, testing::ValuesIn(cases()),
 
 /// One test by the machine's clock, generous: many times the limit are wrong on every machine. The search
 /// ends early; the explanation after it must not start a second time limit.
-TEST(TimeLimit, ExplanationHasNoTimeOfItsOwn) {
+TEST(TimeLimit, IncludesExplanation) {
     Scene scene = scene_of({"", "cam_infeasible", {"limits.cam_radius_min_mm=8", "spline.segments=24"}});
     scene.solver.max_seconds = 0.3;
     const Stopwatch watch;
@@ -114,7 +114,7 @@ TEST(TimeLimit, ExplanationHasNoTimeOfItsOwn) {
 }
 
 /// What the clock ended before anything was found was no search in vain.
-TEST(TimeLimit, OfFreeDisplacementsIsNoLackOfMotions) {
+TEST(TimeLimit, TimeoutIsNotInfeasibilityOfDisplacements) {
     Scene scene;
     scene.motion.type = MotionType::program;
     scene.motion.closed = false;
@@ -148,7 +148,7 @@ TEST(Interrupted, BeforeAnythingWasFoundDeliversNoMotion) {
     }
 }
 
-TEST(Interrupted, ASearchInVainSaysInterrupted) {
+TEST(Interrupted, UnsuccessfulSearchReportsInterruption) {
     Scene scene = scene_of({"", "cam_undercut", {"limits.cam_radius_min_mm=200", "spline.segments=8"}});
     CountingClock clock;
     int polls = 0;

@@ -52,7 +52,7 @@ void expect_searched(const Solution& solution, double end) {
                 1e-6 * solution.peaks.torque.value);
 }
 
-TEST(Torque, AloneFallsFarBelowTheModifiedSineAndTowardsTheLimit) {
+TEST(Torque, AloneStaysBelowModifiedSine) {
     double before = modified_sine_torque;
     for (const int segments : {8, 16}) {
         const Solution solution = solved(torque_scene(MotionType::drd, segments));
@@ -65,7 +65,7 @@ TEST(Torque, AloneFallsFarBelowTheModifiedSineAndTowardsTheLimit) {
     }
 }
 
-TEST(Torque, BesideTheOtherPeaksBeatsTheModifiedSineInAllOfThem) {
+TEST(Torque, WithOtherPeaksBeatsModifiedSine) {
     Scene scene = torque_scene(MotionType::drd, 16);
     scene.objective.torque = 0.5;
     scene.objective.velocity = 0.1;

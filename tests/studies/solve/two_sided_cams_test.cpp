@@ -61,7 +61,7 @@ Seen look_at(const Solution& solution, int side) {
 
 class TwoSidedScene : public testing::TestWithParam<const char*> {};
 
-TEST_P(TwoSidedScene, KeepsItsLimitsOnEitherSide) {
+TEST_P(TwoSidedScene, SatisfiesLimitsOnEitherSide) {
     const Solution solution = solved(GetParam());
     ASSERT_TRUE(solution.motion) << solution.certificate.reason;
     ASSERT_EQ(solution.cam->summary.sides.size(), 2U);

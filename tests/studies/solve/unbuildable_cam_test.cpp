@@ -71,7 +71,7 @@ TEST(UnbuildableCam, IsNoOptimum) {
     }
 }
 
-TEST(UnbuildableCam, EndsTheVerdictOfTheLastLook) {
+TEST(UnbuildableCam, VoidsVerdictOfLastLook) {
     Solution solution = solve_without_explaining(pressure_angle_scene(60.0, 12), {});
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_TRUE(solution.cam);

@@ -48,7 +48,7 @@ void expect_within(const Solution& solution, double least = 0.0, double most = 1
     EXPECT_LE(range[1], most + 1e-8);
 }
 
-TEST(WithinLift, ASlowReturnStaysAboveItsStart) {
+TEST(WithinLift, SlowReturnStaysAboveStart) {
     for (const char* name : {"very_slow_return", "unequal_return_with_cam"}) {
         SCOPED_TRACE(name);
         Scene scene = scene_of(name);
@@ -64,7 +64,7 @@ TEST(WithinLift, ASlowReturnStaysAboveItsStart) {
 }
 
 /// Twelve uniform segments leave a rise of 30 deg before a return of 300 deg one: no motion stays within.
-TEST(WithinLift, IsSaidWhereTheSplineIsTooCoarseForIt) {
+TEST(WithinLift, CoarseSplineIsReported) {
     Scene scene = scene_of("very_slow_return");
     scene.spline.by_stroke = false;
     const Solution solution = solve(scene);
@@ -113,7 +113,7 @@ TEST(WithinLift, SetPointsOutsideWidenTheRange) {
     EXPECT_NEAR(range_of(solution)[1], 1.2, 1e-8);
 }
 
-TEST(WithinLift, ReversalsOfAProgramAreTurningPoints) {
+TEST(WithinLift, ProgramReversalsAreTurningPoints) {
     const Solution solution = solve(scene_of("reversals_open"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_EQ(solution.segments.size(), 4U);
@@ -125,7 +125,7 @@ TEST(WithinLift, ReversalsOfAProgramAreTurningPoints) {
 }
 
 /// Between a law that rises at its end and one that falls there has to be an overshoot.
-TEST(WithinLift, IsOpenWhereTheNeighbourMovesOutward) {
+TEST(WithinLift, IsOpenNextToOutwardMotion) {
     Scene scene;
     paper_weights(scene);
     scene.motion.type = MotionType::program;
@@ -155,7 +155,7 @@ TEST(Monotone, AReturnOnlyFalls) {
 }
 
 /// Strokes of 0 mm were measured by themselves and "proved" best, with a dip below the start.
-TEST(FreeDisplacement, IsNotProvedBestBecauseItsStrokeVanishes) {
+TEST(FreeDisplacement, VanishingStrokeIsNotCalledOptimal) {
     Scene scene = scene_of("lifter_free_velocity");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
@@ -200,7 +200,7 @@ TEST(UnequalStrokes, AreProvedWhereTheyFailed) {
 }
 
 /// Where the structured solver ends without a proof, the next backend is tried.
-TEST(UnequalStrokes, AreProvedByTheNextBackendWhereOneFails) {
+TEST(UnequalStrokes, NextBackendProvesWhereOneFails) {
     const Solution within = solve(scene_of("unequal_quintic"));
     EXPECT_EQ(within.certificate.verdict, Verdict::optimal) << within.certificate.reason;
     expect_within(within);
@@ -270,12 +270,12 @@ int expect_reversible(unsigned seed, int count) {
     return unproved;
 }
 
-TEST(UnequalStrokes, AreWithinTheirLiftAndEqualTheirReversal) {
+TEST(UnequalStrokes, StayWithinLiftAndEqualReversal) {
     EXPECT_EQ(expect_reversible(1, 12), 0);
 }
 
 /// Of 500 motions a few end with a gap just above solver.gap.
-TEST(UnequalStrokes, FiveHundredAreWithinTheirLiftAndEqualTheirReversal) {
+TEST(UnequalStrokes, FiveHundredEqualTheirReversal) {
     const int unproved = expect_reversible(2, 250);
     RecordProperty("unproved", unproved);
     EXPECT_LE(unproved, 4);

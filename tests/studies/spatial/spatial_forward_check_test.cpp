@@ -42,7 +42,7 @@ SpatialForwardCheckInput input_of(const Cam& cam, int points) {
 }
 
 /// Independent references for the barrel: 4.8e-9, 2.9e-11, 5.4e-13 rad with a curve of lower order.
-TEST(SpatialForwardCheck, SoundFlanksMoveTheFollowerAsDesigned) {
+TEST(SpatialForwardCheck, CorrectFlanksReproduceDesignedMotion) {
     for (const Cam& cam : reference_cams()) {
         const auto coarse = spatial_forward_check_row(cam.cam, cam.motion, 401);
         const auto fine = spatial_forward_check_row(cam.cam, cam.motion, 1601);
@@ -62,7 +62,7 @@ TEST(SpatialForwardCheck, FewerPointsAreWorse) {
 }
 
 /// One turn from inside one dwell to inside the next.
-TEST(SpatialForwardCheck, TheIndexTurnsOneSeventhARevolution) {
+TEST(SpatialForwardCheck, IndexRotatesOneSeventh) {
     const Cam cam{barrel_cam(), rise_motion(200.0 * degree, 160.0 * degree, full_turn / 7.0, -20.0 * degree,
                                             400.0 * degree)};
     SpatialForwardCheckInput input = input_of(cam, 1601);
@@ -76,7 +76,7 @@ TEST(SpatialForwardCheck, TheIndexTurnsOneSeventhARevolution) {
     EXPECT_LT(result.deviation, 1e-12);
 }
 
-TEST(SpatialForwardCheck, FindsAFlankOutOfPlace) {
+TEST(SpatialForwardCheck, FindsDisplacedFlank) {
     for (const Cam& cam : reference_cams()) {
         SpatialForwardCheckInput input = input_of(cam, 401);
         for (auto& section : input.sections)

@@ -99,7 +99,7 @@ void expect_sound_flanks(const Solution& solution) {
 }
 
 /// Under 42 deg, where the modified sine has 43.78, and gentler than it in every peak.
-TEST(SpatialScenes, PaperCupMachineBelowTheModifiedSinesPressureAngle) {
+TEST(SpatialScenes, PaperCupMachineBeatsModifiedSine) {
     const Solution solution = solved("barrel_paper_cup");
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     expect_motion_of_the_scene(solution);

@@ -59,7 +59,7 @@ TEST(TradeOffSurface, HoldsForRandomWeights) {
     expect_it_holds(scene, surface, scenes_to_try(60, 2000));
 }
 
-TEST(TradeOffSurface, HoldsWhereALimitBites) {
+TEST(TradeOffSurface, HoldsWhereLimitIsActive) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 1.7);
     const TradeOffSurface surface = trade_off_surface(scene, {1e-3});
@@ -67,7 +67,7 @@ TEST(TradeOffSurface, HoldsWhereALimitBites) {
     expect_it_holds(scene, surface, 40);
 }
 
-TEST(TradeOffSurface, GoesOnWhereItWasLeft) {
+TEST(TradeOffSurface, ResumesWhereItStopped) {
     const Scene scene = paper_objective(MotionType::drd, 3, 12);
     const TradeOffSurface whole = trade_off_surface(scene, {1e-4});
     const TradeOffSurface part = trade_off_surface(scene, {1e-4, 20});
@@ -85,7 +85,7 @@ TEST(TradeOffSurface, GoesOnWhereItWasLeft) {
         EXPECT_EQ(rest.table.rows[k].settings, whole.table.rows[k].settings) << k;
 }
 
-TEST(TradeOffSurface, StoppedItHoldsAsFarAsItSays) {
+TEST(TradeOffSurface, ReportsItsCoverageWhenStopped) {
     const Scene scene = paper_objective(MotionType::drd, 3, 12);
     int polls = 0;
     SolveControl control;
@@ -97,7 +97,7 @@ TEST(TradeOffSurface, StoppedItHoldsAsFarAsItSays) {
     expect_it_holds(scene, surface, 20);
 }
 
-TEST(TradeOffSurface, ClaimsNoMoreThanItsSolves) {
+TEST(TradeOffSurface, ClaimsOnlyWhatItSolved) {
     // Bounds far below the objectives: solves as of a scene that nobody can prove.
     const Scene scene = paper_objective(MotionType::drd, 3, 12);
     std::vector<SweepRow> loose = trade_off_surface(scene, {0.5, 3}).table.rows;
@@ -120,7 +120,7 @@ TEST(TradeOffSurface, AnInfeasibleSceneHasNone) {
     EXPECT_THROW((void)surface.at({0.4, 0.4, 0.2}), InputError);
 }
 
-TEST(TradeOffSurface, RefusesWhatItCannotGoThrough) {
+TEST(TradeOffSurface, RefusesUnusableGoals) {
     Scene scene = paper_objective(MotionType::drd, 3, 8);
     EXPECT_THROW((void)trade_off_surface(scene, {0.0}), InputError);
     EXPECT_THROW((void)trade_off_surface(scene, {1e-3, 2}), InputError);

@@ -47,7 +47,7 @@ TEST(SimplexWeights, AreAllLatticePointsOnce) {
     }
 }
 
-TEST(SimplexWeights, OneStepMovesOnePartFromOneWeightToAnother) {
+TEST(SimplexWeights, StepMovesUnitBetweenWeights) {
     const int n = 20;
     const SweepAxis axis = simplex_weights(n);
     for (int i = 1; i < axis.points(); ++i) {
@@ -78,7 +78,7 @@ TEST(WeightFile, ReadsNamesAndPoints) {
     EXPECT_EQ(point(axis, 1), (std::vector{1e-3, 1.0, 0.0}));
 }
 
-TEST(WeightFile, ErrorsNameTheLineAndWhatIsAllowed) {
+TEST(WeightFile, ErrorsNameLineAndAllowedValues) {
     struct Case {
         const char *text, *words;
     };
@@ -101,7 +101,7 @@ TEST(WeightFile, ErrorsNameTheLineAndWhatIsAllowed) {
             << one.words << "\nsaid: " << error_of([&] { (void)weights_of_csv(one.text, "w.csv"); });
 }
 
-TEST(VariedKey, SpacesEvenlyByFactorsOrAsListed) {
+TEST(VariedKey, SpacesEvenlyGeometricallyOrAsListed) {
     EXPECT_EQ(varied_key("cam.base_radius_mm=30:60:4").keys, std::vector<std::string>{"cam.base_radius_mm"});
     EXPECT_EQ(varied_key("a.b=30:60:4").values, (std::vector{30.0, 40.0, 50.0, 60.0}));
     EXPECT_EQ(varied_key("a.b=0.1:0.5:5").values, (std::vector{0.1, 0.2, 0.3, 0.4, 0.5}));
@@ -113,7 +113,7 @@ TEST(VariedKey, SpacesEvenlyByFactorsOrAsListed) {
     EXPECT_EQ(varied_key("a.b=0:1:10000").points(), 10000);
 }
 
-TEST(VariedKey, RefusesWhatIsNoRangeAndNoList) {
+TEST(VariedKey, RefusesInvalidRangesAndLists) {
     struct Case {
         const char *text, *words;
     };
@@ -138,7 +138,7 @@ TEST(VariedKey, RefusesWhatIsNoRangeAndNoList) {
             << one.words << "\nsaid: " << error_of([&] { (void)varied_key(one.text); });
 }
 
-TEST(WeightKey, IsAWeightOfTheObjectiveAndNothingElse) {
+TEST(WeightKey, ContainsOnlyObjectiveWeights) {
     for (const char* key : {"objective.velocity", "objective.torque", "objective.rms_jerk",
                             "objective.base_radius", "objective.face_offset"})
         EXPECT_TRUE(is_weight_key(key)) << key;

@@ -43,7 +43,7 @@ std::vector<double> row(const SweepPlan& plan, int number) {
     return {values.begin(), values.end()};
 }
 
-TEST(SweepGrid, IsFullAndOneAxisMovesOnePointATime) {
+TEST(SweepGrid, IsCompleteAndAxesMoveSeparately) {
     const std::vector<SweepAxis> axes = {varied_key("a=1:3:3"), varied_key("b=10,20"), simplex_weights(3)};
     const SweepPlan plan = sweep_grid(axes);
     EXPECT_EQ(plan.keys, (std::vector<std::string>{"a", "b", "objective.velocity", "objective.acceleration",
@@ -66,7 +66,7 @@ TEST(SweepGrid, IsFullAndOneAxisMovesOnePointATime) {
     EXPECT_EQ(row(plan, plan.rows() - 1)[0], 3.0);  // the first axis moves slowest
 }
 
-TEST(SweepGrid, RefusesNothingDoubleKeysAndTooMuch) {
+TEST(SweepGrid, RefusesEmptyDuplicateAndExcessiveKeys) {
     const auto said = [](const std::vector<SweepAxis>& axes) -> std::string {
         try {
             (void)sweep_grid(axes);
@@ -86,7 +86,7 @@ TEST(SweepGrid, RefusesNothingDoubleKeysAndTooMuch) {
     EXPECT_EQ(said({varied_key("a=1:2:1000"), varied_key("b=1:2:1000")}), "no error");
 }
 
-TEST(SweepGrid, FingerprintTellsPlansApart) {
+TEST(SweepGrid, FingerprintDistinguishesPlans) {
     const auto of = [](const char* text) { return fingerprint(sweep_grid(std::vector{varied_key(text)})); };
     const std::set<std::string> all = {of("a=1,2"), of("a=2,1"), of("b=1,2"), of("a=1,2,3"),
                                        of("a=1,2.0000000000000004")};
@@ -95,7 +95,7 @@ TEST(SweepGrid, FingerprintTellsPlansApart) {
     EXPECT_EQ(of("a=1,2").size(), 16U);
 }
 
-TEST(SettingText, IsATomlValueOfTheSameNumber) {
+TEST(SettingText, IsEquivalentTomlValue) {
     EXPECT_EQ(setting_text("spline.segments", 24.0), "spline.segments=24");
     EXPECT_EQ(setting_text("a.b", 0.1), "a.b=0.1");
     EXPECT_EQ(setting_text("a.b", -2.5e-9), "a.b=-2.5e-09");
@@ -105,7 +105,7 @@ TEST(SettingText, IsATomlValueOfTheSameNumber) {
         EXPECT_EQ(reader.reading()(std::vector{setting_text("objective.jerk", value)}).objective.jerk, value);
 }
 
-TEST(SweepScenes, WeightsAreSetAsTheReaderWouldAndReadOnce) {
+TEST(SweepScenes, WeightsAreReadOnce) {
     Reader reader(cam_scene);
     SweepPlan plan = sweep_grid(std::vector{
         varied_key("cam.roller_radius_mm=8,12"),
@@ -128,7 +128,7 @@ TEST(SweepScenes, WeightsAreSetAsTheReaderWouldAndReadOnce) {
     EXPECT_EQ(reader.count, 2);  // once a roller
 }
 
-TEST(SweepScenes, AnInvalidRowIsNamedWithItsValuesAndTheReadersWords) {
+TEST(SweepScenes, NamesInvalidRowWithItsValues) {
     const auto said = [](const std::vector<SweepAxis>& axes, const char* text = plain_scene) -> std::string {
         Reader reader(text);
         const SweepPlan plan = sweep_grid(axes);
@@ -162,7 +162,7 @@ TEST(SweepScenes, AnInvalidRowIsNamedWithItsValuesAndTheReadersWords) {
               std::string::npos);
 }
 
-TEST(SweepScenes, ARowAfterAnInvalidOneIsRight) {
+TEST(SweepScenes, RowAfterInvalidOneIsCorrect) {
     Reader reader(plain_scene);
     const SweepPlan plan =
         sweep_grid(std::vector{weights_of_csv("velocity,acceleration,jerk\n1,0,0\n0,0,0\n0,0,1\n", "w")});
@@ -173,7 +173,7 @@ TEST(SweepScenes, ARowAfterAnInvalidOneIsRight) {
     EXPECT_EQ(scenes.scene(2).objective.jerk, 1.0);
 }
 
-TEST(SweepCheck, TellsWhatTheRowsHaveInCommon) {
+TEST(SweepCheck, ReportsWhatRowsShare) {
     Reader reader(cam_scene);
     const SweepPlan plan = sweep_grid(std::vector{
         weights_of_csv("velocity,jerk,rms_jerk,base_radius\n1,0,0,0\n0.5,0,0.5,0\n0,0,0,1\n", "w")});

@@ -58,7 +58,7 @@ TEST(Chunking, SmallSweepsHaveSmallChunks) {
     EXPECT_EQ(chunk_size_for(1'000'000), 25);
 }
 
-TEST(SweepRun, EveryRowIsTheColdSolveOfItsScene) {
+TEST(SweepRun, EveryRowEqualsItsColdSolve) {
     const Scene base = paper_objective(MotionType::drd, 3, 12);
     const SweepPlan plan = sweep_grid(std::vector{simplex_weights(4)});
     SweepScenes scenes = scenes_of(plan, base);
@@ -95,7 +95,7 @@ TEST(SweepRun, EveryRowIsTheColdSolveOfItsScene) {
     }
 }
 
-TEST(SweepRun, LimitsAreNamedAndInfeasibleRowsAreResults) {
+TEST(SweepRun, NamesLimitsAndKeepsInfeasibleRows) {
     const SweepPlan plan = sweep_grid(std::vector{varied_key("limits.velocity=0.9,1.5,3")});
     SweepScenes scenes = scenes_of(plan, paper_objective(MotionType::drd, 3, 12));
     const std::vector<SweepRow> rows = solve_chunk(scenes, {0, 3});
@@ -108,7 +108,7 @@ TEST(SweepRun, LimitsAreNamedAndInfeasibleRowsAreResults) {
     EXPECT_TRUE(rows[2].active_limits.empty());
 }
 
-TEST(SweepRun, ARowThatThrowsIsFailedAndTheNextIsSolved) {
+TEST(SweepRun, ThrowingRowFailsAlone) {
     const SweepPlan plan = sweep_grid(std::vector{varied_key("limits.velocity=2,3,4")});
     const Scene base = paper_objective(MotionType::drd, 3, 8);
     SweepScenes scenes(plan, [base](std::span<const std::string> settings) {
@@ -124,7 +124,7 @@ TEST(SweepRun, ARowThatThrowsIsFailedAndTheNextIsSolved) {
     EXPECT_EQ(rows[2].verdict, Verdict::optimal);
 }
 
-TEST(SweepRun, StopsWhenItIsToldTo) {
+TEST(SweepRun, StopsOnRequest) {
     const SweepPlan plan = sweep_grid(std::vector{simplex_weights(4)});
     SweepScenes scenes = scenes_of(plan, paper_objective(MotionType::drd, 3, 8));
     bool stop = false;
@@ -172,7 +172,7 @@ std::vector<bool> front_by_comparing_all(const SweepTable& table) {
     return marks;
 }
 
-TEST(SweepFront, OfManyRowsIsTheOneOfTheDefinition) {
+TEST(SweepFront, ManyRowsMatchDefinition) {
     std::mt19937 generator(11);  // NOLINT(cert-msc51-cpp): the same every time
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     for (const bool has_gaps : {false, true}) {
@@ -202,7 +202,7 @@ TEST(SweepFront, OfManyRowsIsTheOneOfTheDefinition) {
     }
 }
 
-TEST(SweepFront, AreTheRowsThatNoOtherDominates) {
+TEST(SweepFront, AreNondominatedRows) {
     SweepTable table{{.keys = {"objective.jerk"}, .dimensions = {}, .criteria = {"velocity", "jerk"}}, {}};
     table.rows = {peaks(0, {0}, 1.0, 5.0), peaks(1, {1}, 2.0, 3.0), peaks(2, {2}, 2.0, 4.0),
                   peaks(3, {3}, 3.0, 3.5), peaks(4, {4}, 4.0, 1.0), peaks(5, {5}, 0.1, 0.1)};
@@ -210,7 +210,7 @@ TEST(SweepFront, AreTheRowsThatNoOtherDominates) {
     EXPECT_EQ(front(table), (std::vector{true, true, false, false, true, false}));
 }
 
-TEST(SweepFront, EqualWithinTheToleranceIsNotWorse) {
+TEST(SweepFront, EqualWithinToleranceIsNotDominated) {
     SweepTable table{{.keys = {"objective.jerk"}, .dimensions = {}, .criteria = {"velocity", "jerk"}}, {}};
     table.rows = {peaks(0, {0}, 2.0, 3.0), peaks(1, {1}, 2.0 * (1 + 5e-7), 3.0),
                   peaks(2, {2}, 2.0, 3.0 * (1 + 3e-6)), peaks(3, {3}, 2.0 * (1 + 5e-7), 2.9)};
@@ -228,7 +228,7 @@ TEST(SweepFront, OtherSettingsAreOtherFronts) {
     EXPECT_EQ(front(table), (std::vector{true, false, true}));
 }
 
-TEST(SweepFront, WeighsDimensionsAndTheOffsetByItsMagnitude) {
+TEST(SweepFront, WeighsDimensionsAndOffsetMagnitude) {
     SweepTable table{{.keys = {"objective.offset"},
                       .dimensions = {DimensionIndex::offset},
                       .criteria = {"velocity", "offset"}},

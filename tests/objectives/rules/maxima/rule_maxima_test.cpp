@@ -134,7 +134,7 @@ TEST(RuleMaxima, EncloseTheFormulasOfEveryFollower) {
     }
 }
 
-TEST(Intervals, HoldWhatTheyStandFor) {
+TEST(Intervals, ContainTheirRealValues) {
     EXPECT_TRUE((Interval(-1.0, 2.0) * Interval(-3.0, 1.0)).holds(-6.0));
     EXPECT_TRUE((Interval(-1.0, 2.0) * Interval(-3.0, 1.0)).holds(3.0));
     EXPECT_TRUE(std::isinf((Interval(1.0) / Interval(-1.0, 1.0)).upper));
@@ -171,7 +171,7 @@ class OutOfReach final : public PointRule {
     std::vector<int> parameters_;
 };
 
-TEST(RuleMaxima, WhatHasNoValueIsAsBrokenAsCanBe) {
+TEST(RuleMaxima, UndefinedValuesCountAsWorstViolation) {
     const Scene scene = small_cam(FollowerType::translating_roller, Rotation::clockwise);
     CamModel model = scene_model(scene, DesignKind::coefficients, reference_peaks(scene));
     const auto worst = [&](double beyond) {
@@ -220,7 +220,7 @@ class Hugging final : public PointRule {
 };
 
 /// Thousands of stretches a piece, and given up, where only the first order enclosed the rule.
-TEST(RuleMaxima, OfARuleThatHugsItsLimitAreFoundQuickly) {
+TEST(RuleMaxima, NearlyActiveRulesAreFoundQuickly) {
     Eigen::VectorXd y(6);
     y << 0.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0;
     const SplineCurve curve(SplineSpace(5, 4, {0.0, 0.02}), y);
@@ -267,7 +267,7 @@ class Shaking final : public PointRule {
 };
 
 /// A search that strays far outside asked 16,000 times a piece, for seconds that nobody could stop.
-TEST(RuleMaxima, OfAMotionFarOutsideDoNotCostSeconds) {
+TEST(RuleMaxima, DistantMotionsDoNotCostSeconds) {
     constexpr int pieces = 20;
     std::vector<double> breakpoints;
     for (int k = 0; k <= pieces; ++k) breakpoints.push_back(static_cast<double>(k) / pieces);

@@ -32,7 +32,7 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
-TEST(CertificateJson, TheProofComesBackBitForBit) {
+TEST(CertificateJson, ProofRoundTripsBitForBit) {
     const Certificate certificate = test::sample_solution().certificate;
     const DualityProof& proof = *certificate.proof;
     const DualityProof read = written_and_read(certificate);

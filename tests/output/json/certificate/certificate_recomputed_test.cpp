@@ -91,7 +91,7 @@ Scene capped_at_optimum(DesignKind kind, double factor) {
     return scene;
 }
 
-TEST(CertificateFile, NoBoundPassesTheObjectiveWhereLimitsLeaveNoRoom) {
+TEST(CertificateFile, TightLimitsKeepBoundBelowObjective) {
     int proved = 0;
     for (const DesignKind kind : {DesignKind::ordinates, DesignKind::coefficients, DesignKind::states}) {
         for (const double factor : {1.0, 1.0 - 1e-10, 1.0 - 5e-10, 1.0 + 1e-10}) {
@@ -130,7 +130,7 @@ TEST(CertificateFile, ProvesInfeasibility) {
     EXPECT_GT(recomputed(file["proof"]), 0.05);
 }
 
-TEST(CertificateFile, OtherMultipliersGiveALowerBoundNeverAHigherOneThanTheOptimum) {
+TEST(CertificateFile, AnyMultipliersGiveValidLowerBound) {
     const Solution solution = solve(paper_objective(MotionType::drd, 3, 12));
     json proof = json::parse(certificate_json(solution.certificate))["proof"];
     for (std::size_t i = 0; i < proof["rows"].size(); ++i) {

@@ -47,7 +47,7 @@ TEST_F(PlanePath, ArcsGoRoundTheirCentre) {
 }
 
 // A machine whose X counts the other way sees the mirror image of what is printed.
-TEST_F(PlanePath, AMirroredAxisTurnsArcsAndSidesRound) {
+TEST_F(PlanePath, MirroredAxisReversesArcs) {
     const std::string text = "G41 D1 G1 X-10 F10\nG3 X-20 Y10 I0 J10\nG40 G1 X-30\n";
     EXPECT_EQ(moves(text)[1].compensation, CompensationSide::left);
     post.axes["x"].sign = -1;

@@ -55,14 +55,14 @@ struct Travel {
     ConvexModel model;
 };
 
-TEST(PathReduction, ADisplacementThatNothingLimitsLeavesOneRow) {
+TEST(PathReduction, UnlimitedDisplacementLeavesOneRow) {
     const Travel travel(20);
     const PathReduction reduction(travel.model, Eigen::VectorXd::Zero(travel.model.variables()));
     EXPECT_EQ(reduction.model().variables(), travel.model.variables() - travel.knots);
     EXPECT_EQ(reduction.model().constraints(), travel.model.constraints() - travel.knots);
 }
 
-TEST(PathReduction, EveryRestoredPointKeepsTheRowsThatWereJoined) {
+TEST(PathReduction, RestoredPointsSatisfyJoinedRows) {
     const Travel travel(20);
     const PathReduction reduction(travel.model, Eigen::VectorXd::Zero(travel.model.variables()));
     std::mt19937 random(7);
@@ -84,7 +84,7 @@ TEST(PathReduction, EveryRestoredPointKeepsTheRowsThatWereJoined) {
     EXPECT_LT((reduction.reduced(reduction.restored(x)) - x).cwiseAbs().maxCoeff(), 1e-15);
 }
 
-TEST(PathReduction, OptimumAndMultipliersAreThoseOfTheWholeProblem) {
+TEST(PathReduction, OptimumAndMultipliersMatchFullProblem) {
     const Travel travel(20);
     const InteriorPointResult solved =
         interior_point(travel.model, Eigen::VectorXd::Zero(travel.model.variables()), {}, {});
