@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "input/cam_reader.hpp"
-
 #include "input/mechanism_reader.hpp"
+#include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "input/motion_reader.hpp"
-
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
-#include "input/keys/key_check.hpp"
+#include "input/document/key_check.hpp"
+#include "input/scene_parts.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>

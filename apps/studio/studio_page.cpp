@@ -3,7 +3,7 @@
 
 #include "apps/studio/studio_asset.hpp"
 #include "core/errors.hpp"
-#include "input/document/scene_document.hpp"
+#include "input/scene_document.hpp"
 #include "input/loading/load_scene.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/csv/motion_csv.hpp"

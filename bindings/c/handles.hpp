@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bindings/c/failure.hpp"
-#include "input/document/scene_document.hpp"
+#include "input/scene_document.hpp"
 #include "output/json/run_origin.hpp"
 #include "studies/delivered/solution.hpp"
 

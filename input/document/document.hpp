@@ -13,7 +13,7 @@
 namespace camopt::input {
 
 /// Where something was written: a line and column of the file, an override ("--set KEY=VALUE"), or a program
-/// (input/document/scene_document.hpp).
+/// (input/scene_document.hpp).
 struct Place {
     int line = 1;
     int column = 1;

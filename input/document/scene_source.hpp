@@ -5,7 +5,6 @@
 
 #include "input/document/document.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "input/scene_reader.hpp"
 #include "scene/cam_spec.hpp"
 
 #include <initializer_list>
@@ -75,9 +74,5 @@ class SceneSource {
 
 /// "motion" + "type" = "motion.type"; at the top level just the key.
 [[nodiscard]] std::string joined_key(std::string_view table, std::string_view key);
-
-/// A parsed document → validated Scene: checks keys, values and their relations; throws InputError for the
-/// first fault.
-[[nodiscard]] Scene read_document(const SceneSource& source, const KnownNames& known);
 
 }  // namespace camopt::input

@@ -3,8 +3,9 @@
 // folder. Internal to input/.
 #pragma once
 
+#include "input/document/known_names.hpp"
 #include "input/document/scene_source.hpp"
-#include "input/scene_reader.hpp"
+#include "scene/scene.hpp"
 #include "scene/spellings.hpp"
 
 #include <filesystem>

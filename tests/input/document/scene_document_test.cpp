@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scenes made key by key: the words of scene files, and nothing changed by what is refused.
-#include "input/document/scene_document.hpp"
+#include "input/scene_document.hpp"
 
 #include "core/errors.hpp"
 #include "profiles/factory/cam_formulas.hpp"

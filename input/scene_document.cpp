@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "input/document/scene_document.hpp"
+#include "input/scene_document.hpp"
 
 #include "core/text/printable.hpp"
+#include "input/document/key_check.hpp"
 #include "input/document/overrides.hpp"
 #include "input/document/scene_source.hpp"
-#include "input/keys/key_check.hpp"
+#include "input/scene_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "input/keys/written_keys.hpp"
+#include "input/document/written_keys.hpp"
 
 #include "input/document/document.hpp"
 #include "input/document/scene_source.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "input/keys/key_check.hpp"
+#include "input/document/key_check.hpp"
 
 #include "core/text/spelling_hint.hpp"
 #include "input/keys/meaning_hint.hpp"
