@@ -13,11 +13,11 @@
 #include "output/page/study_html.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/words/study_text.hpp"
 #include "output/words/dynamics_text.hpp"
+#include "output/words/study_text.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 
 #include <fmt/format.h>

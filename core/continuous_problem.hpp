@@ -5,8 +5,8 @@
 // the continuous maxima of violation and adds their rows, until the worst one is below tolerance.
 #pragma once
 
-#include "core/numbers/extremum.hpp"
 #include "core/nlp.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <Eigen/Core>
 

@@ -12,9 +12,9 @@
 // evaluates none of it, and a program without camopt::dynamics contains none of it.
 #pragma once
 
+#include "core/motion.hpp"
 #include "core/numbers/extremum.hpp"
 #include "core/numbers/infinity.hpp"
-#include "core/motion.hpp"
 
 #include <Eigen/Core>
 

@@ -3,8 +3,8 @@
 
 #include "apps/studio/studio_asset.hpp"
 #include "core/errors.hpp"
-#include "input/scene_document.hpp"
 #include "input/loading/load_scene.hpp"
+#include "input/scene_document.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/result_json.hpp"

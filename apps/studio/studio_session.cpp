@@ -6,8 +6,8 @@
 #include "core/errors.hpp"
 #include "output/page/page_data.hpp"
 #include "studies/delivered/solution.hpp"
-#include "studies/solve/solve.hpp"
 #include "studies/search/solve_sequence.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // camopt sweep: many solves of one scene, by worker processes, into a folder that can be continued.
 #include "apps/commands.hpp"
-#include "apps/sweep/sweep_ranks.hpp"
 #include "apps/sweep/sweep_job.hpp"
+#include "apps/sweep/sweep_ranks.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "output/report/sweep_folder.hpp"

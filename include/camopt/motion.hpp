@@ -8,7 +8,7 @@
 // written to by a const call: threads may share one.
 #pragma once
 
-#include "core/numbers/extremum.hpp"
 #include "core/language.hpp"
 #include "core/motion.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/peaks.hpp"

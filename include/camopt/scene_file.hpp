@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/language.hpp"
-#include "input/scene_document.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/loading/load_scene.hpp"
+#include "input/scene_document.hpp"
 #include "input/scene_reader.hpp"

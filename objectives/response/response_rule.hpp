@@ -11,8 +11,8 @@
 // residual's rows together are a second-order cone. setting = (speed, event, then directions or the sign).
 #pragma once
 
-#include "objectives/rules/model.hpp"
 #include "objectives/response/train_figures.hpp"
+#include "objectives/rules/model.hpp"
 #include "objectives/rules/whole_motion_rule.hpp"
 #include "scene/limit_table.hpp"
 

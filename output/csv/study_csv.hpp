@@ -3,8 +3,8 @@
 #pragma once
 
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_report.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 
 #include <string>

@@ -9,8 +9,8 @@
 #include "output/words/number_text.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
+#include "studies/delivered/follower_loads.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

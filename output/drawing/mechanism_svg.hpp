@@ -11,8 +11,8 @@
 
 namespace camopt {
 
-/// Along this motion (drawn_motion of studies/delivered/delivered.hpp). Throws InputError for a mechanism that
-/// cannot be drawn.
+/// Along this motion (drawn_motion of studies/delivered/delivered.hpp). Throws InputError for a mechanism
+/// that cannot be drawn.
 [[nodiscard]] std::string mechanism_svg(const Solution& solution, const Motion& motion);
 
 }  // namespace camopt

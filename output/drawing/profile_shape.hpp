@@ -75,8 +75,8 @@ struct ProfileShape {
 [[nodiscard]] ProfileShape profile_shape(const DrivenMechanism& cam, const Motion& motion,
                                          const MotionScale& scale);
 
-/// Of a delivered cam along its whole motion (drawn_motion of studies/delivered/delivered.hpp), to which it keeps
-/// a reference; none: the solution has no cam that its follower touches itself.
+/// Of a delivered cam along its whole motion (drawn_motion of studies/delivered/delivered.hpp), to which it
+/// keeps a reference; none: the solution has no cam that its follower touches itself.
 [[nodiscard]] std::optional<ProfileShape> delivered_shape(const Solution& solution, const Motion& motion);
 
 /// `steps` angles or more, evenly over the shape, with every knot seen from inside its two neighbours:

@@ -5,8 +5,8 @@
 #include "core/units.hpp"
 #include "motions/laws/law.hpp"
 #include "output/words/cam_words.hpp"
-#include "output/words/shown_units.hpp"
 #include "output/words/segment_table.hpp"
+#include "output/words/shown_units.hpp"
 #include "splines/curve.hpp"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 
 #include "output/json/run_origin.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_report.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 
 #include <string>

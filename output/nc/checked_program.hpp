@@ -4,11 +4,11 @@
 #pragma once
 
 #include "output/nc/block_angles.hpp"
+#include "output/nc/cutter_compensation.hpp"
 #include "output/nc/finished_cam.hpp"
 #include "output/nc/nc_check.hpp"
 #include "output/nc/nc_program.hpp"
 #include "output/nc/nc_travel.hpp"
-#include "output/nc/cutter_compensation.hpp"
 #include "output/nc/post_processor.hpp"
 
 #include <Eigen/Core>

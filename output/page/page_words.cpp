@@ -5,13 +5,13 @@
 #include "output/page/page_parts.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/comparison_words.hpp"
+#include "output/words/dynamics_text.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/solution_text.hpp"
-#include "output/words/dynamics_text.hpp"
 #include "output/words/peak_comparison.hpp"
 #include "output/words/segment_table.hpp"
+#include "output/words/solution_text.hpp"
 #include "studies/compare/comparison.hpp"
 
 #include <fmt/format.h>

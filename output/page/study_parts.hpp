@@ -2,8 +2,8 @@
 // Private to output/page: what the pages of many motions are put together from.
 #pragma once
 
-#include "output/json/run_origin.hpp"
 #include "output/json/json_text.hpp"
+#include "output/json/run_origin.hpp"
 
 #include <optional>
 #include <span>

@@ -7,15 +7,15 @@
 #include "output/report/cam_files.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/cam_words.hpp"
+#include "output/words/dynamics_text.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/peak_comparison.hpp"
 #include "output/words/scene_words.hpp"
+#include "output/words/segment_table.hpp"
 #include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/dynamics_text.hpp"
-#include "output/words/peak_comparison.hpp"
-#include "output/words/segment_table.hpp"
 #include "output/words/text_table.hpp"
 
 #include <fmt/format.h>

@@ -4,9 +4,9 @@
 #include "core/text/printable.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/reference_table_rows.hpp"
 #include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/reference_table_rows.hpp"
 #include "output/words/text_table.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 

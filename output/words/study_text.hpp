@@ -4,8 +4,8 @@
 
 #include "scene/scene.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_report.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
 #include <string>

@@ -11,8 +11,8 @@
 #pragma once
 
 #include "core/continuous_problem.hpp"
-#include "core/numbers/extremum.hpp"
 #include "core/nlp.hpp"
+#include "core/numbers/extremum.hpp"
 #include "solvers/solver.hpp"
 
 #include <Eigen/Core>

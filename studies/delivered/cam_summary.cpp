@@ -4,8 +4,8 @@
 #include "core/numbers/infinity.hpp"
 #include "core/numbers/sampled_maximum.hpp"
 #include "objectives/rules/rest_places.hpp"
-#include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
+#include "studies/delivered/follower_loads.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include "studies/delivered/solution_parts.hpp"
 
 #include "core/units.hpp"
-#include "objectives/response/response_rule.hpp"
 #include "objectives/own_point_rule.hpp"
+#include "objectives/response/response_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"

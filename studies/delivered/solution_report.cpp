@@ -7,10 +7,10 @@
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
-#include "studies/laws/law_motion.hpp"
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
+#include "studies/laws/law_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include "profiles/sampling.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/roller_guide.hpp"
-#include "studies/delivered/delivered.hpp"
 #include "studies/check/point_curve.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 // The papers that are computed again: one function a paper.
 #pragma once
 
-#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/reference_table.hpp"
 
 namespace camopt {
 

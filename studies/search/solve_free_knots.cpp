@@ -5,8 +5,8 @@
 #include "solvers/certificate/forget_proof.hpp"
 #include "solvers/counting_solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
-#include "studies/search/free_knot_descent.hpp"
 #include "studies/search/backend_choice.hpp"
+#include "studies/search/free_knot_descent.hpp"
 #include "studies/search/solve_without_explaining.hpp"
 #include "studies/search/tie_break.hpp"
 

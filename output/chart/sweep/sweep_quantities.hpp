@@ -4,7 +4,6 @@
 
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/plot_frame.hpp"
-#include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
 #include "studies/sweep/sweep_row.hpp"

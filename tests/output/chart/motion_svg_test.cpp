@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/curve_chart.hpp"
-
 #include "core/errors.hpp"
 #include "output/chart/axis_ticks.hpp"
+#include "output/chart/curve_chart.hpp"
 #include "output/report/report.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/solution_text.hpp"
 #include "output/words/peak_comparison.hpp"
+#include "output/words/solution_text.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/support/refusal.hpp"
 

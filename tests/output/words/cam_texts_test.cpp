@@ -5,9 +5,9 @@
 #include "output/words/cam_words.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
-#include "output/words/solution_text.hpp"
 #include "output/words/peak_comparison.hpp"
 #include "output/words/segment_table.hpp"
+#include "output/words/solution_text.hpp"
 #include "studies/check/check_cam.hpp"
 #include "tests/output/sample_solution.hpp"
 

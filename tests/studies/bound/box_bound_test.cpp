@@ -6,8 +6,8 @@
 #include "input/loading/load_scene.hpp"
 #include "objectives/scene_model.hpp"
 #include "studies/bound/bounder.hpp"
-#include "studies/solve/solve.hpp"
 #include "studies/search/solve_without_explaining.hpp"
+#include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 #include "studies/explain/relaxation.hpp"
 
 #include "profiles/disk/disk_mechanism.hpp"
+#include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/finer_spline.hpp"
-#include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/explain/value_search.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A picture before its proof: near the answer, by less work, and without a claim.
-#include "studies/solve/solve.hpp"
 #include "studies/search/solve_sequence.hpp"
+#include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>
