@@ -173,8 +173,8 @@ void add_loads(std::vector<Curve>& all, const View& view) {
     if (!summary || !view.delivered.rows.front().loads) return;
     const bool swings = view.solution.cam->cam.formulas->swings();
     all.push_back(load_curve(view, {{"force", "forces",
-                                     swings ? "Moment that presses the follower on the cam"
-                                            : "Force that presses the follower on the cam",
+                                     swings ? "Moment pressing the follower on the cam"
+                                            : "Force pressing the follower on the cam",
                                      swings ? "M" : "F", view.units.load},
                                     [](const FollowerLoads& one) { return one.force; },
                                     {summary->largest_force, summary->least_force},

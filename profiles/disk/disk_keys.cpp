@@ -57,7 +57,7 @@ std::vector<KeyRow> cam_rows() {
 std::vector<KeyRow> drawing_rows() {
     return {
         {"", "drawing", table, plain, any, {}, "no bore",
-         "What the drawing and the solid of a disk cam need beside its profile.", Availability::needs_cam},
+         "What the drawing and the solid of a disk cam need in addition to its profile.", Availability::needs_cam},
         {"drawing", "bore", number, length, positive, {}, "no hole",
          "Diameter of the bore; with its keyway inside the cam's least radius."},
         {"drawing", "keyway", table, plain, any, {}, "none", "A parallel keyway in the bore."},
@@ -68,7 +68,7 @@ std::vector<KeyRow> drawing_rows() {
         {"drawing", "datum", number, angle, any, {}, "0",
          "Where the cam is marked: the ray that points along +y when the cam has turned by this cam angle. The "
          "drawing's table of radii counts from it, as the cam angle grows."},
-        {"drawing", "title_block", table, plain, any, {}, "empty", "What the title block says beside the scene's title."},
+        {"drawing", "title_block", table, plain, any, {}, "empty", "Text of the title block in addition to the scene's title."},
         {"drawing.keyway", "width", number, length, positive, {}, "required", "Width of the keyway, below the bore's diameter."},
         {"drawing.keyway", "depth", number, length, positive, {}, "required",
          "How far its floor lies outside the bore's circle: the hub's depth t2 of a parallel key."},
