@@ -92,6 +92,7 @@ install(EXPORT camopt-shared FILE camopt-shared-targets.cmake NAMESPACE camopt::
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/camoptConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 include(CamoptPkgConfig)
+get_target_property(promised camopt_face HEADER_SET)
 foreach(kind static shared)
   set(kind_dir ${PROJECT_BINARY_DIR}/package/${kind})
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/camopt${kind}Config.cmake.in
@@ -103,7 +104,7 @@ foreach(kind static shared)
     ${PROJECT_BINARY_DIR}/package/camoptCComponent.cmake
     DESTINATION ${camopt_package_dir} ${here})
   install(FILES ${kind_dir}/camopt.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${here})
-  install(DIRECTORY include/camopt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${here} FILES_MATCHING PATTERN "*.hpp")
+  install(FILES ${promised} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/camopt ${here})
   # In the tree a header is named from the root of the tree; installed, from include/.
   install(CODE "set(camopt_include_dir \"${CMAKE_INSTALL_INCLUDEDIR}/camopt\")" ${here})
   install(SCRIPT cmake/CamoptInstalledIncludes.cmake ${here})

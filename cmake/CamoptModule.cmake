@@ -4,6 +4,9 @@
 # and packages its headers include, PRIVATE those only its sources need. COLD: read and write, words and pictures, where no
 # time goes: compiled with -O1 in Release, in four fifths of the time.
 
+# Where <camopt/….hpp> are written, what is promised to embedders (include/promised_headers.cmake).
+set(camopt_promised_dir ${PROJECT_BINARY_DIR}/include)
+
 add_library(camopt_warnings INTERFACE)
 # A switch that lacks a kind or a follower is an error of every build.
 target_compile_options(camopt_warnings INTERFACE -Werror=switch -Wall -Wextra -Wpedantic -Wconversion
@@ -108,7 +111,7 @@ function(camopt_add_module name)
   endif()
   # <camopt/….hpp>, what is promised to embedders: for a project with camopt in it. Nothing of camopt includes them.
   if(NOT PROJECT_IS_TOP_LEVEL)
-    target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
+    target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${camopt_promised_dir}>)
   endif()
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${name}

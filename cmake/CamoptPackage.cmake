@@ -22,7 +22,7 @@ set_property(TARGET camopt_shared APPEND PROPERTY LINK_DEPENDS ${camopt_archives
 target_link_libraries(camopt_shared PRIVATE $<BUILD_INTERFACE:camopt_instrumentation> PUBLIC Eigen3::Eigen)
 target_compile_features(camopt_shared PUBLIC cxx_std_20)
 target_include_directories(camopt_shared
-  INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+  INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${camopt_promised_dir}>
             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 if(BUILD_SHARED_LIBS)
@@ -33,5 +33,5 @@ else()
   add_library(camopt_all INTERFACE)
   add_library(camopt::camopt ALIAS camopt_all)
   target_link_libraries(camopt_all INTERFACE ${camopt_module_targets})
-  target_include_directories(camopt_all INTERFACE ${PROJECT_SOURCE_DIR}/include)
+  target_include_directories(camopt_all INTERFACE ${camopt_promised_dir})
 endif()

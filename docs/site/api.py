@@ -142,7 +142,9 @@ def anchor(kind, name):
 class Reference:
     def __init__(self, root, out, work):
         self.root, self.out = root, out
-        self.promised = sorted((root / "include/camopt").glob("*.hpp"))
+        self.include = work / "include"
+        subprocess.run(["cmake", f"-Dcamopt_promised_dir={self.include}", "-P", root / "include/promised_headers.cmake"], check=True)
+        self.promised = sorted((self.include / "camopt").glob("*.hpp"))
         brought = {header for promised in self.promised for header in brought_by(promised, root)}
         own = sorted((root / "bindings/c").glob("*.h"))
         self.promised += own
@@ -164,7 +166,7 @@ class Reference:
         return len(pages), len(self.names)
 
     def name_of(self, header):
-        return header.name if header.suffix == ".h" else str(header.relative_to(self.root / "include"))
+        return header.name if header.suffix == ".h" else str(header.relative_to(self.include))
 
     def page(self, header, page):
         parts = [f"# `<{self.name_of(header)}>`\n", prose(purpose_of(header.read_text(encoding="utf-8").split("\n")))]

@@ -5,11 +5,11 @@
 //   > 0
 //
 // With u = log z each log p is a convex log-sum-exp, so the one local minimum is global. Solved by a
-// primal-dual interior point with explicit slacks (log p_i(u) + slack_i = 0) and damped Newton steps, from a
-// strictly feasible point that a first phase of the same kind finds (min t: p_i(z) <= t). Meant for a handful
-// of variables: dense. No units. Errors: broken input (a coefficient that is not positive and finite,
-// exponents of another number than the variables, no objective) throws ModelError; what the numbers say is a
-// status, never a NaN. Source: S. Boyd, L. Vandenberghe, Convex Optimization (2004), sections 4.5 and 11.7.
+// primal-dual interior point with explicit slacks (log p_i(u) + slack_i = 0), from a strictly feasible point
+// that a first phase of the same kind finds (min t: p_i(z) <= t). Meant for a handful of variables: dense. No
+// units. Errors: broken input (a coefficient that is not positive and finite, exponents of another number
+// than the variables, no objective or no constraint) throws ModelError; what the numbers say is a status,
+// never a NaN. Source: S. Boyd, L. Vandenberghe, Convex Optimization (2004), sections 4.5 and 11.7.
 #pragma once
 
 #include <Eigen/Core>
