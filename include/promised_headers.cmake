@@ -137,7 +137,7 @@ A motion y(x) with its first three derivatives, and its peaks.
 
 Motion::at(x, side) gives a MotionPoint; outside [begin(), end()] it throws InputError. A Motion is never
 written to by a const call: threads may share one.]]
-  core/extremum.hpp
+  core/numbers/extremum.hpp
   core/motion.hpp
   core/peaks.hpp)
 camopt_promise(motion_chain [[
@@ -153,7 +153,7 @@ one.]]
   output/disk/disk_export.hpp
   output/nc/checked_program.hpp
   output/nc/machine.hpp
-  output/nc/post/post_processor.hpp
+  output/nc/post_processor.hpp
   output/spatial/nc_export.hpp)
 camopt_promise(nlp [[
 The optimization problem a backend sees:
@@ -184,7 +184,7 @@ Motion, cam and mechanism as SVG text, to scale where they show a machine.]]
   output/drawing/profile_svg.hpp)
 camopt_promise(reference_table [[
 The published spline-versus-modified-sine tables beside what is true. Peaks without units.]]
-  studies/compare/reference_table.hpp)
+  studies/papers/reference_table.hpp)
 camopt_promise(remote_cam [[
 Disk cams whose roller lever moves the output through a linkage: positions, pressure angle and radii by
 closed forms, dyad by dyad, from the output back to the cam. m, rad.]]
@@ -199,8 +199,8 @@ camopt_promise(result_json [[
 result.json, and certificate.json with the recipe by which anybody can recompute the bound, also read back
 (read_certificate). Display units in result.json; the certificate is in the units of its problem. Errors:
 InputError for a file that is not a certificate.]]
-  output/json/certificate/certificate_json.hpp
-  output/json/certificate/certificate_reader.hpp
+  output/json/certificate_json.hpp
+  output/json/certificate_reader.hpp
   output/json/result_json.hpp)
 camopt_promise(scene [[
 A scene: what must move, what counts, which limits hold, how fine the spline may be, and the cam. Plain
@@ -219,7 +219,7 @@ Scene files: TOML in, Scene out, ready to be solved: load_scene(file), scene_of_
 reader itself (input::read_scene_file, input::read_scene), scenes made key by key (input::SceneDocument),
 and every key such a file may have (input::scene_keys) with its type, unit, range and default. Files are in
 the unit of the key, scenes in SI. Errors: InputError "FILE:LINE:COLUMN: key: found …; allowed: …".]]
-  input/document/scene_document.hpp
+  input/scene_document.hpp
   input/keys/scene_keys.hpp
   input/loading/load_scene.hpp
   input/scene_reader.hpp)
