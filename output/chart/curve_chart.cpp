@@ -20,7 +20,7 @@ namespace {
 
 // Layout, px.
 constexpr double page_width = 1000, left = 92, right = 924, panel_height = 196, panel_distance = 248,
-                 first_line = 58, line_height = 17, below_lines = 44, below_panels = 56;
+                 first_line = 58, text_line = 17, below_lines = 44, below_panels = 56;
 constexpr double headroom = 0.17;       // of the range, above and below: for the labels
 constexpr double limit_in_sight = 2.0;  // a limit beyond this many times the largest value is not drawn
 constexpr double below_zero = 0.02;     // of the largest value: less than this is no negative value
@@ -282,15 +282,15 @@ std::vector<const Curve*> curves_of(const View& view, std::string_view group, st
 }
 
 std::string curve_chart_svg(const View& view, const CurveChart& chart) {
-    const double head = first_line + line_height * static_cast<double>(chart.lines.size());
-    const double first = head + (chart.legend ? below_lines : below_lines - line_height);
+    const double head = first_line + text_line * static_cast<double>(chart.lines.size());
+    const double first = head + (chart.legend ? below_lines : below_lines - text_line);
     const double page_height = first + panel_distance * (static_cast<double>(chart.panels.size()) - 1.0) +
                                panel_height + below_panels;
     SvgCanvas canvas(page_width, page_height, chart_style, chart.title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(left, 36, chart.title, "title");
     for (std::size_t i = 0; i < chart.lines.size(); ++i)
-        canvas.text(left, first_line + line_height * static_cast<double>(i), chart.lines[i], "subtitle");
+        canvas.text(left, first_line + text_line * static_cast<double>(i), chart.lines[i], "subtitle");
     if (chart.legend) draw_legend(canvas, view, chart, head + 4);
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const double top = first + panel_distance * static_cast<double>(i);

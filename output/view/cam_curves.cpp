@@ -17,7 +17,6 @@ namespace camopt {
 
 namespace {
 
-constexpr int mark_digits = 6;      // as in the tables
 constexpr double most_times = 8.0;  // a curvature beyond this many times that of the base circle is not drawn
 constexpr int every_station = -1;
 
@@ -29,7 +28,7 @@ void add_mark(Curve& curve, const View& view, const std::optional<CamExtreme>& e
     if (!extreme || !std::isfinite(extreme->value)) return;
     const double at = view.degrees(extreme->at);
     if (std::ranges::find(curve.marks, at, &CurveMark::at) != curve.marks.end()) return;
-    if (words.empty()) words = curve.unit.text(sign * extreme->value, mark_digits);
+    if (words.empty()) words = curve.unit.text(sign * extreme->value, curve_mark_digits);
     curve.marks.push_back({at, curve.unit.factor * sign * extreme->value, std::move(words)});
 }
 
@@ -109,7 +108,7 @@ Curve curvature_curve(const View& view, int station) {
         return std::abs(value) > most ? std::nan("") : value;
     });
     const auto radius_words = [&](double radius) {
-        return "radius " + view.units.length.text(radius, mark_digits);
+        return "radius " + view.units.length.text(radius, curve_mark_digits);
     };
     const auto mark = [&](const std::optional<CamExtreme>& radius, double sign) {
         if (!radius || !(radius->value > 0.0)) return;
@@ -137,7 +136,7 @@ Curve regularity_curve(const View& view) {
     add_values(
         curve, view, every_station, [](const MechanismPoint& point) { return point.regularity; }, true);
     const CamExtreme& least = view.solution.cam->summary.regularity;
-    add_mark(curve, view, least, 1.0, short_text(least.value, mark_digits));
+    add_mark(curve, view, least, 1.0, short_text(least.value, curve_mark_digits));
     if (const auto& limit = limit_on(view.solution.scene.limits, LimitedFigure::regularity))
         add_limit(curve, view, limit->value, -1, "limit " + short_text(limit->value));
     return curve;
@@ -172,14 +171,14 @@ void add_loads(std::vector<Curve>& all, const View& view) {
     const std::optional<ForceSummary>& summary = view.solution.cam->summary.forces;
     if (!summary || !view.delivered.rows.front().loads) return;
     const bool swings = view.solution.cam->cam.formulas->swings();
-    all.push_back(load_curve(view, {{"force", "forces",
-                                     swings ? "Moment pressing the follower on the cam"
-                                            : "Force pressing the follower on the cam",
-                                     swings ? "M" : "F", view.units.load},
-                                    [](const FollowerLoads& one) { return one.force; },
-                                    {summary->largest_force, summary->least_force},
-                                    LimitedFigure::contact_force,
-                                    -1}));
+    all.push_back(load_curve(
+        view, {{"force", "forces",
+                swings ? "Moment pressing the follower on the cam" : "Force pressing the follower on the cam",
+                swings ? "M" : "F", view.units.load},
+               [](const FollowerLoads& one) { return one.force; },
+               {summary->largest_force, summary->least_force},
+               LimitedFigure::contact_force,
+               -1}));
     all.push_back(load_curve(
         view, {{"torque", "forces", "Camshaft torque, > 0: the shaft drives", "T", view.units.torque},
                [](const FollowerLoads& one) { return one.torque; },

@@ -15,7 +15,6 @@ namespace camopt {
 
 namespace {
 
-constexpr int mark_digits = 6;  // as in the tables
 constexpr std::array<const char*, 4> keys = {"displacement", "velocity", "acceleration", "jerk"};
 constexpr std::array<const char*, 4> titles = {"Displacement", "Velocity", "Acceleration", "Jerk"};
 
@@ -43,7 +42,7 @@ std::vector<CurveMark> peak_marks(const View& view, const MotionUnit& unit, cons
     const auto add = [&](const Extremum& peak) {
         if (!std::isfinite(peak.value)) return;
         all.push_back({view.degrees(peak.at), unit.per_normalised * peak.value,
-                       unit.normalised_text(peak.value, mark_digits)});
+                       unit.normalised_text(peak.value, curve_mark_digits)});
     };
     if (row == nullptr) {
         for (const Excursion& one : excursions(view.solution)) add(one.farthest);
@@ -60,7 +59,7 @@ void add_set_points(std::vector<CurveMark>& marks, const View& view, const Motio
         if (unit.order >= point.wanted.size() || !point.wanted[unit.order]) continue;
         const double value = *point.wanted[unit.order];
         CurveMark mark{view.degrees(point.begin), unit.per_normalised * value,
-                       "given: " + unit.normalised_text(value, mark_digits), true};
+                       "given: " + unit.normalised_text(value, curve_mark_digits), true};
         if (point.is_region() && unit.order == 1) mark.to = view.degrees(point.end);
         marks.push_back(std::move(mark));
     }

@@ -81,6 +81,8 @@ struct View {
 
 // Private to output/view.
 
+inline constexpr int curve_mark_digits = 6;  ///< of the texts of marks, as in the tables
+
 /// Displacement, velocity, acceleration and jerk.
 [[nodiscard]] std::vector<Curve> motion_curves(const View& view);
 /// Pressure angle, curvature or regularity, loads: what this cam has.
