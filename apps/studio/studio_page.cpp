@@ -51,11 +51,15 @@ std::string cam_drawing(const Solution& solution, const RunOrigin&) {
     return cam_view(solution, CamView::drawing);
 }
 
+std::string report_page(const Solution& solution, const RunOrigin& origin) {
+    return report_html(solution, origin);
+}
+
 constexpr std::array downloads = {Download{"motion", "motion.csv", "text/csv", true, motion_table},
                                   Download{"cam", "cam.csv", "text/csv", true, cam_table},
                                   Download{"dxf", "cam.dxf", "image/vnd.dxf", true, cam_drawing},
                                   Download{"result", "result.json", "application/json", false, result_json},
-                                  Download{"report", "report.html", "text/html", false, report_html}};
+                                  Download{"report", "report.html", "text/html", false, report_page}};
 
 constexpr std::string_view scene_name = "scene";
 
