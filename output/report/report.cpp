@@ -149,7 +149,7 @@ std::string infeasible_section(const Solution& solution) {
 }
 
 std::string asked(const Scene& scene) {
-    std::string text = "## The scene\n\n";
+    std::string text = "## The problem\n\n";
     for (const std::string& line : scene_lines(scene)) text += fmt::format("- {}\n", line);
     return text;
 }

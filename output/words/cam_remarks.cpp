@@ -190,9 +190,9 @@ std::string check_remark(const Solution& solution, const ForwardCheckReport& che
                     shown_units(solution.scene).motion[0].first.text(check.deviation, check_digits));
     const std::string run = cam.check_words(check.points);
     if (cam.is_direct())
-        return fmt::format("Forward check: {} alone {} ({} of the prime radius, at {} deg).", run, found,
-                           short_text(check.relative, check_digits), where);
-    return fmt::format("Forward check: {} alone: the output {} (at {} deg).", run, found, where);
+        return fmt::format("Forward check by points alone: {} {} ({} of the prime radius, at {} deg).", run,
+                           found, short_text(check.relative, check_digits), where);
+    return fmt::format("Forward check by points alone: {}: the output {} (at {} deg).", run, found, where);
 }
 
 /// Of a cam that drives both ways.

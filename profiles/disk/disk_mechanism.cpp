@@ -93,7 +93,7 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] std::string undercut_words() const override;
     [[nodiscard]] std::string check_words(int points) const override {
         if (form_.is_grooved())
-            return fmt::format("a roller run along both flanks, over {} points of each", points);
+            return fmt::format("a roller run along both flanks over {} points of each", points);
         if (form_.is_conjugate()) return fmt::format("each roller run over {} points of its disk", points);
         return fmt::format("a follower run over {} points of the cam", points);
     }

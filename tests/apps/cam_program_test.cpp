@@ -94,7 +94,7 @@ TEST_F(CamProgram, WritesTheProfileAndChecksIt) {
     const json cam = result()["cam"];
     EXPECT_LT(cam["forward_check"]["relative"].get<double>(), 1e-6);
     EXPECT_NEAR(cam["pressure_angle_deg"]["value"].get<double>(), 31.0, 1e-6);
-    EXPECT_NE(run.output.find("Forward check: "), std::string::npos);
+    EXPECT_NE(run.output.find("Forward check by points alone: "), std::string::npos);
     EXPECT_NE(run.output.find("Active limits: the pressure angle at "), std::string::npos);
 }
 

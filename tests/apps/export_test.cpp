@@ -82,7 +82,7 @@ TEST(ExportCommand, BlankDeterminesRapidHeight) {
     const std::string program = read_text_file(folder.path() + "/cam.nc");
     for (const char* const words : {"diameter 400.000 mm, from -150.000 to 150.000 mm",
                                     "(clearance plane: Z230.0000, 30 mm above the blank",
-                                    "(rapids keep 4 mm or more", "\nG0 Z230.0000\n", "\nG0 Z204.0000\n"})
+                                    "(rapids stay 4 mm or more", "\nG0 Z230.0000\n", "\nG0 Z204.0000\n"})
         EXPECT_NE(program.find(words), std::string::npos) << words;
     EXPECT_NE(run.output.find("3.9999 mm or more from the blank"), std::string::npos) << run.output;
 }

@@ -97,7 +97,7 @@ def check_keys(name, scene_text, report, known):
     code = re.search(r"^(`{3,})toml\n(.*?)\n\1$", report, re.M | re.S)
     check(code and tomllib.loads(code.group(2)) == scene, name, "does not repeat its scene")
     # In words too: every number of the tables that say what is wanted, in the unit it is written in.
-    asked = section(report, "What was asked")
+    asked = section(report, "The problem")
     numbers = set(re.findall(r"[−\d][\d.e+−-]*", asked.replace(",", " ")))
     for key, value in found.items():
         if "." in key and not key.startswith("measured."):  # its rows stand in the table of keys

@@ -37,7 +37,7 @@ TEST(Deadline, RemembersThatItWasPolled) {
     EXPECT_EQ(deadline.seconds_left(), 0.0);
 }
 
-TEST(Deadline, PartsEndWithTheWhole) {
+TEST(Deadline, PartsNeverOutlastTheWhole) {
     Hand hand;
     const Deadline whole = Deadline::after(5.0, hand.clock());
     EXPECT_EQ(whole.sooner(50.0).seconds_left(), 5.0);
@@ -51,7 +51,7 @@ TEST(Deadline, PartsEndWithTheWhole) {
     EXPECT_FALSE(whole.passed());
 }
 
-TEST(Deadline, ExcludedSecondsCountOnlyLocally) {
+TEST(Deadline, ExcludedSecondsNeverCount) {
     Hand hand;
     const Deadline whole = Deadline::after(5.0, hand.clock());
     const Deadline part = whole.sooner(1.0);

@@ -25,7 +25,7 @@ namespace camopt::test {
 /// A cam whose pressure angle and cam radius limits fight: no motion, conflict, relaxation.
 [[nodiscard]] Solution infeasible_cam_solution();
 
-/// The same scene with a cap that cannot be kept: no curve, a relaxation.
+/// The same scene with a cap that cannot be satisfied: no curve, a relaxation.
 [[nodiscard]] Solution infeasible_solution();
 
 }  // namespace camopt::test

@@ -77,7 +77,7 @@ TEST(RequestRoom, HalfOpenConnectionsAreClosed) {
     EXPECT_EQ(arrivals.count(), 1U);
 }
 
-TEST(RequestRoom, LimitsConnectionsAndHeaderSize) {
+TEST(RequestRoom, LimitsConnectionsAndBytes) {
     Arrivals arrivals;
     RequestRoom room({.seconds = 60.0, .bytes = 10, .connections = 2},
                      [&](auto connection) { arrivals.add(std::move(connection)); });

@@ -43,7 +43,7 @@ TEST(UniformTable, AnglesEndExactlyWithoutDrift) {
     EXPECT_TRUE(table.whole_turn);
     for (int i = 0; i <= 36'000; ++i)
         ASSERT_EQ(number(records[static_cast<std::size_t>(i) + 1].cells[0]), 360.0 * i / 36'000) << i;
-    EXPECT_EQ(table.words(), "36001 rows over the whole turn, 0 to 360 deg");
+    EXPECT_EQ(table.words(), "36001 rows over the revolution, 0 to 360 deg");
 }
 
 TEST(UniformTable, OpenMotionEndsWithoutWrapping) {

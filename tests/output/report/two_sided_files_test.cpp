@@ -197,7 +197,7 @@ TEST_F(TwoSidedFiles, FittingCuttersMillTheGroove) {
     }
     options.milling.full_depth = true;
     options.cutter_diameter = 8e-3;
-    EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }).find("leaves 4.050 mm standing"),
+    EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }).find("leaves 4.050 mm"),
               std::string::npos);
     options.cutter_diameter = 20.2e-3;
     EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }), "");

@@ -123,7 +123,7 @@ TEST(NcRapids, HeightsFollowGivenBlank) {
     const std::string& text = program.program.text;
     EXPECT_NE(text.find("diameter 800.000 mm"), std::string::npos) << text.substr(0, 800);
     EXPECT_NE(text.find("(clearance plane: Z430.0000, 30 mm above the blank"), std::string::npos);
-    EXPECT_NE(text.find("(rapids keep 5 mm or more from the blank"), std::string::npos);
+    EXPECT_NE(text.find("(rapids stay 5 mm or more from the blank"), std::string::npos);
     EXPECT_NE(text.find("\nG0 Z430.0000\n"), std::string::npos);
     EXPECT_NE(text.find("\nG0 Z405.0000\n"), std::string::npos);
     for (const double inside : {-0.01, 0.0, 0.004, static_cast<double>(NAN)}) {

@@ -54,7 +54,7 @@ TEST(KeyWords, ListNumbersKeepTheirIndex) {
     EXPECT_EQ(key_words("motion.segments[2].to").unit, "");
 }
 
-TEST(KeyWords, ChangeNamesTheSideStillEffective) {
+TEST(KeyWords, ChangeIsRoundedToFeasibleSide) {
     EXPECT_EQ(change_words({"cam.base_radius_mm", 30.0, 31.41231}), "increase the base radius to 31.413 mm");
     EXPECT_EQ(change_words({"spline.segments", 7.0, 14.0}), "use 14 segments");
     EXPECT_EQ(change_words({"spline.breakpoints", 7.0, 14.0}), "use 14 segments (every interval cut in two)");
@@ -81,7 +81,7 @@ TEST(KeyWords, ChangeNamesTheReducedSide) {
                       false,
                       {{"motion.segments[3].angle_deg", 40.0, 36.0}}}),
         "lengthen motion.segments[2].angle from 50 to 54 deg, taken from motion.segments[3].angle, which "
-        "keeps 36 deg");
+        "becomes 36 deg");
     EXPECT_EQ(change_words({"motion.rise_deg", 75.0, 95.0, 95.0, false, {{"motion.return_deg", 75.0, 95.0}}}),
               "lengthen the rise to 95 deg, with the return at 95 deg");
 }
@@ -103,7 +103,7 @@ TEST(CamRemarks, SayWhetherTheCamIsUndercut) {
 
 TEST(CamRemarks, NameActiveLimitAndSmallestSize) {
     Solution solution = test::cam_solution();
-    EXPECT_TRUE(says(remarks_of(solution), "No limit shapes it"));
+    EXPECT_TRUE(says(remarks_of(solution), "No limit is active"));
     EXPECT_TRUE(says(remarks_of(solution), "every motion needs a prime radius of at least "));
     EXPECT_TRUE(says(remarks_of(solution), "this cam has 40 mm"));
     EXPECT_TRUE(says(remarks_of(solution), "the sector of the motion, 90 deg"));
@@ -144,7 +144,7 @@ TEST(CamRemarks, ReportForwardCheck) {
     EXPECT_FALSE(says(remarks_of(solution), "Forward check"));
     solution.cam->forward_check = ForwardCheckReport{1.2e-9, 3e-8, 0.5, 2001, 0.1};
     EXPECT_TRUE(says(remarks_of(solution),
-                     "over 2001 points of the cam alone moves as designed within 1.2e-6 mm "
+                     "over 2001 points of the cam moves as designed within 1.2e-6 mm "
                      "(3e-8 of the prime radius, at 45 deg)"));
     solution.cam->forward_check->relative = 0.02;
     EXPECT_TRUE(says(remarks_of(solution), "DEPARTS from the designed motion by"));
@@ -218,7 +218,7 @@ TEST(SolutionText, IsHonestAboutALocalOptimum) {
     solution.certificate.verdict = Verdict::failed;
     solution.certificate.reason = Reason::no_feasible_point;
     solution.motion.reset();
-    EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, infeasibility is not proved"));
+    EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts; infeasibility is not proved"));
 }
 
 TEST(SolutionText, SaysTheGapThatIsProved) {
@@ -307,8 +307,7 @@ TEST(InfeasibleWords, NameConflictingLimitsAndLocation) {
     alone.conflict.resize(1);
     EXPECT_EQ(conflict_sentence(alone),
               "The pressure angle limit at 23.4 deg cannot be satisfied by any spline of 4 cubic segments "
-              "that makes the "
-              "lift in its angle does.");
+              "that makes the lift in its angle.");
     alone.explanation = Explanation{.together = {},
                                     .any_motion = {"limits.pressure_angle_deg"},
                                     .alone = {},
@@ -329,8 +328,8 @@ TEST(InfeasibleWords, SeparatelyImpossibleLimitsDoNotConflict) {
     solution.explanation->alone = {"limits.pressure_angle_deg", "limits.cam_radius_min_mm"};
     const std::string text = conflict_sentence(solution);
     EXPECT_FALSE(says(text, "conflicts with")) << text;
-    EXPECT_TRUE(
-        says(text, "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg cannot be kept: no "));
+    EXPECT_TRUE(says(
+        text, "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg cannot be satisfied by any "));
     EXPECT_TRUE(
         says(text, "The cam radius limit at 81 deg cannot be satisfied by any spline of 4 cubic segments"));
 }
@@ -371,7 +370,8 @@ TEST(InfeasibleWords, LawViolatingLimitIsBlamed) {
               "The velocity limit at 338 deg cannot be satisfied: the motion there is the law modified sine, "
               "regardless of the splines.");
     solution.conflict.front().at = 1.0;
-    EXPECT_TRUE(says(conflict_sentence(solution), "no spline of 4 cubic segments in each of its parts that"));
+    EXPECT_TRUE(
+        says(conflict_sentence(solution), "any spline of 4 cubic segments in each of its parts that"));
 }
 
 TEST(InfeasibleWords, FreeDisplacementsExonerateTheLaw) {

@@ -135,7 +135,7 @@ concave_radius_min_mm = 30
     const std::string text = text_of(solution);
     EXPECT_TRUE(says(text, "limits.concave_radius_min_mm = 30: the cam is nowhere concave (not active)"))
         << text;
-    EXPECT_TRUE(says(text, "No limit shapes it")) << text;
+    EXPECT_TRUE(says(text, "No limit is active")) << text;
     EXPECT_FALSE(says(text, "∞")) << text;
 }
 

@@ -89,7 +89,8 @@ TEST(UsefulChange, ServoProgramChangesAngleAndDwell) {
     EXPECT_EQ(first.also[0].key, "motion.segments[3].angle_deg");
     EXPECT_NEAR(*first.solved + first.also[0].solved, 90.0, 1e-12);
     EXPECT_NE(told(solution).find("lengthen motion.segments[2].angle from 50 to 54."), std::string::npos);
-    EXPECT_NE(told(solution).find("taken from motion.segments[3].angle, which keeps 35."), std::string::npos);
+    EXPECT_NE(told(solution).find("taken from motion.segments[3].angle, which becomes 35."),
+              std::string::npos);
     EXPECT_NE(told(solution).find("raise the acceleration limit to 66"), std::string::npos) << told(solution);
 }
 

@@ -193,7 +193,7 @@ TEST(FreeKnotSolve, InterruptedSolveClaimsNoOptimum) {
 
 /// Promised for a move as large as the motion, not for one as short as the step: on uniform breakpoints, 15 %
 /// from the optimum, it is no small number.
-TEST(FreeKnotDescent, PredictedDecreaseIgnoresStepLength) {
+TEST(FreeKnotDescent, StationarityIgnoresStepLength) {
     const Scene scene = scene_of(MotionType::drd, 3, 6);
     FreeKnotOptions options;
     for (int most = 5; most < 200; ++most) {
