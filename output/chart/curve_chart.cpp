@@ -68,6 +68,7 @@ struct Panel {
     const View& view;
     const Curve& curve;
     PlotFrame frame;
+    std::size_t rows = 0;  ///< those that are drawn
     double top = 0.0, bottom = 0.0;
     PlacedTexts labels;
 
@@ -76,20 +77,24 @@ struct Panel {
     [[nodiscard]] bool holds(double value) const { return frame.vertical.holds(value); }
 };
 
-Panel panel_at(SvgCanvas& canvas, const View& view, const Curve& curve, double top, bool lowest) {
+std::size_t rows_drawn(const View& view, const CurveChart& chart) {
+    const std::vector<DeliveredRow>& rows = view.delivered.rows;
+    const auto closing = std::ranges::find(rows, true, &DeliveredRow::closing);
+    return chart.closed ? rows.size() : static_cast<std::size_t>(closing - rows.begin());
+}
+
+/// The lowest one carries the numbers of the cam angle.
+Panel panel_at(SvgCanvas& canvas, const View& view, const CurveChart& chart, std::size_t index, double top) {
+    const std::size_t rows = rows_drawn(view, chart);
+    const bool lowest = index + 1 == chart.panels.size();
     PlotFrame frame;
-    frame.horizontal = {view.angles.front(), view.angles.back(), left, right};
-    frame.vertical = value_axis(curve, top);
+    frame.horizontal = {view.angles.front(), view.angles[rows - 1], left, right};
+    frame.vertical = value_axis(*chart.panels[index], top);
     for (const double tick : degree_ticks(frame.horizontal.lower, frame.horizontal.upper, 13))
         frame.horizontal_ticks.push_back({tick, lowest ? tick_text(tick, 1.0) : ""});
     frame.vertical_ticks = labelled_ticks(frame.vertical.lower, frame.vertical.upper, 6);
-    return {canvas,
-            view,
-            curve,
-            std::move(frame),
-            top,
-            top + panel_height,
-            {left, top - 2, right, top + panel_height + 2}};
+    return {canvas, view, *chart.panels[index], std::move(frame),
+            rows,   top,  top + panel_height,   {left, top - 2, right, top + panel_height + 2}};
 }
 
 /// Normalised values on the right, the unit on the left.
@@ -107,12 +112,15 @@ void draw_axes(const Panel& panel) {
     }
 }
 
-void draw_segments(const Panel& panel, bool titles) {
+void draw_segments(Panel& panel, bool titles) {
     for (const ViewSegment& segment : panel.view.segments) {
-        const double begin = panel.x(segment.from), end = panel.x(segment.to);
+        const double begin = panel.x(segment.from), end = panel.x(segment.to), middle = 0.5 * (begin + end);
         if (begin > left) panel.canvas.line(begin, panel.top, begin, panel.bottom, "segment");
         if (titles && text_width(segment.title, limit_font) < end - begin)
-            panel.canvas.text(0.5 * (begin + end), panel.bottom - 8, segment.title, "segment-label middle");
+            panel.labels.draw(panel.canvas, segment.title,
+                              std::vector<TextPlace>{{middle, panel.bottom - 8, TextSide::middle},
+                                                     {middle, panel.top + 14, TextSide::middle}},
+                              "segment-label", limit_font);
     }
     if (panel.view.breakpoints.size() > most_breakpoints) return;
     for (const double at : panel.view.breakpoints)
@@ -123,12 +131,12 @@ void draw_values(const Panel& panel, const std::vector<double>& values, const ch
     std::string data;
     bool pen_down = false;
     double last_x = 0.0, last_y = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t i = 0; i < panel.rows; ++i) {
         const bool inside = panel.holds(values[i]);  // false for NaN
         if (inside) {
             const double x = panel.x(panel.view.angles[i]), y = panel.y(values[i]);
             const bool far = std::abs(x - last_x) >= least_drawn || std::abs(y - last_y) >= least_drawn;
-            if (!pen_down || far || i + 1 == values.size()) {
+            if (!pen_down || far || i + 1 == panel.rows) {
                 data += (pen_down ? "L" : "M") + svg_number(x) + " " + svg_number(y);
                 last_x = x;
                 last_y = y;
@@ -207,7 +215,7 @@ void draw_limits(Panel& panel) {
 void draw_caption(const Panel& panel) {
     const Curve& curve = panel.curve;
     const bool leaves = !std::ranges::all_of(curve.values, [](double value) { return std::isfinite(value); });
-    const std::string caption = fmt::format("{} {}", curve.title, curve.symbol),
+    const std::string caption = fmt::format("{} ({})", curve.title, curve.symbol),
                       note = leaves && curve.note.empty() ? "it leaves the frame" : curve.note;
     const bool both =
         text_width(caption, caption_font, true) + text_width(note, note_font) + 12.0 < right - left;
@@ -217,7 +225,6 @@ void draw_caption(const Panel& panel) {
 
 void draw_panel(Panel panel, bool first) {
     draw_axes(panel);
-    draw_segments(panel, first);
     const Curve& curve = panel.curve;
     if (curve.measured) draw_values(panel, curve.measured->values, "measured");
     if (curve.reference) draw_values(panel, curve.reference->values, "reference");
@@ -225,6 +232,7 @@ void draw_panel(Panel panel, bool first) {
     draw_set_points(panel);
     draw_extremes(panel);
     draw_limits(panel);
+    draw_segments(panel, first);
     draw_caption(panel);
 }
 
@@ -294,7 +302,7 @@ std::string curve_chart_svg(const View& view, const CurveChart& chart) {
     if (chart.legend) draw_legend(canvas, view, chart, head + 4);
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const double top = first + panel_distance * static_cast<double>(i);
-        draw_panel(panel_at(canvas, view, *chart.panels[i], top, i + 1 == chart.panels.size()), i == 0);
+        draw_panel(panel_at(canvas, view, chart, i, top), i == 0);
     }
     canvas.text(0.5 * (left + right), page_height - 16, "cam angle θ (deg)", "unit middle");
     return canvas.finish();
@@ -302,7 +310,7 @@ std::string curve_chart_svg(const View& view, const CurveChart& chart) {
 
 std::string motion_svg(const View& view) {
     if (!view.solution.motion) throw InputError("motion.svg needs a motion, and this solution has none");
-    CurveChart chart{view.title("Motion"), {}, true, curves_of(view, "motion")};
+    CurveChart chart{view.title("Motion"), {}, true, false, curves_of(view, "motion")};
     add_line(chart.lines, verdict_sentence(view.solution));
     add_line(chart.lines, objective_line(view.solution, " · "));
     chart.lines.push_back(
@@ -312,15 +320,15 @@ std::string motion_svg(const View& view) {
 }
 
 std::string cam_diagrams_svg(const View& view, std::string_view key) {
-    return curve_chart_svg(view, {view.title("Cam"), {}, false, curves_of(view, "cam", key)});
+    return curve_chart_svg(view, {view.title("Cam"), {}, false, true, curves_of(view, "cam", key)});
 }
 
 std::string force_diagrams_svg(const View& view) {
     std::vector<const Curve*> curves = curves_of(view, "forces");
     if (curves.empty()) throw InputError("forces.svg needs forces, and this solution has none");
     const std::string& title = view.solution.scene.title;
-    return curve_chart_svg(view,
-                           {title.empty() ? "Forces" : title + ": forces", {}, false, std::move(curves)});
+    return curve_chart_svg(
+        view, {title.empty() ? "Forces" : title + ": forces", {}, false, true, std::move(curves)});
 }
 
 }  // namespace camopt

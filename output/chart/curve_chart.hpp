@@ -16,6 +16,7 @@ struct CurveChart {
     std::string title;
     std::vector<std::string> lines = {};  ///< below the title
     bool legend = false;
+    bool closed = true;                     ///< over the whole cam, not only over its motion
     std::vector<const Curve*> panels = {};  ///< of the view
 };
 

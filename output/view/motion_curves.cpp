@@ -26,9 +26,11 @@ std::vector<CurveLimit> limits_of(const View& view, const MotionUnit& unit) {
     if (!limit) return all;
     std::vector<LimitSpan> spans = segment_limits(view.solution, *limit, order);
     const Motion& motion = *view.solution.motion;
-    if (spans.empty()) spans.push_back({motion.begin(), motion.end(), limit->normalised});
+    const bool by_segment = !spans.empty();
+    if (!by_segment) spans.push_back({motion.begin(), motion.end(), limit->normalised});
     const std::string words =
-        fmt::format("limit {}{}{}", short_text(limit->given), limit->unit.empty() ? "" : " ", limit->unit);
+        fmt::format("limit {}{}{}{}", short_text(limit->given), limit->unit.empty() ? "" : " ", limit->unit,
+                    by_segment ? " by the segment" : "");
     for (const LimitSpan& span : spans)
         for (const int side : {1, -1})
             all.push_back({view.degrees(span.begin), view.degrees(span.end),

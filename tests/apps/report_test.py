@@ -347,8 +347,7 @@ def check_forces():
         most = max(abs(float(row[column])) for row in profile)
         told = float(figures[figure])
         check(math.isclose(most, told, rel_tol=2e-3), figure, told, "and in the table", most)
-        check(re.search(rf"{symbol} = −?{re.escape(short(told, 4))} ", picture), "forces.svg does not name", symbol,
-              told)
+        check(re.search(rf">−?{re.escape(figures[figure])} ", picture), "forces.svg does not name", symbol, told)
 
 
 def main():

@@ -211,9 +211,9 @@ TEST_F(SweepCommand, MergeRefusesHolesDoublesAndStrangers) {
     EXPECT_NE(
         refusal({path("1"), path("3")}).find("rows 6 to 11 are missing: no given folder holds their shard"),
         std::string::npos);
-    EXPECT_NE(refusal({path("1"), path("2"), path("1"), path("3")}).find("rows 0 to 5 stand in "),
+    EXPECT_NE(refusal({path("1"), path("2"), path("1"), path("3")}).find("rows 0 to 5 are in "),
               std::string::npos);
-    EXPECT_NE(refusal({path("1"), path("2"), path("3"), path("other")}).find("rows 0 to 5 stand in "),
+    EXPECT_NE(refusal({path("1"), path("2"), path("3"), path("other")}).find("rows 0 to 5 are in "),
               std::string::npos);
     EXPECT_NE(refusal({path("1"), path("none")}).find("holds no sweep"), std::string::npos);
     std::filesystem::remove(path("2") + "/chunks/chunk_000004.csv");

@@ -98,7 +98,7 @@ def check_spoiled(name, row, text, reader, stretches, found):
 
 def check_header(name, row, text):
     if row["format"] not in ("lenze",):
-        assert f"the whole turn, {row['verdict']}: s " in text, f"{name}: the header does not say {row['verdict']}"
+        assert f"the whole cycle, {row['verdict']}: s " in text, f"{name}: the header does not say {row['verdict']}"
     assert f"{row['count']} {row['element']}" in text, name
 
 

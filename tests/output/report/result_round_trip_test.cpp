@@ -240,7 +240,7 @@ TEST_F(ChangedFolder, Numbers) {
     changed("cam.pressure_angle_deg", [](Json& json) { json["cam"]["pressure_angle_deg"]["value"] = 5.0; });
     changed("cam.type: found \"barrel\"", [](Json& json) { json["cam"]["type"] = "barrel"; });
     changed("verdict", [](Json& json) { json["verdict"] = "feasible"; });
-    changed("remark: found a key", [](Json& json) { json["remark"] = "mine"; });
+    changed("remark: found an unknown key", [](Json& json) { json["remark"] = "mine"; });
     changed("title: found no such key", [](Json& json) { json.erase("title"); });
     changed("motion.curves[0].degree", [](Json& json) { json["motion"]["curves"][0]["degree"] = 4; });
     changed("parts", [](Json& json) { json["motion"]["parts"].erase(0); });

@@ -116,9 +116,9 @@ TEST_F(TwoSidedFiles, FiguresShowBothSides) {
         EXPECT_NE(file(grooved(), "profile.svg").find(words), std::string::npos) << words;
     for (const char* words : {"second disk", "arm angle", "90 deg"})
         EXPECT_NE(file(conjugate(), "profile.svg").find(words), std::string::npos) << words;
-    for (const char* words : {"Curvature, inner flank", "Curvature, outer flank"})
+    for (const char* words : {", inner flank (κ)", ", outer flank (κ)"})
         EXPECT_NE(file(grooved(), "profile_diagrams.svg").find(words), std::string::npos) << words;
-    for (const char* words : {"Pressure angle φ, first disk", "Pressure angle φ, second disk"})
+    for (const char* words : {"Pressure angle, first disk (φ)", "Pressure angle, second disk (φ)"})
         EXPECT_NE(file(conjugate(), "profile_diagrams.svg").find(words), std::string::npos) << words;
 }
 

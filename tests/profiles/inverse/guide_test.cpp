@@ -168,7 +168,7 @@ TEST(Guide, RefusesWhatIsNoGuide) {
     // A line whose nearest point to the pivot lies inside: the roller would have two places.
     EXPECT_TRUE(holds(refusal({GuideLine{Vector2d(-0.1, 0.05), Vector2d(0.2, 0.05)}}), "branch"));
     EXPECT_TRUE(holds(refusal({GuidePolarSpline{{{0.1, 0, 0, 0}}}}), "fewer than 2"));
-    EXPECT_TRUE(holds(refusal({GuidePolarSpline{{{0.1, 0, 0, 0}, {0.1, 0, 0, 0}}}}), "farther"));
+    EXPECT_TRUE(holds(refusal({GuidePolarSpline{{{0.1, 0, 0, 0}, {0.1, 0, 0, 0}}}}), "further"));
     EXPECT_EQ(refusal({GuideLine{a, b}}), "");
     G1GuideDimensions none = test::forward_dimensions();
     none.line_end = 100.0;

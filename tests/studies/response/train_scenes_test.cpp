@@ -316,7 +316,7 @@ TEST(TrainScenes, SaysWhatIsWrong) {
             "two speeds > 0 that ascend");
     refused(slide("natural_frequency_hz = 70\nspeed_range_rpm = [300]\n", weights), "found 1 numbers");
     refused(slide("natural_frequency_hz = 70\n", weights + "[limits]\ndynamic_contact_force_min_n = 3\n"),
-            "nothing presses");
+            "without a force towards the cam");
     refused(slide("natural_frequency_hz = 70\n", "[objective]\nresidual = 1\n"),
             "no weight or cap on a peak");
     refused(slide("natural_frequency_hz = 70\nreturn_spring_n_mm = 900\n", weights), "return spring alone");
