@@ -107,7 +107,7 @@ class Answers(Served):
         self.assertEqual(proof["seconds"], rest["seconds"])
         self.assertEqual(proof["data"]["tables"], rest["data"]["tables"])
         self.assertEqual(proof["data"]["reference"]["sentences"], ["Being compared …"])
-        self.assertIn("would lose", rest["data"]["reference"]["sentences"][0])
+        self.assertIn("worse in the objective", rest["data"]["reference"]["sentences"][0])
         _, alone = self.studio.solve(text, set={"objective.velocity": 0.34}, stage="rest")
         self.assertNotEqual(alone["seconds"], rest["seconds"])
         self.assertEqual(alone["verdict"], "optimal")

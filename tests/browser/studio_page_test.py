@@ -160,7 +160,7 @@ class CamScene(OnePage):
         times = page.run("return Camopt.studio.times")
         self.assertEqual([one["stage"] for one in times], ["curve", "proof", "rest"])
         self.assertEqual(sorted(one["ms"] for one in times), [one["ms"] for one in times])
-        self.assertIn("would lose", page.run("return document.querySelector('.against').textContent"))
+        self.assertIn("worse in the objective", page.run("return document.querySelector('.against').textContent"))
 
     def test_a_slider_in_the_hand_draws_curves_and_its_release_proves_the_last(self):
         page = self.page
