@@ -119,7 +119,7 @@ std::vector<std::string> files_of(const PlcFormat& format) {
 std::string columns_text() {
     std::string text;
     for (const TableColumn& column : table_columns()) {
-        const std::string needs = words_of(column.need);
+        const std::string needs = words_of_need(column.need);
         text += fmt::format("{:<20} {}{}{}\n", column.key, column.meaning, needs.empty() ? "" : "; ", needs);
     }
     return text + "For camopt export WHAT --out DIR --csv --columns KEY,KEY,…\n";
@@ -129,7 +129,7 @@ std::string columns_text() {
 Json columns_json() {
     Json list = Json::array();
     for (const TableColumn& column : table_columns()) {
-        const std::string needs = words_of(column.need);
+        const std::string needs = words_of_need(column.need);
         list.push_back({{"key", column.key},
                         {"meaning", column.meaning},
                         {"needs", needs.empty() ? Json(nullptr) : Json(needs)}});

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
+#include "output/csv/uniform_csv.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
 
@@ -49,24 +50,18 @@ std::string header(const DisplayScale& scale, const MotionSpec& spec) {
     return line + "\n";
 }
 
-using units::degree, units::millimetre;
-
-std::string header(const ProfileColumns& columns) {
-    return fmt::format(
-        "theta_deg,{},pitch_x_mm,pitch_y_mm,cam_x_mm,cam_y_mm,normal_x,normal_y,pressure_angle_deg,"
-        "pitch_radius_mm,cam_radius_mm,regularity{}{}{}\n",
-        columns.swings ? "s_deg" : "s_mm", columns.face ? ",contact_offset_mm" : "",
-        columns.loads.empty() ? ""
-        : columns.swings      ? ",moment_nm,torque_nm,normal_force_n"
-                              : ",force_n,torque_nm,normal_force_n",
-        columns.pressure ? ",hertz_pressure_mpa" : "");
-}
-
-void add_load(CsvLine& line, const FollowerLoads& load, bool pressure) {
-    line.number(load.force).number(load.torque).number(load.normal_force);
-    if (pressure)
-        line.number(load.hertz_pressure ? std::optional(*load.hertz_pressure / units::megapascal)
-                                        : std::nullopt);
+std::vector<const CamColumn*> chosen_cam_columns(const ProfileColumns& columns) {
+    std::vector<const CamColumn*> chosen;
+    const auto add = [&](std::initializer_list<const char*> keys) {
+        for (const char* key : keys) chosen.push_back(&cam_column(key));
+    };
+    add({"pitch_x_mm", "pitch_y_mm", "cam_x_mm", "cam_y_mm", "normal_x", "normal_y", "pressure_angle_deg",
+         "pitch_radius_mm", "cam_radius_mm", "regularity"});
+    if (columns.face) add({"contact_offset_mm"});
+    if (columns.loads.empty()) return chosen;
+    add({columns.swings ? "moment_nm" : "force_n", "torque_nm", "normal_force_n"});
+    if (columns.pressure) add({"hertz_pressure_mpa"});
+    return chosen;
 }
 
 }  // namespace
@@ -99,19 +94,18 @@ std::string profile_csv(const MechanismProfile& profile, const ProfileColumns& c
     if (!columns.loads.empty() && columns.loads.size() != profile.points.size())
         throw InputError(
             fmt::format("profile.csv: {} points and {} loads", profile.points.size(), columns.loads.size()));
-    std::string text = header(columns);
-    const double unit = columns.swings ? degree : millimetre;
+    const std::vector<const CamColumn*> of_cam = chosen_cam_columns(columns);
+    CsvLine titles;
+    titles.words("theta_deg").words(columns.swings ? "s_deg" : "s_mm");
+    for (const CamColumn* column : of_cam) titles.words(column->key);
+    std::string text = titles.finish();
+    const double unit = columns.swings ? units::degree : units::millimetre;
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
         const MechanismPoint& point = profile.points[i];
+        const FollowerLoads loads = columns.loads.empty() ? FollowerLoads() : columns.loads[i];
         CsvLine line;
-        line.number(point.theta / degree).number(profile.outputs[i] / unit);
-        for (const Eigen::Vector3d& place : {point.pitch, point.contact})
-            line.number(place.x() / millimetre).number(place.y() / millimetre);
-        line.number(point.normal.x()).number(point.normal.y()).number(point.pressure_angle / degree);
-        line.number(1.0 / (point.pitch_curvature * millimetre)).number(point.cam_radius / millimetre);
-        line.number(point.regularity);
-        if (columns.face) line.number(point.contact_offset / millimetre);
-        if (!columns.loads.empty()) add_load(line, columns.loads[i], columns.pressure);
+        line.number(point.theta / units::degree).number(profile.outputs[i] / unit);
+        for (const CamColumn* column : of_cam) line.number(column->value(point, loads));
         text += line.finish();
     }
     return text;

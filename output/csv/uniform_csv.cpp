@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <stdexcept>
 
 namespace camopt {
 
@@ -39,7 +41,8 @@ enum class TablePer { x, degree, radian, second };
 
 struct ColumnRow {
     TableColumn column;
-    RowValue value = nullptr;  ///< none: a derivative of the motion
+    RowValue value = nullptr;        ///< neither this nor `cam`: a derivative of the motion
+    const CamColumn* cam = nullptr;  ///< of the cam
     std::size_t order = 0;
     double unit = 1.0;  ///< SI
     TablePer per = TablePer::x;
@@ -54,15 +57,16 @@ double per_x(const MotionSpec& motion, TablePer per) {
 
 double value_of_row(const ColumnRow& column, const TableRow& row) {
     if (column.value) return column.value(row);
+    if (column.cam) return column.cam->value(*row.cam, row.loads);
     const double y = row.point.derivative[column.order];
     if (column.per == TablePer::x) return y;
     return y * row.motion->lift / column.unit /
            std::pow(per_x(*row.motion, column.per), static_cast<int>(column.order));
 }
 
-ColumnNeed need_of(bool swings, TablePer per) {
-    if (per != TablePer::second) return swings ? ColumnNeed::swinging : ColumnNeed::translating;
-    return swings ? ColumnNeed::speed_swinging : ColumnNeed::speed_translating;
+unsigned need_of(bool swings, TablePer per) {
+    return (swings ? ColumnNeed::angle : ColumnNeed::length) |
+           (per == TablePer::second ? ColumnNeed::speed : 0U);
 }
 
 struct DerivativeUnit {
@@ -82,12 +86,11 @@ std::string exponent_of(std::size_t order) {
 
 void add_derivatives(std::vector<ColumnRow>& rows, const DerivativeUnit& unit) {
     const auto add = [&](std::string key, std::size_t order, TablePer per, const std::string& words) {
-        rows.push_back({{std::move(key), fmt::format("{} in {}", uniform_derivatives[order], words),
-                         need_of(unit.swings, per)},
-                        nullptr,
-                        order,
-                        unit.si,
-                        per});
+        rows.push_back({.column = {std::move(key), fmt::format("{} in {}", uniform_derivatives[order], words),
+                                   need_of(unit.swings, per)},
+                        .order = order,
+                        .unit = unit.si,
+                        .per = per});
     };
     add(fmt::format("s_{}", unit.key), 0, TablePer::radian, unit.words);
     constexpr std::array<const char*, 4> by_angle = {"s", "ds", "dds", "ddds"},
@@ -106,71 +109,59 @@ void add_derivatives(std::vector<ColumnRow>& rows, const DerivativeUnit& unit) {
 void add_normalised(std::vector<ColumnRow>& rows) {
     constexpr std::array<const char*, 4> keys = {"y", "dy", "ddy", "dddy"};
     for (std::size_t order = 0; order < keys.size(); ++order)
-        rows.push_back(
-            {{keys[order], fmt::format("{}, normalised", uniform_derivatives[order]), ColumnNeed::nothing},
-             nullptr,
-             order,
-             1.0,
-             TablePer::x});
+        rows.push_back({.column = {keys[order], fmt::format("{}, normalised", uniform_derivatives[order])},
+                        .order = order});
 }
 
 double millimetres(double metres) {
     return metres / units::millimetre;
 }
 
-void add_cam(std::vector<ColumnRow>& rows) {
-    const auto add = [&](const char* key, const char* meaning, RowValue value) {
-        rows.push_back({{key, meaning, ColumnNeed::plane_cam}, value, 0, 1.0, TablePer::x});
-    };
-    add("pressure_angle_deg", "pressure angle in deg",
-        [](const TableRow& row) { return row.cam->pressure_angle / units::degree; });
-    add("cam_radius_mm", "radius of curvature of the cam in mm, > 0 convex",
-        [](const TableRow& row) { return millimetres(row.cam->cam_radius); });
-    add("pitch_radius_mm", "radius of curvature of the pitch curve in mm",
-        [](const TableRow& row) { return 1.0 / (row.cam->pitch_curvature * units::millimetre); });
-    add("pitch_x_mm", "roller centre, x in mm",
-        [](const TableRow& row) { return millimetres(row.cam->pitch.x()); });
-    add("pitch_y_mm", "roller centre, y in mm",
-        [](const TableRow& row) { return millimetres(row.cam->pitch.y()); });
-    add("cam_x_mm", "point of the cam, x in mm",
-        [](const TableRow& row) { return millimetres(row.cam->contact.x()); });
-    add("cam_y_mm", "point of the cam, y in mm",
-        [](const TableRow& row) { return millimetres(row.cam->contact.y()); });
-    add("normal_x", "outward normal of the cam, x", [](const TableRow& row) { return row.cam->normal.x(); });
-    add("normal_y", "outward normal of the cam, y", [](const TableRow& row) { return row.cam->normal.y(); });
-    add("regularity", "<= 0 where the cam is undercut",
-        [](const TableRow& row) { return row.cam->regularity; });
-    add("contact_offset_mm", "where a flat face is touched in mm",
-        [](const TableRow& row) { return millimetres(row.cam->contact_offset); });
-}
-
-void add_loads(std::vector<ColumnRow>& rows) {
-    const auto add = [&](const char* key, const char* meaning, ColumnNeed need, RowValue value) {
-        rows.push_back({{key, meaning, need}, value, 0, 1.0, TablePer::x});
-    };
-    add("force_n", "force along the lift in N", ColumnNeed::force,
-        [](const TableRow& row) { return row.loads.force; });
-    add("moment_nm", "moment on the arm in N m", ColumnNeed::moment,
-        [](const TableRow& row) { return row.loads.force; });
-    add("torque_nm", "torque on the camshaft in N m", ColumnNeed::loads,
-        [](const TableRow& row) { return row.loads.torque; });
-    add("normal_force_n", "force along the cam's normal in N", ColumnNeed::loads,
-        [](const TableRow& row) { return row.loads.normal_force; });
-    add("hertz_pressure_mpa", "Hertz pressure in MPa", ColumnNeed::pressure, [](const TableRow& row) {
-        return row.loads.hertz_pressure.value_or(infinity * units::megapascal) / units::megapascal;
-    });
-}
+constexpr CamColumn cam_columns[] = {
+    {"pressure_angle_deg", "pressure angle in deg", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return cam.pressure_angle / units::degree; }},
+    {"cam_radius_mm", "radius of curvature of the cam in mm, > 0 convex", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.cam_radius); }},
+    {"pitch_radius_mm", "radius of curvature of the pitch curve in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return 1.0 / (cam.pitch_curvature * units::millimetre); }},
+    {"pitch_x_mm", "roller centre, x in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.pitch.x()); }},
+    {"pitch_y_mm", "roller centre, y in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.pitch.y()); }},
+    {"cam_x_mm", "point of the cam, x in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.contact.x()); }},
+    {"cam_y_mm", "point of the cam, y in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.contact.y()); }},
+    {"normal_x", "outward normal of the cam, x", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return cam.normal.x(); }},
+    {"normal_y", "outward normal of the cam, y", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return cam.normal.y(); }},
+    {"regularity", "<= 0 where the cam is undercut", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return cam.regularity; }},
+    {"contact_offset_mm", "where a flat face is touched in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.contact_offset); }},
+    {"force_n", "force along the lift in N", ColumnNeed::forces | ColumnNeed::length,
+     [](const auto&, const auto& loads) { return loads.force; }},
+    {"moment_nm", "moment on the arm in N m", ColumnNeed::forces | ColumnNeed::angle,
+     [](const auto&, const auto& loads) { return loads.force; }},
+    {"torque_nm", "torque on the camshaft in N m", ColumnNeed::forces,
+     [](const auto&, const auto& loads) { return loads.torque; }},
+    {"normal_force_n", "force along the cam's normal in N", ColumnNeed::forces,
+     [](const auto&, const auto& loads) { return loads.normal_force; }},
+    {"hertz_pressure_mpa", "Hertz pressure in MPa", ColumnNeed::forces | ColumnNeed::contact_width,
+     [](const auto&, const auto& loads) {
+         return loads.hertz_pressure.value_or(infinity) / units::megapascal;
+     }}};
 
 std::vector<ColumnRow> column_rows() {
     std::vector<ColumnRow> rows;
-    const auto add = [&](const char* key, const char* meaning, ColumnNeed need, RowValue value) {
-        rows.push_back({{key, meaning, need}, value, 0, 1.0, TablePer::x});
+    const auto add = [&](const char* key, const char* meaning, unsigned need, RowValue value) {
+        rows.push_back({{key, meaning, need}, value});
     };
-    add("theta_deg", "cam angle in deg", ColumnNeed::nothing,
-        [](const TableRow& row) { return row.theta_deg; });
-    add("theta_rad", "cam angle in rad", ColumnNeed::nothing,
+    add("theta_deg", "cam angle in deg", 0, [](const TableRow& row) { return row.theta_deg; });
+    add("theta_rad", "cam angle in rad", 0,
         [](const TableRow& row) { return row.theta_deg * units::degree; });
-    add("x", "cam angle, normalised", ColumnNeed::nothing, [](const TableRow& row) { return row.point.x; });
+    add("x", "cam angle, normalised", 0, [](const TableRow& row) { return row.point.x; });
     add("t_s", "time in s", ColumnNeed::speed,
         [](const TableRow& row) { return row.theta_deg * units::degree / row.motion->speed.value(); });
     add_normalised(rows);
@@ -179,8 +170,8 @@ std::vector<ColumnRow> column_rows() {
           DerivativeUnit{"in", "in", units::inch, false}, DerivativeUnit{"deg", "deg", units::degree, true},
           DerivativeUnit{"rad", "rad", 1.0, true}})
         add_derivatives(rows, unit);
-    add_cam(rows);
-    add_loads(rows);
+    for (const CamColumn& cam : cam_columns)
+        rows.push_back({.column = {cam.key, cam.meaning, cam.need}, .cam = &cam});
     return rows;
 }
 
@@ -196,37 +187,29 @@ bool has_plane_cam(const Solution& solution) {
     return cam.planar() && (cam.stations() == 1 || cam.is_direct());
 }
 
-bool has_loads(const Solution& solution) {
-    return delivered_loads(solution) != nullptr;
-}
+struct Need {
+    unsigned bit;
+    const char* words;
+    bool (*met)(const Solution& solution);
+};
 
-bool has_column(const Solution& solution, ColumnNeed need) {
-    const MotionSpec& motion = solution.scene.motion;
-    switch (need) {
-        case ColumnNeed::nothing:
-            return true;
-        case ColumnNeed::translating:
-            return !motion.lift_is_angle;
-        case ColumnNeed::swinging:
-            return motion.lift_is_angle;
-        case ColumnNeed::speed:
-            return motion.speed.has_value();
-        case ColumnNeed::speed_translating:
-            return motion.speed && !motion.lift_is_angle;
-        case ColumnNeed::speed_swinging:
-            return motion.speed && motion.lift_is_angle;
-        case ColumnNeed::plane_cam:
-            return has_plane_cam(solution);
-        case ColumnNeed::loads:
-            return has_loads(solution);
-        case ColumnNeed::force:
-            return has_loads(solution) && !motion.lift_is_angle;
-        case ColumnNeed::moment:
-            return has_loads(solution) && motion.lift_is_angle;
-        case ColumnNeed::pressure:
-            return has_loads(solution) && solution.cam->summary.forces->hertz_pressure.has_value();
-    }
-    return false;
+/// In the order of the words; a width of contact is that of forces.
+constexpr Need needs[] = {{ColumnNeed::speed, "motion.speed_rpm",
+                           [](const Solution& solution) { return solution.scene.motion.speed.has_value(); }},
+                          {ColumnNeed::plane_cam, "a plane cam", has_plane_cam},
+                          {ColumnNeed::forces, "a cam with [forces]",
+                           [](const Solution& solution) { return delivered_loads(solution) != nullptr; }},
+                          {ColumnNeed::length, "a lift that is a length",
+                           [](const Solution& solution) { return !solution.scene.motion.lift_is_angle; }},
+                          {ColumnNeed::angle, "a lift that is an angle",
+                           [](const Solution& solution) { return solution.scene.motion.lift_is_angle; }},
+                          {ColumnNeed::contact_width, "a width of contact", [](const Solution& solution) {
+                               return solution.cam->summary.forces->hertz_pressure.has_value();
+                           }}};
+
+bool has_column(const Solution& solution, unsigned need) {
+    return std::ranges::all_of(needs,
+                               [&](const Need& one) { return (need & one.bit) == 0 || one.met(solution); });
 }
 
 std::vector<std::string> columns_of(const Solution& solution) {
@@ -266,9 +249,10 @@ std::vector<const ColumnRow*> chosen_columns(const Solution& solution, std::vect
             std::ranges::find(all_column_rows(), key, [](const ColumnRow& row) { return row.column.key; });
         const bool known = found != all_column_rows().end();
         if (!known || !has_column(solution, found->column.need))
-            throw InputError(fmt::format("--columns: found \"{}\"{}; allowed: {}", key,
-                                         known ? fmt::format(", which {}", words_of(found->column.need)) : "",
-                                         fmt::join(columns_of(solution), ", ")));
+            throw InputError(
+                fmt::format("--columns: found \"{}\"{}; allowed: {}", key,
+                            known ? fmt::format(", which {}", words_of_need(found->column.need)) : "",
+                            fmt::join(columns_of(solution), ", ")));
         chosen.push_back(&*found);
     }
     return chosen;
@@ -318,32 +302,17 @@ void refuse_digits(const std::optional<int>& digits) {
 
 }  // namespace
 
-std::string words_of(ColumnNeed need) {
-    switch (need) {
-        case ColumnNeed::translating:
-            return "needs a lift that is a length";
-        case ColumnNeed::swinging:
-            return "needs a lift that is an angle";
-        case ColumnNeed::speed:
-            return "needs motion.speed_rpm";
-        case ColumnNeed::speed_translating:
-            return "needs motion.speed_rpm and a lift that is a length";
-        case ColumnNeed::speed_swinging:
-            return "needs motion.speed_rpm and a lift that is an angle";
-        case ColumnNeed::loads:
-            return "needs a cam with [forces]";
-        case ColumnNeed::force:
-            return "needs a cam with [forces] and a lift that is a length";
-        case ColumnNeed::moment:
-            return "needs a cam with [forces] and a lift that is an angle";
-        case ColumnNeed::pressure:
-            return "needs a cam with [forces] and a width of contact";
-        case ColumnNeed::plane_cam:
-            return "needs a plane cam";
-        case ColumnNeed::nothing:
-            break;
-    }
-    return "";
+std::string words_of_need(unsigned need) {
+    std::string words;
+    for (const Need& one : needs)
+        if ((need & one.bit) != 0) words += (words.empty() ? "needs " : " and ") + std::string(one.words);
+    return words;
+}
+
+const CamColumn& cam_column(std::string_view key) {
+    const auto found = std::ranges::find(cam_columns, key, &CamColumn::key);
+    if (found == std::end(cam_columns)) throw std::out_of_range("no column " + std::string(key));
+    return *found;
 }
 
 const std::vector<TableColumn>& table_columns() {

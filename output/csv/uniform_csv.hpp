@@ -10,6 +10,7 @@
 // Columns: table_columns(). What each needs and its unit stand in its row there; docs/results.md lists them.
 #pragma once
 
+#include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <optional>
@@ -19,29 +20,30 @@
 
 namespace camopt {
 
-/// Beside a motion.
-enum class ColumnNeed {
-    nothing,
-    translating,
-    swinging,
-    speed_translating,
-    speed_swinging,
-    speed,
-    plane_cam,
-    loads,  ///< of a disk cam: forces
-    force,
-    moment,
-    pressure  ///< with a width of contact
+/// What a column may need beside a motion, bit by bit.
+struct ColumnNeed {
+    static constexpr unsigned speed = 1, plane_cam = 2, forces = 4, length = 8, angle = 16,
+                              contact_width = 32;
 };
 
 struct TableColumn {
     std::string key;      ///< "v_mm_s"
     std::string meaning;  ///< "velocity in mm/s"
-    ColumnNeed need = ColumnNeed::nothing;
+    unsigned need = 0;
 };
 
 /// "needs motion.speed_rpm"; empty: nothing.
-[[nodiscard]] std::string words_of(ColumnNeed need);
+[[nodiscard]] std::string words_of_need(unsigned need);
+
+/// Of a plane cam and its loads: profile.csv has them too.
+struct CamColumn {
+    const char* key;
+    const char* meaning;
+    unsigned need;
+    double (*value)(const MechanismPoint& cam, const FollowerLoads& loads);
+};
+/// Throws std::out_of_range without such a column.
+[[nodiscard]] const CamColumn& cam_column(std::string_view key);
 
 [[nodiscard]] const std::vector<TableColumn>& table_columns();
 

@@ -135,7 +135,7 @@ void NcWriter::describe_blank(const NcJob& job, double plane) {
         machine_.axes(), [](const MachineAxis& axis) { return axis.kind == AxisKind::rotary; });
     comment(fmt::format("clearance plane: {}, {:g} mm above the blank{}", word,
                         job.clearance / units::millimetre, turns ? " at any angle of the table" : ""));
-    comment(fmt::format("rapids stay {:g} mm or more from the blank; moves into and out of it are feeds",
+    comment(fmt::format("rapids stay {:g} mm or more from the blank, moves into and out of it are feeds",
                         job.safe_distance / units::millimetre));
     comment("before the start: tool clear of blank and clamps, free to go straight to the clearance plane");
 }

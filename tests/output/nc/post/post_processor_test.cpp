@@ -117,7 +117,7 @@ TEST(PostProcessor, ShapesTheText) {
         "(blank: cylinder about the axis of the cam, diameter 120.000 mm, from -25.000 to 25.000 mm "
         "along it)\n"
         "(clearance plane: Z85.000, 20 mm above the blank at any angle of the table)\n"
-        "(rapids stay 2 mm or more from the blank; moves into and out of it are feeds)\n"
+        "(rapids stay 2 mm or more from the blank, moves into and out of it are feeds)\n"
         "(before the start: tool clear of blank and clamps, free to go straight to the clearance plane)\n"
         "(WARNING: no tool call in this program, the tool must be in the spindle and measured)\n"
         "N20 G21 G90 G94\n"
