@@ -310,7 +310,7 @@ std::string words_of_need(unsigned need) {
 }
 
 const CamColumn& cam_column(std::string_view key) {
-    const auto found = std::ranges::find(cam_columns, key, &CamColumn::key);
+    const auto* const found = std::ranges::find(cam_columns, key, &CamColumn::key);
     if (found == std::end(cam_columns)) throw std::out_of_range("no column " + std::string(key));
     return *found;
 }
