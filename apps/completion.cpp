@@ -154,7 +154,8 @@ WordList fitting_words(const CLI::App& program, std::span<const char* const> wor
     const std::string_view typed = words.back();
     const Position position = position_after(program, words.first(words.size() - 1));
     if (position.option) return value_words(*position.option, typed);
-    if (const std::size_t equals = typed.find('='); typed.starts_with("--") && equals != typed.npos) {
+    if (const std::size_t equals = typed.find('=');
+        typed.starts_with("--") && equals != std::string_view::npos) {
         const CLI::Option* const option = option_named(*position.command, typed.substr(0, equals));
         WordList values = option ? value_words(*option, typed.substr(equals + 1)) : WordList();
         for (std::string& value : values)
