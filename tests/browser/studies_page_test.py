@@ -91,7 +91,7 @@ def a_page_without_scenes_says_how_to_get_them(page, made):
     assert rows == 5151, rows
     row = page.js("const row = document.querySelectorAll('.study-table tbody tr')[1234]; row.click(); return Number(row.dataset.item)")
     notice = page.js("return document.querySelector('.notice').textContent")
-    assert "carries no scenes" in notice, notice
+    assert "contains no scenes" in notice, notice
     command = page.js("return document.querySelector('.notice pre').textContent")
     assert command.startswith(f"camopt solve {scene} --set objective.velocity="), command
     solved = browser.run_camopt(made["program"], *command.split()[1:], "--json")
