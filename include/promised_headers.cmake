@@ -27,7 +27,7 @@ least change of each (explain(solution, control); solve() does it already where 
   studies/explain/relaxation.hpp)
 camopt_promise(any_curve_limit [[
 The limit that no curve can pass: any_curve_limit(input) is the least wV V + wA A + wJ J over all motions
-of bounded jerk, whatever their shape. Peaks without units. Errors: InputError for weights that are
+of bounded jerk, regardless of their shape. Peaks without units. Errors: InputError for weights that are
 negative or all zero.]]
   motions/bounds/any_curve_limit.hpp)
 camopt_promise(cam_kinds [[
@@ -276,14 +276,14 @@ camopt_promise(sweep [[
 Many solves as one table: which keys of a scene vary (SweepAxis), the rows in an order of neighbours
 (SweepPlan), a chunk of rows solved in order (solve_chunk). Values of axes are in the unit of their key. A
 row depends on the plan and on the size of its chunk, never on who solved it: chunks may be solved by
-several threads, each with SweepScenes of its own. Or a function sets what varies: sweep(scene, values,
+several threads, each with its own SweepScenes. Or a function sets what varies: sweep(scene, values,
 set).]]
   studies/sweep/sweep_axis.hpp
   studies/sweep/sweep_plan.hpp
   studies/sweep/sweep_row.hpp
   studies/sweep/sweep_run.hpp)
 camopt_promise(tables [[
-Motion and cam as CSV text: a header line, a point a row, display units, "." as decimal sign whatever the
+Motion and cam as CSV text: a header line, a point a row, display units, "." as decimal sign regardless of the
 locale.]]
   output/csv/motion_csv.hpp)
 camopt_promise(train_formulas [[

@@ -153,7 +153,7 @@ class SceneReader {
         const auto given = source_.find("objective", "reference");
         if (!given) return reference;
         if (given->value().kind == NodeKind::text) {
-            std::vector<std::string> laws = known_.laws;  // a rise without rest has no peaks of its own
+            std::vector<std::string> laws = known_.laws;  // a rise without rest has no separate peaks
             for (const std::string& moving : known_.moving_laws) std::erase(laws, moving);
             check_name(source_, *given, "objective.reference",
                        {laws, "a law of the catalogue: ", ", or a table of numbers"});

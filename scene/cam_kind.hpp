@@ -65,7 +65,7 @@ struct CamKind {
     bool only_drd = false;
     bool is_plane_curve = true;  ///< a drawing can hold it
     bool is_direct = false;      ///< it touches its follower itself: it has a workshop drawing and a solid
-    /// Keys of its own. Where an earlier kind has the key too, its texts follow those of the earlier one.
+    /// Its own keys. Where an earlier kind has the key too, its texts follow those of the earlier one.
     std::vector<KeyRow> rows;
     std::vector<CamSynonym> also_called;   ///< of keys in [cam]
     std::vector<CamSynonym> parts_called;  ///< of parts of its variants' words

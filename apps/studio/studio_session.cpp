@@ -77,9 +77,10 @@ std::string studio_answer(const Solution& solution, const std::string& text, con
     // Texts of JSON side by side: the curves need not be read to be sent on.
     std::string answer = own.dump(-1, ' ', false, Json::error_handler_t::replace);
     answer.back() = ',';
-    answer += "\"laws\":" + page_laws(solution, wishes.laws) + ",\"data\":";
+    const View view(solution);
+    answer += "\"laws\":" + page_laws(view, wishes.laws) + ",\"data\":";
     answer += page_data(
-        solution, {.scene_file = "scene.toml", .command = "camopt solve scene.toml", .scene_text = text},
+        view, {.scene_file = "scene.toml", .command = "camopt solve scene.toml", .scene_text = text},
         {.reference = wishes.stage == AnswerStage::rest ? PageReference::compared : PageReference::later,
          .proof = wishes.stage != AnswerStage::curve});
     return answer + "}";

@@ -12,7 +12,6 @@
 #include "studies/laws/law_motion.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace camopt {
@@ -40,8 +39,6 @@ Json segments_part(const View& view) {
     return all;
 }
 
-constexpr std::array<const char*, 4> curve_keys = {"displacement", "velocity", "acceleration", "jerk"};
-
 std::vector<LawStroke> strokes_for(const Solution& solution) {
     if (solution.scene.motion.type != MotionType::program) return strokes_of(solution.scene.motion);
     const CamModel model = scene_model(solution.scene, DesignKind::states, solution.reference_peaks);
@@ -50,8 +47,8 @@ std::vector<LawStroke> strokes_for(const Solution& solution) {
 
 Json law_curves(const Motion& law, const View& view) {
     Json curves = Json::object();
-    for (std::size_t order = 0; order < curve_keys.size(); ++order)
-        curves[curve_keys[order]] = numbers(view.along(law, view.units.motion[order].first));
+    for (const ShownDerivative& shown : view.units.motion)
+        curves[shown.name] = numbers(view.along(law, shown.first));
     return curves;
 }
 
@@ -158,10 +155,10 @@ std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin)
     return files;
 }
 
-std::string page_laws(const Solution& solution, std::span<const std::string> keys) {
+std::string page_laws(const View& view, std::span<const std::string> keys) {
+    const Solution& solution = view.solution;
     Json all = Json::array();
     if (solution.motion && !keys.empty()) {
-        const View view(solution);
         const std::vector<LawStroke> strokes = strokes_for(solution);
         const bool closed = solution.scene.motion.type == MotionType::program && solution.scene.motion.closed;
         for (const std::string& key : keys) {

@@ -87,6 +87,6 @@ struct PageDataOptions {
 
 /// A JSON array, one entry a key, in their order; [] for a solution without a motion. Throws InputError for a
 /// law that is not in the catalogue.
-[[nodiscard]] std::string page_laws(const Solution& solution, std::span<const std::string> keys);
+[[nodiscard]] std::string page_laws(const View& view, std::span<const std::string> keys);
 
 }  // namespace camopt

@@ -58,24 +58,14 @@ void add_values(Curve& curve, const View& view, int station, const PointFigure& 
 
 /// The summary has the magnitude of an extreme; the curve has its sign.
 double sign_at(const Curve& curve, const View& view, double x) {
-    const auto index = static_cast<std::size_t>(&view.delivered.at(x) - view.delivered.rows.data());
-    return curve.values[index] < 0.0 ? -1.0 : 1.0;
+    return curve.values[view.delivered.index_at(x)] < 0.0 ? -1.0 : 1.0;
 }
 
-/// Where sides are looked at one by one: ", inner flank"; the key of all but the first ends in its number.
-struct StationWords {
-    std::string key, title;
-};
-StationWords words_of_station(const View& view, int station) {
-    if (station == every_station) return {};
-    const std::string name = view.solution.cam->cam.formulas->station_name(station);
-    return {station == 0 ? "" : fmt::format("_{}", station + 1), name.empty() ? "" : ", " + name};
-}
-
+/// Of one station: its name in the title, and in the key of all but the first its number.
 Curve curve_at(const View& view, int station, Curve curve) {
-    const StationWords words = words_of_station(view, station);
-    curve.key += words.key;
-    curve.title += words.title;
+    if (station == every_station) return curve;
+    if (station > 0) curve.key += fmt::format("_{}", station + 1);
+    curve.title += ", " + view.solution.cam->cam.formulas->station_name(station);
     return curve;
 }
 
@@ -207,8 +197,7 @@ std::vector<Curve> cam_curves(const View& view) {
     const CamMechanism& formulas = *view.solution.cam->cam.formulas;
     const CamSummary& summary = view.solution.cam->summary;
     // Each side of a cam that drives both ways has a curvature; disks on one shaft have pressure angles too.
-    const int sides =
-        formulas.planar() && !summary.sides.empty() ? static_cast<int>(summary.sides.size()) : 0;
+    const int sides = static_cast<int>(summary.sides.size());
     const bool two_disks = sides > 0 && !formulas.groove_wall(view.solution.cam->cam.dimensions);
     std::vector<Curve> all;
     // A translating flat face has the pressure angle 0 everywhere: nothing to draw.

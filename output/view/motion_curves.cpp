@@ -15,7 +15,6 @@ namespace camopt {
 
 namespace {
 
-constexpr std::array<const char*, 4> keys = {"displacement", "velocity", "acceleration", "jerk"};
 constexpr std::array<const char*, 4> titles = {"Displacement", "Velocity", "Acceleration", "Jerk"};
 
 std::vector<CurveLimit> limits_of(const View& view, const MotionUnit& unit) {
@@ -83,11 +82,11 @@ std::vector<Curve> motion_curves(const View& view) {
     const std::vector<PeakRow> peaks = peak_comparison(view.solution, reference);
     const Motion* const measured = view.solution.measured ? view.solution.measured->motion.get() : nullptr;
     std::vector<Curve> all;
-    for (std::size_t order = 0; order < keys.size(); ++order) {
+    for (std::size_t order = 0; order < titles.size(); ++order) {
         const ShownDerivative& shown = view.units.motion[order];
         const MotionUnit& unit = shown.first;
         const PeakRow* const row = order == 0 ? nullptr : &peaks[order - 1];
-        Curve curve{keys[order], "motion", titles[order], unit.symbol, {unit.name, unit.factor}};
+        Curve curve{shown.name, "motion", titles[order], unit.symbol, {unit.name, unit.factor}};
         for (const DeliveredRow& place : view.delivered.rows)
             curve.values.push_back(unit.per_normalised * place.motion.derivative[order]);
         curve.beside = shown.beside;

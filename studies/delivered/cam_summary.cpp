@@ -62,7 +62,7 @@ class CamTurn {
         found.value = -found.value;
         return found;
     }
-    /// |φ| with s' = 0 put in, whatever rounding made of it.
+    /// |φ| with s' = 0 put in, without its rounding.
     [[nodiscard]] double pressure_angle_at_rest(double x) const {
         double largest = 0.0;
         for (int station = 0; station < cam_.formulas->stations(); ++station)
@@ -308,7 +308,7 @@ std::optional<CamExtreme> larger(const std::optional<CamExtreme>& one,
 }
 
 /// The pressure angle that the general limit compares with: of the whole cam, or of the stroke that has no
-/// limit of its own, and always where the follower rests.
+/// own limit, and always where the follower rests.
 std::optional<CamExtreme> general_pressure_angle(const LimitSpec& limits, const CamSummary& summary) {
     const bool rise = limits.rise_pressure_angle.has_value(), back = limits.return_pressure_angle.has_value();
     if (!rise && !back) return summary.pressure_angle;

@@ -94,10 +94,10 @@ std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks) {
     return rows;
 }
 
-const DeliveredRow& Delivered::at(double x) const {
+std::size_t Delivered::index_at(double x) const {
     const double near = same_row * (end() - begin());
     const auto found = std::ranges::lower_bound(rows, x - near, {}, &DeliveredRow::x);
-    return found == rows.end() ? rows.back() : *found;
+    return static_cast<std::size_t>(std::min(found, rows.end() - 1) - rows.begin());
 }
 
 Delivered sample_delivered(const Solution& solution) {

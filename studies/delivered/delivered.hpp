@@ -59,8 +59,8 @@ struct Delivered {
 
     [[nodiscard]] double begin() const { return rows.front().x; }
     [[nodiscard]] double end() const { return rows.back().x; }
-    /// The first row at x or after it, to rounding; the last one beyond the end.
-    [[nodiscard]] const DeliveredRow& at(double x) const;
+    /// Of the first row at x or after it, to rounding; of the last one beyond the end.
+    [[nodiscard]] std::size_t index_at(double x) const;
 };
 
 [[nodiscard]] Delivered sample_delivered(const Solution& solution);

@@ -79,7 +79,7 @@ double most_of_derivative(const Eigen::VectorXd& sizes, int order, double width)
 }
 
 /// The published coefficients give the curve back, as well as doubles of displacements up to the lift can: at
-/// the top they are of its size, and a motion and its mirror image are treated alike.
+/// the top they are of its size, and a motion and its mirror image are treated equally.
 std::optional<Fault> coefficient_fault(const SplineCurve& curve, const Peaks& peaks) {
     const SplineSpace& space = curve.space();
     const Eigen::VectorXd coefficients = curve.coefficients();

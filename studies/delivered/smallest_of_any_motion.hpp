@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What no motion whatever can keep, spline or not: from the smallest cam of each stroke
+// What no motion can satisfy, spline or not: from the smallest cam of each stroke
 // (motions/bounds/smallest_cam.hpp) and the limit of any curve (motions/bounds/any_curve_limit.hpp).
 //
 // A stroke is a stretch of the motion between two displacements that the scene gives: the rise, the return,
 // and of a program every segment with a given displacement at both ends. Each is held against the pressure
-// angle of its own direction.
+// angle of its direction.
 #pragma once
 
 #include "studies/delivered/solution.hpp"
