@@ -22,7 +22,7 @@
 #include "output/spatial/nc_export.hpp"
 #include "output/surface/mesh_files.hpp"
 #include "output/toolpath/tool_path_svg.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/delivered/delivered.hpp"

@@ -10,7 +10,7 @@
 #include "output/csv/uniform_csv.hpp"
 #include "output/json/json_text.hpp"
 #include "output/plc/plc_format.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 #include "solvers/registry.hpp"
 
 #include <fmt/format.h>

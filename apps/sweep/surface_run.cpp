@@ -15,7 +15,7 @@
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/surface/mesh_files.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 #include "studies/compare/law_losses.hpp"
 #include "studies/pareto/sweep_front.hpp"
 

@@ -7,7 +7,7 @@
 #include "core/text/number_parsing.hpp"
 #include "core/units.hpp"
 #include "motions/bounds/smallest_cam.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/axis_ticks.hpp"
 
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "output/chart/placed_texts.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 #include "output/words/solution_text.hpp"
 
 #include <fmt/format.h>

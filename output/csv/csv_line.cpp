@@ -2,7 +2,7 @@
 #include "output/csv/csv_line.hpp"
 
 #include "core/errors.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "core/text/split_text.hpp"
 #include "core/units.hpp"
 #include "core/whole_turn.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"

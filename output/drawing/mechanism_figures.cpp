@@ -4,8 +4,8 @@
 #include "core/units.hpp"
 #include "output/chart/placed_texts.hpp"
 #include "output/drawing/picture_page.hpp"
-#include "output/words/number_text.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include "core/whole_turn.hpp"
 #include "output/chart/placed_texts.hpp"
 #include "output/drawing/picture_page.hpp"
-#include "output/words/cam_words.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/cam_words.hpp"
+#include "output/view/number_text.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "core/units.hpp"
 #include "output/chart/plot_frame.hpp"
-#include "output/words/cam_words.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/cam_words.hpp"
+#include "output/view/number_text.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 
 #include "output/chart/svg_canvas.hpp"
 #include "output/drawing/profile_shape.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <Eigen/Core>

@@ -8,7 +8,7 @@
 
 #include "core/motion.hpp"
 #include "core/units.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 #include "profiles/sampling.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "studies/delivered/solution.hpp"

@@ -4,7 +4,7 @@
 #include "core/units.hpp"
 #include "output/drawing/follower_drawing.hpp"
 #include "output/drawing/picture_page.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 

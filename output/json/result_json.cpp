@@ -4,7 +4,7 @@
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/json/solution_json.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"

@@ -4,9 +4,9 @@
 #include "core/peak_figures.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law.hpp"
-#include "output/words/cam_words.hpp"
-#include "output/words/segment_table.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/cam_words.hpp"
+#include "output/view/segment_table.hpp"
+#include "output/view/shown_units.hpp"
 #include "splines/curve.hpp"
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/json/solution_json.hpp"
+#include "output/view/shown_units.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/reference_table_rows.hpp"
-#include "output/words/shown_units.hpp"
 #include "studies/delivered/scene_limits.hpp"
 
 #include <cstddef>

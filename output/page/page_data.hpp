@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a page shows of a solved scene, as one JSON text: words, tables, curves along the turn, the cam with
 // its follower at every cam angle. Who draws it (assets/, the studio) knows no kind of cam and computes
-// nothing but pixels; every number is in the unit that stands beside it (output/words/shown_units.hpp).
+// nothing but pixels; every number is in the unit that stands beside it (output/view/shown_units.hpp).
 //
 //   page          "report"
 //   camopt, title

@@ -5,8 +5,8 @@
 #include "output/drawing/profile_shape.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/flank_surfaces.hpp"
-#include "output/words/cam_words.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/cam_words.hpp"
+#include "output/view/number_text.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "output/json/json_text.hpp"
 #include "output/page/page_data.hpp"
+#include "output/view/text_table.hpp"
 #include "output/view/view.hpp"
-#include "output/words/text_table.hpp"
 
 #include <string>
 #include <string_view>

@@ -5,8 +5,8 @@
 #include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/plc/structured_text.hpp"
-#include "output/words/number_text.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/sheet/cam_sheet.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 

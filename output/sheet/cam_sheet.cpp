@@ -5,7 +5,7 @@
 #include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/sheet_furniture.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/delivered.hpp"
 

@@ -7,7 +7,7 @@
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/spatial/indexing_body.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "output/nc/checked_program.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <string>
 #include <vector>

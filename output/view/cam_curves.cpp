@@ -2,9 +2,9 @@
 // Quantities of the cam by the cam angle: pressure angle, curvature, regularity, loads. The extremes that are
 // marked are those of the summary, so that pictures and tables name the same angles.
 #include "core/units.hpp"
+#include "output/view/cam_words.hpp"
 #include "output/view/limit_spans.hpp"
 #include "output/view/view.hpp"
-#include "output/words/cam_words.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

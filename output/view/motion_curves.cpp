@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Displacement, velocity, acceleration and jerk by the cam angle, with limits, peaks and set points.
 #include "output/view/limit_spans.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/peak_comparison.hpp"
 #include "output/view/view.hpp"
-#include "output/words/number_text.hpp"
-#include "output/words/peak_comparison.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 // A new quantity along the motion is one row in motion_curves.cpp or cam_curves.cpp of this folder.
 #pragma once
 
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <cstddef>

@@ -2,9 +2,9 @@
 #include "output/words/comparison_words.hpp"
 
 #include "core/units.hpp"
-#include "output/words/number_text.hpp"
-#include "output/words/shown_units.hpp"
-#include "output/words/text_table.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
+#include "output/view/text_table.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/format.h>

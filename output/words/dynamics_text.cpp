@@ -2,10 +2,10 @@
 #include "output/words/dynamics_text.hpp"
 
 #include "core/units.hpp"
-#include "output/words/cam_words.hpp"
-#include "output/words/number_text.hpp"
-#include "output/words/shown_units.hpp"
-#include "output/words/text_table.hpp"
+#include "output/view/cam_words.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
+#include "output/view/text_table.hpp"
 
 #include <fmt/format.h>
 

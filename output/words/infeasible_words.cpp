@@ -2,8 +2,8 @@
 #include "output/words/infeasible_words.hpp"
 
 #include "core/units.hpp"
-#include "output/words/key_words.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/key_words.hpp"
+#include "output/view/number_text.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>

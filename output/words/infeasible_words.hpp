@@ -2,7 +2,7 @@
 // Why a scene has no motion, and what would have to change, in the user's words.
 #pragma once
 
-#include "output/words/text_table.hpp"
+#include "output/view/text_table.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <string>

@@ -3,7 +3,7 @@
 // output/.
 #pragma once
 
-#include "output/words/text_table.hpp"
+#include "output/view/text_table.hpp"
 #include "studies/papers/reference_table.hpp"
 
 #include <optional>

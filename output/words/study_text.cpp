@@ -2,12 +2,12 @@
 #include "output/words/study_text.hpp"
 
 #include "core/text/printable.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
+#include "output/view/text_table.hpp"
 #include "output/words/comparison_words.hpp"
-#include "output/words/number_text.hpp"
 #include "output/words/reference_table_rows.hpp"
-#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/text_table.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 #include <fmt/format.h>

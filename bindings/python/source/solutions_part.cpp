@@ -4,7 +4,7 @@
 #include "bindings/python/source/parts.hpp"
 #include "output/page/page_data.hpp"
 #include "output/report/report.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 #include "output/chart/plot_frame.hpp"
 #include "output/chart/studies/study_svg.hpp"
 #include "output/chart/svg_canvas.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/text_table.hpp"
 #include "output/words/comparison_words.hpp"
-#include "output/words/number_text.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include "output/chart/studies/study_svg.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/words/number_text.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 

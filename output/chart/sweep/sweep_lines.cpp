@@ -2,8 +2,8 @@
 // A quantity of a sweep over one key, or over two.
 #include "output/chart/placed_texts.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
-#include "output/words/number_text.hpp"
-#include "output/words/text_table.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/text_table.hpp"
 
 #include <fmt/format.h>
 

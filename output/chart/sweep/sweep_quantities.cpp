@@ -2,7 +2,7 @@
 #include "output/chart/sweep/sweep_quantities.hpp"
 
 #include "core/units.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 

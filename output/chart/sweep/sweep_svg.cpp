@@ -4,7 +4,7 @@
 #include "output/chart/placed_texts.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 #include <fmt/format.h>

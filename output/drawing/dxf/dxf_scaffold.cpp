@@ -3,7 +3,7 @@
 // (390), the subclass marker of the dimension styles' table, the group dictionary or the layouts.
 #include "output/drawing/dxf/dxf_scaffold.hpp"
 
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

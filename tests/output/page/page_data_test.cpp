@@ -5,7 +5,7 @@
 
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/delivered.hpp"

@@ -7,7 +7,7 @@
 #include "input/keys/scene_keys.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/report.hpp"
-#include "output/words/key_words.hpp"
+#include "output/view/key_words.hpp"
 #include "output/words/scene_words.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/explain/adjustment.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What terminal summary and report say about cams, programs and scenes that have no motion.
 #include "output/report/report.hpp"
+#include "output/view/cam_words.hpp"
+#include "output/view/key_words.hpp"
+#include "output/view/peak_comparison.hpp"
+#include "output/view/segment_table.hpp"
 #include "output/words/cam_remarks.hpp"
-#include "output/words/cam_words.hpp"
 #include "output/words/infeasible_words.hpp"
-#include "output/words/key_words.hpp"
-#include "output/words/peak_comparison.hpp"
-#include "output/words/segment_table.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/check/check_cam.hpp"
 #include "tests/output/sample_solution.hpp"

@@ -3,8 +3,8 @@
 // feasible: every change is written into the scene file as it is printed, and the file is solved.
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
+#include "output/view/key_words.hpp"
 #include "output/words/infeasible_words.hpp"
-#include "output/words/key_words.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
 

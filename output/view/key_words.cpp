@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/key_words.hpp"
+#include "output/view/key_words.hpp"
 
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/segment_table.hpp"
+#include "output/view/segment_table.hpp"
 
 #include "core/text/printable.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "output/words/number_text.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 #include "studies/delivered/solution_parts.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 

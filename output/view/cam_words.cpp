@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/cam_words.hpp"
+#include "output/view/cam_words.hpp"
 
-#include "output/words/key_words.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/key_words.hpp"
+#include "output/view/shown_units.hpp"
 #include "scene/cam_mechanism.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // The segments of a program as a table for people.
 #pragma once
 
-#include "output/words/text_table.hpp"
+#include "output/view/text_table.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <string>

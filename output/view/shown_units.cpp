@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 
 #include "core/units.hpp"
 #include "scene/limit_table.hpp"

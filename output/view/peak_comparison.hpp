@@ -4,7 +4,7 @@
 
 #include "core/motion.hpp"
 #include "core/peaks.hpp"
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 #include "scene/scene.hpp"
 #include "studies/delivered/solution.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // In which units a person reads a scene, and with which factors.
-#include "output/words/shown_units.hpp"
+#include "output/view/shown_units.hpp"
 
 #include "core/units.hpp"
 

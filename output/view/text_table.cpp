@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/text_table.hpp"
+#include "output/view/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/peak_comparison.hpp"
+#include "output/view/peak_comparison.hpp"
 
 #include "core/numbers/sampled_maximum.hpp"
 #include "core/peak_figures.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "output/words/cam_words.hpp"
-#include "output/words/number_text.hpp"
+#include "output/view/cam_words.hpp"
+#include "output/view/number_text.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/laws/law_motion.hpp"

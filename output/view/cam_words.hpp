@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/units.hpp"
-#include "output/words/number_text.hpp"
-#include "output/words/text_table.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/text_table.hpp"
 #include "scene/cam_spec.hpp"
 #include "studies/delivered/solution.hpp"
 

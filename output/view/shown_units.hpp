@@ -13,7 +13,7 @@
 // say (DisplayScale).
 #pragma once
 
-#include "output/words/number_text.hpp"
+#include "output/view/number_text.hpp"
 #include "scene/scene.hpp"
 
 #include <array>
