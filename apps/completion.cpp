@@ -4,7 +4,7 @@
 #include "apps/commands.hpp"
 #include "apps/completion/key_values.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "output/csv/uniform_csv.hpp"
+#include "output/view/columns.hpp"
 #include "output/plc/plc_format.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 

@@ -7,7 +7,7 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/csv/uniform_csv.hpp"
+#include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_export.hpp"
 #include "output/disk/disk_solid.hpp"
 #include "output/drawing/profile_shape.hpp"
@@ -303,8 +303,7 @@ void export_piece(const ExportRequest& request, const Solution& solution, const 
 
 void export_disk(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
                  Exported& result) {
-    const MotionChain motion = drawn_motion(solution);
-    const std::optional<ProfileShape> shape = delivered_shape(solution, motion);
+    const std::optional<ProfileShape> shape = delivered_shape(solution);
     if (!shape) return;
     const std::vector<ProfileShape> pieces = made_pieces(*shape);
     for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -36,72 +36,50 @@ double distance_to_chord(const Eigen::Vector3d& point, const Eigen::Vector3d& fr
 
 class Sampler {
  public:
-    Sampler(const DrivenMechanism& cam, const Motion& motion, const MotionScale& scale, int station)
-        : cam_(cam), motion_(motion), scale_(scale), station_(station) {}
+    Sampler(const CamPointAt& at, double unit_angle, double tolerance)
+        : at_(at), unit_angle_(std::abs(unit_angle)), tolerance_(tolerance) {}
 
-    [[nodiscard]] std::vector<MechanismPoint> points(const ProfileSampling& sampling) const {
-        const std::vector<double> breakpoints = motion_.breakpoints();
-        std::vector<MechanismPoint> points;
-        if (sampling.count) {
-            for (const double place : even_places(breakpoints, *sampling.count)) points.push_back(at(place));
-            return points;
-        }
-        points.push_back(at(breakpoints.front()));
-        for (std::size_t i = 1; i < breakpoints.size(); ++i)
-            append(breakpoints[i - 1], breakpoints[i], sampling.chord_tolerance, points);
-        return points;
+    [[nodiscard]] std::vector<double> places(const std::vector<double>& breakpoints) {
+        places_ = {breakpoints.front()};
+        for (std::size_t i = 1; i < breakpoints.size(); ++i) append(breakpoints[i - 1], breakpoints[i]);
+        return std::move(places_);
     }
 
  private:
-    struct Step {
-        double from = 0.0, to = 0.0;
-        Eigen::Vector3d start;
-    };
+    using Point = Eigen::Vector3d;
 
-    [[nodiscard]] MechanismPoint at(double x) const {
-        const Side side = x < motion_.end() ? Side::right : Side::left;
-        const double theta = scale_.unit_angle * x;
-        const FollowerState state = state_of(motion_.at(x, side), scale_);
-        return cam_.formulas->point(theta, {cam_.dimensions, state, theta}, station_);
-    }
-
-    /// Appends the points after `from` up to and including `to`, so dense that the chords satisfy the
+    /// Appends the places after `from` up to and including `to`, so dense that the chords satisfy the
     /// tolerance.
-    void append(double from, double to, double tolerance, std::vector<MechanismPoint>& points) const {
-        const double width = std::abs(scale_.unit_angle) * (to - from);
-        const int steps = std::max(1, static_cast<int>(std::ceil(width / widest_step)));
+    void append(double from, double to) {
+        const int steps = std::max(1, static_cast<int>(std::ceil(unit_angle_ * (to - from) / widest_step)));
         for (int i = 0; i < steps; ++i) {
             const double begin = from + (to - from) * i / steps;
             const double end = i + 1 < steps ? from + (to - from) * (i + 1) / steps : to;
-            append_step({begin, end, points.back().contact}, at(end), tolerance, points);
+            append_step(begin, end, at_(begin).contact, at_(end).contact);
         }
     }
 
-    void append_step(const Step& step, const MechanismPoint& end, double tolerance,
-                     std::vector<MechanismPoint>& points) const {
-        std::array<MechanismPoint, parts_of_step - 1> inner;
+    void append_step(double from, double to, const Point& start, const Point& end) {
+        std::array<Point, parts_of_step - 1> inner;
         bool close = true;
         for (int i = 1; i < parts_of_step; ++i) {
-            MechanismPoint& point = inner[static_cast<std::size_t>(i - 1)];
-            point = at(step.from + (step.to - step.from) * i / parts_of_step);
-            close =
-                close && distance_to_chord(point.contact, step.start, end.contact) <= seen_share * tolerance;
+            Point& point = inner[static_cast<std::size_t>(i - 1)];
+            point = at_(from + (to - from) * i / parts_of_step).contact;
+            close = close && distance_to_chord(point, start, end) <= seen_share * tolerance_;
         }
-        const bool narrow = std::abs(scale_.unit_angle) * (step.to - step.from) < 2.0 * narrowest_step;
-        if (narrow || close) {
-            points.push_back(end);
+        if (close || unit_angle_ * (to - from) < 2.0 * narrowest_step) {
+            places_.push_back(to);
             return;
         }
-        const double middle = 0.5 * (step.from + step.to);
-        const MechanismPoint& halfway = inner[parts_of_step / 2 - 1];
-        append_step({step.from, middle, step.start}, halfway, tolerance, points);
-        append_step({middle, step.to, halfway.contact}, end, tolerance, points);
+        const double middle = 0.5 * (from + to);
+        const Point& halfway = inner[parts_of_step / 2 - 1];
+        append_step(from, middle, start, halfway);
+        append_step(middle, to, halfway, end);
     }
 
-    const DrivenMechanism& cam_;
-    const Motion& motion_;
-    MotionScale scale_;
-    int station_;
+    const CamPointAt& at_;
+    double unit_angle_, tolerance_;
+    std::vector<double> places_;
 };
 
 }  // namespace
@@ -126,13 +104,27 @@ std::vector<double> even_places(const std::vector<double>& breakpoints, int coun
     return places;
 }
 
+std::vector<double> profile_places(const CamPointAt& at, const std::vector<double>& breakpoints,
+                                   double unit_angle, const ProfileSampling& sampling) {
+    if (sampling.count) return even_places(breakpoints, *sampling.count);
+    if (!(sampling.chord_tolerance > 0.0))
+        throw InputError(
+            fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
+    return Sampler(at, unit_angle, sampling.chord_tolerance).places(breakpoints);
+}
+
 std::vector<MechanismPoint> sampled_profile(const DrivenMechanism& cam, const Motion& motion,
                                             const MotionScale& scale, const ProfileSampling& sampling,
                                             int station) {
-    if (!sampling.count && !(sampling.chord_tolerance > 0.0))
-        throw InputError(
-            fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
-    return Sampler(cam, motion, scale, station).points(sampling);
+    const CamPointAt at = [&](double x) {
+        const double theta = scale.unit_angle * x;
+        const MotionPoint point = motion.at(x, x < motion.end() ? Side::right : Side::left);
+        return cam.formulas->point(theta, {cam.dimensions, state_of(point, scale), theta}, station);
+    };
+    std::vector<MechanismPoint> points;
+    for (const double x : profile_places(at, motion.breakpoints(), scale.unit_angle, sampling))
+        points.push_back(at(x));
+    return points;
 }
 
 }  // namespace camopt

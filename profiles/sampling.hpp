@@ -6,6 +6,7 @@
 #include "core/motion.hpp"
 #include "scene/cam_mechanism.hpp"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,14 @@ struct ProfileSampling {
     std::optional<int> count = {};  ///< about this many, evenly by cam angle, breakpoints besides
     double chord_tolerance = 1e-6;  ///< m: the polyline stays this close to the cam; used without a count
 };
+
+/// One side of a cam by the variable x of its motion.
+using CamPointAt = std::function<MechanismPoint(double x)>;
+
+/// The x of a profile's points, ascending, from the first breakpoint to the last, both included. Throws
+/// InputError for a sampling that is not valid.
+[[nodiscard]] std::vector<double> profile_places(const CamPointAt& at, const std::vector<double>& breakpoints,
+                                                 double unit_angle, const ProfileSampling& sampling);
 
 /// In order of the cam angle, from the motion's begin to its end, both included. `side` at a breakpoint:
 /// right (left at the end).

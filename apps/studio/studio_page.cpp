@@ -40,7 +40,7 @@ struct Download {
 };
 
 std::string motion_table(const Solution& solution, const RunOrigin&) {
-    return motion_csv(*solution.motion, solution.motion_peaks, solution.scene.motion);
+    return motion_csv(solution);
 }
 
 std::string cam_table(const Solution& solution, const RunOrigin&) {

@@ -4,7 +4,6 @@
 #include "bindings/c/handles.hpp"
 #include "bindings/c/structs.hpp"
 #include "core/units.hpp"
-#include "output/drawing/mechanism_figures.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"
 
@@ -51,15 +50,12 @@ std::vector<camopt_profile_point> profile_of(const Solution& solution, std::size
     if (points == 1 || points > most_profile_points)
         throw Failure(CAMOPT_ERROR_ARGUMENT,
                       fmt::format("points: found {}; allowed: 2 to {}, or 0", points, most_profile_points));
-    const MotionChain motion = cam_motion(solution);
-    const MotionScale scale = motion_scale(solution.scene);
-    const DrivenMechanism& cam = solution.cam->cam;
-    ProfileSampling sampling;
+    const CamPoints cam(solution.cam->cam, cam_motion(solution), motion_scale(solution.scene));
+    ProfileSampling sampling = default_sampling(cam);
     if (points > 0) sampling.count = static_cast<int>(points);
-    if (points == 0 && !cam.formulas->is_direct()) sampling.count = default_profile_points(motion, scale);
     std::vector<camopt_profile_point> all;
-    for (const MechanismPoint& point :
-         sampled_profile(cam, motion, scale, sampling, static_cast<int>(station)))
+    for (const MechanismPoint& point : sampled_profile(cam.cam(), cam.motion(), cam.scale(), sampling,
+                                                       static_cast<int>(station)))
         all.push_back(point_of(point));
     return all;
 }

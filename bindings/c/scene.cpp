@@ -42,7 +42,8 @@ std::string document_of(const camopt_solution& result, camopt_document document)
         case CAMOPT_CERTIFICATE_JSON:
             return certificate_json(solution.certificate);
         case CAMOPT_MOTION_CSV:
-            return motion_csv(motion_of(&result), solution.motion_peaks, solution.scene.motion);
+            (void)motion_of(&result);
+            return motion_csv(solution);
         case CAMOPT_MOTION_SVG:
             (void)motion_of(&result);
             return motion_svg(solution);

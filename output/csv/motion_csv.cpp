@@ -2,113 +2,204 @@
 #include "output/csv/motion_csv.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
+#include "core/text/split_text.hpp"
+#include "core/whole_turn.hpp"
 #include "output/csv/csv_line.hpp"
-#include "output/csv/uniform_csv.hpp"
+#include "output/view/columns.hpp"
 #include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace camopt {
 
 namespace {
 
-void append_cell(std::string& line, double value) {
-    line += ',';
-    line += round_trip_text(value);
+std::string header(const Columns& columns) {
+    CsvLine titles;
+    for (const TableColumn* column : columns) titles.words(column->key);
+    return titles.finish();
 }
 
-void append_values(std::string& line, const MotionPoint& point, const DerivativeScale& scale,
-                   std::size_t first) {
-    for (std::size_t r = first; r < scale.factor.size(); ++r)
-        append_cell(line, scale.factor[r] * point.derivative[r]);
+/// A row as the columns read it, of its first station.
+TableRow table_row(const View& view, const DeliveredRow& row) {
+    return {view.degrees(row.x), row.motion, row.cam.empty() ? nullptr : &row.cam.front(),
+            row.loads.value_or(FollowerLoads())};
 }
 
-/// What people read and no column shows yet: "a_m_s2", "v_rad_s".
-std::vector<MotionUnit> further_units(const DisplayScale& scale, const MotionSpec& spec) {
-    std::vector<MotionUnit> units;
-    if (!scale.by_time) return units;
-    for (const ShownDerivative& shown : shown_units(spec).motion)
-        if (std::ranges::find(scale.by_time->column, shown.first.column) == scale.by_time->column.end())
-            units.push_back(shown.first);
-    return units;
+void add_cells(CsvLine& line, const View& view, const Columns& columns, const DeliveredRow& row) {
+    const TableRow values = table_row(view, row);
+    for (const TableColumn* column : columns)
+        line.number(column->value(view.solution.scene.motion, values));
 }
 
-std::string header(const DisplayScale& scale, const MotionSpec& spec) {
-    std::string line = "theta_deg";
-    for (const std::string& column : scale.by_angle.column) line += "," + column;
-    line += ",x,y,dy,ddy,dddy";
-    if (scale.by_time) {
-        line += ",t_s";
-        for (std::size_t r = 1; r < 4; ++r) line += "," + scale.by_time->column[r];
-        for (const MotionUnit& unit : further_units(scale, spec)) line += "," + unit.column;
+std::string line_of(const View& view, const Columns& columns, const DeliveredRow& row) {
+    CsvLine line;
+    add_cells(line, view, columns, row);
+    return line.finish();
+}
+
+/// Column names that are allowed for this solution.
+std::vector<std::string> allowed_keys(const Solution& solution) {
+    std::vector<std::string> keys;
+    for (const TableColumn& column : table_columns())
+        if (has_column(solution, column)) keys.push_back(column.key);
+    return keys;
+}
+
+Columns chosen_columns(const Solution& solution, const std::vector<std::string>& keys) {
+    if (keys.empty()) return default_columns(solution);
+    for (const std::string& key : keys) {
+        const auto found = std::ranges::find(table_columns(), key, &TableColumn::key);
+        const bool known = found != table_columns().end();
+        if (!known || !has_column(solution, *found))
+            throw InputError(
+                fmt::format("--columns: found \"{}\"{}; allowed: {}", key,
+                            known ? fmt::format(", which {}", words_of_need(found->need)) : "",
+                            fmt::join(allowed_keys(solution), ", ")));
     }
-    return line + "\n";
+    return columns_of(keys);
 }
 
-std::vector<const CamColumn*> chosen_cam_columns(const ProfileColumns& columns) {
-    std::vector<const CamColumn*> chosen;
-    const auto add = [&](std::initializer_list<const char*> keys) {
-        for (const char* key : keys) chosen.push_back(&cam_column(key));
-    };
-    add({"pitch_x_mm", "pitch_y_mm", "cam_x_mm", "cam_y_mm", "normal_x", "normal_y", "pressure_angle_deg",
-         "pitch_radius_mm", "cam_radius_mm", "regularity"});
-    if (columns.face) add({"contact_offset_mm"});
-    if (columns.loads.empty()) return chosen;
-    add({columns.swings ? "moment_nm" : "force_n", "torque_nm", "normal_force_n"});
-    if (columns.pressure) add({"hertz_pressure_mpa"});
-    return chosen;
+/// Angles in degrees; none of them is a sum.
+std::vector<double> even_angles(const UniformTableOptions& options, double end) {
+    constexpr int default_rows = 361, most_rows = 1'000'000;
+    std::vector<double> angles;
+    if (!options.step_deg) {
+        const int last = options.rows.value_or(default_rows) - 1;
+        if (last < 1) throw InputError("a table: allowed: 2 rows or more");
+        for (int i = 0; i < last; ++i) angles.push_back(end * i / last);
+        angles.push_back(end);
+        return angles;
+    }
+    const double step = *options.step_deg;
+    if (!(step > 0.0 && step <= end) || end / step > most_rows)
+        throw InputError(
+            fmt::format("--step-deg: found {}; allowed: a number > 0 and <= {:.9g}, at most {} rows", step,
+                        end, most_rows));
+    constexpr double part_of_step = 1e-6;  // a row that close to the end is the end
+    for (int i = 0; i * step < end - part_of_step * step; ++i) angles.push_back(i * step);
+    angles.push_back(end);
+    return angles;
+}
+
+/// x of the angle, and the breakpoint itself where it is one but for rounding.
+double place_on(const std::vector<double>& breakpoints, double x) {
+    constexpr double same_x = 1e-12;
+    const double tolerance = same_x * std::max(1.0, breakpoints.back());
+    const auto next = std::ranges::lower_bound(breakpoints, x - tolerance);
+    if (next != breakpoints.end() && *next <= x + tolerance) return *next;
+    return std::clamp(x, breakpoints.front(), breakpoints.back());
+}
+
+std::string cell_text(double value, const std::optional<int>& digits) {
+    if (!digits || !std::isfinite(value)) return round_trip_text(value == 0.0 ? 0.0 : value);
+    return fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, *digits);
+}
+
+void refuse_digits(const std::optional<int>& digits) {
+    constexpr int most = std::numeric_limits<double>::max_digits10;
+    if (digits && (*digits < 1 || *digits > most))
+        throw InputError(fmt::format("--digits: found {}; allowed: 1 to {}", *digits, most));
 }
 
 }  // namespace
 
-std::string motion_csv(const Motion& motion, const Peaks& peaks, const MotionSpec& spec) {
-    const DisplayScale scale = display_scale(spec);
-    const std::vector<MotionUnit> further = further_units(scale, spec);
-    std::string text = header(scale, spec);
-    for (const MotionRow& row : motion_rows(motion, peaks)) {
-        const MotionPoint point = motion.at(row.x, row.side);
-        text += round_trip_text(scale.degrees_per_x * row.x);
-        append_values(text, point, scale.by_angle, 0);
-        append_cell(text, row.x);
-        for (const double value : point.derivative) append_cell(text, value);
-        if (scale.by_time) {
-            append_cell(text, scale.seconds_per_x * row.x);
-            append_values(text, point, *scale.by_time, 1);
-            for (const MotionUnit& unit : further)
-                append_cell(text, unit.per_normalised * point.derivative[unit.order]);
-        }
-        text += "\n";
+std::string motion_csv(const View& view) {
+    if (!view.solution.motion) throw InputError("a table needs a motion, and this solution has none");
+    const Columns columns = motion_columns(view.solution.scene.motion);
+    std::string text = header(columns);
+    for (const DeliveredRow& row : view.delivered.rows)
+        if (!row.closing) text += line_of(view, columns, row);
+    return text;
+}
+
+std::string profile_csv(const View& view, const std::vector<DeliveredRow>& rows) {
+    const Columns columns = profile_columns(view.solution);
+    std::string text = header(columns);
+    for (const DeliveredRow& row : rows) text += line_of(view, columns, row);
+    return text;
+}
+
+std::string guide_csv(const View& view, const std::vector<DeliveredRow>& left,
+                      const std::vector<DeliveredRow>& right) {
+    static constexpr const char* titles =
+        "theta_deg,s_mm,middle_x_mm,middle_y_mm,left_x_mm,left_y_mm,right_x_mm,right_y_mm,"
+        "pressure_angle_deg,middle_radius_mm,regularity_left,regularity_right\n";
+    static const Columns first = columns_of({"theta_deg", "s_mm", "pitch_x_mm", "pitch_y_mm", "cam_x_mm",
+                                             "cam_y_mm"}),
+                         second = columns_of({"cam_x_mm", "cam_y_mm"}),
+                         third = columns_of({"pressure_angle_deg", "pitch_radius_mm", "regularity"}),
+                         last = columns_of({"regularity"});
+    std::string text = titles;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        CsvLine line;
+        add_cells(line, view, first, left[i]);
+        add_cells(line, view, second, right[i]);
+        add_cells(line, view, third, left[i]);
+        add_cells(line, view, last, right[i]);
+        text += line.finish();
     }
     return text;
 }
 
-std::string profile_csv(const MechanismProfile& profile, const ProfileColumns& columns) {
-    if (profile.points.size() != profile.outputs.size())
-        throw InputError(fmt::format("profile.csv: {} points and {} displacements", profile.points.size(),
-                                     profile.outputs.size()));
-    if (!columns.loads.empty() && columns.loads.size() != profile.points.size())
-        throw InputError(
-            fmt::format("profile.csv: {} points and {} loads", profile.points.size(), columns.loads.size()));
-    const std::vector<const CamColumn*> of_cam = chosen_cam_columns(columns);
-    CsvLine titles;
-    titles.words("theta_deg").words(columns.swings ? "s_deg" : "s_mm");
-    for (const CamColumn* column : of_cam) titles.words(column->key);
-    std::string text = titles.finish();
-    const double unit = columns.swings ? units::degree : units::millimetre;
-    for (std::size_t i = 0; i < profile.points.size(); ++i) {
-        const MechanismPoint& point = profile.points[i];
-        const FollowerLoads loads = columns.loads.empty() ? FollowerLoads() : columns.loads[i];
-        CsvLine line;
-        line.number(point.theta / units::degree).number(profile.outputs[i] / unit);
-        for (const CamColumn* column : of_cam) line.number(column->value(point, loads));
-        text += line.finish();
+std::string UniformTable::words() const {
+    std::string said = fmt::format("{} rows over the {}, 0 to {} deg", rows,
+                                   whole_turn ? "revolution" : "motion, which is not one revolution",
+                                   short_text(end_deg, 9));
+    if (last_step_deg > 0.0)
+        said += fmt::format("; the last step is {} deg: the step does not divide the angle",
+                            short_text(last_step_deg, 6));
+    return said;
+}
+
+UniformTable uniform_table(const View& view, const UniformTableOptions& options) {
+    const Solution& solution = view.solution;
+    refuse_digits(options.digits);
+    const MotionChain motion = cam_motion(solution);
+    const Columns columns = chosen_columns(solution, options.columns);
+    const MotionSpec& spec = solution.scene.motion;
+    const std::vector<double> breakpoints = motion.breakpoints();
+    UniformTable table;
+    table.whole_turn = is_whole_turn(motion.end() * spec.unit_angle());
+    constexpr double whole = 360.0;
+    table.end_deg = table.whole_turn ? whole : as_written(view.degrees(motion.end()));
+    table.text = header(columns);
+    const std::vector<double> angles = even_angles(options, table.end_deg);
+    const bool plane = has_plane_cam(solution);
+    const LoadsAt loads = plane ? delivered_loads(solution) : nullptr;
+    for (const double theta : angles) {
+        const bool last = theta == angles.back();
+        const Side side = last ? Side::left : Side::right;
+        const double x = last ? motion.end() : place_on(breakpoints, theta / view.units.degrees_per_x);
+        TableRow row{theta, motion.at(x, side)};
+        row.motion.x = x;
+        if (plane) row.cam = &view.delivered.cam->at(row.motion, side, 0);
+        if (loads) row.loads = loads(row.motion, *row.cam);
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            table.text += (i == 0 ? "" : ",") + cell_text(columns[i]->value(spec, row), options.digits);
+        table.text += "\n";
     }
-    return text;
+    table.rows = static_cast<int>(angles.size());
+    if (options.step_deg) {
+        const double last_step = angles.back() - angles[angles.size() - 2];
+        constexpr double same_step = 1e-6;
+        if (last_step < *options.step_deg * (1.0 - same_step)) table.last_step_deg = last_step;
+    }
+    return table;
+}
+
+std::vector<std::string> column_names(std::string_view list) {
+    std::vector<std::string> names;
+    for (const std::string_view name : split_text(list, ',')) {
+        if (name.empty()) throw InputError("--columns: found an empty name; allowed: names between commas");
+        names.emplace_back(name);
+    }
+    return names;
 }
 
 }  // namespace camopt

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/csv/study_csv.hpp"
 
-#include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
+#include "output/view/shown_units.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/reference_table_rows.hpp"
 #include "scene/cost_table.hpp"
@@ -80,7 +80,7 @@ std::string dynamics_csv(const TrainStudy& study) {
     for (const TrainRow& row : study.rows)
         text += CsvLine()
                     .words(row.motion)
-                    .number(row.speed / units::revolution_per_minute)
+                    .number(rpm_shown.of(row.speed))
                     .number(row.frequency_ratio)
                     .number(row.residual)
                     .number(row.peak_deflection)
@@ -94,7 +94,7 @@ std::string dynamics_csv(const TrainStudy& study) {
 std::string history_csv(const TrainStudy& study) {
     const MotionSpec& motion = study.scene.motion;
     const bool angle = motion.lift_is_angle;
-    const double lift = motion.lift / (angle ? units::degree : units::millimetre);
+    const double lift = (angle ? degrees_shown : millimetres_shown).of(motion.lift);
     CsvLine titles;
     for (const char* title : {"motion", "speed_rpm", "theta_deg"}) titles.words(title);
     titles.words(angle ? "input_deg" : "input_mm").words(angle ? "output_deg" : "output_mm");
@@ -105,8 +105,8 @@ std::string history_csv(const TrainStudy& study) {
         for (const TrainInstant& one : history.instants)
             text += CsvLine()
                         .words(history.motion)
-                        .number(history.speed / units::revolution_per_minute)
-                        .number(one.x * motion.unit_angle() / units::degree)
+                        .number(rpm_shown.of(history.speed))
+                        .number(degrees_shown.of(one.x * motion.unit_angle()))
                         .number(one.input * lift)
                         .number(one.output * lift)
                         .number(one.acceleration * motion.lift * per_second * per_second)
@@ -133,7 +133,7 @@ std::string comparison_csv(const Comparison& comparison) {
             .count(row.feasible ? 1 : 0);
         add_figures(line, row, keys.size());
         const bool has_radius = row.base && row.base->radius;
-        line.number(has_radius ? std::optional(*row.base->radius / units::millimetre) : std::nullopt);
+        line.number(has_radius ? std::optional(millimetres_shown.of(*row.base->radius)) : std::nullopt);
         line.words(fmt::format("{}", fmt::join(broken_limits(row), "; ")));
         std::string note = row.misfit;
         if (row.base && !row.base->radius) note = "no base radius tried suffices: " + row.base->broken;

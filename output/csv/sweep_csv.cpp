@@ -3,8 +3,8 @@
 
 #include "core/errors.hpp"
 #include "core/text/number_parsing.hpp"
-#include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
+#include "output/view/shown_units.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
     for (const std::optional<double>& figure : row.figures) line.number(figure);
     for (const DimensionIndex index : columns.dimensions) {
         const std::optional<double>& value = row.dimension(index);
-        line.number(value ? std::optional(*value / units::millimetre) : std::nullopt);
+        line.number(value ? std::optional(millimetres_shown.of(*value)) : std::nullopt);
     }
     if (columns.train)
         for (const TrainColumn& column : train_columns) line.number(row.train.*column.value);
@@ -60,9 +60,9 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
 
 /// The length in m that is written as so many mm, to the last bit.
 double metres(double millimetres) {
-    const double near = millimetres * units::millimetre;
+    const double near = millimetres * millimetres_shown.size;
     for (const double value : {near, std::nextafter(near, -infinity), std::nextafter(near, infinity)})
-        if (value / units::millimetre == millimetres) return value;
+        if (millimetres_shown.of(value) == millimetres) return value;
     return near;
 }
 
@@ -205,7 +205,7 @@ void add_row(CsvLine& line, const SweepRow& row, const std::vector<DimensionInde
     for (const auto& figure : row.figures) line.number(figure);
     for (const DimensionIndex dimension : dimensions) {
         const std::optional<double>& metres = row.dimension(dimension);
-        line.number(metres ? std::optional(*metres / units::millimetre) : std::nullopt);
+        line.number(metres ? std::optional(millimetres_shown.of(*metres)) : std::nullopt);
     }
     line.words(fmt::format("{}", fmt::join(row.active_limits, "; ")));
     line.count(row.iterations).number(row.seconds_total);
@@ -273,7 +273,7 @@ std::string goal_column(const ParetoFront& front, int goal) {
 }
 
 double goal_value(const ParetoFront& front, int goal, double value) {
-    return is_dimension(front, goal) ? value / units::millimetre : value;
+    return is_dimension(front, goal) ? millimetres_shown.of(value) : value;
 }
 
 std::vector<const FrontPoint*> tabulated_points(const ParetoFront& front) {

@@ -6,6 +6,7 @@
 #include "output/disk/disk_solid.hpp"
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/nc/milling/plane_passes.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +47,7 @@ Blank blank_of(const ProfileShape& shape, const DiskNcOptions& options) {
         throw InputError(fmt::format(
             "blank: {} does not hold the cam, which has a greatest radius of {:.3f} mm and lies "
             "between {:g} mm and 0",
-            words_of(blank), greatest / units::millimetre, -options.thickness / units::millimetre));
+            words_of(blank), millimetres_shown.of(greatest), millimetres_shown.of(-options.thickness)));
     return blank;
 }
 
@@ -68,7 +69,7 @@ Blank grooved_blank(const ProfileShape& shape, const DiskNcOptions& options) {
     throw InputError(
         fmt::format("blank: {} does not hold the disk, which has a radius of {:.3f} mm and lies between "
                     "{:g} mm and 0",
-                    words_of(blank), rim / units::millimetre, -options.thickness / units::millimetre));
+                    words_of(blank), millimetres_shown.of(rim), millimetres_shown.of(-options.thickness)));
 }
 
 WantedSurface flank_surface(const ProfileShape& side, const char* name, double height) {
@@ -102,7 +103,7 @@ NcWork groove_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     job.remarks = {
         "origin: the centre of the cam, on its upper face", "the cam as it lies at its cam angle 0",
         fmt::format("the groove, {:.3f} mm wide, {:.3f} mm deep; rim, faces and bore are made before",
-                    2.0 * location.roller_radius / units::millimetre, depth / units::millimetre)};
+                    millimetres_shown.of(2.0 * location.roller_radius), millimetres_shown.of(depth))};
     CuttingTask& task = work.task;
     MillingPasses milled =
         groove_passes({roller, shape.knots, location, slot ? std::vector{1} : std::vector{1, -1}, job.blank,

@@ -8,6 +8,7 @@
 #include "output/sheet/sheet_painter.hpp"
 #include "output/surface/bspline_surface.hpp"
 #include "output/surface/mesh_cut.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +40,7 @@ double groove_depth_of(const DrawingSpec& drawing) {
         throw InputError(
             fmt::format("drawing.groove_depth: found {:.6g} mm; allowed: more than 0 and less than the "
                         "thickness, {:.6g} mm",
-                        depth / units::millimetre, thickness / units::millimetre));
+                        millimetres_shown.of(depth), millimetres_shown.of(thickness)));
     return depth;
 }
 
@@ -60,7 +61,7 @@ void check_solid(const ProfileShape& shape, const DrawingSpec& drawing) {
         throw InputError(
             fmt::format("plane cam: found a bore or keyway that reaches {:.6g} mm from the centre; allowed: "
                         "less than {:.6g} mm, the cam's least radius",
-                        drawing.reach() / units::millimetre, least_radius(shape) / units::millimetre));
+                        millimetres_shown.of(drawing.reach()), millimetres_shown.of(least_radius(shape))));
 }
 
 /// The disk that a groove is cut into.

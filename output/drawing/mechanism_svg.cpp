@@ -8,8 +8,6 @@
 #include "output/drawing/picture_page.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"
-#include "studies/delivered/delivered.hpp"
-#include "studies/delivered/driven_mechanism.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -46,27 +45,40 @@ const char* const mechanism_style =
     ".center{stroke:#444;stroke-width:1}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
     ".label{paint-order:stroke;stroke:#fff;stroke-width:4px}";
 
+const char* const guide_style =
+    ".slot{fill:#d9e8f2;stroke:none}.wall-left{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:"
+    "round}"
+    ".wall-right{fill:none;stroke:#d55e00;stroke-width:2.2;stroke-linejoin:round}"
+    ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
+    ".roller{fill:#fff;fill-opacity:.75;stroke:#b35900;stroke-width:1.8}.pivot{fill:#222;stroke:#222;stroke-"
+    "width:6}"
+    ".label{paint-order:stroke;stroke:#fff;stroke-width:4px}";
+
+std::vector<Vector2d> line_of(const std::vector<DeliveredRow>& rows, Eigen::Vector3d MechanismPoint::*place) {
+    std::vector<Vector2d> line;
+    for (const DeliveredRow& row : rows) line.emplace_back((row.cam.front().*place).head<2>());
+    return line;
+}
+
 class MechanismPage {
  public:
-    MechanismPage(const Solution& solution, const Motion& motion)
-        : solution_(solution),
-          mechanism_(solution.cam->cam),
-          motion_(motion),
-          scale_(motion_scale(solution.scene)) {
+    explicit MechanismPage(const View& view)
+        : view_(view), solution_(view.solution), points_(*view.delivered.cam), mechanism_(points_.cam()) {
+        const Motion& motion = points_.motion();
         std::tie(least_, most_) = ends();
         start_ = output_at(std::clamp(0.0, motion.begin(), motion.end()));
         now_ = shapes_at(start_);
         if (now_.empty()) throw InputError("this mechanism cannot be drawn");
         center_ = now_.front().points.front();
-        for (const MechanismPoint& point :
-             mechanism_profile(mechanism_, motion, scale_, profile_points).points) {
+        for (const double x : even_places(motion.breakpoints(), profile_points)) {
+            const MechanismPoint& point = points_.at(x);
             cam_.push_back(center_ + point.contact.head<2>());
             pitch_.push_back(center_ + point.pitch.head<2>());
             box_.add(pitch_.back());
             box_.add(cam_.back());
             radius_ = std::max(radius_, point.contact.norm());
         }
-        closed_ = is_whole_turn((motion.end() - motion.begin()) * scale_.unit_angle) &&
+        closed_ = is_whole_turn((motion.end() - motion.begin()) * points_.scale().unit_angle) &&
                   (cam_.front() - cam_.back()).norm() < same_end * radius_;
         for (const double s : {least_, most_, start_})
             for (const MechanismShape& shape : shapes_at(s))
@@ -77,13 +89,13 @@ class MechanismPage {
     }
 
     [[nodiscard]] std::string drawn() const {
-        const std::string title = solution_.scene.title.empty() ? "Cam and linkage" : solution_.scene.title;
+        const std::string title = view_.title("Cam and linkage");
         SvgCanvas canvas(picture_width, picture_height, mechanism_style + std::string(picture_style()),
                          title);
         canvas.rectangle(0, 0, picture_width, picture_height, "page");
         canvas.text(picture_left, 38, title, "title");
         const ProfileCanvas on = fitted_canvas(canvas, box_.with_room());
-        const ShownUnit length = shown_units(solution_.scene).length;
+        const ShownUnit& length = view_.units.length;
         draw_length_frame(on, length, "x, y in " + length.name + " (fixed frame)");
         on.polyline(cam_, closed_, closed_ ? "cam" : "sector");
         on.polyline(pitch_, closed_, "pitch");
@@ -98,10 +110,10 @@ class MechanismPage {
     }
 
  private:
+    const View& view_;
     const Solution& solution_;
+    const CamPoints& points_;
     const DrivenMechanism& mechanism_;
-    const Motion& motion_;
-    MotionScale scale_;
     double least_ = 0.0, most_ = 0.0, start_ = 0.0, radius_ = 0.0;
     bool closed_ = true;
     Vector2d center_;
@@ -110,14 +122,15 @@ class MechanismPage {
     PictureBox box_;
 
     [[nodiscard]] double output_at(double x) const {
-        return scale_.lift * motion_.at(x, x < motion_.end() ? Side::right : Side::left).derivative[0];
+        return points_.scale().lift * points_.motion_at(x).derivative[0];
     }
     /// The outputs between which the mechanism moves.
     [[nodiscard]] std::pair<double, double> ends() const {
+        const Motion& motion = points_.motion();
         double least = HUGE_VAL, most = -HUGE_VAL;
         for (int i = 0; i <= motion_samples; ++i) {
             const double s =
-                output_at(motion_.begin() + (motion_.end() - motion_.begin()) * i / motion_samples);
+                output_at(motion.begin() + (motion.end() - motion.begin()) * i / motion_samples);
             least = std::min(least, s);
             most = std::max(most, s);
         }
@@ -235,9 +248,67 @@ class MechanismPage {
 
 }  // namespace
 
-std::string mechanism_svg(const Solution& solution, const Motion& motion) {
-    if (!solution.cam) throw InputError("a picture of a mechanism needs one, and this solution has none");
-    return MechanismPage(solution, motion).drawn();
+std::string mechanism_svg(const View& view) {
+    if (!view.delivered.cam) throw InputError("a picture of a mechanism needs one, and this solution has none");
+    return MechanismPage(view).drawn();
+}
+
+std::string guide_svg(const View& view, const std::vector<DeliveredRow>& left_wall,
+                      const std::vector<DeliveredRow>& right_wall) {
+    const Solution& solution = view.solution;
+    const std::string title = view.title("Guide");
+    const std::vector<Vector2d> left = line_of(left_wall, &MechanismPoint::contact),
+                                right = line_of(right_wall, &MechanismPoint::contact),
+                                middle = line_of(left_wall, &MechanismPoint::pitch);
+    PictureBox box;
+    box.add(Vector2d::Zero());
+    const double radius = (left.front() - middle.front()).norm();
+    for (const std::vector<Vector2d>* line : {&left, &right, &middle})
+        for (const Vector2d& point : *line) box.add(point);
+    for (const Vector2d& point : {middle.front(), middle.back()}) {
+        box.add(point - Vector2d::Constant(radius));
+        box.add(point + Vector2d::Constant(radius));
+    }
+    SvgCanvas canvas(picture_width, picture_height, guide_style + std::string(picture_style()), title);
+    canvas.rectangle(0, 0, picture_width, picture_height, "page");
+    canvas.text(picture_left, 38, title, "title");
+    const ProfileCanvas on = fitted_canvas(canvas, box.with_room());
+    const ShownUnit& length = view.units.length;
+    draw_length_frame(on, length, "x, y in " + length.name + " (frame of the body)");
+    std::vector<Vector2d> slot = left;
+    slot.insert(slot.end(), right.rbegin(), right.rend());
+    on.polyline(slot, true, "slot");
+    on.polyline(left, false, "wall-left");
+    on.polyline(right, false, "wall-right");
+    on.polyline(middle, false, "pitch");
+    PlacedTexts labels(picture_left + 4, picture_top + 4, picture_left + picture_frame_width - 4,
+                       picture_top + picture_frame_height - 4);
+    const auto label = [&](const Vector2d& at, double distance, const std::string& words) {
+        const Vector2d px = on.place(at);
+        const std::vector<TextPlace> places = {{px.x(), px.y() + distance + 11, TextSide::middle},
+                                               {px.x(), px.y() - distance - 3, TextSide::middle},
+                                               {px.x() + distance + 3, px.y() + 4, TextSide::start},
+                                               {px.x() - distance - 3, px.y() + 4, TextSide::end},
+                                               {px.x() + distance, px.y() + distance + 11, TextSide::end}};
+        labels.draw(canvas, words, places, "label");
+    };
+    for (const auto& [point, x] :
+         {std::pair{middle.front(), left_wall.front().x}, std::pair{middle.back(), left_wall.back().x}}) {
+        on.circle(point, radius, "roller");
+        label(point, on.scale * radius, fmt::format("θ = {}°", short_text(view.degrees(x), 5)));
+    }
+    on.circle({0.0, 0.0}, on.px(5), "pivot");
+    label({0.0, 0.0}, 6, "body's pivot");
+    LegendColumn column(canvas, length, 8 + dimension_entries(solution) + figure_entries(solution));
+    column.sample("wall-left", "left wall");
+    column.sample("wall-right", "right wall");
+    column.sample("pitch", "path of the roller's centre");
+    column.sample("roller", "roller at both ends");
+    column.heading("dimensions");
+    add_dimensions(column, solution);
+    column.heading("figures");
+    add_figures(column, solution);
+    return canvas.finish();
 }
 
 }  // namespace camopt

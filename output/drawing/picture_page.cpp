@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "output/view/shown_units.hpp"
 #include "output/drawing/picture_page.hpp"
 
 #include "core/units.hpp"
@@ -22,7 +23,6 @@ constexpr double picture_margin = 0.05;                  // of the picture's siz
 constexpr double entry_height = 21, least_entry = 15.5;  // px
 constexpr double heading_room = 8, sample_length = 30, sample_words = 40, number_right = 215;
 
-using units::degree;
 
 void add_lines(LegendColumn& column, const ProfileShape& shape, bool undercut) {
     const CamMechanism& cam = shape.formulas();
@@ -33,7 +33,7 @@ void add_lines(LegendColumn& column, const ProfileShape& shape, bool undercut) {
     if (shape.has_roller()) column.sample("pitch", "pitch curve (roller centre)");
     column.sample("circle", "base circle");
     if (shape.has_roller()) column.sample("prime", "prime circle");
-    column.sample("follower", fmt::format("follower at θ = {}°", short_text(shape.start / degree)));
+    column.sample("follower", fmt::format("follower at θ = {}°", short_text(degrees_shown.of(shape.start))));
     column.sample("ghost", "follower every 60°");
     column.sample("mark", "contact every 30°");
     if (!shape.closed && !shape.open_because.empty()) column.sample("open", "open: not given");
@@ -45,7 +45,7 @@ void add_named_dimensions(LegendColumn& column, const ProfileShape& shape, bool 
         if (dimension.of_form != of_form) continue;
         if (dimension.is_angle)
             column.value(words_of(dimension.name),
-                         std::string_view(short_text(dimension.value / degree) + " deg"));
+                         std::string_view(short_text(degrees_shown.of(dimension.value)) + " deg"));
         else
             column.value(words_of(dimension.name), dimension.value);
     }
@@ -71,7 +71,7 @@ ProfileCanvas fitted_canvas(SvgCanvas& canvas, const PictureBox& box) {
 }
 
 void draw_length_frame(const ProfileCanvas& drawing, const ShownUnit& length, std::string_view words) {
-    const double one = drawing.scale / length.factor;
+    const double one = drawing.scale * length.size;
     const double right = picture_left + picture_frame_width, bottom = picture_top + picture_frame_height;
     PlotFrame frame;
     frame.horizontal = {(picture_left - drawing.origin.x()) / one, (right - drawing.origin.x()) / one,
@@ -191,11 +191,11 @@ void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, bool unde
     }
     column.words(fmt::format("turns {}", name_of(cam.rotation())));
     if (!shape.closed && shape.open_because.empty())
-        column.words(fmt::format("open: θ from {}° to {}°", short_text(shape.begin() / degree),
-                                 short_text(shape.end() / degree)));
+        column.words(fmt::format("open: θ from {}° to {}°", short_text(degrees_shown.of(shape.begin())),
+                                 short_text(degrees_shown.of(shape.end()))));
     if (!shape.closed && !shape.open_because.empty()) {
-        column.words(fmt::format("OPEN: θ = {}° … {}°", short_text(shape.begin() / degree),
-                                 short_text(shape.end() / degree)),
+        column.words(fmt::format("OPEN: θ = {}° … {}°", short_text(degrees_shown.of(shape.begin())),
+                                 short_text(degrees_shown.of(shape.end()))),
                      "warning");
         const std::string& why = shape.open_because;
         const std::size_t colon = why.find(": ");

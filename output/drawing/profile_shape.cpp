@@ -68,32 +68,29 @@ std::vector<ProfileShape> made_pieces(const ProfileShape& shape) {
     return {std::move(first), std::move(second)};
 }
 
-ProfileShape profile_shape(const DrivenMechanism& cam, const Motion& motion, const MotionScale& scale) {
+ProfileShape profile_shape(const std::shared_ptr<const CamPoints>& points) {
     ProfileShape shape;
-    shape.cam = cam;
-    for (const double x : motion.breakpoints()) shape.knots.push_back(scale.unit_angle * x);
+    shape.cam = points->cam();
+    const double unit_angle = points->scale().unit_angle;
+    for (const double x : points->motion().breakpoints()) shape.knots.push_back(unit_angle * x);
     shape.start = std::clamp(0.0, shape.begin(), shape.end());
-    const auto points_of = [cam, &motion, scale](int station) {
-        return [cam, &motion, scale, station](double theta) {
-            const double last = motion.end(), x = std::clamp(theta / scale.unit_angle, motion.begin(), last);
-            const MotionPoint point = motion.at(x, x < last ? Side::right : Side::left);
-            return cam.formulas->point(theta, {cam.dimensions, state_of(point, scale), theta}, station);
-        };
+    const auto points_of = [&](int station) {
+        return [points, unit_angle, station](double theta) { return points->at(theta / unit_angle, station); };
     };
     shape.at = points_of(0);
-    if (cam.formulas->stations() > 1) shape.other = points_of(1);
+    if (shape.formulas().stations() > 1) shape.other = points_of(1);
     const Vector2d gap = in_plane(shape.at(shape.end()).contact - shape.at(shape.begin()).contact);
     shape.closed =
         is_whole_turn(shape.end() - shape.begin()) && gap.norm() < same_place * shape.base_radius();
     return shape;
 }
 
-std::optional<ProfileShape> delivered_shape(const Solution& solution, const Motion& motion) {
-    if (!solution.cam || !solution.cam->cam.formulas->is_direct()) return std::nullopt;
-    ProfileShape shape = profile_shape(solution.cam->cam, motion, motion_scale(solution.scene));
-    shape.face_half_width = solution.scene.cam->face_half_width;
-    if (!shape.closed) shape.open_because = open_because(solution);
-    shape.length = shown_units(solution.scene).length;
+std::optional<ProfileShape> delivered_shape(const View& view) {
+    if (!view.delivered.cam || !view.delivered.cam->cam().formulas->is_direct()) return std::nullopt;
+    ProfileShape shape = profile_shape(view.delivered.cam);
+    shape.face_half_width = view.solution.scene.cam->face_half_width;
+    if (!shape.closed) shape.open_because = open_because(view.solution);
+    shape.length = view.units.length;
     return shape;
 }
 

@@ -8,14 +8,14 @@
 
 #include "core/motion.hpp"
 #include "core/units.hpp"
-#include "output/view/shown_units.hpp"
+#include "output/view/view.hpp"
 #include "profiles/sampling.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "studies/delivered/solution.hpp"
 
 #include <Eigen/Core>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,7 +34,7 @@ struct ProfileShape {
     std::string open_because = {};  ///< what is missing where it is open; empty: nothing is said of it
     /// m: of a flat face that is pushed straight; none: it is drawn as wide as the contact needs, and wider.
     std::optional<double> face_half_width = {};
-    ShownUnit length = {"mm", 1.0 / units::millimetre};  ///< in which its drawings are labelled
+    ShownUnit length = {"mm", units::millimetre};  ///< in which its drawings are labelled
 
     [[nodiscard]] double begin() const { return knots.front(); }
     [[nodiscard]] double end() const { return knots.back(); }
@@ -71,13 +71,15 @@ struct ProfileShape {
 /// circle. Keeps what the shape keeps.
 [[nodiscard]] std::vector<ProfileShape> made_pieces(const ProfileShape& shape);
 
-/// Keeps a reference to the motion. Closed where the motion takes a whole turn and its end meets its begin.
-[[nodiscard]] ProfileShape profile_shape(const DrivenMechanism& cam, const Motion& motion,
-                                         const MotionScale& scale);
+/// Closed where the motion takes a whole turn and its end meets its begin.
+[[nodiscard]] ProfileShape profile_shape(const std::shared_ptr<const CamPoints>& points);
+[[nodiscard]] inline ProfileShape profile_shape(const DrivenMechanism& cam, const MotionChain& motion,
+                                                const MotionScale& scale) {
+    return profile_shape(std::make_shared<CamPoints>(cam, motion, scale));
+}
 
-/// Of a delivered cam along its whole motion (drawn_motion of studies/delivered/delivered.hpp), to which it
-/// keeps a reference; none: the solution has no cam that its follower touches itself.
-[[nodiscard]] std::optional<ProfileShape> delivered_shape(const Solution& solution, const Motion& motion);
+/// Of the delivered cam along its drawn motion; none: the solution has no cam that its follower touches itself.
+[[nodiscard]] std::optional<ProfileShape> delivered_shape(const View& view);
 
 /// `steps` angles or more, evenly over the shape, with every knot seen from inside its two neighbours:
 /// piece by piece, both ends included.

@@ -5,6 +5,7 @@
 #include "output/drawing/follower_drawing.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -176,7 +177,7 @@ bool draw_undercut(const ProfileCanvas& drawing, const Pieces& pieces) {
 /// From 0 to 360: a dwell arc may lie before the motion.
 double turned_degrees(double theta) {
     const double turns = std::floor(theta / units::turn + 1e-9);
-    return theta == 0.0 ? 0.0 : std::abs((theta - turns * units::turn) / degree);
+    return theta == 0.0 ? 0.0 : std::abs(degrees_shown.of(theta - turns * units::turn));
 }
 
 /// Where marks crowd, on a sharp nose, the later labels stay away.

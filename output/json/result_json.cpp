@@ -4,6 +4,7 @@
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/json/solution_json.hpp"
+#include "output/view/columns.hpp"
 #include "output/view/shown_units.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/delivered/scene_limits.hpp"
@@ -22,23 +23,15 @@ void add_proof_of_any_curve(Json& bound, const Solution& solution) {
     bound["source"] = words_json(solution.solver.proof_source);
 }
 
-/// The peaks in the units of the drawing, named like the columns of motion.csv.
+/// The peaks in physical units, named like the columns of motion.csv.
 Json physical_peaks_json(const Solution& solution) {
     if (!solution.motion) return nullptr;
-    const DisplayScale scale = display_scale(solution.scene.motion);
     const Peaks& peaks = solution.motion_peaks;
-    const double values[] = {peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
+    TableRow row;
+    row.motion.derivative = {0.0, peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
     Json json = Json::object();
-    const auto add = [&](const DerivativeScale& derivatives) {
-        for (std::size_t r = 1; r <= 3; ++r)
-            json[derivatives.column[r]] = number_json(derivatives.factor[r] * values[r - 1]);
-    };
-    add(scale.by_angle);
-    if (!scale.by_time) return json;
-    add(*scale.by_time);
-    for (const ShownDerivative& shown : shown_units(solution.scene.motion).motion)
-        if (const MotionUnit& unit = shown.first; unit.order > 0 && !json.contains(unit.column))
-            json[unit.column] = number_json(unit.per_normalised * values[unit.order - 1]);
+    for (const TableColumn* column : motion_columns(solution.scene.motion))
+        if (column->order > 0) json[column->key] = number_json(column->value(solution.scene.motion, row));
     return json;
 }
 
@@ -54,7 +47,7 @@ Json reference_json(const Solution& solution) {
 
 /// Numbers that the scene wants at a place or along a region, in the units they were written in.
 Json set_points_json(const Solution& solution) {
-    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    const double degrees_per_x = file_units(solution.scene).degrees_per_x;
     Json list = Json::array();
     for (const SetPointReport& report :
          set_point_reports(solution.scene.motion, solution.scene.spline.degree, *solution.motion)) {
@@ -74,15 +67,15 @@ Json set_points_json(const Solution& solution) {
 /// A measured motion as a spline: its error, and what the optimum gains over it.
 Json measured_json(const Solution& solution) {
     const MeasuredReport& measured = *solution.measured;
-    const DisplayScale scale = display_scale(solution.scene.motion);
-    const std::string unit = solution.scene.motion.lift_is_angle ? "deg" : "mm";
+    const ShownUnits units = file_units(solution.scene);
+    const MotionUnit& output = units.motion[0].first;
     const double objective = solution.certificate.objective;
     const bool gains = measured.objective && solution.motion && *measured.objective > 0.0;
     return {{"name", words_json(measured.name)},
             {"rows", measured.rows},
-            {"largest_error_" + unit, number_json(measured.largest_error * scale.by_angle.factor[0])},
-            {"rms_error_" + unit, number_json(measured.rms_error * scale.by_angle.factor[0])},
-            {"at_deg", number_json(measured.at * scale.degrees_per_x)},
+            {"largest_error_" + output.name, number_json(measured.largest_error * output.per_normalised)},
+            {"rms_error_" + output.name, number_json(measured.rms_error * output.per_normalised)},
+            {"at_deg", number_json(measured.at * units.degrees_per_x)},
             {"peaks", peaks_json(measured.peaks)},
             {"objective", number_json(measured.objective)},
             {"gain_percent",
@@ -91,7 +84,7 @@ Json measured_json(const Solution& solution) {
 }
 
 Json constraints_json(const Solution& solution) {
-    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    const double degrees_per_x = file_units(solution.scene).degrees_per_x;
     Json list = Json::array();
     for (const ConstraintReport& row : solution.constraints) {
         list.push_back({{"name", row.name},
@@ -110,7 +103,7 @@ Json constraints_json(const Solution& solution) {
 
 /// Terms that the program brought; scene files have none.
 Json own_terms_json(const Solution& solution) {
-    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    const double degrees_per_x = file_units(solution.scene).degrees_per_x;
     Json list = Json::array();
     for (const OwnTermReport& term : solution.own_terms)
         list.push_back({{"name", term.name},
@@ -170,7 +163,7 @@ Json explanation_json(const Explanation& explanation) {
 }
 
 Json conflict_json(const Solution& solution) {
-    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    const double degrees_per_x = file_units(solution.scene).degrees_per_x;
     Json list = Json::array();
     for (const ConflictReport& row : solution.conflict) {
         list.push_back({{"key", row.key},

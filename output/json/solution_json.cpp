@@ -2,12 +2,13 @@
 #include "output/json/solution_json.hpp"
 
 #include "core/peak_figures.hpp"
-#include "core/units.hpp"
 #include "motions/laws/law.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/segment_table.hpp"
 #include "output/view/shown_units.hpp"
 #include "splines/curve.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
@@ -26,45 +27,48 @@ Json curve_json(const SplineCurve& curve) {
             {"pieces", std::move(pieces)}};
 }
 
-using units::degree, units::millimetre;
-
-constexpr double megapascal = 1e6;
-
-/// Writes extremes of one solution: the value in a unit, and where.
+/// Writes extremes of one solution in the units of files: the value, and where.
 class Writer {
  public:
-    explicit Writer(const Solution& solution) : degrees_per_x_(solution.scene.motion.unit_angle() / degree) {}
+    explicit Writer(const Scene& scene) : units(file_units(scene)), swings_(scene.motion.lift_is_angle) {}
 
-    [[nodiscard]] Json degrees(double x) const { return number_json(degrees_per_x_ * x); }
-    [[nodiscard]] Json extreme(const CamExtreme& extreme, double unit) const {
-        return {{"value", number_json(extreme.value / unit)}, {"at_deg", degrees(extreme.at)}};
+    [[nodiscard]] Json degrees(double x) const { return number_json(units.degrees_per_x * x); }
+    /// The output's: "play_deg", "play_mm".
+    [[nodiscard]] std::string output_key(const char* name) const {
+        return fmt::format("{}_{}", name, swings_ ? "deg" : "mm");
     }
-    [[nodiscard]] Json extreme(const std::optional<CamExtreme>& found, double unit) const {
-        return found ? extreme(*found, unit) : Json(nullptr);
+    [[nodiscard]] double output(double value) const {
+        return (swings_ ? units.angle : units.length).of(value);
     }
+    /// A figure into its key.
+    template <class Summary>
+    void add(Json& json, const FigureRow<Summary>& row, const Summary& summary) const {
+        const std::optional<CamExtreme> extreme = row.of(summary);
+        Json& place = json[swings_ && row.key_of_moment != nullptr ? row.key_of_moment : row.key];
+        place = nullptr;
+        if (extreme)
+            place = {{"value", number_json((units.*row.unit).of(extreme->value))},
+                     {"at_deg", degrees(extreme->at)}};
+    }
+
+    const ShownUnits units;
 
  private:
-    double degrees_per_x_;
+    bool swings_;
 };
 
-Json forces_json(const Writer& writer, const CamReport& cam) {
-    if (!cam.summary.forces) return nullptr;
-    const ForceSummary& forces = *cam.summary.forces;
-    const bool swings = cam.cam.formulas->swings();
+Json forces_json(const Writer& writer, const std::optional<ForceSummary>& forces) {
+    if (!forces) return nullptr;
     Json json = Json::object();
-    json[swings ? "least_moment_nm" : "least_force_n"] = writer.extreme(forces.least_force, 1.0);
-    json[swings ? "largest_moment_nm" : "largest_force_n"] = writer.extreme(forces.largest_force, 1.0);
-    json["torque_nm"] = writer.extreme(forces.torque, 1.0);
-    json["normal_force_n"] = writer.extreme(forces.normal_force, 1.0);
-    json["hertz_pressure_mpa"] = writer.extreme(forces.hertz_pressure, megapascal);
+    for (const auto& row : force_figure_rows()) writer.add(json, row, *forces);
     return json;
 }
 
 Json smallest_json(const Writer& writer, const std::optional<SmallestCamReport>& smallest) {
     if (!smallest) return nullptr;
-    return {{"prime_radius_mm", number_json(smallest->prime_radius / millimetre)},
-            {"given_mm", number_json(smallest->given / millimetre)},
-            {"pressure_angle_deg", number_json(smallest->pressure_angle / degree)},
+    return {{"prime_radius_mm", number_json(writer.units.length.of(smallest->prime_radius))},
+            {"given_mm", number_json(writer.units.length.of(smallest->given))},
+            {"pressure_angle_deg", number_json(writer.units.angle.of(smallest->pressure_angle))},
             {"stroke", smallest->rises ? "rise" : "return"},
             {"from_deg", writer.degrees(smallest->begin)},
             {"to_deg", writer.degrees(smallest->end)}};
@@ -80,42 +84,35 @@ Json exact_dimensions_json(const CamSpec& spec, const std::vector<double>& numbe
     return json;
 }
 
-Json play_json(const Writer& writer, const ForwardCheckReport::Play& play, bool swings) {
-    const double unit = swings ? degree : millimetre;
-    Json json = {{swings ? "least_deg" : "least_mm", number_json(play.least / unit)},
+Json play_json(const Writer& writer, const ForwardCheckReport::Play& play) {
+    Json json = {{writer.output_key("least"), number_json(writer.output(play.least))},
                  {"least_at_deg", writer.degrees(play.least_at)},
-                 {swings ? "largest_deg" : "largest_mm", number_json(play.largest / unit)},
+                 {writer.output_key("largest"), number_json(writer.output(play.largest))},
                  {"largest_at_deg", writer.degrees(play.largest_at)}};
     if (play.least_groove_width)
-        json["least_groove_width_mm"] = number_json(*play.least_groove_width / millimetre);
+        json["least_groove_width_mm"] = number_json(writer.units.length.of(*play.least_groove_width));
     return json;
 }
 
 /// Of a cam that drives both ways.
 Json sides_json(const Writer& writer, const std::vector<SideSummary>& sides) {
     Json all = Json::array();
-    for (const SideSummary& side : sides)
-        all.push_back({{"name", side.name},
-                       {"pressure_angle_deg", writer.extreme(side.pressure_angle, degree)},
-                       {"convex_radius_mm", writer.extreme(side.convex_radius, millimetre)},
-                       {"concave_radius_mm", writer.extreme(side.concave_radius, millimetre)},
-                       {"regularity", writer.extreme(side.regularity, 1.0)},
-                       {"normal_force_n", writer.extreme(side.normal_force, 1.0)},
-                       {"hertz_pressure_mpa", writer.extreme(side.hertz_pressure, megapascal)}});
+    for (const SideSummary& side : sides) {
+        Json json = {{"name", side.name}};
+        for (const auto& row : side_figure_rows()) writer.add(json, row, side);
+        all.push_back(std::move(json));
+    }
     return all;
 }
 
-Json forward_check_json(const Writer& writer, const Solution& solution) {
-    const std::optional<ForwardCheckReport>& check = solution.cam->forward_check;
+Json forward_check_json(const Writer& writer, const std::optional<ForwardCheckReport>& check) {
     if (!check) return nullptr;
-    const bool swings = solution.scene.motion.lift_is_angle;
-    Json json = {{swings ? "deviation_deg" : "deviation_mm",
-                  number_json(check->deviation / (swings ? degree : millimetre))},
+    Json json = {{writer.output_key("deviation"), number_json(writer.output(check->deviation))},
                  {"relative", number_json(check->relative)},
                  {"points", check->points},
                  {"seconds", number_json(check->seconds)},
                  {"at_deg", writer.degrees(check->at)}};
-    if (check->play) json["play"] = play_json(writer, *check->play, swings);
+    if (check->play) json["play"] = play_json(writer, *check->play);
     return json;
 }
 
@@ -168,7 +165,7 @@ Json peaks_json(const std::optional<Peaks>& peaks) {
 
 Json segments_json(const Solution& solution) {
     if (solution.segments.empty()) return nullptr;
-    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    const double degrees_per_x = file_units(solution.scene).degrees_per_x;
     Json list = Json::array();
     for (const SegmentReport& segment : solution.segments) {
         const bool open = segment.continuity < 0;
@@ -198,34 +195,26 @@ Json cam_json(const Solution& solution) {
     const CamSummary& summary = cam.summary;
     const CamSpec& spec = solution.scene.cam.value();
     const bool direct = cam.cam.formulas->is_direct();
-    const Writer writer(solution);
+    const Writer writer(solution.scene);
     Json json = Json::object();
     json["type"] = spec.type;
     for (const auto& [name, choice] : spec.choices) json[name] = choice;
     json["rotation"] = name_of(spec.rotation);
-    json["pressure_angle_deg"] = writer.extreme(summary.pressure_angle, degree);
-    if (direct) {
-        json["rise_pressure_angle_deg"] = writer.extreme(summary.rise_pressure_angle, degree);
-        json["return_pressure_angle_deg"] = writer.extreme(summary.return_pressure_angle, degree);
-        json["rest_pressure_angle_deg"] = writer.extreme(summary.rest_pressure_angle, degree);
+    for (const auto& row : cam_figure_rows()) {
+        const bool has_it = row.of(summary).has_value() || !row.only_where_found;
+        if (has_it && (direct || !row.of_direct_cams)) writer.add(json, row, summary);
     }
-    json["convex_radius_mm"] = writer.extreme(convex_radius(summary), millimetre);
-    json["concave_radius_mm"] = writer.extreme(summary.concave_radius, millimetre);
-    json["regularity"] = writer.extreme(summary.regularity, 1.0);
     json["undercut"] = summary.undercut();
-    if (direct)
-        json["no_contact_at_deg"] = summary.no_contact ? writer.degrees(*summary.no_contact) : Json(nullptr);
-    if (summary.contact_offset)
-        json["contact_offset_mm"] = writer.extreme(summary.contact_offset, millimetre);
     if (direct) {
+        json["no_contact_at_deg"] = summary.no_contact ? writer.degrees(*summary.no_contact) : Json(nullptr);
         json["smallest"] = smallest_json(writer, cam.smallest);
-        json["forces"] = forces_json(writer, cam);
+        json["forces"] = forces_json(writer, summary.forces);
     } else {
-        json["base_radius_mm"] = number_json(summary.base_radius / millimetre);
+        json["base_radius_mm"] = number_json(writer.units.length.of(summary.base_radius));
     }
     if (!summary.sides.empty()) json["sides"] = sides_json(writer, summary.sides);
     json["dimensions"] = exact_dimensions_json(spec, cam.cam.dimensions);
-    json["forward_check"] = forward_check_json(writer, solution);
+    json["forward_check"] = forward_check_json(writer, cam.forward_check);
     return json;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/study_json.hpp"
 
-#include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/json/solution_json.hpp"
@@ -16,13 +15,9 @@ namespace camopt {
 
 namespace {
 
-double rpm_of(double speed) {
-    return speed / units::revolution_per_minute;
-}
-
 Json frequencies_json(const std::vector<double>& frequencies) {
     Json list = Json::array();
-    for (const double one : frequencies) list.push_back(number_json(one / units::turn));
+    for (const double one : frequencies) list.push_back(number_json(hertz_shown.of(one)));
     return list;
 }
 
@@ -32,7 +27,7 @@ const char* force_name(const Scene& scene) {
 
 Json train_row_json(const Scene& scene, const TrainRow& row) {
     return {{"motion", row.motion},
-            {"speed_rpm", number_json(rpm_of(row.speed))},
+            {"speed_rpm", number_json(rpm_shown.of(row.speed))},
             {"frequency_ratio", number_json(row.frequency_ratio)},
             {"residual", number_json(row.residual)},
             {"peak_deflection", number_json(row.peak_deflection)},
@@ -47,7 +42,7 @@ Json motions_json(const TrainStudy& study) {
         const std::optional<double>& speed = study.lift_off_speeds[i];
         list.push_back({{"motion", study.motions[i].first},
                         {"title", study.motions[i].second},
-                        {"lifts_off_at_rpm", speed ? number_json(rpm_of(*speed)) : Json(nullptr)}});
+                        {"lifts_off_at_rpm", speed ? number_json(rpm_shown.of(*speed)) : Json(nullptr)}});
     }
     return list;
 }
@@ -55,7 +50,7 @@ Json motions_json(const TrainStudy& study) {
 Json steady_json(const TrainStudy& study) {
     Json list = Json::array();
     for (const SteadyRow& row : study.steady)
-        list.push_back({{"speed_rpm", number_json(rpm_of(row.speed))},
+        list.push_back({{"speed_rpm", number_json(rpm_shown.of(row.speed))},
                         {"peak_deflection", number_json(row.peak_deflection)},
                         {"peak_acceleration", number_json(row.peak_acceleration)},
                         {force_name(study.scene), number_json(row.least_force)}});
@@ -65,8 +60,8 @@ Json steady_json(const TrainStudy& study) {
 Json worst_json(const Scene& scene, const char* name, const std::optional<ResponseReport>& worst) {
     if (!worst) return nullptr;
     return {{name, number_json(worst->value)},
-            {"speed_rpm", number_json(rpm_of(worst->speed))},
-            {"at_deg", number_json(worst->at * display_scale(scene.motion).degrees_per_x)}};
+            {"speed_rpm", number_json(rpm_shown.of(worst->speed))},
+            {"at_deg", number_json(worst->at * file_units(scene).degrees_per_x)}};
 }
 
 Json limits_json(const ComparisonRow& row, double degrees_per_x) {
@@ -90,7 +85,7 @@ Json limits_json(const ComparisonRow& row, double degrees_per_x) {
 Json base_json(const ComparisonRow& row) {
     if (!row.base) return nullptr;
     const std::optional<double>& radius = row.base->radius;
-    return {{"needed_mm", radius ? number_json(*radius / units::millimetre) : Json(nullptr)},
+    return {{"needed_mm", radius ? number_json(millimetres_shown.of(*radius)) : Json(nullptr)},
             {"stays_broken", words_json(row.base->broken)}};
 }
 
@@ -116,9 +111,9 @@ Json dimensions_json(const Comparison& comparison) {
     for (std::size_t i = 0; i < spec->dimensions.size(); ++i) {
         const CamDimension& dimension = spec->dimensions[i];
         if (dimension.value.key.empty()) continue;  // this variant has no such dimension
-        const double unit = dimension.is_angle ? units::degree : units::millimetre;
+        const ShownUnit& unit = dimension.is_angle ? degrees_shown : millimetres_shown;
         json[dimension.name + (dimension.is_angle ? "_deg" : "_mm")] =
-            number_json(comparison.cam->dimensions[i] / unit);
+            number_json(unit.of(comparison.cam->dimensions[i]));
     }
     return json;
 }
@@ -263,7 +258,7 @@ Json train_json(const Solution& solution) {
     Json json;
     json["natural_frequencies_hz"] = frequencies_json(train.natural_frequencies);
     json["frequency_ratio"] = number_json(train.frequency_ratio);
-    json["speed_range_rpm"] = {number_json(rpm_of(train.speeds[0])), number_json(rpm_of(train.speeds[1]))};
+    json["speed_range_rpm"] = {number_json(rpm_shown.of(train.speeds[0])), number_json(rpm_shown.of(train.speeds[1]))};
     json["residual"] = worst_json(scene, "lifts", train.residual);
     json["acceleration"] = worst_json(scene, "normalised", train.acceleration);
     json["contact_force"] =
@@ -280,7 +275,7 @@ Json train_json(const Solution& solution) {
 std::string comparison_json(const Comparison& comparison, const RunOrigin& origin) {
     const Solution& solution = comparison.optimum;
     const Certificate& certificate = solution.certificate;
-    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    const double degrees_per_x = file_units(solution.scene).degrees_per_x;
     Json json;
     json["camopt"] = version();
     json["study"] = "compare";

@@ -7,7 +7,6 @@
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"
-#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <Eigen/Geometry>
@@ -31,7 +30,7 @@ constexpr int outline_points = 720;
 /// not 12.299999999999999.
 void append(Json& list, const ShownUnit& unit, const Eigen::Ref<const Eigen::VectorXd>& point) {
     for (const double coordinate : point) {
-        const double shown = unit.factor * coordinate;
+        const double shown = unit.of(coordinate);
         list.push_back(std::isfinite(shown) ? Json(std::round(shown * drawn_steps) / drawn_steps)
                                             : Json(nullptr));
     }
@@ -115,21 +114,27 @@ Json parts_of(const PlaneCourse& course) {
             for (const Vector2d& point : place) append(points, course.length, point);
         parts.push_back({{"kind", name_of_kind(first.kind)},
                          {"name", words_of(first.name)},
-                         {"radius", rounded_json(course.length.factor * first.radius)},
+                         {"radius", rounded_json(course.length.of(first.radius))},
                          {"count", places.front().size()},
                          {"points", std::move(points)}});
     }
     return parts;
 }
 
-Json outline(const PlaneCourse& course, const MechanismProfile& profile, const char* name, bool pitch) {
+/// The cam along its own motion, without the dwell of a DRD cam.
+Json outline(const PlaneCourse& course, int station, std::string_view name, bool pitch) {
     Json points = Json::array();
-    const auto place = [&](const MechanismPoint& point) -> const Vector3d& {
-        return pitch ? point.pitch : point.contact;
-    };
-    for (const MechanismPoint& point : profile.points) append(points, course.length, place(point).head<2>());
-    const double gap = (place(profile.points.front()) - place(profile.points.back())).norm();
-    const bool turn = profile.points.back().theta - profile.points.front().theta > units::turn - still;
+    const CamPoints& cam = *course.view.delivered.cam;
+    const MotionChain& motion = *course.view.delivered.whole;
+    std::vector<const Vector3d*> places;
+    for (const double x : even_places(motion.breakpoints(), outline_points)) {
+        const Side side = x < motion.end() ? Side::right : Side::left;
+        const MechanismPoint& point = cam.at(motion.at(x, side), side, station);
+        places.push_back(pitch ? &point.pitch : &point.contact);
+        append(points, course.length, places.back()->head<2>());
+    }
+    const double gap = (*places.front() - *places.back()).norm();
+    const bool turn = cam.scale().unit_angle * (motion.end() - motion.begin()) > units::turn - still;
     return {{"name", name},
             {"closed", turn && gap < 1e3 * still},
             {"pitch", pitch},
@@ -137,26 +142,21 @@ Json outline(const PlaneCourse& course, const MechanismProfile& profile, const c
 }
 
 Json outlines_of(const PlaneCourse& course) {
-    const DrivenMechanism& cam = course.cam();
-    const auto profile = [&](int station) {
-        return mechanism_profile(cam, *course.view.delivered.whole, course.view.delivered.scale,
-                                 outline_points, station);
-    };
+    const CamMechanism& formulas = *course.cam().formulas;
     Json all = Json::array();
-    const MechanismProfile first = profile(0);
-    if (cam.formulas->has_guide()) {
-        all.push_back(outline(course, first, "left wall", false));
-        all.push_back(outline(course, profile(1), "right wall", false));
-    } else if (cam.formulas->stations() > 1) {
+    if (formulas.has_guide()) {
+        all.push_back(outline(course, 0, "left wall", false));
+        all.push_back(outline(course, 1, "right wall", false));
+    } else if (formulas.stations() > 1) {
         // The first side is filled, the other one a line.
-        all.push_back(outline(course, first, cam.formulas->station_name(0).c_str(), false));
-        all.push_back(outline(course, profile(1), cam.formulas->station_name(1).c_str(), false));
+        all.push_back(outline(course, 0, formulas.station_name(0), false));
+        all.push_back(outline(course, 1, formulas.station_name(1), false));
         all.back()["closed"] = false;
     } else {
-        all.push_back(outline(course, first, "cam", false));
+        all.push_back(outline(course, 0, "cam", false));
     }
-    if (cam.formulas->roller_radius() >= 0)
-        all.push_back(outline(course, first, "path of the roller's centre", true));
+    if (formulas.roller_radius() >= 0)
+        all.push_back(outline(course, 0, "path of the roller's centre", true));
     return all;
 }
 
@@ -165,12 +165,12 @@ Json circles_of(const PlaneCourse& course) {
     const CamMechanism& formulas = *course.cam().formulas;
     if (!formulas.planar()) return all;
     const double base = course.report().summary.base_radius;
-    all.push_back({{"name", "base circle"}, {"radius", rounded_json(course.length.factor * base)}});
+    all.push_back({{"name", "base circle"}, {"radius", rounded_json(course.length.of(base))}});
     if (const int roller = formulas.roller_radius(); roller >= 0)
         all.push_back(
             {{"name", "prime circle"},
-             {"radius", rounded_json(course.length.factor *
-                                     (base + course.cam().dimensions[static_cast<std::size_t>(roller)]))}});
+             {"radius", rounded_json(course.length.of(
+                                     base + course.cam().dimensions[static_cast<std::size_t>(roller)]))}});
     return all;
 }
 
@@ -184,15 +184,15 @@ Json plane_drawing(const View& view) {
     const Vector2d center = course.shapes.front().front().points.front();
     Json turned = Json::array(), contact = Json::array(), middle = Json::array();
     for (std::size_t i = 0; i < course.turned.size(); ++i) {
-        turned.push_back(rounded_json(course.turned[i] / units::degree));
+        turned.push_back(rounded_json(view.units.angle.of(course.turned[i])));
         append(contact, course.length,
                center + Eigen::Rotation2Dd(course.turned[i]) *
                             view.delivered.rows[i].cam.front().contact.head<2>());
     }
     append(middle, course.length, center);
-    const std::optional<ProfileShape> shape = delivered_shape(solution, *view.delivered.whole);
+    const std::optional<ProfileShape> shape = delivered_shape(view);
     const std::optional<double> rim = shape ? rim_radius(*shape) : std::nullopt;
-    return {{"rim", rim ? rounded_json(course.length.factor * *rim) : Json(nullptr)},
+    return {{"rim", rim ? rounded_json(course.length.of(*rim)) : Json(nullptr)},
             {"unit", course.length.name},
             {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
             {"center", std::move(middle)},
@@ -246,8 +246,8 @@ Json solid_drawing(const View& view) {
             {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
             {"parts", std::move(parts)},
             {"roller",
-             {{"radius", rounded_json(length.factor * scene.roller_radius)},
-              {"length", rounded_json(length.factor * scene.roller_length)}}},
+             {{"radius", rounded_json(length.of(scene.roller_radius))},
+              {"length", rounded_json(length.of(scene.roller_length))}}},
             {"rollers", std::move(rollers)},
             {"pivot", std::move(pivot)}};
 }

@@ -131,7 +131,7 @@ std::string comparison_html(const Comparison& comparison, const RunOrigin& origi
     if (has_bases(comparison))
         page.add_column("base", fmt::format("needed base radius ({})", length.name),
                         column_of(rows, [&](const ComparisonRow& row) {
-                            return row.base && row.base->radius ? cell_json(length.factor * *row.base->radius)
+                            return row.base && row.base->radius ? cell_json(length.of(*row.base->radius))
                                                                 : words_json(base_words(comparison, row));
                         }));
     page.add_column(
@@ -285,7 +285,7 @@ std::string pareto_html(const ParetoPicture& picture, const RunOrigin& origin) {
         page.add_column(goal == 0 ? "first" : "second",
                         length ? fmt::format("{} ({})", name, shown.name) : name,
                         number([&](const FrontPoint& point) {
-                            return point.value[goal] * (length ? shown.factor : 1.0);
+                            return length ? shown.of(point.value[goal]) : point.value[goal];
                         }));
     }
     const auto is_goal = [&](FrontFigure figure) {

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "core/whole_turn.hpp"
 #include "output/plc/cam_loss.hpp"
+#include "output/view/shown_units.hpp"
 #include "splines/curve.hpp"
 
 #include <algorithm>
@@ -164,8 +165,8 @@ std::vector<CamPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& 
 
 MasterCurve::MasterCurve(MotionChain turn, const MotionSpec& motion)
     : turn_(std::move(turn)),
-      lift_(motion.lift / (motion.lift_is_angle ? units::degree : units::millimetre)),
-      degrees_per_x_(motion.unit_angle() / units::degree),
+      lift_((motion.lift_is_angle ? degrees_shown : millimetres_shown).of(motion.lift)),
+      degrees_per_x_(degrees_shown.of(motion.unit_angle())),
       swings_(motion.lift_is_angle),
       places_(turn_.breakpoints()) {
     for (const double x : places_) breakpoints_.push_back(clean_degrees(degrees_per_x_ * x));

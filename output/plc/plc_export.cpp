@@ -290,7 +290,7 @@ class PlcWriter {
         result.count = format.count_of(table.pieces);
         check_count(format, result.count);
         check_jumps(format, table.pieces, peaks_);
-        if (solution_.scene.motion.speed) table.speed = *solution_.scene.motion.speed / units::degree;
+        if (solution_.scene.motion.speed) table.speed = degrees_shown.of(*solution_.scene.motion.speed);
         result.units = table.units;
         result.slave_at_start = table.slave_at_start;
         result.loss = loss_in(format, format.write(table), table);

@@ -2,20 +2,15 @@
 #include "output/report/cam_files.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/chart/curve_chart.hpp"
-#include "output/csv/csv_line.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
-#include "output/drawing/mechanism_figures.hpp"
 #include "output/drawing/mechanism_svg.hpp"
 #include "output/drawing/profile_svg.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/delivered/follower_loads.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace camopt {
@@ -71,59 +66,12 @@ const KindFiles* kind_of(const Solution& solution) {
     return found == kinds().end() ? nullptr : &*found;
 }
 
-/// Of each point; none where the scene has no forces. Of a cam that drives both ways those of one side: 0
-/// along the normal where the other one carries.
-std::vector<FollowerLoads> loads_of(const Solution& solution, const Motion& motion,
-                                    const MechanismProfile& profile, int side) {
-    const LoadsAt loads = delivered_loads(solution);
-    if (!loads) return {};
-    const double unit_angle = motion_scale(solution.scene).unit_angle;
-    std::vector<FollowerLoads> all;
-    for (const MechanismPoint& point : profile.points) {
-        const double x = std::clamp(point.theta / unit_angle, motion.begin(), motion.end());
-        all.push_back(loads(motion.at(x, x < motion.end() ? Side::right : Side::left), point));
-        if (all.back().side == side || solution.cam->summary.no_contact) continue;
-        all.back().normal_force = 0.0;
-        if (all.back().hertz_pressure) all.back().hertz_pressure = 0.0;
-    }
-    return all;
-}
-
-std::string csv_of(const Solution& solution, const Motion& motion, const CamFileOptions& options, int side) {
-    const DrivenMechanism& cam = solution.cam->cam;
-    const MotionScale scale = motion_scale(solution.scene);
-    MechanismProfile profile;
-    profile.points = sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance}, side);
-    for (const MechanismPoint& point : profile.points) {
-        const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
-        profile.outputs.push_back(scale.lift * motion.at(x).derivative[0]);
-    }
-    ProfileColumns columns{
-        .swings = cam.formulas->swings(), .face = !cam.formulas->has_pitch_curve(), .loads = {}};
-    columns.loads = loads_of(solution, motion, profile, side);
-    columns.pressure = solution.cam->summary.forces && solution.cam->summary.forces->hertz_pressure;
-    return profile_csv(profile, columns);
-}
-
-using units::degree, units::millimetre;
-
 constexpr int left_wall = 0, right_wall = 1;  // stations of the mechanism
 
-std::string csv_of_walls(const GuideWalls& walls) {
-    std::string text =
-        "theta_deg,s_mm,middle_x_mm,middle_y_mm,left_x_mm,left_y_mm,right_x_mm,right_y_mm,"
-        "pressure_angle_deg,middle_radius_mm,regularity_left,regularity_right\n";
-    for (std::size_t i = 0; i < walls.left.points.size(); ++i) {
-        const MechanismPoint &left = walls.left.points[i], &right = walls.right.points[i];
-        CsvLine line;
-        line.number(left.theta / degree).number(walls.left.outputs[i] / millimetre);
-        for (const Eigen::Vector3d& place : {left.pitch, left.contact, right.contact})
-            line.number(place.x() / millimetre).number(place.y() / millimetre);
-        line.number(left.pressure_angle / degree).number(1.0 / (left.pitch_curvature * millimetre));
-        line.number(left.regularity).number(right.regularity);
-        text += line.finish();
-    }
-    return text;
+std::vector<DeliveredRow> counted_rows(const View& view, const CamFileOptions& options, int station) {
+    ProfileSampling sampling = default_sampling(*view.delivered.cam);
+    if (options.points) sampling.count = options.points;
+    return profile_rows(view.solution, view.delivered, sampling, station);
 }
 
 }  // namespace
@@ -144,7 +92,7 @@ std::vector<CamFile> cam_files(const View& view, const CamFileOptions& options) 
     if (solution.cam->summary.forces) texts.push_back(force_diagrams_svg(view));
     for (std::size_t i = 0; i < files.size(); ++i) files[i].text = std::move(texts[i]);
     if (options.drawing)
-        files.push_back({drawing, drawing_name, "", cam_dxf(solution, options.dxf_tolerance).text});
+        files.push_back({drawing, drawing_name, "", cam_dxf(view, options.dxf_tolerance).text});
     return files;
 }
 
@@ -165,33 +113,26 @@ std::vector<std::string> cam_file_names() {
 }
 
 std::vector<std::string> disk_texts(const View& view, const CamFileOptions& options) {
-    const MotionChain drawn = drawn_motion(view.solution);
-    const ProfileShape whole = delivered_shape(view.solution, drawn).value();
-    std::vector<std::string> texts = {csv_of(view.solution, drawn, options, 0),
-                                      profile_svg(whole, view.title("Cam")), cam_diagrams_svg(view)};
-    if (whole.other) texts.push_back(csv_of(view.solution, drawn, options, 1));
+    const ProfileSampling sampling{options.points, options.chord_tolerance};
+    const auto table = [&](int side) {
+        return profile_csv(view, profile_rows(view.solution, view.delivered, sampling, side));
+    };
+    const ProfileShape whole = delivered_shape(view).value();
+    std::vector<std::string> texts = {table(0), profile_svg(whole, view.title("Cam")),
+                                      cam_diagrams_svg(view)};
+    if (whole.other) texts.push_back(table(1));
     return texts;
 }
 
 std::vector<std::string> guide_texts(const View& view, const CamFileOptions& options) {
-    const MotionChain& motion = *view.delivered.whole;
-    const MotionScale& scale = view.delivered.scale;
-    const int count = options.points.value_or(default_profile_points(motion, scale));
-    const DrivenMechanism& mechanism = view.solution.cam->cam;
-    const GuideWalls walls{mechanism_profile(mechanism, motion, scale, count, left_wall),
-                           mechanism_profile(mechanism, motion, scale, count, right_wall)};
-    return {csv_of_walls(walls), guide_svg(view.solution, walls), cam_diagrams_svg(view, "pressure_angle")};
+    const auto left = counted_rows(view, options, left_wall), right = counted_rows(view, options, right_wall);
+    return {guide_csv(view, left, right), guide_svg(view, left, right),
+            cam_diagrams_svg(view, "pressure_angle")};
 }
 
 std::vector<std::string> linkage_texts(const View& view, const CamFileOptions& options) {
-    const MotionChain motion = drawn_motion(view.solution);
-    const MotionScale& scale = view.delivered.scale;
-    const int count = options.points.value_or(default_profile_points(motion, scale));
-    const DrivenMechanism& mechanism = view.solution.cam->cam;
-    const MechanismProfile profile = mechanism_profile(mechanism, motion, scale, count);
-    return {profile_csv(profile, {.swings = mechanism.formulas->swings(), .loads = {}}),
-            mechanism_svg(view.solution, motion), cam_diagrams_svg(view, "pressure_angle"),
-            cam_diagrams_svg(view, "curvature")};
+    return {profile_csv(view, counted_rows(view, options, 0)), mechanism_svg(view),
+            cam_diagrams_svg(view, "pressure_angle"), cam_diagrams_svg(view, "curvature")};
 }
 
 }  // namespace camopt

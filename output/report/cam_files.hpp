@@ -5,13 +5,8 @@
 //   disk     profile.csv, profile.svg, profile_diagrams.svg, profile.dxf; with forces forces.svg
 //   remote   profile.csv, mechanism.svg, pressure_angle.svg, curvature.svg, profile.dxf
 //   inverse  guide.csv, guide.svg, pressure_angle.svg, profile.dxf
-// The columns of profile.csv stand in csv/motion_csv.hpp, the layers of profile.dxf in
+// The columns of profile.csv and guide.csv stand in csv/motion_csv.hpp, the layers of profile.dxf in
 // drawing/dxf/cam_dxf.hpp.
-//
-// guide.csv, in the frame of the body (origin: its pivot; x axis: through the roller where the body stands at
-// angle 0), has the columns theta_deg, s_mm (the feeder's), middle_x_mm, middle_y_mm (the roller's centre),
-// left_x_mm, left_y_mm, right_x_mm, right_y_mm (the walls, seen outwards), pressure_angle_deg,
-// middle_radius_mm (> 0: bent to the left), regularity_left, regularity_right.
 #pragma once
 
 #include "output/view/view.hpp"

@@ -138,8 +138,7 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
     for (const char* const name : optional_files) writer.remove_earlier(name);
     for (const std::string& name : cam_file_names()) writer.remove_earlier(name);
     if (solution.motion) {
-        writer.write("motion.csv",
-                     motion_csv(*solution.motion, solution.motion_peaks, solution.scene.motion));
+        writer.write("motion.csv", motion_csv(view));
         writer.write("motion.svg", motion_svg(view));
     }
     for (const CamFile& file : cam_files(view, {.points = options.points, .drawing = options.dxf}))

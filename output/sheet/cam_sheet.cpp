@@ -501,14 +501,11 @@ class CamSheetMaker {
 
 }  // namespace
 
-std::vector<Sheet> cam_sheets(const Solution& solution, const CamSheetOptions& options) {
-    if (!solution.cam)
-        throw InputError("a workshop drawing needs a cam with a base circle, and this solution has none");
-    const MotionChain motion = drawn_motion(solution);
-    const std::optional<ProfileShape> shape = delivered_shape(solution, motion);
+std::vector<Sheet> cam_sheets(const View& view, const CamSheetOptions& options) {
+    const Solution& solution = view.solution;
+    const std::optional<ProfileShape> shape = delivered_shape(view);
     if (!shape)
-        throw InputError(
-            "a workshop drawing needs a cam with a base circle, and that of this solution has none");
+        throw InputError("a workshop drawing needs a cam with a base circle, and this solution has none");
     std::vector<Sheet> sheets;
     const std::vector<ProfileShape> pieces = made_pieces(*shape);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -519,8 +516,8 @@ std::vector<Sheet> cam_sheets(const Solution& solution, const CamSheetOptions& o
     return sheets;
 }
 
-Sheet cam_sheet(const Solution& solution, const CamSheetOptions& options) {
-    std::vector<Sheet> sheets = cam_sheets(solution, options);
+Sheet cam_sheet(const View& view, const CamSheetOptions& options) {
+    std::vector<Sheet> sheets = cam_sheets(view, options);
     if (sheets.size() > 1)
         throw InputError(
             "a workshop drawing: found two disks, which have a drawing each; allowed: cam_sheets");

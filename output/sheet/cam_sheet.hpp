@@ -33,10 +33,10 @@ struct CamSheetOptions {
 
 /// One for each piece (made_pieces): two of a conjugate cam, else one. Throws InputError as above, for a
 /// solution without a disk cam, and for a cam too large for any sheet.
-[[nodiscard]] std::vector<Sheet> cam_sheets(const Solution& solution, const CamSheetOptions& options = {});
+[[nodiscard]] std::vector<Sheet> cam_sheets(const View& view, const CamSheetOptions& options = {});
 
 /// Of a cam of one piece. Throws as cam_sheets, and for a conjugate cam.
-[[nodiscard]] Sheet cam_sheet(const Solution& solution, const CamSheetOptions& options = {});
+[[nodiscard]] Sheet cam_sheet(const View& view, const CamSheetOptions& options = {});
 
 /// Unit vector of the cam frame that points along +y when the cam has turned by this cam angle.
 [[nodiscard]] Eigen::Vector2d ray_at(Rotation rotation, double cam_angle);

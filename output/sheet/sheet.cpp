@@ -2,6 +2,7 @@
 #include "output/sheet/sheet.hpp"
 
 #include "core/errors.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,6 @@ namespace camopt {
 namespace {
 
 using Eigen::Vector2d;
-using units::degree;
 
 std::string trimmed(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
@@ -39,7 +39,7 @@ double SheetDimension::measured() const {
 }
 
 std::string SheetDimension::words() const {
-    if (kind == Kind::angle) return trimmed(measured() / degree, 2) + "°";
+    if (kind == Kind::angle) return trimmed(degrees_shown.of(measured()), 2) + "°";
     const bool diameter = kind == Kind::diameter || (across && kind == Kind::linear);
     return (diameter ? "⌀" : kind == Kind::radius ? "R" : "") + drawn_length(measured(), lengths);
 }

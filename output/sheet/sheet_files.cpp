@@ -6,6 +6,7 @@
 #include "output/chart/svg_canvas.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
 #include "output/sheet/sheet_painter.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -138,7 +139,7 @@ using units::degree, units::millimetre;
 constexpr double capital_height = 0.729;  // of the font's size
 
 std::string mm_text(double metres) {
-    std::string text = fmt::format("{:.4f}", metres / millimetre);
+    std::string text = fmt::format("{:.4f}", millimetres_shown.of(metres));
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text == "-0" ? "0" : text;
@@ -207,7 +208,7 @@ class SvgSheet final : public SheetPainter {
         const std::string turn =
             std::abs(text.turn) < 1e-9
                 ? std::string{}
-                : fmt::format(" transform=\"rotate({:.3f} {} {})\"", -text.turn / degree, x, y);
+                : fmt::format(" transform=\"rotate({:.3f} {} {})\"", degrees_shown.of(-text.turn), x, y);
         text_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x,
                              y, mm_text(text.height / capital_height), anchor, turn, xml_text(text.words));
     }

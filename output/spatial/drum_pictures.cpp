@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "output/view/shown_units.hpp"
 #include "output/spatial/drum_pictures.hpp"
 
 #include "core/units.hpp"
@@ -107,7 +108,7 @@ double bar_length(double longest) {
 }
 
 void draw_scale_bar(SvgCanvas& canvas, double scale, const ShownUnit& length) {
-    const double shown = bar_length(longest_bar * length.factor / scale), px = shown / length.factor * scale;
+    const double shown = bar_length(length.of(longest_bar / scale)), px = shown * length.size * scale;
     const double x = picture_left + 12, y = picture_top + picture_frame_height - 14;
     canvas.line(x, y, x + px, y, "bar");
     for (const double end : {x, x + px}) canvas.line(end, y - 5, end, y + 5, "bar");
@@ -265,7 +266,7 @@ std::string developed_svg(const Drum& drum) {
                                            {peak.x(), peak.y() - 12, TextSide::middle}};
     labels.draw(
         canvas,
-        fmt::format("φ = {}° at {}°", short_text(largest.value / degree, 4), short_text(theta / degree, 5)),
+        fmt::format("φ = {}° at {}°", short_text(degrees_shown.of(largest.value), 4), short_text(degrees_shown.of(theta), 5)),
         places, "peak-label", 12, true);
     LegendColumn column(canvas, length, 9 + dimension_entries(drum.solution) + figure_entries(drum.solution));
     column.sample("plus", "one flank, outer end");

@@ -6,6 +6,7 @@
 #include "core/whole_turn.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_body.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ void check_closed(const FlankGrid& grid) {
             if (!(gap <= same_point))
                 throw InputError(
                     fmt::format("grooved cam: the groove does not close, its ends are {:g} mm apart",
-                                gap / units::millimetre));
+                                millimetres_shown.of(gap)));
         }
 }
 
@@ -51,7 +52,7 @@ void check_blank(const FlankGrid& grid, const GroovedBlank& blank) {
         for (const Eigen::Vector3d& point : flank.points) {
             if (!(point.z() > blank.lower && point.z() < blank.upper))
                 throw InputError(fmt::format("grooved cam: the groove reaches z = {:g} mm, beyond the blank",
-                                             point.z() / units::millimetre));
+                                             millimetres_shown.of(point.z())));
             if (!(std::hypot(point.x(), point.y()) > blank.bore_radius))
                 throw InputError("grooved cam: the groove reaches into the bore");
         }
@@ -120,10 +121,10 @@ std::string flank_csv(const FlankGrid& grid) {
     for (const FlankSurface& flank : grid.flanks)
         for (std::size_t i = 0; i < grid.heights.size(); ++i)
             for (std::size_t j = 0; j < grid.angles.size(); ++j) {
-                const Eigen::Vector3d mm = flank.points[grid.index(i, j)] / units::millimetre;
+                const Eigen::Vector3d mm = flank.points[grid.index(i, j)] / millimetres_shown.size;
                 const Eigen::Vector3d& n = flank.normals[grid.index(i, j)];
                 fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", flank.flank,
-                               grid.heights[i] / units::millimetre, grid.angles[j] / units::degree, mm.x(),
+                               millimetres_shown.of(grid.heights[i]), degrees_shown.of(grid.angles[j]), mm.x(),
                                mm.y(), mm.z(), n.x(), n.y(), n.z());
             }
     return text;

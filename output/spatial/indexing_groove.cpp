@@ -5,6 +5,7 @@
 #include "core/numbers/scalar_search.hpp"
 #include "core/units.hpp"
 #include "core/whole_turn.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -127,13 +128,12 @@ double IndexingGroove::depth(const Vector3d& point) const {
 }
 
 std::string IndexingGroove::turned_words() const {
-    using units::millimetre;
-    const std::string ends =
-        fmt::format("from {:.3f} to {:.3f} mm along the axis", lower_ / millimetre, upper_ / millimetre);
-    if (!cam_.arc) return fmt::format("diameter {:.3f} mm, {}", 2.0 * outside(0.0) / millimetre, ends);
+        const std::string ends =
+        fmt::format("from {:.3f} to {:.3f} mm along the axis", millimetres_shown.of(lower_), millimetres_shown.of(upper_));
+    if (!cam_.arc) return fmt::format("diameter {:.3f} mm, {}", millimetres_shown.of(2.0 * outside(0.0)), ends);
     return fmt::format("radius {:.3f} - sqrt({:.3f}^2 - (z - {:.3f})^2) mm at z, {}",
-                       cam_.arc->from_axis / millimetre, cam_.arc->radius / millimetre,
-                       cam_.arc->z / millimetre, ends);
+                       millimetres_shown.of(cam_.arc->from_axis), millimetres_shown.of(cam_.arc->radius),
+                       millimetres_shown.of(cam_.arc->z), ends);
 }
 
 /// `from` 0 or 5, inwards +1 or −1. Where the roller's near end lies within the body the groove goes on
@@ -143,7 +143,7 @@ double IndexingGroove::top(double phi, double from, double inwards) const {
     if (!inside(1.0))
         throw InputError(fmt::format(
             "indexing cam: the roller leaves the cam's outside, not its ends, at a cam angle of {:.1f} deg",
-            phi / units::degree));
+            degrees_shown.of(phi)));
     double outside = 0.0;
     while (inside(outside)) outside = 2.0 * outside - 1.0;
     return from + inwards * bisected(inside, {1.0, outside}, halvings).with;
@@ -193,7 +193,7 @@ IndexingGroove::IndexingGroove(const CamFlanks& cam, const FollowerMotion& motio
     : cam_(cam), begin_(motion.begin()), floor_(floor) {
     if (!is_whole_turn(motion.end() - motion.begin()))
         throw InputError(fmt::format("indexing cam: the motion must take one turn, it takes {:g} deg",
-                                     (motion.end() - motion.begin()) / units::degree));
+                                     degrees_shown.of(motion.end() - motion.begin())));
     const double before = motion.state(motion.begin()).s, pitch = motion.state(motion.end()).s - before;
     if (!(std::abs(pitch) > same_end))
         throw InputError("indexing cam: the motion must end one pitch from where it begins");

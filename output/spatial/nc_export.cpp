@@ -6,6 +6,7 @@
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_groove.hpp"
+#include "output/view/shown_units.hpp"
 #include "scene/flank_grid.hpp"
 
 #include <fmt/format.h>
@@ -157,7 +158,7 @@ Blank blank_of(const MilledGroove& groove, const CamFlanks& cam, const BlankChoi
     const Blank blank = chosen_blank(extent, choice);
     if (blank.radius <= deepest)
         throw InputError(fmt::format("blank: {} ends above the groove, whose least radius is {:.3f} mm",
-                                     words_of(blank), deepest / units::millimetre));
+                                     words_of(blank), millimetres_shown.of(deepest)));
     return blank;
 }
 
@@ -233,7 +234,7 @@ NcWork nc_work(const CamFlanks& cam, const FollowerMotion& motion, const NcExpor
     for (int i = 0; i < checked_heights; ++i) {
         const double height = cam.roller_length * i / (checked_heights - 1);
         add_surface(
-            fmt::format("both flanks, {:.3f} mm from the near end of the roller", height / units::millimetre),
+            fmt::format("both flanks, {:.3f} mm from the near end of the roller", millimetres_shown.of(height)),
             groove.flanks(height));
         if (i > 0 && i + 1 < checked_heights) continue;
         for (const std::size_t flank : {std::size_t{0}, std::size_t{1}}) {

@@ -248,7 +248,7 @@ class ToolPathPainter {
     void paint_frame(SvgCanvas& canvas, bool side) const {
         const Placing& place = side ? second_place_ : first_place_;
         const double top = side ? second_top() : frame_top, height = side ? second_height_ : first_height_;
-        const double per_unit = 1.0 / picture_.length.factor;  // m in one shown unit
+        const double per_unit = picture_.length.size;  // m in one shown unit
         PlotFrame frame;
         const double across = developed_ ? degree : per_unit;
         frame.horizontal = {(frame_left - place.x0) / place.kx / across,

@@ -29,13 +29,13 @@ void add_mark(Curve& curve, const View& view, const std::optional<CamExtreme>& e
     const double at = view.degrees(extreme->at);
     if (std::ranges::find(curve.marks, at, &CurveMark::at) != curve.marks.end()) return;
     if (words.empty()) words = curve.unit.text(sign * extreme->value, curve_mark_digits);
-    curve.marks.push_back({at, curve.unit.factor * sign * extreme->value, std::move(words)});
+    curve.marks.push_back({at, curve.unit.of(sign * extreme->value), std::move(words)});
 }
 
 /// The scene's limit on that figure over the whole cam, drawn at `at` (SI).
 void add_limit(Curve& curve, const View& view, double at, int outside, std::string words) {
     curve.limits.push_back(
-        {view.angles.front(), view.angles.back(), curve.unit.factor * at, outside, std::move(words)});
+        {view.angles.front(), view.angles.back(), curve.unit.of(at), outside, std::move(words)});
 }
 
 /// Of one station, or of the station where the magnitude is largest (`least`: where the value is least).
@@ -53,7 +53,7 @@ double over_stations(const DeliveredRow& row, int station, const PointFigure& fi
 
 void add_values(Curve& curve, const View& view, int station, const PointFigure& figure, bool least = false) {
     for (const DeliveredRow& row : view.delivered.rows)
-        curve.values.push_back(curve.unit.factor * over_stations(row, station, figure, least));
+        curve.values.push_back(curve.unit.of(over_stations(row, station, figure, least)));
 }
 
 /// The summary has the magnitude of an extreme; the curve has its sign.
@@ -83,7 +83,7 @@ Curve pressure_curve(const View& view, int station) {
     for (const PressureLimit& span : pressure_spans(view.solution.scene, *view.delivered.whole))
         for (const int side : {1, -1})
             curve.limits.push_back({span.begin / units::degree, span.end / units::degree,
-                                    curve.unit.factor * side * span.limit, side,
+                                    curve.unit.of(side * span.limit), side,
                                     "limit " + curve.unit.text(span.limit)});
     return curve;
 }
@@ -144,7 +144,7 @@ struct LoadRow {
 Curve load_curve(const View& view, LoadRow load) {
     Curve curve = std::move(load.curve);
     for (const DeliveredRow& row : view.delivered.rows)
-        curve.values.push_back(curve.unit.factor * load.value(*row.loads));
+        curve.values.push_back(curve.unit.of(load.value(*row.loads)));
     for (const std::optional<CamExtreme>& extreme : load.extremes)
         if (extreme) add_mark(curve, view, extreme, load.magnitude ? sign_at(curve, view, extreme->at) : 1.0);
     if (!load.limit) return curve;

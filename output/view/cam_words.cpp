@@ -16,8 +16,6 @@ namespace camopt {
 
 namespace {
 
-using units::degree, units::millimetre;
-
 constexpr double no_radius = 1e9;  // m: what is straighter than this is straight
 
 /// Of the base circle and the roller on it, in mm; none where one of them is not known.
@@ -38,64 +36,92 @@ std::optional<CamExtreme> drawn_radius(const std::optional<CamExtreme>& radius) 
     return {};
 }
 
+using Units = ShownUnits;
+
+constexpr FigureRow<CamSummary> cam_rows[] = {
+    {"pressure_angle_deg", "largest pressure angle", &Units::angle,
+     [](const CamSummary& cam) -> std::optional<CamExtreme> { return cam.pressure_angle; }},
+    {.key = "rise_pressure_angle_deg", .name = "on the rise", .unit = &Units::angle,
+     .of = [](const CamSummary& cam) { return cam.rise_pressure_angle; }, .of_direct_cams = true},
+    {.key = "return_pressure_angle_deg", .name = "on the return", .unit = &Units::angle,
+     .of = [](const CamSummary& cam) { return cam.return_pressure_angle; }, .of_direct_cams = true},
+    {.key = "rest_pressure_angle_deg", .name = nullptr, .unit = &Units::angle,
+     .of = [](const CamSummary& cam) { return cam.rest_pressure_angle; }, .of_direct_cams = true},
+    {"convex_radius_mm", "least convex radius of the cam", &Units::length,
+     [](const CamSummary& cam) { return drawn_radius(cam.convex_radius); }},
+    {"concave_radius_mm", "least concave radius of the cam", &Units::length,
+     [](const CamSummary& cam) { return cam.concave_radius; }},
+    {.key = "contact_offset_mm", .name = "largest contact offset on the face", .unit = &Units::length,
+     .of = [](const CamSummary& cam) { return cam.contact_offset; }, .only_where_found = true},
+    {"regularity", "least regularity (0: undercut)", &Units::number,
+     [](const CamSummary& cam) -> std::optional<CamExtreme> { return cam.regularity; }},
+};
+
+constexpr FigureRow<ForceSummary> force_rows[] = {
+    {"least_force_n", "least force on the follower", &Units::load,
+     [](const ForceSummary& forces) -> std::optional<CamExtreme> { return forces.least_force; },
+     "least_moment_nm", "least moment on the follower"},
+    {"largest_force_n", "largest force on the follower", &Units::load,
+     [](const ForceSummary& forces) -> std::optional<CamExtreme> { return forces.largest_force; },
+     "largest_moment_nm", "largest moment on the follower"},
+    {"torque_nm", "largest camshaft torque", &Units::torque,
+     [](const ForceSummary& forces) -> std::optional<CamExtreme> { return forces.torque; }},
+    {"normal_force_n", "largest force along the normal", &Units::force,
+     [](const ForceSummary& forces) { return forces.normal_force; }},
+    {"hertz_pressure_mpa", "largest Hertz pressure", &Units::pressure,
+     [](const ForceSummary& forces) { return forces.hertz_pressure; }},
+};
+
+constexpr FigureRow<SideSummary> side_rows[] = {
+    {"pressure_angle_deg", "largest pressure angle", &Units::angle,
+     [](const SideSummary& side) -> std::optional<CamExtreme> { return side.pressure_angle; }},
+    {"convex_radius_mm", "least convex radius", &Units::length,
+     [](const SideSummary& side) { return drawn_radius(side.convex_radius); }},
+    {"concave_radius_mm", "least concave radius", &Units::length,
+     [](const SideSummary& side) { return drawn_radius(side.concave_radius); }},
+    {"regularity", "least regularity", &Units::number,
+     [](const SideSummary& side) -> std::optional<CamExtreme> { return side.regularity; }},
+    {"normal_force_n", "largest force along the normal", &Units::force,
+     [](const SideSummary& side) { return side.normal_force; }},
+    {"hertz_pressure_mpa", "largest Hertz pressure", &Units::pressure,
+     [](const SideSummary& side) { return side.hertz_pressure; }},
+};
+
 /// Collects figures of one solution.
 class Figures {
  public:
-    explicit Figures(const Solution& solution) : solution_(solution) {}
+    explicit Figures(const Solution& solution) : solution_(solution), shown_(shown_units(solution.scene)) {}
 
-    void add(std::string name, const std::optional<CamExtreme>& extreme, const ShownUnit& unit) {
+    template <class Summary>
+    void add(const FigureRow<Summary>& row, const Summary& summary, const std::string& before = {}) {
+        const std::optional<CamExtreme> extreme = row.of(summary);
         if (!extreme) return;
+        const bool moment = row.name_of_moment != nullptr && solution_.scene.motion.lift_is_angle;
         // Of a cusp the pressure is infinite.
         const bool untouched = std::isinf(extreme->value) && solution_.cam->summary.no_contact;
-        std::string value = untouched ? no_contact_words : unit.text(extreme->value);
-        all_.push_back({std::move(name), std::move(value), degrees_at(solution_, extreme->at)});
+        all_.push_back({before + (moment ? row.name_of_moment : row.name),
+                        untouched ? no_contact_words : (shown_.*row.unit).text(extreme->value),
+                        degrees_at(solution_, extreme->at)});
     }
     [[nodiscard]] std::vector<CamFigure> take() { return std::move(all_); }
 
  private:
     const Solution& solution_;
+    ShownUnits shown_;
     std::vector<CamFigure> all_;
 };
 
-void add_geometry(Figures& figures, const CamReport& cam, const ShownUnits& shown) {
-    const CamSummary& summary = cam.summary;
-    figures.add("largest pressure angle", summary.pressure_angle, shown.angle);
-    if (summary.return_pressure_angle && summary.return_pressure_angle->value > 0.0) {
-        figures.add("on the rise", summary.rise_pressure_angle, shown.angle);
-        figures.add("on the return", summary.return_pressure_angle, shown.angle);
-    }
-    figures.add("least convex radius of the cam", convex_radius(summary), shown.length);
-    figures.add("least concave radius of the cam", summary.concave_radius, shown.length);
-    figures.add("largest contact offset on the face", summary.contact_offset, shown.length);
-    if (!cam.cam.formulas->undercut_words().empty())
-        figures.add("least regularity (0: undercut)", summary.regularity, ShownUnit{});
+/// Rise and return are told apart where there are both.
+bool is_told(const FigureRow<CamSummary>& row, const CamReport& cam) {
+    if (row.name == nullptr) return false;
+    const std::optional<CamExtreme>& back = cam.summary.return_pressure_angle;
+    if (row.of_direct_cams) return back && back->value > 0.0;
+    return row.unit != &Units::number || !cam.cam.formulas->undercut_words().empty();
 }
 
-/// Each side by itself, where there are two; what is common stands above.
-void add_sides(Figures& figures, const CamReport& cam, const ShownUnits& shown) {
-    const bool one_normal = !cam.summary.sides.empty() && cam.summary.sides.front().pressure_angle.value ==
-                                                              cam.summary.sides.back().pressure_angle.value;
-    for (const SideSummary& side : cam.summary.sides) {
-        const auto name = [&](const char* what) { return fmt::format("{}: {}", side.name, what); };
-        if (!one_normal) figures.add(name("largest pressure angle"), side.pressure_angle, shown.angle);
-        figures.add(name("least convex radius"), drawn_radius(side.convex_radius), shown.length);
-        figures.add(name("least concave radius"), drawn_radius(side.concave_radius), shown.length);
-        figures.add(name("least regularity"), side.regularity, ShownUnit{});
-        figures.add(name("largest force along the normal"), side.normal_force, shown.force);
-        figures.add(name("largest Hertz pressure"), side.hertz_pressure, shown.pressure);
-    }
-}
-
-void add_forces(Figures& figures, const CamReport& cam, const ShownUnits& shown) {
-    if (!cam.summary.forces) return;
-    const ForceSummary& forces = *cam.summary.forces;
-    const bool swings = cam.cam.formulas->swings();
-    const char* const what = swings ? "moment on the follower" : "force on the follower";
-    figures.add(fmt::format("least {}", what), forces.least_force, shown.load);
-    figures.add(fmt::format("largest {}", what), forces.largest_force, shown.load);
-    figures.add("largest camshaft torque", forces.torque, shown.torque);
-    figures.add("largest force along the normal", forces.normal_force, shown.force);
-    figures.add("largest Hertz pressure", forces.hertz_pressure, shown.pressure);
+/// Both sides lean alike: what is common stands above.
+bool leans_alike(const CamSummary& summary) {
+    return summary.sides.front().pressure_angle.value == summary.sides.back().pressure_angle.value;
 }
 
 }  // namespace
@@ -110,15 +136,16 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
         std::optional<double> number;
         if (!dimension.value.is_variable()) number = dimension.value.low;
         if (solution.cam) number = solution.cam->cam.dimensions[i];
-        if (number) *number /= dimension.is_angle ? degree : millimetre;
+        const ShownUnits files = file_units(solution.scene);
+        if (number) number = (dimension.is_angle ? files.angle : files.length).of(*number);
         all.push_back({dimension.name, dimension.is_angle, number});
     }
     if (cam->formulas()->is_direct()) all.push_back({"prime_radius", false, prime_radius(all)});
-    const ShownUnits shown = shown_units(solution.scene);
+    const ShownUnits shown = shown_units(solution.scene), files = file_units(solution.scene);
     for (DimensionValue& one : all)
         one.text = !one.shown     ? "free"
-                   : one.is_angle ? shown.angle.text(*one.shown * degree)
-                                  : shown.length.text(*one.shown * millimetre);
+                   : one.is_angle ? shown.angle.text(*one.shown * files.angle.size)
+                                  : shown.length.text(*one.shown * files.length.size);
     return all;
 }
 
@@ -148,12 +175,28 @@ std::optional<CamExtreme> convex_radius(const CamSummary& summary) {
     return drawn_radius(summary.convex_radius);
 }
 
+std::span<const FigureRow<CamSummary>> cam_figure_rows() {
+    return cam_rows;
+}
+
+std::span<const FigureRow<ForceSummary>> force_figure_rows() {
+    return force_rows;
+}
+
+std::span<const FigureRow<SideSummary>> side_figure_rows() {
+    return side_rows;
+}
+
 std::vector<CamFigure> cam_figures(const Solution& solution) {
     Figures figures(solution);
-    const ShownUnits shown = shown_units(solution.scene);
-    add_geometry(figures, *solution.cam, shown);
-    add_forces(figures, *solution.cam, shown);
-    add_sides(figures, *solution.cam, shown);
+    const CamSummary& summary = solution.cam->summary;
+    for (const auto& row : cam_rows)
+        if (is_told(row, *solution.cam)) figures.add(row, summary);
+    if (summary.forces)
+        for (const auto& row : force_rows) figures.add(row, *summary.forces);
+    for (const SideSummary& side : summary.sides)
+        for (const auto& row : side_rows)
+            if (&row != &side_rows[0] || !leans_alike(summary)) figures.add(row, side, side.name + ": ");
     return figures.take();
 }
 

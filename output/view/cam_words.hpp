@@ -2,13 +2,14 @@
 // The cam of a solution in words, of whatever kind: dimensions and figures, in the units of shown_units.hpp.
 #pragma once
 
-#include "core/units.hpp"
 #include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 #include "output/view/text_table.hpp"
 #include "scene/cam_spec.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,22 @@ struct DimensionValue {
 /// The least convex radius of the cam; none where it is nowhere convex, or straight where it is most so.
 [[nodiscard]] std::optional<CamExtreme> convex_radius(const CamSummary& summary);
 
+/// One extreme of the cam, of its forces or of one of its sides: what tables and result.json say of it. A new
+/// figure is one row of cam_words.cpp.
+template <class Summary>
+struct FigureRow {
+    const char* key;   ///< in result.json, with its unit: "pressure_angle_deg"
+    const char* name;  ///< for people: "largest pressure angle"
+    ShownUnit ShownUnits::*unit;
+    std::optional<CamExtreme> (*of)(const Summary& summary);
+    const char *key_of_moment = nullptr, *name_of_moment = nullptr;  ///< where the follower swings
+    bool of_direct_cams = false;
+    bool only_where_found = false;  ///< result.json has no key without it
+};
+[[nodiscard]] std::span<const FigureRow<CamSummary>> cam_figure_rows();
+[[nodiscard]] std::span<const FigureRow<ForceSummary>> force_figure_rows();
+[[nodiscard]] std::span<const FigureRow<SideSummary>> side_figure_rows();
+
 /// One extreme of the cam: "largest pressure angle", "29.99 deg", "23.4".
 struct CamFigure {
     std::string name, value;
@@ -51,7 +68,7 @@ inline constexpr int angle_digits = 5;
 
 /// The cam angle of x, degrees, without the unit.
 [[nodiscard]] inline std::string degrees_at(const Solution& solution, double x) {
-    return short_text(x * solution.scene.motion.unit_angle() / units::degree, angle_digits);
+    return short_text(shown_units(solution.scene.motion).degrees_per_x * x, angle_digits);
 }
 
 }  // namespace camopt

@@ -86,7 +86,7 @@ std::vector<Curve> motion_curves(const View& view) {
         const ShownDerivative& shown = view.units.motion[order];
         const MotionUnit& unit = shown.first;
         const PeakRow* const row = order == 0 ? nullptr : &peaks[order - 1];
-        Curve curve{shown.name, "motion", titles[order], unit.symbol, {unit.name, unit.factor}};
+        Curve curve{shown.name, "motion", titles[order], unit.symbol, {unit.name, unit.size}};
         for (const DeliveredRow& place : view.delivered.rows)
             curve.values.push_back(unit.per_normalised * place.motion.derivative[order]);
         curve.beside = shown.beside;

@@ -20,38 +20,38 @@ constexpr std::array<const char*, derivatives> derivative_names = {"displacement
 constexpr std::array<const char*, derivatives> symbols_in_time = {"s", "v", "a", "j"};
 constexpr std::array<const char*, derivatives> symbols_by_angle = {"s", "ds/dθ", "d²s/dθ²", "d³s/dθ³"};
 
-/// How one way to see the motion is written: units, factors from SI, columns of motion.csv.
+/// How one way to see the motion is written: units, their sizes in SI, columns of tables.
 struct UnitRow {
     const char* name;
-    double factor;
+    double size;
     const char* column;
 };
 using UnitRows = std::array<UnitRow, derivatives>;
 
-constexpr UnitRows millimetres_in_time = {{{"mm", 1.0 / millimetre, "s_mm"},
-                                           {"mm/s", 1.0 / millimetre, "v_mm_s"},
+constexpr UnitRows millimetres_in_time = {{{"mm", millimetre, "s_mm"},
+                                           {"mm/s", millimetre, "v_mm_s"},
                                            {"m/s²", 1.0, "a_m_s2"},
                                            {"m/s³", 1.0, "j_m_s3"}}};
-constexpr UnitRows millimetres_by_angle = {{{"mm", 1.0 / millimetre, "s_mm"},
-                                            {"mm/rad", 1.0 / millimetre, "ds_mm_rad"},
-                                            {"mm/rad²", 1.0 / millimetre, "dds_mm_rad2"},
-                                            {"mm/rad³", 1.0 / millimetre, "ddds_mm_rad3"}}};
-constexpr UnitRows inches_in_time = {{{"in", 1.0 / units::inch, ""},
-                                      {"in/s", 1.0 / units::inch, ""},
-                                      {"in/s²", 1.0 / units::inch, ""},
-                                      {"in/s³", 1.0 / units::inch, ""}}};
-constexpr UnitRows inches_by_angle = {{{"in", 1.0 / units::inch, ""},
-                                       {"in/rad", 1.0 / units::inch, ""},
-                                       {"in/rad²", 1.0 / units::inch, ""},
-                                       {"in/rad³", 1.0 / units::inch, ""}}};
-constexpr UnitRows swing_in_time = {{{"deg", 1.0 / degree, "s_deg"},
+constexpr UnitRows millimetres_by_angle = {{{"mm", millimetre, "s_mm"},
+                                            {"mm/rad", millimetre, "ds_mm_rad"},
+                                            {"mm/rad²", millimetre, "dds_mm_rad2"},
+                                            {"mm/rad³", millimetre, "ddds_mm_rad3"}}};
+constexpr UnitRows inches_in_time = {{{"in", units::inch, "s_in"},
+                                      {"in/s", units::inch, "v_in_s"},
+                                      {"in/s²", units::inch, "a_in_s2"},
+                                      {"in/s³", units::inch, "j_in_s3"}}};
+constexpr UnitRows inches_by_angle = {{{"in", units::inch, "s_in"},
+                                       {"in/rad", units::inch, "ds_in_rad"},
+                                       {"in/rad²", units::inch, "dds_in_rad2"},
+                                       {"in/rad³", units::inch, "ddds_in_rad3"}}};
+constexpr UnitRows swing_in_time = {{{"deg", degree, "s_deg"},
                                      {"rad/s", 1.0, "v_rad_s"},
                                      {"rad/s²", 1.0, "a_rad_s2"},
                                      {"rad/s³", 1.0, "j_rad_s3"}}};
-constexpr UnitRows swing_by_angle = {{{"deg", 1.0 / degree, "s_deg"},
+constexpr UnitRows swing_by_angle = {{{"deg", degree, "s_deg"},
                                       {"deg/deg", 1.0, "ds_deg_deg"},
-                                      {"deg/deg²", degree, "dds_deg_deg2"},
-                                      {"deg/deg³", degree* degree, "ddds_deg_deg3"}}};
+                                      {"deg/deg²", 1.0 / degree, "dds_deg_deg2"},
+                                      {"deg/deg³", 1.0 / (degree * degree), "ddds_deg_deg3"}}};
 
 /// A cap or a set point of the motion is given in deg/s, deg/s² or deg/s³.
 bool writes_degrees_in_time(const Scene& scene) {
@@ -75,8 +75,8 @@ MotionUnit motion_unit(const MotionSpec& motion, LengthUnit length, std::size_t 
     MotionUnit unit;
     unit.name = row.name;
     unit.order = order;
-    unit.factor = row.factor;
-    unit.per_normalised = row.factor * motion.lift * std::pow(rate, static_cast<int>(order));
+    unit.size = row.size;
+    unit.per_normalised = motion.lift / row.size * std::pow(rate, static_cast<int>(order));
     unit.symbol = (in_time ? symbols_in_time : symbols_by_angle)[order];
     unit.column = row.column;
     return unit;
@@ -93,43 +93,10 @@ std::string with_unit_name(double value, const std::string& name, int digits) {
     return short_text(value, digits) + (name.empty() ? "" : " " + name);
 }
 
-void fill_factors(DerivativeScale& scale, double output, double per_x) {
-    for (std::size_t r = 0; r < scale.factor.size(); ++r)
-        scale.factor[r] = output / std::pow(per_x, static_cast<int>(r));
-}
-
-DerivativeScale scale_by_angle(const MotionSpec& motion) {
-    DerivativeScale scale;
-    if (motion.lift_is_angle) {
-        fill_factors(scale, motion.lift / units::degree, motion.unit_angle() / units::degree);
-        scale.unit = {"deg", "deg/deg", "deg/deg²", "deg/deg³"};
-        scale.column = {"s_deg", "ds_deg_deg", "dds_deg_deg2", "ddds_deg_deg3"};
-    } else {
-        fill_factors(scale, motion.lift / units::millimetre, motion.unit_angle());
-        scale.unit = {"mm", "mm/rad", "mm/rad²", "mm/rad³"};
-        scale.column = {"s_mm", "ds_mm_rad", "dds_mm_rad2", "ddds_mm_rad3"};
-    }
-    return scale;
-}
-
-DerivativeScale scale_by_time(const MotionSpec& motion, double seconds_per_x) {
-    DerivativeScale scale;
-    if (motion.lift_is_angle) {
-        fill_factors(scale, motion.lift / units::degree, seconds_per_x);
-        scale.unit = {"deg", "deg/s", "deg/s²", "deg/s³"};
-        scale.column = {"s_deg", "v_deg_s", "a_deg_s2", "j_deg_s3"};
-    } else {
-        fill_factors(scale, motion.lift / units::millimetre, seconds_per_x);
-        scale.unit = {"mm", "mm/s", "mm/s²", "mm/s³"};
-        scale.column = {"s_mm", "v_mm_s", "a_mm_s2", "j_mm_s3"};
-    }
-    return scale;
-}
-
 }  // namespace
 
 std::string ShownUnit::text(double si, int digits) const {
-    return with_unit_name(factor * si, name, digits);
+    return with_unit_name(of(si), name, digits);
 }
 
 std::string MotionUnit::normalised_text(double y, int digits) const {
@@ -144,16 +111,16 @@ ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
     const double one = metres_of(length);
     const std::string name = name_of(length);
     const bool swings = motion.lift_is_angle;
-    shown.length = {name, 1.0 / one};
-    shown.curvature = {"1/" + name, one};
-    shown.angle = {"deg", 1.0 / degree};
+    shown.length = {name, one};
+    shown.curvature = {"1/" + name, 1.0 / one};
+    shown.angle = degrees_shown;
     shown.force = {"N", 1.0};
     shown.torque = {"N m", 1.0};
     shown.load = swings ? shown.torque : shown.force;
-    shown.pressure = {"MPa", 1.0 / units::megapascal};
+    shown.pressure = {"MPa", units::megapascal};
     shown.mass = {swings ? "kg m²" : "kg", 1.0};
-    shown.spring_rate = swings ? ShownUnit{"N m/rad", 1.0} : ShownUnit{"N/mm", millimetre};
-    shown.speed = {"rpm", 1.0 / units::revolution_per_minute};
+    shown.spring_rate = swings ? ShownUnit{"N m/rad", 1.0} : ShownUnit{"N/mm", 1.0 / millimetre};
+    shown.speed = rpm_shown;
     shown.degrees_per_x = motion.unit_angle() / degree;
     return shown;
 }
@@ -164,22 +131,11 @@ ShownUnits shown_units(const Scene& scene) {
     for (std::size_t order = 1; order < derivatives; ++order) {
         MotionUnit& unit = shown.motion[order].first;
         unit.per_normalised /= degree;
-        unit.factor /= degree;
+        unit.size *= degree;
         unit.name.replace(0, 3, "deg");  // "rad/s²", "v_rad_s"
         unit.column.replace(2, 3, "deg");
     }
     return shown;
-}
-
-DisplayScale display_scale(const MotionSpec& motion) {
-    DisplayScale scale;
-    scale.degrees_per_x = motion.unit_angle() / units::degree;
-    scale.by_angle = scale_by_angle(motion);
-    if (motion.speed) {
-        scale.seconds_per_x = motion.unit_angle() / *motion.speed;
-        scale.by_time = scale_by_time(motion, scale.seconds_per_x);
-    }
-    return scale;
 }
 
 }  // namespace camopt

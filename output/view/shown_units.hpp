@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // In which units a person reads a scene: one concept for console, reports, pictures and pages.
 //
-//     shown = factor · SI value        (m, rad, m/s, N, N m, Pa; per radian of the cam m/rad, m/rad², m/rad³)
+//     shown = SI value / size          (m, rad, m/s, N, N m, Pa; per radian of the cam m/rad, m/rad², m/rad³)
 //     shown = per_normalised · y⁽ʳ⁾    (derivatives of the motion, y = s / lift over x = θ / unit angle)
 //
 // With a speed the motion stands first in time, v = ω ds/dθ, a = ω² d²s/dθ², j = ω³ d³s/dθ³, in mm/s, m/s²,
@@ -10,9 +10,10 @@
 // (swinging: deg/deg …). Without a speed it stands by the cam angle only. Where the scene is written in
 // inches (Scene::length_unit) in, in/s, in/s², in/s³ and in/rad take their places. Angles are in degrees,
 // forces in N and N m, pressures in MPa, whatever the lengths are in. Files keep the units that their columns
-// say (DisplayScale).
+// say: mm (file_units).
 #pragma once
 
+#include "core/units.hpp"
 #include "output/view/number_text.hpp"
 #include "scene/scene.hpp"
 
@@ -24,12 +25,17 @@
 namespace camopt {
 
 struct ShownUnit {
-    std::string name;     ///< "mm/s", "m/s²"
-    double factor = 1.0;  ///< shown value = factor · SI value
+    std::string name;   ///< "mm/s", "m/s²"
+    double size = 1.0;  ///< of the unit, SI
 
+    [[nodiscard]] double of(double si) const { return si / size; }
     /// "12.5 mm", with that many significant digits; "–" and "∞" for what is not finite.
     [[nodiscard]] std::string text(double si, int digits = 6) const;
 };
+
+// The same for every scene.
+inline const ShownUnit degrees_shown{"deg", units::degree}, rpm_shown{"rpm", units::revolution_per_minute},
+    hertz_shown{"Hz", units::turn}, millimetres_shown{"mm", units::millimetre};
 
 /// The unit of a derivative of the motion.
 struct MotionUnit : ShownUnit {
@@ -37,7 +43,7 @@ struct MotionUnit : ShownUnit {
     double per_normalised = 1.0;  ///< shown value = per_normalised · y⁽ʳ⁾
     std::string
         symbol;  ///< what is shown: "s", "v", "a", "j"; by the cam angle "ds/dθ", "d²s/dθ²", "d³s/dθ³"
-    std::string column;  ///< the column of motion.csv in this unit: "v_mm_s"; empty: none
+    std::string column;  ///< of tables in this unit (output/view/columns.hpp): "v_mm_s"
 
     [[nodiscard]] std::string normalised_text(double y, int digits = 6) const;
 };
@@ -61,6 +67,7 @@ struct ShownUnits {
     ShownUnit force, torque, pressure;  ///< N, N m, MPa
     ShownUnit mass, spring_rate;        ///< kg, N/mm; swinging: kg m², N m/rad
     ShownUnit speed;                    ///< rpm
+    ShownUnit number;                   ///< what has no unit
     double degrees_per_x = 0.0;         ///< cam angle in degrees = degrees_per_x · x
 };
 
@@ -69,27 +76,9 @@ struct ShownUnits {
 /// The same of a motion alone.
 [[nodiscard]] ShownUnits shown_units(const MotionSpec& motion, LengthUnit length = LengthUnit::millimetre);
 
-// From the normalised motion back to the units on the drawing.
-//
-//     θ = rise · x,   dʳs/dθʳ = lift / riseʳ · y⁽ʳ⁾,   dʳs/dtʳ = lift (ω / rise)ʳ · y⁽ʳ⁾
-//
-// A translating output is shown in mm and mm/radʳ, a swinging one in deg and deg/degʳ; the cam angle always
-// in degrees.
-
-/// One scale a derivative: shown value = factor[r] · y⁽ʳ⁾.
-struct DerivativeScale {
-    std::array<double, 4> factor{};
-    std::array<std::string, 4> unit;    ///< for people: "mm", "mm/rad", "mm/rad²", "mm/rad³"
-    std::array<std::string, 4> column;  ///< for files: "s_mm", "ds_mm_rad", "dds_mm_rad2", "ddds_mm_rad3"
-};
-
-struct DisplayScale {
-    double degrees_per_x = 0.0;  ///< θ in degrees = degrees_per_x · x
-    DerivativeScale by_angle;
-    double seconds_per_x = 0.0;              ///< 0 where the scene has no speed
-    std::optional<DerivativeScale> by_time;  ///< where the scene has a speed
-};
-
-[[nodiscard]] DisplayScale display_scale(const MotionSpec& motion);
+/// Of files whose names say mm, whatever the scene is written in.
+[[nodiscard]] inline ShownUnits file_units(const Scene& scene) {
+    return shown_units(scene.motion);
+}
 
 }  // namespace camopt

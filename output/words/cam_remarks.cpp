@@ -21,7 +21,6 @@ namespace camopt {
 
 namespace {
 
-using units::degree;
 
 constexpr int check_digits = 2;
 // Of the prime radius, of a linkage's lift: what an undercut cam is off is far more.
@@ -106,10 +105,10 @@ std::string rest_of_the_turn(const Solution& solution) {
     if (rest <= least_rest) return {};
     if (motion.type == MotionType::rr)
         return fmt::format("The motion takes {} deg; the other {} deg of the cam are a dwell on its base.",
-                           short_text(angle / degree), short_text(rest / degree));
+                           short_text(degrees_shown.of(angle)), short_text(degrees_shown.of(rest)));
     return fmt::format(
         "The profile is the sector of the motion, {} deg; the rest of the revolution is left open.",
-        short_text(angle / degree));
+        short_text(degrees_shown.of(angle)));
 }
 
 constexpr int force_samples = 3600;  // over the motion, for changes of sign

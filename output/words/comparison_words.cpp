@@ -80,7 +80,7 @@ std::string base_words(const Comparison& comparison, const ComparisonRow& row) {
     if (!row.base->radius) return "none";
     const ShownUnit length = shown_units(comparison.optimum.scene).length;
     return fixed_text(
-        length.factor * *row.base->radius,
+        length.of(*row.base->radius),
         comparison.optimum.scene.length_unit == LengthUnit::inch ? base_decimals_of_inches : base_decimals);
 }
 

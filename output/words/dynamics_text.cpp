@@ -19,7 +19,7 @@ constexpr double no_train_force =
     1e-7;  // of what presses at the top: a limit of 0 is met to the tolerance of the solve
 
 double rpm(double speed) {
-    return speed / units::revolution_per_minute;
+    return rpm_shown.of(speed);
 }
 
 std::string rpm_text(double speed) {
@@ -27,7 +27,7 @@ std::string rpm_text(double speed) {
 }
 
 std::string hertz_text(double frequency) {
-    return short_text(frequency / units::turn);
+    return short_text(hertz_shown.of(frequency));
 }
 
 struct AmplitudeUnit {

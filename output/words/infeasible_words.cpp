@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "output/view/shown_units.hpp"
 #include "output/words/infeasible_words.hpp"
 
 #include "core/units.hpp"
@@ -68,7 +69,7 @@ std::vector<ConflictStretch> stretches_of(std::vector<ConflictReport> rows, doub
 
 /// "the pressure angle limit at 12 deg and from 40 to 55.5 deg"
 std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
-    const double degrees_per_x = motion.unit_angle() / units::degree;
+    const double degrees_per_x = degrees_shown.of(motion.unit_angle());
     const auto degrees = [&](double x) { return short_text(degrees_per_x * x, short_angle_digits); };
     const std::vector<ConflictStretch> stretches = stretches_of(limit.rows, motion.length());
     std::string places;

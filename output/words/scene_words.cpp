@@ -34,7 +34,7 @@ void append(std::string& list, const std::string& part) {
 std::string kind_of_motion(const MotionSpec& motion) {
     if (motion.type == MotionType::program) {
         return fmt::format("a program of {} segments over {} deg", motion.segments.size(),
-                           short_text(motion.length() * motion.unit_angle() / degree));
+                           short_text(degrees_shown.of(motion.length() * motion.unit_angle())));
     }
     return motion.type == MotionType::drd ? "rise between two dwells"
                                           : "rise and return without a dwell at the top";
@@ -45,12 +45,12 @@ std::string motion_line(const Scene& scene) {
     std::string text = fmt::format("Motion: {}, lift {}", kind_of_motion(motion),
                                    shown_units(scene).motion[0].first.text(motion.lift));
     if (motion.type != MotionType::program)
-        text += fmt::format(", rise {} deg", short_text(motion.rise / degree));
+        text += fmt::format(", rise {} deg", short_text(degrees_shown.of(motion.rise)));
     if (motion.type == MotionType::rr)
         text +=
-            fmt::format(", return {} deg", short_text(motion.return_angle.value_or(motion.rise) / degree));
+            fmt::format(", return {} deg", short_text(degrees_shown.of(motion.return_angle.value_or(motion.rise))));
     if (motion.speed)
-        text += fmt::format(", at {} rpm", short_text(*motion.speed / units::revolution_per_minute));
+        text += fmt::format(", at {} rpm", short_text(rpm_shown.of(*motion.speed)));
     if (motion.symmetric) text += ", symmetric";
     if (const std::size_t points = placed_points(motion).size(); points > 0)
         text += fmt::format(", with {} set point{}", points, points == 1 ? "" : "s");
@@ -73,8 +73,8 @@ std::string end_text(const Scene& scene, std::size_t index) {
 
 std::string range_words(const ProgramSegment& segment) {
     if (!segment.angle_range) return {};
-    return fmt::format(" (searched from {} to {} deg)", short_text(segment.angle_range->least / degree),
-                       short_text(segment.angle_range->most / degree));
+    return fmt::format(" (searched from {} to {} deg)", short_text(degrees_shown.of(segment.angle_range->least)),
+                       short_text(degrees_shown.of(segment.angle_range->most)));
 }
 
 std::string segment_line(const Scene& scene) {
@@ -84,7 +84,7 @@ std::string segment_line(const Scene& scene) {
         const ProgramSegment& segment = motion.segments[i];
         const std::string kind =
             segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
-        append(text, fmt::format("{} {} deg{}{}", kind, short_text(segment.angle / degree),
+        append(text, fmt::format("{} {} deg{}{}", kind, short_text(degrees_shown.of(segment.angle)),
                                  range_words(segment), end_text(scene, i)));
     }
     return "Segments: " + text;
@@ -147,7 +147,7 @@ std::string spline_line(const Scene& scene) {
 
 std::string range_text(const Dimension& dimension, const ShownUnit& unit) {
     if (!dimension.is_variable()) return unit.text(dimension.low);
-    return fmt::format("free from {} to {}", short_text(unit.factor * dimension.low),
+    return fmt::format("free from {} to {}", short_text(unit.of(dimension.low)),
                        unit.text(dimension.high));
 }
 
@@ -221,8 +221,8 @@ std::string train_line(const Scene& scene) {
     if (train.preload > 0.0) append(text, "preload " + shown.load.text(train.preload));
     if (train.speed_range)
         append(text, fmt::format("from {} to {} rpm",
-                                 short_text((*train.speed_range)[0] / units::revolution_per_minute),
-                                 short_text((*train.speed_range)[1] / units::revolution_per_minute)));
+                                 short_text(rpm_shown.of((*train.speed_range)[0])),
+                                 short_text(rpm_shown.of((*train.speed_range)[1]))));
     return text;
 }
 

@@ -17,6 +17,7 @@ constexpr double least_dwell = 1e-6;  // rad: a shorter rest of the revolution i
 constexpr int closing_steps = 24;     // rows over the dwell that closes a cam
 constexpr double same_row = 1e-9;     // of the motion: places closer than this are one
 constexpr int uniform_steps = 360;
+constexpr double points_a_turn = 3600.0;
 constexpr double same_angle = 1e-12;   // relative to the motion's length: angles this close are one row
 constexpr double jump_of_jerk = 1e-9;  // relative to the peak jerk: a smaller difference is round-off
 
@@ -111,6 +112,7 @@ Delivered sample_delivered(const Solution& solution) {
         add(*solution.motion, row, false);
     if (!solution.cam) return all;
     all.whole = cam_motion(solution);
+    all.cam = std::make_shared<CamPoints>(solution.cam->cam, drawn_motion(solution), all.scale);
     const double begin = solution.motion->end(), end = all.whole->end();
     if (end > begin) {
         add(*all.whole, {begin, Side::right}, true);
@@ -123,10 +125,38 @@ Delivered sample_delivered(const Solution& solution) {
     const int stations = solution.cam->cam.formulas->stations();
     for (DeliveredRow& row : all.rows) {
         for (int station = 0; station < stations; ++station)
-            row.cam.push_back(mechanism_point(solution.cam->cam, row.motion, all.scale, station));
+            row.cam.push_back(all.cam->at(row.motion, row.side, station));
         if (loads) row.loads = loads(row.motion, row.cam.front());
     }
     return all;
+}
+
+std::vector<DeliveredRow> profile_rows(const Solution& solution, const Delivered& delivered,
+                                       const ProfileSampling& sampling, int station) {
+    const CamPoints& cam = *delivered.cam;
+    const CamPointAt at = [&](double x) { return cam.at(x, station); };
+    const LoadsAt loads = delivered_loads(solution);
+    std::vector<DeliveredRow> rows;
+    for (const double x :
+         profile_places(at, cam.motion().breakpoints(), delivered.scale.unit_angle, sampling)) {
+        DeliveredRow& row = rows.emplace_back();
+        row.x = x;
+        row.side = x < cam.motion().end() ? Side::right : Side::left;
+        row.motion = cam.motion_at(x);
+        row.cam = {at(x)};
+        if (!loads) continue;
+        row.loads = loads(row.motion, row.cam.front());
+        if (row.loads->side == station || solution.cam->summary.no_contact) continue;
+        row.loads->normal_force = 0.0;
+        if (row.loads->hertz_pressure) row.loads->hertz_pressure = 0.0;
+    }
+    return rows;
+}
+
+ProfileSampling default_sampling(const CamPoints& cam) {
+    if (cam.cam().formulas->is_direct()) return {};
+    const double turns = (cam.motion().end() - cam.motion().begin()) * cam.scale().unit_angle / units::turn;
+    return {.count = 1 + static_cast<int>(std::ceil(points_a_turn * turns))};
 }
 
 }  // namespace camopt

@@ -4,10 +4,12 @@
 
 #include "profiles/sampling.hpp"
 #include "splines/motion_chain.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,7 +57,8 @@ struct DeliveredRow {
 struct Delivered {
     std::vector<DeliveredRow> rows;
     MotionScale scale;
-    std::optional<MotionChain> whole;  ///< cam_motion; none: there is no cam
+    std::optional<MotionChain> whole;      ///< cam_motion; none: there is no cam
+    std::shared_ptr<const CamPoints> cam;  ///< along drawn_motion; null: there is no cam
 
     [[nodiscard]] double begin() const { return rows.front().x; }
     [[nodiscard]] double end() const { return rows.back().x; }
@@ -64,5 +67,13 @@ struct Delivered {
 };
 
 [[nodiscard]] Delivered sample_delivered(const Solution& solution);
+
+/// One side of the cam along drawn_motion, each row with its point of that station alone. Of a cam that drives
+/// both ways the force along the normal is 0 where the other side carries. There is a cam.
+[[nodiscard]] std::vector<DeliveredRow> profile_rows(const Solution& solution, const Delivered& delivered,
+                                                     const ProfileSampling& sampling, int station = 0);
+
+/// Unless a number of points is given: a disk cam by the chord tolerance, other cams every tenth of a degree.
+[[nodiscard]] ProfileSampling default_sampling(const CamPoints& cam);
 
 }  // namespace camopt

@@ -2,6 +2,7 @@
 #include "studies/delivered/driven_mechanism.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace camopt {
 
@@ -23,6 +24,27 @@ MechanismProfile mechanism_profile(const DrivenMechanism& mechanism, const Motio
         profile.outputs.push_back(scale.lift * point.derivative[0]);
     }
     return profile;
+}
+
+MotionPoint CamPoints::motion_at(double x) const {
+    const double place = std::clamp(x, motion_.begin(), motion_.end());
+    return motion_.at(place, place < motion_.end() ? Side::right : Side::left);
+}
+
+const MechanismPoint& CamPoints::at(double x, int station) const {
+    const MotionPoint point = motion_at(x);
+    return at(point, point.x < motion_.end() ? Side::right : Side::left, station);
+}
+
+const MechanismPoint& CamPoints::at(const MotionPoint& motion, Side side, int station) const {
+    const auto [found, is_new] = points_.try_emplace({motion.x, side, station});
+    if (is_new) found->second = mechanism_point(cam_, motion, scale_, station);
+    return found->second;
+}
+
+std::size_t CamPoints::PlaceHash::operator()(const Place& place) const {
+    const auto [x, side, station] = place;
+    return std::hash<double>()(x) * 4 + (side == Side::left ? 2 : 0) + static_cast<std::size_t>(station);
 }
 
 }  // namespace camopt

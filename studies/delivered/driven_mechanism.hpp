@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A cam of any kind along a motion: its points.
+// A cam of any kind along a motion: its points, each evaluated once.
 #pragma once
 
 #include "core/motion.hpp"
 #include "profiles/sampling.hpp"
 #include "scene/cam_mechanism.hpp"
+#include "splines/motion_chain.hpp"
 
+#include <tuple>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -22,5 +26,33 @@ struct MechanismProfile {
 };
 [[nodiscard]] MechanismProfile mechanism_profile(const DrivenMechanism& mechanism, const Motion& motion,
                                                  const MotionScale& scale, int count, int station = 0);
+
+/// The points of a cam along its motion. A point is evaluated where it is asked for first and remembered, so
+/// that tables, drawings and programs made from one cam share them. One thread at a time.
+class CamPoints {
+ public:
+    CamPoints(DrivenMechanism cam, MotionChain motion, const MotionScale& scale)
+        : cam_(std::move(cam)), motion_(std::move(motion)), scale_(scale) {}
+
+    [[nodiscard]] const DrivenMechanism& cam() const { return cam_; }
+    [[nodiscard]] const MotionChain& motion() const { return motion_; }
+    [[nodiscard]] const MotionScale& scale() const { return scale_; }
+
+    /// x beyond the motion: its end. The side after a breakpoint, at the end that before.
+    [[nodiscard]] MotionPoint motion_at(double x) const;
+    [[nodiscard]] const MechanismPoint& at(double x, int station = 0) const;
+    /// `motion`: of this motion at `x`, seen from that side.
+    [[nodiscard]] const MechanismPoint& at(const MotionPoint& motion, Side side, int station) const;
+
+ private:
+    using Place = std::tuple<double, Side, int>;
+    struct PlaceHash {
+        std::size_t operator()(const Place& place) const;
+    };
+    DrivenMechanism cam_;
+    MotionChain motion_;
+    MotionScale scale_;
+    mutable std::unordered_map<Place, MechanismPoint, PlaceHash> points_;
+};
 
 }  // namespace camopt

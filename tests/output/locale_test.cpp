@@ -5,7 +5,7 @@
 #include "core/text/text_file.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "output/csv/uniform_csv.hpp"
+#include "output/csv/motion_csv.hpp"
 #include "output/json/certificate_reader.hpp"
 #include "output/json/study_json.hpp"
 #include "output/nc/post_processor.hpp"

@@ -39,7 +39,7 @@ struct ConstraintValue {
 };
 
 std::vector<ConstraintValue> constraints(const SolvedScene& solved) {
-    const double degrees = display_scale(of(solved).scene.motion).degrees_per_x;
+    const double degrees = file_units(of(solved).scene).degrees_per_x;
     std::vector<ConstraintValue> rows;
     for (const ConstraintReport& row : of(solved).constraints) rows.push_back({row, row.at * degrees});
     return rows;
@@ -73,9 +73,7 @@ py::object motion(const SolvedScene& solved) {
 }
 
 py::dict table(const SolvedScene& solved) {
-    if (!of(solved).motion) throw InputError("a table needs a motion, and this solution has none");
-    const std::string csv = motion_csv(*of(solved).motion, of(solved).motion_peaks, of(solved).scene.motion);
-    return columns_of_csv(csv, std::numeric_limits<double>::infinity());
+    return columns_of_csv(motion_csv(of(solved)), std::numeric_limits<double>::infinity());
 }
 
 std::string profile_text(const SolvedScene& solved, std::optional<int> points) {

@@ -47,7 +47,7 @@ GoalAxis goal_axis(const ParetoPicture& picture, int goal) {
         return {words_of(name_of(request.goals[0])) + " and the scene’s other weights", 1.0};
     if (std::holds_alternative<DimensionIndex>(which)) {
         const ShownUnit length = shown_units(picture.scene).length;
-        return {fmt::format("{} ({})", words_of(name_of(which)), length.name), length.factor};
+        return {fmt::format("{} ({})", words_of(name_of(which)), length.name), 1.0 / length.size};
     }
     return figure_axis(picture.scene, cost_term(std::get<FrontFigure>(which)));
 }

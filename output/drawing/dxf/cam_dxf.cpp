@@ -5,8 +5,6 @@
 #include "core/numbers/scalar_search.hpp"
 #include "core/whole_turn.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
-#include "studies/delivered/delivered.hpp"
-#include "studies/delivered/driven_mechanism.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -24,14 +22,9 @@ constexpr int sign_samples = 3600;  // in which the reversals of an undercut out
 /// The mechanism's cam at any x of the motion.
 class Outline {
  public:
-    Outline(const DrivenMechanism& mechanism, const Motion& motion, const MotionScale& scale)
-        : mechanism_(mechanism), motion_(motion), scale_(scale) {}
+    explicit Outline(const CamPoints& points) : points_(points), motion_(points.motion()) {}
 
-    [[nodiscard]] MechanismPoint at(double x, int station) const {
-        const double place = std::clamp(x, motion_.begin(), motion_.end());
-        return mechanism_point(
-            mechanism_, motion_.at(place, place < motion_.end() ? Side::right : Side::left), scale_, station);
-    }
+    [[nodiscard]] const MechanismPoint& at(double x, int station) const { return points_.at(x, station); }
     /// Where the motion changes its formula and where the outline's direction of travel reverses.
     [[nodiscard]] std::vector<double> knots(int station) const {
         std::vector<double> all = motion_.breakpoints();
@@ -50,7 +43,7 @@ class Outline {
     [[nodiscard]] std::vector<double> breakpoints() const { return motion_.breakpoints(); }
     [[nodiscard]] bool closed(double size) const {
         const Vector2d gap = (at(motion_.end(), 0).contact - at(motion_.begin(), 0).contact).head<2>();
-        return is_whole_turn((motion_.end() - motion_.begin()) * scale_.unit_angle) &&
+        return is_whole_turn((motion_.end() - motion_.begin()) * points_.scale().unit_angle) &&
                gap.norm() < closing * size;
     }
 
@@ -61,9 +54,8 @@ class Outline {
         return bisected(like_left, {left, right}, reversal_bisections).without;
     }
 
-    const DrivenMechanism& mechanism_;
+    const CamPoints& points_;
     const Motion& motion_;
-    MotionScale scale_;
 };
 
 ArcChain chain_of(const Outline& outline, int station, bool of_cam, bool closed, double tolerance,
@@ -78,10 +70,11 @@ ArcChain chain_of(const Outline& outline, int station, bool of_cam, bool closed,
     return arc_chain(curve, of_cam ? outline.knots(station) : outline.breakpoints(), closed, options);
 }
 
-ProfileDxf outline_dxf(const DrivenMechanism& mechanism, const Motion& motion, const MotionScale& scale,
-                       double tolerance) {
-    const Outline outline(mechanism, motion, scale);
-    const bool guide = mechanism.formulas->has_guide();
+ProfileDxf outline_dxf(const CamPoints& points, double tolerance) {
+    const Outline outline(points);
+    const CamMechanism& formulas = *points.cam().formulas;
+    const Motion& motion = points.motion();
+    const bool guide = formulas.has_guide();
     const char* const cam = guide ? "WALLS" : "CAM";
     DxfDrawing drawing({{cam, 7, DxfLine::continuous},
                         {"PITCH", 5, DxfLine::dashed},
@@ -91,14 +84,14 @@ ProfileDxf outline_dxf(const DrivenMechanism& mechanism, const Motion& motion, c
     const bool closed = !guide && outline.closed(size);
     ProfileDxf result;
     double reach = 0.0;
-    for (int station = 0; station < mechanism.formulas->stations(); ++station) {
-        const ArcChain chain = chain_of(outline, station, true, closed, tolerance, scale.unit_angle);
+    for (int station = 0; station < formulas.stations(); ++station) {
+        const ArcChain chain = chain_of(outline, station, true, closed, tolerance, points.scale().unit_angle);
         drawing.polyline(cam, chain.vertices, chain.closed);
         result.arcs += chain.arcs;
         result.deviation = std::max(result.deviation, chain.deviation);
         reach = std::max(reach, axis_overhang * largest_radius(chain));
     }
-    const ArcChain pitch = chain_of(outline, 0, false, closed, tolerance, scale.unit_angle);
+    const ArcChain pitch = chain_of(outline, 0, false, closed, tolerance, points.scale().unit_angle);
     drawing.polyline("PITCH", pitch.vertices, pitch.closed);
     result.pitch_arcs = pitch.arcs;
     result.pitch_deviation = pitch.deviation;
@@ -203,13 +196,11 @@ double draw_other_side(DxfDrawing& drawing, const ProfileShape& shape, double to
 
 }  // namespace
 
-ProfileDxf cam_dxf(const Solution& solution, double tolerance) {
-    if (!solution.cam || !solution.cam->cam.formulas->is_plane_curve())
+ProfileDxf cam_dxf(const View& view, double tolerance) {
+    if (!view.delivered.cam || !view.delivered.cam->cam().formulas->is_plane_curve())
         throw InputError("a drawing needs the cam of a plane mechanism, and this solution has none");
-    const MotionChain motion = drawn_motion(solution);
-    if (const std::optional<ProfileShape> shape = delivered_shape(solution, motion))
-        return profile_dxf(*shape, tolerance);
-    return outline_dxf(solution.cam->cam, motion, motion_scale(solution.scene), tolerance);
+    if (const std::optional<ProfileShape> shape = delivered_shape(view)) return profile_dxf(*shape, tolerance);
+    return outline_dxf(*view.delivered.cam, tolerance);
 }
 
 ArcChain outline_chain(const ProfileShape& shape, bool of_cam, double tolerance) {

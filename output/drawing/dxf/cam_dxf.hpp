@@ -35,6 +35,6 @@ struct ProfileDxf {
 
 /// tolerance: m, > 0. An undercut cam is drawn with its loops, as it is. Throws InputError for a solution
 /// without such a cam and a tolerance that is not positive.
-[[nodiscard]] ProfileDxf cam_dxf(const Solution& solution, double tolerance = 1e-6);
+[[nodiscard]] ProfileDxf cam_dxf(const View& view, double tolerance = 1e-6);
 
 }  // namespace camopt

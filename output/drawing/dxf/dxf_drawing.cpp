@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/drawing/dxf/dxf_scaffold.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -23,15 +24,15 @@ void DxfDrawing::begin_entity(const char* type, std::string_view layer, const ch
 }
 
 void DxfDrawing::point(int code, const Eigen::Vector2d& place) {
-    append_tag(entities_, code, dxf_real(place.x() / units::millimetre));
-    append_tag(entities_, code + 10, dxf_real(place.y() / units::millimetre));
+    append_tag(entities_, code, dxf_real(millimetres_shown.of(place.x())));
+    append_tag(entities_, code + 10, dxf_real(millimetres_shown.of(place.y())));
 }
 
 void DxfDrawing::widen(const Eigen::Vector2d& place, double reach) {
     if (!place.allFinite() || !std::isfinite(reach))
         throw InputError("a DXF drawing takes finite points only, and one is not");
-    const Eigen::Vector2d middle = place / units::millimetre;
-    const Eigen::Vector2d size = Eigen::Vector2d::Constant(reach / units::millimetre);
+    const Eigen::Vector2d middle = place / millimetres_shown.size;
+    const Eigen::Vector2d size = Eigen::Vector2d::Constant(millimetres_shown.of(reach));
     const bool first = entity_count_ == 0;
     least_ = first ? Eigen::Vector2d(middle - size) : Eigen::Vector2d(least_.cwiseMin(middle - size));
     most_ = first ? Eigen::Vector2d(middle + size) : Eigen::Vector2d(most_.cwiseMax(middle + size));
@@ -54,7 +55,7 @@ void DxfDrawing::circle(std::string_view layer, const Eigen::Vector2d& center, d
     begin_entity("CIRCLE", layer, "AcDbCircle");
     point(10, center);
     append_tag(entities_, 30, dxf_real(0.0));
-    append_tag(entities_, 40, dxf_real(radius / units::millimetre));
+    append_tag(entities_, 40, dxf_real(millimetres_shown.of(radius)));
 }
 
 void DxfDrawing::line(std::string_view layer, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
@@ -72,9 +73,9 @@ void DxfDrawing::text(std::string_view layer, const DxfText& words) {
     begin_entity("TEXT", layer, "AcDbText");
     point(10, words.at);
     append_tag(entities_, 30, dxf_real(0.0));
-    append_tag(entities_, 40, dxf_real(words.height / units::millimetre));
+    append_tag(entities_, 40, dxf_real(millimetres_shown.of(words.height)));
     append_tag(entities_, 1, dxf_text(words.words));
-    append_tag(entities_, 50, dxf_real(words.turn / units::degree));
+    append_tag(entities_, 50, dxf_real(degrees_shown.of(words.turn)));
     if (words.anchor != DxfText::Anchor::start) {
         append_tag(entities_, 72, words.anchor == DxfText::Anchor::middle ? "1" : "2");
         point(11, words.at);
@@ -125,7 +126,7 @@ void DxfDrawing::dimension(std::string_view layer, const DxfDimension& dimension
     append_tag(entities_, 70, std::to_string(kind + own_block + own_place));
     append_tag(entities_, 71, "8");  // their foot's middle
     const bool angle = dimension.kind == Kind::angle;
-    append_tag(entities_, 42, dxf_real(dimension.measured / (angle ? 1.0 : units::millimetre)));
+    append_tag(entities_, 42, dxf_real(angle ? dimension.measured : millimetres_shown.of(dimension.measured)));
     append_tag(entities_, 1, dimension.across ? "%%c<>" : "<>");
     append_tag(entities_, 3, dxf_dimension_style);
     switch (dimension.kind) {
@@ -133,7 +134,7 @@ void DxfDrawing::dimension(std::string_view layer, const DxfDimension& dimension
             append_tag(entities_, 100, "AcDbAlignedDimension");
             place(13, dimension.first);
             place(14, dimension.second);
-            append_tag(entities_, 50, dxf_real(dimension.direction / units::degree));
+            append_tag(entities_, 50, dxf_real(degrees_shown.of(dimension.direction)));
             append_tag(entities_, 100, "AcDbRotatedDimension");
             break;
         case Kind::diameter:

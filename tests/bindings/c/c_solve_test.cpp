@@ -148,7 +148,7 @@ void expect_same_constraints(const CSolution& c, const Solution& cpp) {
 
 void expect_same_documents(const CSolution& c, const Solution& cpp) {
     EXPECT_EQ(text_of(c, CAMOPT_CERTIFICATE_JSON), certificate_json(cpp.certificate));
-    EXPECT_EQ(text_of(c, CAMOPT_MOTION_CSV), motion_csv(*cpp.motion, cpp.motion_peaks, cpp.scene.motion));
+    EXPECT_EQ(text_of(c, CAMOPT_MOTION_CSV), motion_csv(cpp));
     EXPECT_NE(text_of(c, CAMOPT_MOTION_SVG).find("</svg>"), std::string::npos);
     EXPECT_NE(text_of(c, CAMOPT_REPORT_MARKDOWN).find("\n"), std::string::npos);
     const std::string verdict = std::string("\"verdict\": \"") + name_of(cpp.certificate.verdict);

@@ -33,7 +33,7 @@ std::vector<std::vector<std::string>> table_of(const std::string& text) {
 TEST(MotionCsv, HeaderCarriesUnits) {
     Solution solution = test::sample_solution();
     const auto header = [&] {
-        return table_of(motion_csv(*solution.curve, solution.peaks, solution.scene.motion))[0];
+        return table_of(motion_csv(solution))[0];
     };
     EXPECT_EQ(header(), (std::vector<std::string>{"theta_deg", "s_mm", "ds_mm_rad", "dds_mm_rad2",
                                                   "ddds_mm_rad3", "x", "y", "dy", "ddy", "dddy", "t_s",
@@ -62,7 +62,7 @@ TEST(MotionCsv, JerkJumpTakesTwoRows) {
 
 TEST(MotionCsv, ValuesFollowFromTheNormalisedOnes) {
     const Solution solution = test::sample_solution();
-    const auto table = table_of(motion_csv(*solution.curve, solution.peaks, solution.scene.motion));
+    const auto table = table_of(motion_csv(solution));
     const double rise = std::numbers::pi / 2, omega = 10 * std::numbers::pi;
     for (std::size_t i = 1; i < table.size(); i += 7) {
         const auto number = [&](std::size_t column) { return std::stod(table[i][column]); };

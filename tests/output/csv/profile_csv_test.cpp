@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
+#include "tests/output/sample_solution.hpp"
 #include "tests/studies/cam_samples.hpp"
-#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +15,6 @@
 
 namespace camopt {
 namespace profile_csv_test {
-
-using testing_support::refusal;
 
 /// The cells of a line; empty ones are NaN.
 std::vector<double> numbers(const std::string& line) {
@@ -35,20 +32,30 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-MechanismProfile sample(FollowerType follower) {
-    return mechanism_profile(disk_mechanism(test::sample_cam(follower)), test::turn_motion("modified_sine"),
-                             test::sample_scale(follower), 90);
+/// A turn with the modified sine, without forces.
+Solution sample(FollowerType follower) {
+    Solution solution = test::cam_solution();
+    solution.motion = std::make_shared<MotionChain>(test::turn_motion("modified_sine"));
+    solution.scene.motion.type = MotionType::program;
+    solution.scene.motion.segments = {{.angle = test::sample_scale(follower).unit_angle}};
+    solution.scene.motion.lift = test::sample_scale(follower).lift;
+    solution.scene.motion.lift_is_angle = is_oscillating(follower);
+    solution.cam->cam = disk_mechanism(test::sample_cam(follower));
+    solution.cam->summary.forces.reset();
+    return solution;
 }
 
-ProfileColumns columns_of(FollowerType follower) {
-    return {is_oscillating(follower), has_flat_face(follower), {}, {}};
+std::vector<DeliveredRow> rows_of(const View& view) {
+    return profile_rows(view.solution, view.delivered, {.count = 90});
 }
 
 TEST(ProfileCsv, ColumnsFollowTheFollower) {
     for (const FollowerType follower : test::all_followers) {
-        const MechanismProfile profile = sample(follower);
-        const auto lines = lines_of(profile_csv(profile, columns_of(follower)));
-        EXPECT_EQ(lines.size(), profile.points.size() + 1);
+        const Solution solution = sample(follower);
+        const View view(solution);
+        const auto rows = rows_of(view);
+        const auto lines = lines_of(profile_csv(view, rows));
+        EXPECT_EQ(lines.size(), rows.size() + 1);
         const std::string& header = lines.front();
         EXPECT_EQ(header.find("s_deg") != std::string::npos, is_oscillating(follower));
         EXPECT_EQ(header.find("contact_offset_mm") != std::string::npos, has_flat_face(follower));
@@ -58,9 +65,10 @@ TEST(ProfileCsv, ColumnsFollowTheFollower) {
 }
 
 TEST(ProfileCsv, RowsAgreeWithEachOther) {
-    const auto follower = FollowerType::translating_roller;
-    const MechanismProfile profile = sample(follower);
-    const auto lines = lines_of(profile_csv(profile, columns_of(follower)));
+    const Solution solution = sample(FollowerType::translating_roller);
+    const View view(solution);
+    const auto rows = rows_of(view);
+    const auto lines = lines_of(profile_csv(view, rows));
     const auto first = numbers(lines[1]), last = numbers(lines.back());
     EXPECT_EQ(first[0], 0.0);
     EXPECT_NEAR(last[0], 360.0, 1e-12);
@@ -70,28 +78,22 @@ TEST(ProfileCsv, RowsAgreeWithEachOther) {
         const auto cells = numbers(lines[i]);
         EXPECT_NEAR(cells[2] - cells[4], 10.0 * cells[6], 1e-12);  // pitch − cam = roller radius · normal
         EXPECT_NEAR(cells[3] - cells[5], 10.0 * cells[7], 1e-12);
-        EXPECT_EQ(cells[1], profile.outputs[i - 1] / units::millimetre);
+        EXPECT_NEAR(cells[1],
+                    solution.scene.motion.lift * rows[i - 1].motion.derivative[0] / units::millimetre, 1e-12);
     }
 }
 
 TEST(ProfileCsv, AnInfiniteRadiusStaysEmpty) {
-    MechanismProfile profile = sample(FollowerType::translating_knife);
-    profile.points.resize(1);
-    profile.outputs.resize(1);
-    profile.points[0].pitch_curvature = 0.0;
-    profile.points[0].cam_radius = HUGE_VAL;
-    const auto cells =
-        numbers(lines_of(profile_csv(profile, columns_of(FollowerType::translating_knife)))[1]);
+    const Solution solution = sample(FollowerType::translating_knife);
+    const View view(solution);
+    std::vector<DeliveredRow> rows = rows_of(view);
+    rows.resize(1);
+    rows[0].cam[0].pitch_curvature = 0.0;
+    rows[0].cam[0].cam_radius = HUGE_VAL;
+    const auto cells = numbers(lines_of(profile_csv(view, rows))[1]);
     EXPECT_TRUE(std::isnan(cells[9]));
     EXPECT_TRUE(std::isnan(cells[10]));
     EXPECT_EQ(cells[11], 1.0);
-}
-
-TEST(ProfileCsv, NeedsADisplacementForEveryPoint) {
-    MechanismProfile profile = sample(FollowerType::translating_flat);
-    profile.outputs.pop_back();
-    EXPECT_EQ(refusal([&] { (void)profile_csv(profile, columns_of(FollowerType::translating_flat)); }),
-              "profile.csv: 97 points and 96 displacements");
 }
 
 }  // namespace profile_csv_test

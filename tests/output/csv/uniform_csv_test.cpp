@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // table.csv: evenly spaced rows with chosen columns.
-#include "output/csv/uniform_csv.hpp"
+#include "output/csv/motion_csv.hpp"
 
 #include "core/errors.hpp"
 #include "output/csv/csv_line.hpp"

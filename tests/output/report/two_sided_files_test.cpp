@@ -2,7 +2,7 @@
 // Files and words of cams that drive both ways: tables of both sides, layers, remarks, what is refused.
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "output/csv/uniform_csv.hpp"
+#include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_export.hpp"
 #include "output/disk/disk_solid.hpp"
 #include "output/report/cam_files.hpp"
@@ -147,8 +147,7 @@ TEST_F(TwoSidedFiles, WordsNameTheSide) {
 }
 
 TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
-    const MotionChain motion = drawn_motion(conjugate());
-    const ProfileShape shape = delivered_shape(conjugate(), motion).value();
+    const ProfileShape shape = delivered_shape(conjugate()).value();
     EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, {}); }).find("found two disks"), std::string::npos);
     EXPECT_NE(refusal([&] { (void)disk_volume(shape, {}); }).find("found two disks"), std::string::npos);
     EXPECT_NE(refusal([&] { (void)cam_sheet(conjugate()); }).find("found two disks"), std::string::npos);
@@ -168,8 +167,7 @@ TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
 }
 
 TEST_F(TwoSidedFiles, FittingCuttersMillTheGroove) {
-    const MotionChain motion = drawn_motion(grooved());
-    const ProfileShape shape = delivered_shape(grooved(), motion).value();
+    const ProfileShape shape = delivered_shape(grooved()).value();
     ASSERT_EQ(made_pieces(shape).size(), 1u);
     const auto machine = plane_milling_machine();
     const PostProcessor post = generic_post(*machine);

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "output/view/columns.hpp"
+
+#include "core/numbers/infinity.hpp"
+#include "core/units.hpp"
+#include "output/view/shown_units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+/// By what a derivative is taken.
+enum class TablePer { x, degree, radian, second };
+
+constexpr std::array<const char*, 4> keys_by_x = {"y", "dy", "ddy", "dddy"},
+                                     keys_of_angle = {"s", "ds", "dds", "ddds"},
+                                     keys_in_time = {"s", "v", "a", "j"},
+                                     column_words = {"displacement", "velocity", "acceleration", "jerk"};
+
+double per_x(const MotionSpec& motion, TablePer per) {
+    if (per == TablePer::degree) return motion.unit_angle() / units::degree;
+    if (per == TablePer::radian) return motion.unit_angle();
+    return motion.unit_angle() / motion.speed.value();
+}
+
+struct DerivativeUnit {
+    const char* key;  ///< "mm"
+    double si;
+    bool swings;
+};
+
+void add_derivative(std::vector<TableColumn>& rows, const DerivativeUnit& unit, std::size_t order,
+                    TablePer per) {
+    const std::string power = order < 2 ? "" : std::to_string(order);
+    const char* const by = per == TablePer::degree ? "deg" : per == TablePer::second ? "s" : "rad";
+    const char* const symbol = (per == TablePer::second ? keys_in_time : keys_of_angle)[order];
+    const unsigned need = (unit.swings ? ColumnNeed::angle : ColumnNeed::length) |
+                          (per == TablePer::second ? ColumnNeed::speed : 0U);
+    rows.push_back(
+        {order == 0 ? fmt::format("s_{}", unit.key) : fmt::format("{}_{}_{}{}", symbol, unit.key, by, power),
+         order == 0 ? fmt::format("displacement in {}", unit.key)
+                    : fmt::format("{} in {}/{}{}", column_words[order], unit.key, by, power),
+         need, order, [=, si = unit.si](const MotionSpec& motion, const TableRow& row) {
+             const double s = row.motion.derivative[order] * motion.lift / si;
+             return order == 0 ? s : s / std::pow(per_x(motion, per), static_cast<int>(order));
+         }});
+}
+
+struct CamColumn {
+    const char* key;
+    const char* meaning;
+    unsigned need;
+    double (*value)(const MechanismPoint& cam, const FollowerLoads& loads);
+};
+
+double millimetres(double metres) {
+    return metres / units::millimetre;
+}
+
+constexpr CamColumn cam_columns[] = {
+    {"pressure_angle_deg", "pressure angle in deg", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return cam.pressure_angle / units::degree; }},
+    {"cam_radius_mm", "radius of curvature of the cam in mm, > 0 convex", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.cam_radius); }},
+    {"pitch_radius_mm", "radius of curvature of the pitch curve in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return 1.0 / (cam.pitch_curvature * units::millimetre); }},
+    {"pitch_x_mm", "roller centre, x in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.pitch.x()); }},
+    {"pitch_y_mm", "roller centre, y in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.pitch.y()); }},
+    {"cam_x_mm", "point of the cam, x in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.contact.x()); }},
+    {"cam_y_mm", "point of the cam, y in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.contact.y()); }},
+    {"normal_x", "outward normal of the cam, x", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return cam.normal.x(); }},
+    {"normal_y", "outward normal of the cam, y", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return cam.normal.y(); }},
+    {"regularity", "<= 0 where the cam is undercut", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return cam.regularity; }},
+    {"contact_offset_mm", "where a flat face is touched in mm", ColumnNeed::plane_cam,
+     [](const auto& cam, const auto&) { return millimetres(cam.contact_offset); }},
+    {"force_n", "force along the lift in N", ColumnNeed::forces | ColumnNeed::length,
+     [](const auto&, const auto& loads) { return loads.force; }},
+    {"moment_nm", "moment on the arm in N m", ColumnNeed::forces | ColumnNeed::angle,
+     [](const auto&, const auto& loads) { return loads.force; }},
+    {"torque_nm", "torque on the camshaft in N m", ColumnNeed::forces,
+     [](const auto&, const auto& loads) { return loads.torque; }},
+    {"normal_force_n", "force along the cam's normal in N", ColumnNeed::forces,
+     [](const auto&, const auto& loads) { return loads.normal_force; }},
+    {"hertz_pressure_mpa", "Hertz pressure in MPa", ColumnNeed::forces | ColumnNeed::contact_width,
+     [](const auto&, const auto& loads) {
+         return loads.hertz_pressure.value_or(infinity) / units::megapascal;
+     }}};
+
+std::vector<TableColumn> all_columns() {
+    std::vector<TableColumn> rows;
+    const auto add = [&](const char* key, const char* meaning, unsigned need,
+                         double (*value)(const MotionSpec&, const TableRow&)) {
+        rows.push_back({key, meaning, need, 0, value});
+    };
+    add("theta_deg", "cam angle in deg", 0, [](const auto&, const auto& row) { return row.theta_deg; });
+    add("theta_rad", "cam angle in rad", 0,
+        [](const auto&, const auto& row) { return row.theta_deg * units::degree; });
+    add("x", "cam angle, normalised", 0, [](const auto&, const auto& row) { return row.motion.x; });
+    add("t_s", "time in s", ColumnNeed::speed, [](const auto& motion, const auto& row) {
+        return row.theta_deg * units::degree / motion.speed.value();
+    });
+    for (std::size_t order = 0; order < keys_by_x.size(); ++order)
+        rows.push_back({keys_by_x[order], fmt::format("{}, normalised", column_words[order]), 0, 0,
+                        [order](const auto&, const TableRow& row) { return row.motion.derivative[order]; }});
+    for (const DerivativeUnit& unit :
+         {DerivativeUnit{"mm", units::millimetre, false}, DerivativeUnit{"m", 1.0, false},
+          DerivativeUnit{"in", units::inch, false}, DerivativeUnit{"deg", units::degree, true},
+          DerivativeUnit{"rad", 1.0, true}}) {
+        add_derivative(rows, unit, 0, TablePer::x);
+        for (std::size_t order = 1; order < column_words.size(); ++order)
+            for (const TablePer per : {TablePer::radian, TablePer::degree, TablePer::second})
+                add_derivative(rows, unit, order, per);
+    }
+    for (const CamColumn& cam : cam_columns)
+        rows.push_back({cam.key, cam.meaning, cam.need, 0,
+                        [&cam](const auto&, const TableRow& row) { return cam.value(*row.cam, row.loads); }});
+    return rows;
+}
+
+struct Need {
+    unsigned bit;
+    const char* words;
+    bool (*met)(const Solution& solution);
+};
+
+/// In the order of the words; a width of contact is that of forces.
+constexpr Need needs[] = {{ColumnNeed::speed, "motion.speed_rpm",
+                           [](const Solution& solution) { return solution.scene.motion.speed.has_value(); }},
+                          {ColumnNeed::plane_cam, "a plane cam", has_plane_cam},
+                          {ColumnNeed::forces, "a cam with [forces]",
+                           [](const Solution& solution) { return delivered_loads(solution) != nullptr; }},
+                          {ColumnNeed::length, "a lift that is a length",
+                           [](const Solution& solution) { return !solution.scene.motion.lift_is_angle; }},
+                          {ColumnNeed::angle, "a lift that is an angle",
+                           [](const Solution& solution) { return solution.scene.motion.lift_is_angle; }},
+                          {ColumnNeed::contact_width, "a width of contact", [](const Solution& solution) {
+                               return solution.cam->summary.forces->hertz_pressure.has_value();
+                           }}};
+
+using Keys = std::vector<std::string>;
+
+/// Displacement and column_words by the cam angle.
+Keys keys_by_angle(const MotionSpec& motion) {
+    if (motion.lift_is_angle) return {"s_deg", "ds_deg_deg", "dds_deg_deg2", "ddds_deg_deg3"};
+    return {"s_mm", "ds_mm_rad", "dds_mm_rad2", "ddds_mm_rad3"};
+}
+
+}  // namespace
+
+std::string words_of_need(unsigned need) {
+    std::string words;
+    for (const Need& one : needs)
+        if ((need & one.bit) != 0) words += (words.empty() ? "needs " : " and ") + std::string(one.words);
+    return words;
+}
+
+const std::vector<TableColumn>& table_columns() {
+    static const std::vector<TableColumn> columns = all_columns();
+    return columns;
+}
+
+Columns columns_of(const std::vector<std::string>& keys) {
+    Columns columns;
+    for (const std::string& key : keys) {
+        const auto found = std::ranges::find(table_columns(), key, &TableColumn::key);
+        if (found == table_columns().end()) throw std::out_of_range("no column " + key);
+        columns.push_back(&*found);
+    }
+    return columns;
+}
+
+bool has_column(const Solution& solution, const TableColumn& column) {
+    return std::ranges::all_of(
+        needs, [&](const Need& one) { return (column.need & one.bit) == 0 || one.met(solution); });
+}
+
+Columns motion_columns(const MotionSpec& motion) {
+    Keys keys = keys_by_angle(motion);
+    keys.insert(keys.begin(), "theta_deg");
+    keys.insert(keys.end(), {"x", "y", "dy", "ddy", "dddy"});
+    if (motion.speed && motion.lift_is_angle)
+        keys.insert(keys.end(),
+                    {"t_s", "v_deg_s", "a_deg_s2", "j_deg_s3", "v_rad_s", "a_rad_s2", "j_rad_s3"});
+    else if (motion.speed)
+        keys.insert(keys.end(), {"t_s", "v_mm_s", "a_mm_s2", "j_mm_s3", "a_m_s2", "j_m_s3"});
+    return columns_of(keys);
+}
+
+Columns profile_columns(const Solution& solution) {
+    const CamMechanism& cam = *solution.cam->cam.formulas;
+    Keys keys = {"theta_deg",          cam.swings() ? "s_deg" : "s_mm",
+                 "pitch_x_mm",         "pitch_y_mm",
+                 "cam_x_mm",           "cam_y_mm",
+                 "normal_x",           "normal_y",
+                 "pressure_angle_deg", "pitch_radius_mm",
+                 "cam_radius_mm",      "regularity"};
+    if (!cam.has_pitch_curve()) keys.emplace_back("contact_offset_mm");
+    if (delivered_loads(solution) == nullptr) return columns_of(keys);
+    keys.insert(keys.end(), {cam.swings() ? "moment_nm" : "force_n", "torque_nm", "normal_force_n"});
+    if (solution.cam->summary.forces->hertz_pressure) keys.emplace_back("hertz_pressure_mpa");
+    return columns_of(keys);
+}
+
+Columns default_columns(const Solution& solution) {
+    Keys keys = {"theta_deg"};
+    if (solution.scene.length_unit == LengthUnit::inch && !solution.scene.motion.lift_is_angle) {
+        if (solution.scene.motion.speed)
+            keys.insert(keys.end(), {"s_in", "v_in_s", "a_in_s2", "j_in_s3"});
+        else
+            keys.insert(keys.end(), {"s_in", "ds_in_rad", "dds_in_rad2", "ddds_in_rad3"});
+    } else {
+        for (const ShownDerivative& shown : shown_units(solution.scene.motion).motion)
+            keys.push_back(shown.first.column);
+    }
+    if (has_plane_cam(solution)) keys.emplace_back("pressure_angle_deg");
+    return columns_of(keys);
+}
+
+bool has_plane_cam(const Solution& solution) {
+    if (!solution.cam) return false;
+    const CamMechanism& cam = *solution.cam->cam.formulas;
+    return cam.planar() && (cam.stations() == 1 || cam.is_direct());
+}
+
+}  // namespace camopt
