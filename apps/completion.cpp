@@ -4,8 +4,8 @@
 #include "apps/commands.hpp"
 #include "apps/completion/key_values.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "output/view/columns.hpp"
 #include "output/plc/plc_format.hpp"
+#include "output/view/columns.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
 #include <algorithm>

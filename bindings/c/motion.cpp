@@ -54,8 +54,8 @@ std::vector<camopt_profile_point> profile_of(const Solution& solution, std::size
     ProfileSampling sampling = default_sampling(cam);
     if (points > 0) sampling.count = static_cast<int>(points);
     std::vector<camopt_profile_point> all;
-    for (const MechanismPoint& point : sampled_profile(cam.cam(), cam.motion(), cam.scale(), sampling,
-                                                       static_cast<int>(station)))
+    for (const MechanismPoint& point :
+         sampled_profile(cam.cam(), cam.motion(), cam.scale(), sampling, static_cast<int>(station)))
         all.push_back(point_of(point));
     return all;
 }

@@ -33,8 +33,7 @@ TableRow table_row(const View& view, const DeliveredRow& row) {
 
 void add_cells(CsvLine& line, const View& view, const Columns& columns, const DeliveredRow& row) {
     const TableRow values = table_row(view, row);
-    for (const TableColumn* column : columns)
-        line.number(column->value(view.solution.scene.motion, values));
+    for (const TableColumn* column : columns) line.number(column->value(view.solution.scene.motion, values));
 }
 
 std::string line_of(const View& view, const Columns& columns, const DeliveredRow& row) {
@@ -57,10 +56,9 @@ Columns chosen_columns(const Solution& solution, const std::vector<std::string>&
         const auto found = std::ranges::find(table_columns(), key, &TableColumn::key);
         const bool known = found != table_columns().end();
         if (!known || !has_column(solution, *found))
-            throw InputError(
-                fmt::format("--columns: found \"{}\"{}; allowed: {}", key,
-                            known ? fmt::format(", which {}", words_of_need(found->need)) : "",
-                            fmt::join(allowed_keys(solution), ", ")));
+            throw InputError(fmt::format("--columns: found \"{}\"{}; allowed: {}", key,
+                                         known ? fmt::format(", which {}", words_of_need(found->need)) : "",
+                                         fmt::join(allowed_keys(solution), ", ")));
     }
     return columns_of(keys);
 }
@@ -130,8 +128,8 @@ std::string guide_csv(const View& view, const std::vector<DeliveredRow>& left,
     static constexpr const char* titles =
         "theta_deg,s_mm,middle_x_mm,middle_y_mm,left_x_mm,left_y_mm,right_x_mm,right_y_mm,"
         "pressure_angle_deg,middle_radius_mm,regularity_left,regularity_right\n";
-    static const Columns first = columns_of({"theta_deg", "s_mm", "pitch_x_mm", "pitch_y_mm", "cam_x_mm",
-                                             "cam_y_mm"}),
+    static const Columns first = columns_of(
+                             {"theta_deg", "s_mm", "pitch_x_mm", "pitch_y_mm", "cam_x_mm", "cam_y_mm"}),
                          second = columns_of({"cam_x_mm", "cam_y_mm"}),
                          third = columns_of({"pressure_angle_deg", "pitch_radius_mm", "regularity"}),
                          last = columns_of({"regularity"});

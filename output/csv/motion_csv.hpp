@@ -2,13 +2,15 @@
 // The motion and its cam as tables; columns and units: output/view/columns.hpp, docs/results.md. A value that
 // is infinite or does not exist stays empty.
 //
-//   motion.csv   361 uniform cam angles over the motion, every breakpoint, and the peaks. Where the jerk jumps
+//   motion.csv   361 uniform cam angles over the motion, every breakpoint, and the peaks. Where the jerk
+//   jumps
 //                the angle stands in two rows: first as seen from the left, then from the right
 //   profile.csv  one side of a cam, one row a point. Radii are signed, > 0 convex. Of the loads the force
 //                along the normal and the Hertz pressure are empty where the follower cannot touch the cam as
 //                designed (studies/delivered/follower_loads.hpp). Cam frame of
 //                output/drawing/profile_shape.hpp
-//   guide.csv    both walls of a guide in the frame of the body (origin: its pivot; x axis: through the roller
+//   guide.csv    both walls of a guide in the frame of the body (origin: its pivot; x axis: through the
+//   roller
 //                where the body stands at angle 0): theta_deg, s_mm (the feeder's), middle_x_mm, middle_y_mm
 //                (the roller's centre), left_x_mm, left_y_mm, right_x_mm, right_y_mm (the walls, seen
 //                outwards), pressure_angle_deg, middle_radius_mm (> 0: bent to the left), regularity_left,
@@ -36,10 +38,11 @@ namespace camopt {
                                     const std::vector<DeliveredRow>& right);
 
 struct UniformTableOptions {
-    std::optional<int> rows = {};           ///< both ends included; none: 361, or by the step
-    std::optional<double> step_deg = {};    ///< never together with rows
-    std::vector<std::string> columns = {};  ///< empty: angle, displacement, velocity, acceleration, jerk in
-                                            ///< the units of the report, and the pressure angle of a plane cam
+    std::optional<int> rows = {};         ///< both ends included; none: 361, or by the step
+    std::optional<double> step_deg = {};  ///< never together with rows
+    std::vector<std::string> columns =
+        {};                          ///< empty: angle, displacement, velocity, acceleration, jerk in
+                                     ///< the units of the report, and the pressure angle of a plane cam
     std::optional<int> digits = {};  ///< significant, 1 … 17; none: as many as read back to the same number
 };
 
@@ -54,12 +57,12 @@ struct UniformTable {
     [[nodiscard]] std::string words() const;
 };
 
-/// table.csv. The angle of row i is i times the step (end · i / (rows − 1) for a number of rows): no sum, so it
-/// does not drift, and the last row stands at the end exactly. The table goes over the whole turn where the
-/// motion closes (RR with its dwell, a closed program), else to the end of the motion. At a breakpoint a value
-/// is that of the side after it, at the end that before.
-/// Throws InputError for a column that does not exist or that this solution does not have, naming those it
-/// has; for a step that is not in (0, end], and where there is no motion.
+/// table.csv. The angle of row i is i times the step (end · i / (rows − 1) for a number of rows): no sum, so
+/// it does not drift, and the last row stands at the end exactly. The table goes over the whole turn where
+/// the motion closes (RR with its dwell, a closed program), else to the end of the motion. At a breakpoint a
+/// value is that of the side after it, at the end that before. Throws InputError for a column that does not
+/// exist or that this solution does not have, naming those it has; for a step that is not in (0, end], and
+/// where there is no motion.
 [[nodiscard]] UniformTable uniform_table(const View& view, const UniformTableOptions& options);
 
 /// "theta_deg,s_mm": the names between commas. Throws InputError for an empty one.

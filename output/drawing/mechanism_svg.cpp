@@ -129,8 +129,7 @@ class MechanismPage {
         const Motion& motion = points_.motion();
         double least = HUGE_VAL, most = -HUGE_VAL;
         for (int i = 0; i <= motion_samples; ++i) {
-            const double s =
-                output_at(motion.begin() + (motion.end() - motion.begin()) * i / motion_samples);
+            const double s = output_at(motion.begin() + (motion.end() - motion.begin()) * i / motion_samples);
             least = std::min(least, s);
             most = std::max(most, s);
         }
@@ -249,7 +248,8 @@ class MechanismPage {
 }  // namespace
 
 std::string mechanism_svg(const View& view) {
-    if (!view.delivered.cam) throw InputError("a picture of a mechanism needs one, and this solution has none");
+    if (!view.delivered.cam)
+        throw InputError("a picture of a mechanism needs one, and this solution has none");
     return MechanismPage(view).drawn();
 }
 

@@ -15,8 +15,8 @@ namespace camopt {
 [[nodiscard]] std::string mechanism_svg(const View& view);
 
 /// guide.svg: the guide of an inverse cam in its body: both walls at the same cam angles, the path of the
-/// roller's centre, the roller at both ends of the motion, the body's pivot; dimensions and figures beside it.
-/// The body's frame.
+/// roller's centre, the roller at both ends of the motion, the body's pivot; dimensions and figures beside
+/// it. The body's frame.
 [[nodiscard]] std::string guide_svg(const View& view, const std::vector<DeliveredRow>& left_wall,
                                     const std::vector<DeliveredRow>& right_wall);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "output/view/shown_units.hpp"
 #include "output/drawing/picture_page.hpp"
 
 #include "core/units.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,6 @@ using Eigen::Vector2d;
 constexpr double picture_margin = 0.05;                  // of the picture's size, on each side
 constexpr double entry_height = 21, least_entry = 15.5;  // px
 constexpr double heading_room = 8, sample_length = 30, sample_words = 40, number_right = 215;
-
 
 void add_lines(LegendColumn& column, const ProfileShape& shape, bool undercut) {
     const CamMechanism& cam = shape.formulas();

@@ -75,7 +75,8 @@ ProfileShape profile_shape(const std::shared_ptr<const CamPoints>& points) {
     for (const double x : points->motion().breakpoints()) shape.knots.push_back(unit_angle * x);
     shape.start = std::clamp(0.0, shape.begin(), shape.end());
     const auto points_of = [&](int station) {
-        return [points, unit_angle, station](double theta) { return points->at(theta / unit_angle, station); };
+        return
+            [points, unit_angle, station](double theta) { return points->at(theta / unit_angle, station); };
     };
     shape.at = points_of(0);
     if (shape.formulas().stations() > 1) shape.other = points_of(1);

@@ -78,7 +78,8 @@ struct ProfileShape {
     return profile_shape(std::make_shared<CamPoints>(cam, motion, scale));
 }
 
-/// Of the delivered cam along its drawn motion; none: the solution has no cam that its follower touches itself.
+/// Of the delivered cam along its drawn motion; none: the solution has no cam that its follower touches
+/// itself.
 [[nodiscard]] std::optional<ProfileShape> delivered_shape(const View& view);
 
 /// `steps` angles or more, evenly over the shape, with every knot seen from inside its two neighbours:

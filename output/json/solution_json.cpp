@@ -4,8 +4,8 @@
 #include "core/peak_figures.hpp"
 #include "motions/laws/law.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/segment_table.hpp"
 #include "output/view/shown_units.hpp"
+#include "output/view/tables.hpp"
 #include "splines/curve.hpp"
 
 #include <fmt/format.h>

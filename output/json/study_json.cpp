@@ -258,7 +258,8 @@ Json train_json(const Solution& solution) {
     Json json;
     json["natural_frequencies_hz"] = frequencies_json(train.natural_frequencies);
     json["frequency_ratio"] = number_json(train.frequency_ratio);
-    json["speed_range_rpm"] = {number_json(rpm_shown.of(train.speeds[0])), number_json(rpm_shown.of(train.speeds[1]))};
+    json["speed_range_rpm"] = {number_json(rpm_shown.of(train.speeds[0])),
+                               number_json(rpm_shown.of(train.speeds[1]))};
     json["residual"] = worst_json(scene, "lifts", train.residual);
     json["acceleration"] = worst_json(scene, "normalised", train.acceleration);
     json["contact_force"] =

@@ -155,8 +155,7 @@ Json outlines_of(const PlaneCourse& course) {
     } else {
         all.push_back(outline(course, 0, "cam", false));
     }
-    if (formulas.roller_radius() >= 0)
-        all.push_back(outline(course, 0, "path of the roller's centre", true));
+    if (formulas.roller_radius() >= 0) all.push_back(outline(course, 0, "path of the roller's centre", true));
     return all;
 }
 
@@ -167,10 +166,9 @@ Json circles_of(const PlaneCourse& course) {
     const double base = course.report().summary.base_radius;
     all.push_back({{"name", "base circle"}, {"radius", rounded_json(course.length.of(base))}});
     if (const int roller = formulas.roller_radius(); roller >= 0)
-        all.push_back(
-            {{"name", "prime circle"},
-             {"radius", rounded_json(course.length.of(
-                                     base + course.cam().dimensions[static_cast<std::size_t>(roller)]))}});
+        all.push_back({{"name", "prime circle"},
+                       {"radius", rounded_json(course.length.of(
+                                      base + course.cam().dimensions[static_cast<std::size_t>(roller)]))}});
     return all;
 }
 

@@ -7,7 +7,7 @@
 #include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
-#include "output/view/segment_table.hpp"
+#include "output/view/tables.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/dynamics_text.hpp"
 #include "output/words/infeasible_words.hpp"
@@ -192,77 +192,10 @@ Json reference_part(const Solution& solution, PageReference wish) {
     return {{"title", name}, {"sentences", std::move(sentences)}};
 }
 
-namespace {
-
-TextTable peak_rows(const Solution& solution) {
-    const ReferenceMotion reference = reference_motion(solution.scene);
-    const bool beside = shown_units(solution.scene).in_time;
-    TextTable table;
-    table.columns = {{"", true}, {"peak"}, {"at (deg)"}, {"other side"}, {"at (deg)"}};
-    if (beside) table.columns.push_back({"by cam angle"});
-    for (const std::string& title :
-         {std::string("normalised"), reference_title(reference), std::string("change")})
-        table.columns.push_back({title});
-    const auto words = [](std::string text) { return text.empty() ? std::string("–") : std::move(text); };
-    for (const PeakRow& row : peak_comparison(solution, reference)) {
-        const std::optional<Extremum>& opposite = row.sides.opposite;
-        std::vector<std::string> cells = {
-            row.name, words(row.first_text(value_digits)), degrees_at(solution, row.motion.at),
-            words(row.opposite_text(value_digits)), opposite ? degrees_at(solution, opposite->at) : "–"};
-        if (beside) cells.push_back(words(row.beside_text(value_digits)));
-        cells.push_back(fmt::format("{} = {}", row.symbol, short_text(row.optimum.value)));
-        cells.push_back(short_text(row.reference));
-        cells.push_back(row.change());
-        table.rows.push_back(std::move(cells));
-    }
-    return table;
-}
-
-TextTable limit_rows_of(const Solution& solution) {
-    TextTable table;
-    table.columns = {{"limit", true}, {"allowed"}, {"reached"}, {"at (deg)"}, {"", true}};
-    for (const ConstraintReport& row : solution.constraints)
-        table.rows.push_back(
-            {key_words(row.key).words, limit_text(row), reached_text(row, value_digits),
-             reached_degrees(solution, row),
-             std::string(row.active ? "active" : "satisfied") + (row.verified ? ", verified" : "")});
-    return table;
-}
-
-TextTable dimension_rows(const Solution& solution) {
-    TextTable table;
-    table.columns = {{"dimension", true}, {"value"}, {"", true}};
-    const CamSpec& spec = solution.scene.cam.value();
-    for (const DimensionValue& dimension : cam_dimensions(solution)) {
-        const auto found = std::ranges::find(spec.dimensions, dimension.name, &CamDimension::name);
-        const bool given = found != spec.dimensions.end();
-        table.rows.push_back({words_of(dimension.name), dimension.text,
-                              !given                       ? "follows"
-                              : found->value.is_variable() ? "chosen by the optimizer"
-                                                           : "given"});
-    }
-    return table;
-}
-
-}  // namespace
-
 Json tables_part(const Solution& solution) {
     Json all = Json::array();
-    if (!solution.relaxation.empty())
-        all.push_back(table_json("changes", "Suggested changes", relaxation_table(solution)));
-    if (!solution.motion) return all;
-    all.push_back(
-        table_json("peaks", "Peaks of the motion", peak_rows(solution),
-                   "Exact, not sampled. Normalised: by lift and rise angle, of a program by each spline "
-                   "segment's own."));
-    if (!solution.segments.empty())
-        all.push_back(table_json("segments", "Segments", segment_table(solution), segment_table_note()));
-    if (!solution.constraints.empty()) all.push_back(table_json("limits", "Limits", limit_rows_of(solution)));
-    if (!solution.cam) return all;
-    all.push_back(table_json("dimensions", "Dimensions", dimension_rows(solution),
-                             cam_text(solution.scene.cam.value()) + "."));
-    all.push_back(
-        table_json("cam", "Cam properties", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}})));
+    for (const ViewTable& one : result_tables(solution))
+        all.push_back(table_json(one.key, one.title, one.table, one.note));
     return all;
 }
 

@@ -6,11 +6,9 @@
 #include "input/document/written_keys.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
-#include "output/view/segment_table.hpp"
-#include "output/view/shown_units.hpp"
+#include "output/view/tables.hpp"
 #include "output/view/text_table.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/dynamics_text.hpp"
@@ -21,7 +19,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <string_view>
 #include <vector>
 
 namespace camopt {
@@ -45,53 +43,13 @@ std::string pictures_of(const Solution& solution) {
     return "`camopt export` writes its flanks as points, surfaces and a solid, and the NC program.\n";
 }
 
-/// "The cam": dimensions, figures, remarks, pictures.
+std::string table_text(const ViewTable& one) {
+    return markdown_text(one.table) + (one.note.empty() ? "" : "\n" + one.note + "\n");
+}
+
+/// Remarks and pictures.
 std::string cam_section(const Solution& solution) {
-    if (!solution.cam) return {};
-    const TextTable table = cam_table(solution, {{"", true}, {""}, {"at (deg)"}});
-    return fmt::format("\n## The cam\n\n{}: {}.\n\n{}\n{}\n{}", cam_text(solution.scene.cam.value()),
-                       dimensions_text(solution), markdown_text(table), list_of(cam_remarks(solution)),
-                       pictures_of(solution));
-}
-
-/// The peaks of a scene's motion, one a row, with further columns behind: their titles, and their cells.
-TextTable peak_rows(const Solution& solution, const std::string& first_title,
-                    const std::vector<std::string>& titles,
-                    const std::function<std::vector<std::string>(const PeakRow&)>& cells) {
-    const bool in_time = shown_units(solution.scene).in_time;
-    TextTable table;
-    table.columns = {{"", true}, {first_title}};
-    if (in_time) table.columns.push_back({"by the cam angle"});
-    for (const std::string& title : titles) table.columns.push_back({title});
-    table.columns.push_back({"peak of the other sign"});
-    for (const PeakRow& row : peak_comparison(solution, reference_motion(solution.scene))) {
-        std::vector<std::string> all = {fmt::format("{} {}", row.name, row.symbol), row.first_text()};
-        if (in_time) all.push_back(row.beside_text());
-        const std::vector<std::string> further = cells(row);
-        all.insert(all.end(), further.begin(), further.end());
-        all.emplace_back();
-        if (const auto& opposite = row.sides.opposite)
-            all.back() = fmt::format("{} at {} deg", row.opposite_text(), degrees_at(solution, opposite->at));
-        table.rows.push_back(std::move(all));
-    }
-    return table;
-}
-
-/// "Peaks" of a program: normalised ones of the spline segments, physical ones of the whole motion.
-std::string program_peak_section(const Solution& solution) {
-    const TextTable table =
-        peak_rows(solution, "whole motion",
-                  {"at (deg)", "spline segments", "at (deg)",
-                   reference_title(reference_motion(solution.scene)), "change"},
-                  [&](const PeakRow& row) -> std::vector<std::string> {
-                      return {row.shown ? degrees_at(solution, row.motion.at) : std::string{},
-                              short_text(row.optimum.value), degrees_at(solution, row.optimum.at),
-                              short_text(row.reference), row.change()};
-                  });
-    return "\n## Peaks\n\n" + markdown_text(table) +
-           "\nPeaks are exact, not sampled. Those of the spline segments are normalised, each by its "
-           "segment's "
-           "own angle and displacement; those of the whole motion include the law segments.\n";
+    return fmt::format("\n{}\n{}", list_of(cam_remarks(solution)), pictures_of(solution));
 }
 
 std::string code(const std::string& text) {
@@ -116,13 +74,6 @@ std::string scene_section(const RunOrigin& origin) {
         markdown_text(table), fence, printable_lines(origin.scene_text), ends ? "" : "\n", fence);
 }
 
-/// "Segments": the table of a program.
-std::string segment_section(const Solution& solution) {
-    if (solution.segments.empty()) return {};
-    return fmt::format("\n## Segments\n\n{}\n{}\n", markdown_text(segment_table(solution)),
-                       segment_table_note());
-}
-
 /// No more than is known: of every motion, of this spline, or only that none was found.
 std::string title_of_infeasible(const Solution& solution) {
     constexpr const char* change = "and what would have to change";
@@ -135,17 +86,12 @@ std::string title_of_infeasible(const Solution& solution) {
 
 /// "Why this spline has no motion, and what would have to change", in words; "no motion exists" where that is
 /// known.
-std::string infeasible_section(const Solution& solution) {
+std::string infeasible_section(const Solution& solution, const std::vector<ViewTable>& tables) {
     const std::vector<std::string> remarks = infeasible_remarks(solution);
     if (remarks.empty()) return {};
     std::string text = fmt::format("\n## {}\n\n{}", title_of_infeasible(solution), list_of(remarks));
-    if (solution.relaxation.empty()) return text;
-    TextTable table = relaxation_table(solution);
-    for (std::vector<std::string>& row : table.rows) row[0] = fmt::format("`{}`", row[0]);
-    return text + "\n" + markdown_text(table) +
-           "\nEach number is rounded to the feasible side and was tried in the scene: a solve found a "
-           "motion "
-           "with it. The exact limit is in result.json.\n";
+    const auto changes = std::ranges::find(tables, "changes", &ViewTable::key);
+    return changes == tables.end() ? text : text + "\n" + table_text(*changes);
 }
 
 std::string asked(const Scene& scene) {
@@ -158,17 +104,6 @@ std::string any_curve_line(const Scene& scene) {
     const std::string left_out = left_out_of_any_curve(scene);
     return "Least objective of any curve, spline or not" +
            (left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
-}
-
-/// What stands in the last column of the peaks; empty where there is none.
-std::string any_curve_note(const Solution& solution) {
-    if (!solution.any_curve_limit) return {};
-    const std::string left_out = left_out_of_any_curve(solution.scene);
-    return fmt::format(
-        "\nLast column: the peaks of the curve of least objective, spline or not{}. They are its peaks and "
-        "no "
-        "bound of a single peak: another curve may have one of them smaller.\n",
-        left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
 }
 
 std::string verdict_section(const Solution& solution) {
@@ -192,20 +127,6 @@ std::string verdict_section(const Solution& solution) {
     return text;
 }
 
-std::string peak_table(const Solution& solution) {
-    const TextTable table =
-        peak_rows(solution, "peak",
-                  {"normalised", "at (deg)", reference_title(reference_motion(solution.scene)), "change",
-                   "curve of least objective"},
-                  [&](const PeakRow& row) -> std::vector<std::string> {
-                      return {short_text(row.optimum.value), degrees_at(solution, row.optimum.at),
-                              short_text(row.reference), row.change(), short_text(row.any_curve)};
-                  });
-    return "\n## Peaks\n\n" + markdown_text(table) +
-           "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n" +
-           any_curve_note(solution);
-}
-
 std::string dynamics_section(const Solution& solution) {
     const std::vector<std::string> sentences = train_sentences(solution);
     if (sentences.empty()) return {};
@@ -220,36 +141,6 @@ std::string own_terms_section(const Solution& solution) {
     for (const OwnTermReport& term : solution.own_terms)
         text += fmt::format("- {}\n", own_term_sentence(term));
     return text;
-}
-
-/// What "verified" says, and what is not.
-std::string verification_words(const std::vector<ConstraintReport>& limits) {
-    const auto verified = [](const ConstraintReport& row) { return row.verified; };
-    std::string text;
-    if (std::ranges::any_of(limits, verified))
-        text +=
-            "\nVerified: along all of the motion, enclosed by interval arithmetic where no exact formula "
-            "gives the largest value; the limits hold between samples too.\n";
-    if (!std::ranges::all_of(limits, verified))
-        text += "\nLimits that are not verified were sampled at closely spaced angles.\n";
-    return text;
-}
-
-std::string limits_section(const Solution& solution) {
-    if (!solution.motion) return {};  // nothing was reached; the relaxation names the limits
-    if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
-    std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
-    for (const ConstraintReport& row : solution.constraints)
-        text += fmt::format(
-            "| `{}` | {} | {} | {} | {} |\n", row.key, limit_text(row), reached_text(row),
-            reached_degrees(solution, row),
-            std::string(row.active ? "active" : "not active") + (row.verified ? "; verified" : ""));
-    return text + verification_words(solution.constraints);
-}
-
-std::string set_point_section(const Solution& solution) {
-    const TextTable table = set_point_table(solution);
-    return table.rows.empty() ? std::string() : "\n## Set points\n\n" + markdown_text(table);
 }
 
 std::string design_section(const DesignReport& design) {
@@ -282,19 +173,22 @@ std::string notes_section(const std::vector<std::string>& notes) {
 }  // namespace
 
 std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
+    const std::vector<ViewTable> tables = result_tables(solution);
+    const auto section = [&](std::string_view key) {
+        const auto found = std::ranges::find(tables, key, &ViewTable::key);
+        return found == tables.end() ? "" : fmt::format("\n## {}\n\n{}", found->title, table_text(*found));
+    };
     std::string text =
         fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : printable(solution.scene.title));
-    text += asked(solution.scene) + verdict_section(solution) + infeasible_section(solution);
-    if (solution.motion)
-        text += solution.segments.empty() ? peak_table(solution)
-                                          : program_peak_section(solution) + segment_section(solution);
+    text += asked(solution.scene) + verdict_section(solution) + infeasible_section(solution, tables);
+    text += section("peaks") + section("segments");
     for (const std::string& sentence : excursion_sentences(solution)) text += "\n" + sentence + "\n";
-    text += own_terms_section(solution);
-    text += dynamics_section(solution);
-    text += limits_section(solution) + set_point_section(solution);
+    text += own_terms_section(solution) + dynamics_section(solution);
+    if (solution.motion && solution.constraints.empty()) text += "\n## Limits\n\nNone was set.\n";
+    text += section("limits") + section("set_points");
     if (solution.measured) text += fmt::format("\n## Measured motion\n\n{}.\n", measured_sentence(solution));
     if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
-    text += cam_section(solution);
+    if (solution.cam) text += section("dimensions") + section("cam") + cam_section(solution);
     return text + design_section(solution.design) + solver_section(solution, origin) +
            notes_section(solution.notes) + scene_section(origin);
 }

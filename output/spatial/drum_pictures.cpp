@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "output/view/shown_units.hpp"
 #include "output/spatial/drum_pictures.hpp"
 
 #include "core/units.hpp"
@@ -9,6 +8,7 @@
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -264,10 +264,10 @@ std::string developed_svg(const Drum& drum) {
     const std::vector<TextPlace> places = {{peak.x() + 9, peak.y() + 4, TextSide::start},
                                            {peak.x() - 9, peak.y() + 4, TextSide::end},
                                            {peak.x(), peak.y() - 12, TextSide::middle}};
-    labels.draw(
-        canvas,
-        fmt::format("φ = {}° at {}°", short_text(degrees_shown.of(largest.value), 4), short_text(degrees_shown.of(theta), 5)),
-        places, "peak-label", 12, true);
+    labels.draw(canvas,
+                fmt::format("φ = {}° at {}°", short_text(degrees_shown.of(largest.value), 4),
+                            short_text(degrees_shown.of(theta), 5)),
+                places, "peak-label", 12, true);
     LegendColumn column(canvas, length, 9 + dimension_entries(drum.solution) + figure_entries(drum.solution));
     column.sample("plus", "one flank, outer end");
     column.sample("plus deep", "at the inner end");

@@ -124,8 +124,8 @@ std::string flank_csv(const FlankGrid& grid) {
                 const Eigen::Vector3d mm = flank.points[grid.index(i, j)] / millimetres_shown.size;
                 const Eigen::Vector3d& n = flank.normals[grid.index(i, j)];
                 fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", flank.flank,
-                               millimetres_shown.of(grid.heights[i]), degrees_shown.of(grid.angles[j]), mm.x(),
-                               mm.y(), mm.z(), n.x(), n.y(), n.z());
+                               millimetres_shown.of(grid.heights[i]), degrees_shown.of(grid.angles[j]),
+                               mm.x(), mm.y(), mm.z(), n.x(), n.y(), n.z());
             }
     return text;
 }

@@ -128,9 +128,10 @@ double IndexingGroove::depth(const Vector3d& point) const {
 }
 
 std::string IndexingGroove::turned_words() const {
-        const std::string ends =
-        fmt::format("from {:.3f} to {:.3f} mm along the axis", millimetres_shown.of(lower_), millimetres_shown.of(upper_));
-    if (!cam_.arc) return fmt::format("diameter {:.3f} mm, {}", millimetres_shown.of(2.0 * outside(0.0)), ends);
+    const std::string ends = fmt::format("from {:.3f} to {:.3f} mm along the axis",
+                                         millimetres_shown.of(lower_), millimetres_shown.of(upper_));
+    if (!cam_.arc)
+        return fmt::format("diameter {:.3f} mm, {}", millimetres_shown.of(2.0 * outside(0.0)), ends);
     return fmt::format("radius {:.3f} - sqrt({:.3f}^2 - (z - {:.3f})^2) mm at z, {}",
                        millimetres_shown.of(cam_.arc->from_axis), millimetres_shown.of(cam_.arc->radius),
                        millimetres_shown.of(cam_.arc->z), ends);

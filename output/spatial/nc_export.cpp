@@ -233,9 +233,9 @@ NcWork nc_work(const CamFlanks& cam, const FollowerMotion& motion, const NcExpor
     };
     for (int i = 0; i < checked_heights; ++i) {
         const double height = cam.roller_length * i / (checked_heights - 1);
-        add_surface(
-            fmt::format("both flanks, {:.3f} mm from the near end of the roller", millimetres_shown.of(height)),
-            groove.flanks(height));
+        add_surface(fmt::format("both flanks, {:.3f} mm from the near end of the roller",
+                                millimetres_shown.of(height)),
+                    groove.flanks(height));
         if (i > 0 && i + 1 < checked_heights) continue;
         for (const std::size_t flank : {std::size_t{0}, std::size_t{1}}) {
             std::vector<Eigen::Vector3d>& line = task.outlines.emplace_back();

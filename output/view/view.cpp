@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/view.hpp"
 
-#include "output/view/segment_table.hpp"
+#include "output/view/tables.hpp"
 
 #include <cmath>
 #include <iterator>

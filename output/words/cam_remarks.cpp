@@ -21,7 +21,6 @@ namespace camopt {
 
 namespace {
 
-
 constexpr int check_digits = 2;
 // Of the prime radius, of a linkage's lift: what an undercut cam is off is far more.
 constexpr double moves_as_designed = 1e-4;

@@ -79,9 +79,9 @@ std::string base_words(const Comparison& comparison, const ComparisonRow& row) {
     if (!row.base) return {};
     if (!row.base->radius) return "none";
     const ShownUnit length = shown_units(comparison.optimum.scene).length;
-    return fixed_text(
-        length.of(*row.base->radius),
-        comparison.optimum.scene.length_unit == LengthUnit::inch ? base_decimals_of_inches : base_decimals);
+    return fixed_text(length.of(*row.base->radius), comparison.optimum.scene.length_unit == LengthUnit::inch
+                                                        ? base_decimals_of_inches
+                                                        : base_decimals);
 }
 
 std::string PhysicalPeak::text(const ComparisonRow& row) const {

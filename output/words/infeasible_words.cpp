@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "output/view/shown_units.hpp"
 #include "output/words/infeasible_words.hpp"
 
 #include "core/units.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
@@ -291,16 +291,6 @@ std::vector<std::string> infeasible_remarks(const Solution& solution) {
     tell_finest(all, *solution.explanation);
     tell_time(all, *solution.explanation);
     return all;
-}
-
-TextTable relaxation_table(const Solution& solution) {
-    TextTable table{{{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}}, {}};
-    for (const Relaxation& row : solution.relaxation)
-        table.rows.push_back({row.key, short_text(row.given),
-                              row.needed      ? needed_number(row) + also_words(row)
-                              : row.ruled_out ? "proved ineffective"
-                                              : "tried without success"});
-    return table;
 }
 
 }  // namespace camopt

@@ -2,7 +2,6 @@
 // Why a scene has no motion, and what would have to change, in the user's words.
 #pragma once
 
-#include "output/view/text_table.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <string>
@@ -32,8 +31,5 @@ namespace camopt {
 
 /// The sentences of all that, in this order; empty for a feasible scene.
 [[nodiscard]] std::vector<std::string> infeasible_remarks(const Solution& solution);
-
-/// One row a change of one number alone: key, given, needed.
-[[nodiscard]] TextTable relaxation_table(const Solution& solution);
 
 }  // namespace camopt

@@ -47,10 +47,9 @@ std::string motion_line(const Scene& scene) {
     if (motion.type != MotionType::program)
         text += fmt::format(", rise {} deg", short_text(degrees_shown.of(motion.rise)));
     if (motion.type == MotionType::rr)
-        text +=
-            fmt::format(", return {} deg", short_text(degrees_shown.of(motion.return_angle.value_or(motion.rise))));
-    if (motion.speed)
-        text += fmt::format(", at {} rpm", short_text(rpm_shown.of(*motion.speed)));
+        text += fmt::format(", return {} deg",
+                            short_text(degrees_shown.of(motion.return_angle.value_or(motion.rise))));
+    if (motion.speed) text += fmt::format(", at {} rpm", short_text(rpm_shown.of(*motion.speed)));
     if (motion.symmetric) text += ", symmetric";
     if (const std::size_t points = placed_points(motion).size(); points > 0)
         text += fmt::format(", with {} set point{}", points, points == 1 ? "" : "s");
@@ -73,7 +72,8 @@ std::string end_text(const Scene& scene, std::size_t index) {
 
 std::string range_words(const ProgramSegment& segment) {
     if (!segment.angle_range) return {};
-    return fmt::format(" (searched from {} to {} deg)", short_text(degrees_shown.of(segment.angle_range->least)),
+    return fmt::format(" (searched from {} to {} deg)",
+                       short_text(degrees_shown.of(segment.angle_range->least)),
                        short_text(degrees_shown.of(segment.angle_range->most)));
 }
 
@@ -147,8 +147,7 @@ std::string spline_line(const Scene& scene) {
 
 std::string range_text(const Dimension& dimension, const ShownUnit& unit) {
     if (!dimension.is_variable()) return unit.text(dimension.low);
-    return fmt::format("free from {} to {}", short_text(unit.of(dimension.low)),
-                       unit.text(dimension.high));
+    return fmt::format("free from {} to {}", short_text(unit.of(dimension.low)), unit.text(dimension.high));
 }
 
 /// Of a cam that has both: base and roller radius as one range.
@@ -220,8 +219,7 @@ std::string train_line(const Scene& scene) {
         append(text, "return spring " + shown.spring_rate.text(train.return_stiffness));
     if (train.preload > 0.0) append(text, "preload " + shown.load.text(train.preload));
     if (train.speed_range)
-        append(text, fmt::format("from {} to {} rpm",
-                                 short_text(rpm_shown.of((*train.speed_range)[0])),
+        append(text, fmt::format("from {} to {} rpm", short_text(rpm_shown.of((*train.speed_range)[0])),
                                  short_text(rpm_shown.of((*train.speed_range)[1]))));
     return text;
 }

@@ -6,7 +6,7 @@
 #include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
-#include "output/view/segment_table.hpp"
+#include "output/view/tables.hpp"
 #include "output/view/text_table.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/dynamics_text.hpp"
@@ -242,23 +242,6 @@ std::string objective_line(const Solution& solution, std::string_view separator)
     if (solution.any_curve_limit)
         add(any_curve_title(solution.scene), solution.any_curve_limit->objective, figures);
     return line;
-}
-
-std::string limit_text(const ConstraintReport& row) {
-    return short_text(row.limit) + (row.unit.empty() ? "" : " " + row.unit);
-}
-
-std::string reached_text(const ConstraintReport& row, int digits) {
-    if (row.no_contact) return no_contact_words;
-    if (is_nowhere(row))
-        return row.name == limit_row(LimitedFigure::concave_radius).name ? "nowhere concave"
-                                                                         : "nowhere convex";
-    return short_text(row.worst, digits) + (row.unit.empty() ? "" : " " + row.unit) +
-           (row.side.empty() ? "" : " on the " + row.side);
-}
-
-std::string reached_degrees(const Solution& solution, const ConstraintReport& row) {
-    return is_nowhere(row) ? "–" : degrees_at(solution, row.at);
 }
 
 std::string constraint_sentence(const ConstraintReport& row) {

@@ -27,12 +27,6 @@ namespace camopt {
 /// "speed reaches 1.7, 0.4 in the objective (weight …)"
 [[nodiscard]] std::string own_term_sentence(const OwnTermReport& term);
 
-/// "30 deg"
-[[nodiscard]] std::string limit_text(const ConstraintReport& row);
-/// "29.8 deg on the outer flank", "undercut, no contact", "nowhere concave".
-[[nodiscard]] std::string reached_text(const ConstraintReport& row, int digits = 9);
-/// The cam angle of it; "–" where it is nowhere.
-[[nodiscard]] std::string reached_degrees(const Solution& solution, const ConstraintReport& row);
 /// "limits.velocity = 1.8: velocity reaches 1.79 (not active)"
 [[nodiscard]] std::string constraint_sentence(const ConstraintReport& row);
 

@@ -68,8 +68,8 @@ struct Delivered {
 
 [[nodiscard]] Delivered sample_delivered(const Solution& solution);
 
-/// One side of the cam along drawn_motion, each row with its point of that station alone. Of a cam that drives
-/// both ways the force along the normal is 0 where the other side carries. There is a cam.
+/// One side of the cam along drawn_motion, each row with its point of that station alone. Of a cam that
+/// drives both ways the force along the normal is 0 where the other side carries. There is a cam.
 [[nodiscard]] std::vector<DeliveredRow> profile_rows(const Solution& solution, const Delivered& delivered,
                                                      const ProfileSampling& sampling, int station = 0);
 

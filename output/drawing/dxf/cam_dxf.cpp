@@ -199,7 +199,8 @@ double draw_other_side(DxfDrawing& drawing, const ProfileShape& shape, double to
 ProfileDxf cam_dxf(const View& view, double tolerance) {
     if (!view.delivered.cam || !view.delivered.cam->cam().formulas->is_plane_curve())
         throw InputError("a drawing needs the cam of a plane mechanism, and this solution has none");
-    if (const std::optional<ProfileShape> shape = delivered_shape(view)) return profile_dxf(*shape, tolerance);
+    if (const std::optional<ProfileShape> shape = delivered_shape(view))
+        return profile_dxf(*shape, tolerance);
     return outline_dxf(*view.delivered.cam, tolerance);
 }
 

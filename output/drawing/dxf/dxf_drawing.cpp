@@ -126,7 +126,8 @@ void DxfDrawing::dimension(std::string_view layer, const DxfDimension& dimension
     append_tag(entities_, 70, std::to_string(kind + own_block + own_place));
     append_tag(entities_, 71, "8");  // their foot's middle
     const bool angle = dimension.kind == Kind::angle;
-    append_tag(entities_, 42, dxf_real(angle ? dimension.measured : millimetres_shown.of(dimension.measured)));
+    append_tag(entities_, 42,
+               dxf_real(angle ? dimension.measured : millimetres_shown.of(dimension.measured)));
     append_tag(entities_, 1, dimension.across ? "%%c<>" : "<>");
     append_tag(entities_, 3, dxf_dimension_style);
     switch (dimension.kind) {

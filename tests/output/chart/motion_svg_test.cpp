@@ -150,7 +150,7 @@ TEST(Report, AnswersCamEngineersQuestions) {
     const std::string text = report_markdown(test::sample_solution(), {"a.toml", "camopt solve a.toml"});
     for (const char* part :
          {"Proved optimal", "| velocity V | 400 mm/s | 12.7324 mm/rad | 2 |", "modified sine",
-          "curve of least objective", "`limits.velocity_mm_s`", "![Displacement", "how_to_check",
+          "curve of least objective", "limits.velocity_mm_s", "![Displacement", "how_to_check",
           "camopt solve a.toml", "via point 1 follows from symmetry", "0.08333333333333333"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
     const std::string infeasible = report_markdown(test::infeasible_solution());

@@ -32,9 +32,7 @@ std::vector<std::vector<std::string>> table_of(const std::string& text) {
 
 TEST(MotionCsv, HeaderCarriesUnits) {
     Solution solution = test::sample_solution();
-    const auto header = [&] {
-        return table_of(motion_csv(solution))[0];
-    };
+    const auto header = [&] { return table_of(motion_csv(solution))[0]; };
     EXPECT_EQ(header(), (std::vector<std::string>{"theta_deg", "s_mm", "ds_mm_rad", "dds_mm_rad2",
                                                   "ddds_mm_rad3", "x", "y", "dy", "ddy", "dddy", "t_s",
                                                   "v_mm_s", "a_mm_s2", "j_mm_s3", "a_m_s2", "j_m_s3"}));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // table.csv: evenly spaced rows with chosen columns.
-#include "output/csv/motion_csv.hpp"
-
 #include "core/errors.hpp"
 #include "output/csv/csv_line.hpp"
+#include "output/csv/motion_csv.hpp"
 #include "tests/output/sample_solution.hpp"
 
 #include <gtest/gtest.h>

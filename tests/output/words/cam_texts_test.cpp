@@ -4,7 +4,7 @@
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/peak_comparison.hpp"
-#include "output/view/segment_table.hpp"
+#include "output/view/tables.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/solution_text.hpp"
@@ -397,14 +397,14 @@ TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
     sure.certificate.verdict = Verdict::failed;
     EXPECT_TRUE(says(report_markdown(sure), "## No motion was found, and what would have to change"));
     EXPECT_TRUE(says(report, "Any one of these changes suffices: increase the base radius to 31.413 mm"));
-    EXPECT_TRUE(says(report, "`cam.roller_radius_mm` | 10 | tried without success"));
+    EXPECT_TRUE(says(report, "cam.roller_radius_mm | 10 | tried without success"));
     EXPECT_FALSE(says(report, "profile.svg"));
 }
 
 TEST(Report, ReportsCamWithPictures) {
     const std::string text = report_markdown(test::cam_solution());
     for (const char* part :
-         {"## The cam", "base radius 30 mm", "| largest pressure angle |", "- No undercut",
+         {"## The cam", "| base radius | 30 mm |", "| largest pressure angle |", "- No undercut",
           "![The cam to scale](profile.svg)", "(profile_diagrams.svg)", "- Cam: translating roller"})
         EXPECT_TRUE(says(text, part)) << part;
     EXPECT_FALSE(says(report_markdown(test::sample_solution()), "The cam"));

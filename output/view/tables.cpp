@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "output/view/tables.hpp"
+
+#include "core/text/printable.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "output/view/cam_words.hpp"
+#include "output/view/key_words.hpp"
+#include "output/view/number_text.hpp"
+#include "output/view/peak_comparison.hpp"
+#include "output/view/shown_units.hpp"
+#include "scene/limit_table.hpp"
+#include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/solution_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+constexpr int peak_digits = 5;
+constexpr double nothing = 1e-12;  // in lifts: what is left of a zero
+
+std::string joint_text(const SegmentReport& segment) {
+    return segment.continuity < 0 ? std::string("open") : fmt::format("C{}", segment.continuity);
+}
+
+std::string place_text(double displacement, double lift) {
+    return short_text(std::abs(displacement) < nothing ? 0.0 : lift * displacement);
+}
+
+constexpr int set_point_digits = 9;  // enough to see that it is met
+
+std::string with_unit(double value, const std::string& unit, int digits) {
+    return short_text(value, digits) + (unit.empty() ? "" : " " + unit);
+}
+
+/// What "verified" says, and what is not.
+std::string verification_words(const std::vector<ConstraintReport>& limits) {
+    const auto verified = [](const ConstraintReport& row) { return row.verified; };
+    std::string text;
+    if (std::ranges::any_of(limits, verified))
+        text +=
+            "Verified: along all of the motion, enclosed by interval arithmetic where no exact formula "
+            "gives the largest value; the limits hold between samples too.";
+    if (!std::ranges::all_of(limits, verified))
+        text += std::string(text.empty() ? "" : " ") +
+                "Limits that are not verified were sampled at closely spaced angles.";
+    return text;
+}
+
+/// Whether it is given, chosen or follows.
+TextTable dimension_table(const Solution& solution) {
+    TextTable table;
+    table.columns = {{"dimension", true}, {"value"}, {"", true}};
+    const CamSpec& spec = solution.scene.cam.value();
+    for (const DimensionValue& dimension : cam_dimensions(solution)) {
+        const auto found = std::ranges::find(spec.dimensions, dimension.name, &CamDimension::name);
+        const bool given = found != spec.dimensions.end();
+        table.rows.push_back({words_of(dimension.name), dimension.text,
+                              !given                       ? "follows"
+                              : found->value.is_variable() ? "chosen by the optimizer"
+                                                           : "given"});
+    }
+    return table;
+}
+
+constexpr const char* peak_note =
+    "Peaks are exact, not sampled. Normalised: by lift and rise angle, of a program by each spline segment's "
+    "own "
+    "angle and displacement; those of the whole motion include the law segments.";
+
+/// What stands in the column of the curve of least objective; empty where there is none.
+std::string any_curve_note(const Solution& solution) {
+    if (!solution.any_curve_limit || !solution.segments.empty()) return {};
+    const std::string left_out = left_out_of_any_curve(solution.scene);
+    return fmt::format(
+        " Curve of least objective: its peaks, spline or not{}. They are no bound of a single peak: another "
+        "curve "
+        "may have one of them smaller.",
+        left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
+}
+
+}  // namespace
+
+std::optional<Peaks> segment_peaks(const SegmentReport& segment) {
+    if (segment.kind != SegmentKind::law) return segment.peaks;
+    Peaks peaks = make_law(segment.law)->peaks();
+    for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
+        Extremum& own = peaks.*peak;
+        own.at = segment.begin + (segment.end - segment.begin) * own.at;
+    }
+    return peaks;
+}
+
+std::string segment_title(const SegmentReport& segment) {
+    return segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
+}
+
+TextTable segment_table(const Solution& solution) {
+    const ShownUnits shown = shown_units(solution.scene);
+    const MotionUnit& displacement = shown.motion[0].first;
+    const double lift = displacement.per_normalised;
+    TextTable table;
+    table.columns = {{"segment", true},
+                     {"start deg"},
+                     {"end deg"},
+                     {"angle deg"},
+                     {fmt::format("from {}", displacement.name)},
+                     {fmt::format("to {}", displacement.name)},
+                     {"V"},
+                     {"A"},
+                     {"J"},
+                     {"joint"}};
+    for (const SegmentReport& segment : solution.segments) {
+        const double begin = shown.degrees_per_x * segment.begin, end = shown.degrees_per_x * segment.end;
+        std::vector<std::string> row = {segment_title(segment),
+                                        short_text(begin),
+                                        short_text(end),
+                                        short_text(end - begin),
+                                        place_text(segment.from, lift),
+                                        place_text(segment.to, lift)};
+        const std::optional<Peaks> peaks = segment_peaks(segment);
+        for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk})
+            row.push_back(peaks ? short_text(((*peaks).*peak).value, peak_digits) : "–");
+        row.push_back(joint_text(segment));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+const char* segment_table_note() {
+    return "V, A, J: by the segment's own angle and displacement. Joint: the highest derivative that is "
+           "continuous where the segment begins, 3 at most.";
+}
+
+TextTable set_point_table(const Solution& solution) {
+    TextTable table;
+    table.columns = {{"set point", true}, {"at (deg)"}, {"wanted"}, {"found"}};
+    if (!solution.motion) return table;
+    const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
+    for (const SetPointReport& report :
+         set_point_reports(solution.scene.motion, solution.scene.spline.degree, *solution.motion)) {
+        const bool along = report.point.is_region() && report.order > 0;
+        const std::string begin = short_text(report.point.begin * degrees_per_x);
+        table.rows.push_back(
+            {report.key,
+             along ? fmt::format("{} to {}", begin, short_text(report.point.end * degrees_per_x)) : begin,
+             with_unit(report.wanted, report.unit, 6),
+             with_unit(report.found, report.unit, set_point_digits)});
+    }
+    return table;
+}
+
+std::string measured_sentence(const Solution& solution) {
+    const MeasuredReport& measured = *solution.measured;
+    const MotionUnit& unit = shown_units(solution.scene).motion[0].first;
+    std::string text = fmt::format("{}: {} rows as a spline of this space, error at most {} (rms {})",
+                                   measured.name.empty() ? "measured motion" : printable(measured.name),
+                                   measured.rows, unit.normalised_text(measured.largest_error, 3),
+                                   unit.normalised_text(measured.rms_error, 3));
+    if (measured.objective && solution.motion && *measured.objective > 0.0) {
+        const double gain = 100.0 * (1.0 - solution.certificate.objective / *measured.objective);
+        text += fmt::format("; the optimum's objective is {} % {} than its {}", short_text(std::abs(gain), 3),
+                            gain < 0.0 ? "more" : "less", short_text(*measured.objective));
+    }
+    if (measured.started) text += "; the search began from it, too";
+    return text;
+}
+
+std::string limit_text(const ConstraintReport& row) {
+    return short_text(row.limit) + (row.unit.empty() ? "" : " " + row.unit);
+}
+
+std::string reached_text(const ConstraintReport& row, int digits) {
+    if (row.no_contact) return no_contact_words;
+    if (is_nowhere(row))
+        return row.name == limit_row(LimitedFigure::concave_radius).name ? "nowhere concave"
+                                                                         : "nowhere convex";
+    return short_text(row.worst, digits) + (row.unit.empty() ? "" : " " + row.unit) +
+           (row.side.empty() ? "" : " on the " + row.side);
+}
+
+std::string reached_degrees(const Solution& solution, const ConstraintReport& row) {
+    return is_nowhere(row) ? "–" : degrees_at(solution, row.at);
+}
+
+TextTable peak_table(const Solution& solution) {
+    const ReferenceMotion reference = reference_motion(solution.scene);
+    const bool program = !solution.segments.empty(), in_time = shown_units(solution.scene).in_time;
+    TextTable table{{{"", true}, {program ? "whole motion" : "peak"}}, {}};
+    const auto column = [&](std::string title) { table.columns.push_back({std::move(title)}); };
+    if (in_time) column("by the cam angle");
+    if (program) column("at (deg)");
+    column(program ? "spline segments" : "normalised");
+    column("at (deg)");
+    column(reference_title(reference));
+    column("change");
+    if (!program) column("curve of least objective");
+    column("peak of the other sign");
+    for (const PeakRow& row : peak_comparison(solution, reference)) {
+        std::vector<std::string> cells = {fmt::format("{} {}", row.name, row.symbol), row.first_text()};
+        if (in_time) cells.push_back(row.beside_text());
+        if (program) cells.push_back(row.shown ? degrees_at(solution, row.motion.at) : std::string{});
+        cells.push_back(short_text(row.optimum.value));
+        cells.push_back(degrees_at(solution, row.optimum.at));
+        cells.push_back(short_text(row.reference));
+        cells.push_back(row.change());
+        if (!program) cells.push_back(short_text(row.any_curve));
+        const std::optional<Extremum>& opposite = row.sides.opposite;
+        cells.push_back(
+            opposite ? fmt::format("{} at {} deg", row.opposite_text(), degrees_at(solution, opposite->at))
+                     : std::string{});
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+TextTable limit_table(const Solution& solution) {
+    TextTable table{{{"limit", true}, {"key", true}, {"allowed"}, {"reached"}, {"at (deg)"}, {"", true}}, {}};
+    for (const ConstraintReport& row : solution.constraints)
+        table.rows.push_back(
+            {key_words(row.key).words, row.key, limit_text(row), reached_text(row, 6),
+             reached_degrees(solution, row),
+             std::string(row.active ? "active" : "not active") + (row.verified ? "; verified" : "")});
+    return table;
+}
+
+TextTable relaxation_table(const Solution& solution) {
+    TextTable table{{{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}}, {}};
+    for (const Relaxation& row : solution.relaxation)
+        table.rows.push_back({row.key, short_text(row.given),
+                              row.needed      ? needed_number(row) + also_words(row)
+                              : row.ruled_out ? "proved ineffective"
+                                              : "tried without success"});
+    return table;
+}
+
+std::vector<ViewTable> result_tables(const Solution& solution) {
+    std::vector<ViewTable> all;
+    const auto add = [&](const char* key, const char* title, TextTable table, std::string note = {}) {
+        if (!table.rows.empty()) all.push_back({key, title, std::move(table), std::move(note)});
+    };
+    add("changes", "Suggested changes", relaxation_table(solution),
+        "Each number is rounded to the feasible side and was tried in the scene: a solve found a motion with "
+        "it. "
+        "The exact limit is in result.json.");
+    if (!solution.motion) return all;
+    add("peaks", "Peaks", peak_table(solution), peak_note + any_curve_note(solution));
+    add("segments", "Segments", segment_table(solution), segment_table_note());
+    add("limits", "Limits", limit_table(solution), verification_words(solution.constraints));
+    add("set_points", "Set points", set_point_table(solution));
+    if (!solution.cam) return all;
+    add("dimensions", "Dimensions", dimension_table(solution), cam_text(solution.scene.cam.value()) + ".");
+    add("cam", "The cam", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}}));
+    return all;
+}
+
+}  // namespace camopt
