@@ -34,15 +34,7 @@ constexpr double leader_reach = 4e-3, datum_reach = 3e-3, rotation_distance = 3.
                  thickness_line = 6e-3, bore_line = 7e-3, depth_line = 15e-3, hatch_step = 2.5e-3,
                  center_overhang = 3e-3;
 constexpr double rotation_head = 3.0e-3, rotation_half_width = 0.8e-3, rotation_angle = 26 * degree;
-constexpr double direction_step = 15 * degree, datum_apart = 15 * degree;
-
-Vector2d unit_vector(double angle) {
-    return {std::cos(angle), std::sin(angle)};
-}
-
-double direction_angle(const Vector2d& direction) {
-    return std::atan2(direction.y(), direction.x());
-}
+constexpr double datum_apart = 15 * degree;
 
 /// "cam radius" of cam_radius_min: the sign beside it says the rest.
 std::string limit_words(const LimitRow& row) {
@@ -51,43 +43,6 @@ std::string limit_words(const LimitRow& row) {
         if (words.ends_with(ending)) words.resize(words.size() - ending.size());
     return words;
 }
-
-struct ModelBox {
-    Vector2d low = Vector2d::Constant(HUGE_VAL), high = Vector2d::Constant(-HUGE_VAL);
-    void add(const Vector2d& point) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-    }
-    /// From the origin, which lies inside, along the ray to the rim.
-    [[nodiscard]] double exit(const Vector2d& ray) const {
-        double reach = HUGE_VAL;
-        for (int i = 0; i < 2; ++i) {
-            const double side = ray(i) > 0.0 ? high(i) : low(i);
-            if (std::abs(ray(i)) > 1e-12) reach = std::min(reach, side / ray(i));
-        }
-        return reach;
-    }
-};
-
-/// Directions for words around the cam, each as far from all before as can be.
-class FreeDirections {
- public:
-    void take(double angle) { taken_.push_back(angle); }
-    [[nodiscard]] double next() {
-        double best = 0.0, most = -1.0;
-        for (double angle = 0.5 * direction_step; angle < units::turn; angle += direction_step) {
-            double nearest = units::turn;
-            for (const double other : taken_)
-                nearest = std::min(nearest, std::abs(std::remainder(angle - other, units::turn)));
-            if (nearest > most + 1e-9) most = nearest, best = angle;
-        }
-        take(best);
-        return best;
-    }
-
- private:
-    std::vector<double> taken_;
-};
 
 class CamSheetMaker {
  public:

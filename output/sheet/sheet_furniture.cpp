@@ -2,6 +2,7 @@
 #include "output/sheet/sheet_furniture.hpp"
 
 #include "core/text/printable.hpp"
+#include "core/units.hpp"
 
 #include <algorithm>
 
@@ -158,6 +159,36 @@ void add_notes(Sheet& sheet, const std::vector<std::string>& notes, const Vector
         sheet.texts.push_back({"NOTES", {top_left.x(), y}, note_text, line});
         y -= note_line;
     }
+}
+
+Vector2d unit_vector(double angle) {
+    return {std::cos(angle), std::sin(angle)};
+}
+
+double direction_angle(const Vector2d& direction) {
+    return std::atan2(direction.y(), direction.x());
+}
+
+double ModelBox::exit(const Vector2d& ray) const {
+    double reach = HUGE_VAL;
+    for (int i = 0; i < 2; ++i) {
+        const double side = ray(i) > 0.0 ? high(i) : low(i);
+        if (std::abs(ray(i)) > 1e-12) reach = std::min(reach, side / ray(i));
+    }
+    return reach;
+}
+
+double FreeDirections::next() {
+    constexpr double step = 15 * units::degree;
+    double best = 0.0, most = -1.0;
+    for (double angle = 0.5 * step; angle < units::turn; angle += step) {
+        double nearest = units::turn;
+        for (const double other : taken_)
+            nearest = std::min(nearest, std::abs(std::remainder(angle - other, units::turn)));
+        if (nearest > most + 1e-9) most = nearest, best = angle;
+    }
+    take(best);
+    return best;
 }
 
 }  // namespace camopt

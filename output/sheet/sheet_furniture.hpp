@@ -4,6 +4,7 @@
 
 #include "output/sheet/sheet.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,30 @@ void add_notes(Sheet& sheet, const std::vector<std::string>& notes, const Eigen:
 
 /// The words, or as many as fit with "…" behind them.
 [[nodiscard]] std::string fitted_words(const std::string& words, double height, double width);
+
+[[nodiscard]] Eigen::Vector2d unit_vector(double angle);
+[[nodiscard]] double direction_angle(const Eigen::Vector2d& direction);
+
+/// What the views show, m on the cam.
+struct ModelBox {
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = Eigen::Vector2d::Constant(-HUGE_VAL);
+
+    void add(const Eigen::Vector2d& point) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    /// From the origin, which lies inside, along the ray to the rim.
+    [[nodiscard]] double exit(const Eigen::Vector2d& ray) const;
+};
+
+/// Directions for words around the cam, each as far from all before as can be.
+class FreeDirections {
+ public:
+    void take(double angle) { taken_.push_back(angle); }
+    [[nodiscard]] double next();
+
+ private:
+    std::vector<double> taken_;
+};
 
 }  // namespace camopt
