@@ -13,7 +13,7 @@
 #include "output/page/study_html.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/words/dynamics_text.hpp"
+#include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/papers/paper_catalogue.hpp"

@@ -154,7 +154,7 @@ one.]]
   output/nc/checked_program.hpp
   output/nc/machine.hpp
   output/nc/post_processor.hpp
-  output/spatial/nc_export.hpp)
+  output/spatial/cam_export.hpp)
 camopt_promise(nlp [[
 The optimization problem a backend sees:
 
@@ -180,8 +180,7 @@ cap. Also the front over the rows of a sweep.]]
 camopt_promise(pictures [[
 Motion, cam and mechanism as SVG text, to scale where they show a machine.]]
   output/chart/curve_chart.hpp
-  output/drawing/mechanism_svg.hpp
-  output/drawing/profile_svg.hpp)
+  output/drawing/cam_svg.hpp)
 camopt_promise(reference_table [[
 The published spline-versus-modified-sine tables beside what is true. Peaks without units.]]
   studies/papers/reference_table.hpp)
@@ -193,14 +192,12 @@ camopt_promise(result_folder [[
 A solution as files (report, table of the motion, proof, pictures, profile), and read back without solving
 (read_result_folder). Files of an earlier run are replaced together. Display units (mm, degrees). Errors:
 InputError naming the folder or file, and what does not fit.]]
-  output/report/report.hpp
   output/report/result_folder.hpp)
 camopt_promise(result_json [[
 result.json, and certificate.json with the recipe by which anybody can recompute the bound, also read back
 (read_certificate). Display units in result.json; the certificate is in the units of its problem. Errors:
 InputError for a file that is not a certificate.]]
   output/json/certificate_json.hpp
-  output/json/certificate_reader.hpp
   output/json/result_json.hpp)
 camopt_promise(scene [[
 A scene: what must move, what counts, which limits hold, how fine the spline may be, and the cam. Plain

@@ -4,7 +4,7 @@
 #include "apps/studio/studio_controls.hpp"
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
-#include "output/page/page_data.hpp"
+#include "output/page/page_html.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/search/solve_sequence.hpp"
 #include "studies/solve/solve.hpp"
@@ -33,7 +33,7 @@ namespace {
 //
 //   stage     "curve", "proof", "rest"
 //   more      the rest is worth asking for
-//   data      as page_data (output/page/page_data.hpp)
+//   data      as page_data (output/page/page_html.hpp)
 //   laws      as page_laws, of the laws asked for
 //   scene     the scene as solved, TOML
 //   controls  as studio_controls

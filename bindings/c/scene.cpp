@@ -7,7 +7,7 @@
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/cam_files.hpp"
-#include "output/report/report.hpp"
+#include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
 
 #include <cstdlib>

@@ -3,8 +3,7 @@
 
 #include "output/csv/csv_line.hpp"
 #include "output/view/shown_units.hpp"
-#include "output/words/comparison_words.hpp"
-#include "output/words/reference_table_rows.hpp"
+#include "output/words/study_text.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/format.h>

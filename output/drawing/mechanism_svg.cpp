@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/mechanism_svg.hpp"
-
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "core/whole_turn.hpp"
 #include "output/chart/placed_texts.hpp"
+#include "output/drawing/cam_svg.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/profile_svg.hpp"
-
 #include "core/units.hpp"
+#include "output/drawing/cam_svg.hpp"
 #include "output/drawing/follower_drawing.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/view/number_text.hpp"

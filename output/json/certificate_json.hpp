@@ -5,6 +5,7 @@
 
 #include "solvers/certificate/certificate.hpp"
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -14,5 +15,15 @@ namespace camopt {
 [[nodiscard]] std::string_view how_to_check();
 
 [[nodiscard]] std::string certificate_json(const Certificate& certificate);
+
+// certificate.json read back.
+
+/// The proof stored in a file, bit for bit as it was written. Throws InputError where the file cannot be
+/// read, is no certificate, holds no proof, or holds lists whose lengths do not match.
+[[nodiscard]] DualityProof read_certificate(const std::filesystem::path& path);
+
+/// All of it, with or without a proof: certificate_json of it is the file again. Throws like
+/// read_certificate.
+[[nodiscard]] Certificate read_whole_certificate(const std::filesystem::path& path);
 
 }  // namespace camopt

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "output/json/certificate_reader.hpp"
-
 #include "core/errors.hpp"
 #include "core/text/choices.hpp"
 #include "core/text/text_file.hpp"
+#include "output/json/certificate_json.hpp"
 #include "output/json/json_text.hpp"
 #include "solvers/certificate/box_proof.hpp"
 

@@ -3,7 +3,6 @@
 
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
-#include "output/json/solution_json.hpp"
 #include "output/view/columns.hpp"
 #include "output/view/shown_units.hpp"
 #include "scene/cost_table.hpp"

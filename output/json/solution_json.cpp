@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/json/solution_json.hpp"
-
 #include "core/peak_figures.hpp"
 #include "motions/laws/law.hpp"
+#include "output/json/json_text.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/view/tables.hpp"

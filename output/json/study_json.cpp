@@ -3,10 +3,8 @@
 
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
-#include "output/json/solution_json.hpp"
 #include "output/view/shown_units.hpp"
-#include "output/words/comparison_words.hpp"
-#include "output/words/reference_table_rows.hpp"
+#include "output/words/study_text.hpp"
 #include "studies/delivered/scene_limits.hpp"
 
 #include <cstddef>

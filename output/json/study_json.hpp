@@ -2,7 +2,7 @@
 // Studies beside a solve as JSON: elastic follower trains, comparisons, papers.
 #pragma once
 
-#include "output/json/run_origin.hpp"
+#include "output/json/result_json.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/papers/paper_report.hpp"
 #include "studies/papers/reference_table.hpp"

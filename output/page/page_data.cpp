@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "output/page/page_data.hpp"
-
 #include "core/version.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
 #include "output/page/page_html.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/drum_pictures.hpp"
-#include "output/words/cam_remarks.hpp"
-#include "output/words/scene_words.hpp"
+#include "output/words/solution_text.hpp"
 #include "studies/laws/law_motion.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 

@@ -2,7 +2,7 @@
 #include "output/page/page_html.hpp"
 
 #include "core/text/printable.hpp"
-#include "output/page/page_asset.hpp"
+#include "output/page/page_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,19 +1,101 @@
 // SPDX-License-Identifier: MIT
-// A page as one HTML file that loads nothing from anywhere: styles, scripts and data stand in it. Its policy
-// (Content-Security-Policy) lets it load nothing either, whatever the data says.
+// What a page shows of a solved scene, as one JSON text: words, tables, curves along the turn, the cam with
+// its follower at every cam angle. Who draws it (assets/, the studio) knows no kind of cam and computes
+// nothing but pixels; every number is in the unit that stands beside it (output/view/shown_units.hpp).
+//
+//   page          "report"
+//   camopt, title
+//   verdict       key (of Verdict, or "open": not proved yet), tone ("good", "fair", "bad", "open"),
+//   headline,
+//                 sentences[]
+//   figures[]     name, value: what stands first, as texts
+//   reference     null without a law to compare with; title, sentences[]
+//   angle         unit, from, to, values[]: cam angles of all curves and poses, ascending. They are the rows
+//   of
+//                 motion.csv, two where the jerk jumps (seen from the left, then from the right), and after
+//                 the motion those of the dwell that closes the cam
+//   curves[]      by cam angle:
+//     key, group ("motion", "cam", "forces"), title, symbol, unit, values[] (null: nothing to say there)
+//     beside        null, or unit and factor: value · factor is the same by the cam angle
+//     reference     null, or title and values[] of the law
+//     measured      null, or title and values[] of the measured motion
+//     limits[]      from, to, at (signed), words; outside (+1: values above are out, −1: below)
+//     marks[]       at, value, words: the peaks and extremes that the tables name, at the tables' angles;
+//                   given: true: an exact point of the scene; with "to" that velocity is held so far
+//   segments[]    from, to, title: of a program
+//   breakpoints[] cam angles
+//   drawing       null, or a plane cam and its mechanism in the frame that stands still:
+//     unit, rotation (+1 counterclockwise), center[x, y]
+//     outlines[]    name, closed, pitch (it is the path of a roller's centre), points[x, y, …] in the cam
+//     frame circles[]     name, radius about the centre turned[]      by angle: degrees by which the cam
+//     frame has turned contact[]     by angle: x, y parts[]       kind ("link", "circle", "pivot", "guide",
+//     "face"), name, radius, count (of points) and
+//                   points[x, y, …] by angle; a part that never moves has one set of points
+//   solid         null, or a three-dimensional cam (needs WebGL):
+//     unit, rotation, parts[] (name, closed, vertices[x, y, z, …], triangles[…]), roller (radius, length),
+//     rollers[] (poses[…]: foot x, y, z and direction x, y, z by angle), pivot [x, y, z] or null
+//   tables[]      key, title, columns[] (title, left), rows[][], note
+//   remarks[]     sentences on the cam
+//   notes[]       of the solve
+//   appendix      how it was found: sentences[], command
+//   scene         file, text (TOML), lines[] (the scene in words)
 #pragma once
 
-#include "output/page/page_data.hpp"
+#include "output/json/result_json.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/view/view.hpp"
+#include "studies/delivered/solution.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace camopt {
 
+/// The reference law in the scene's place: its limits need a second look at the cam, up to some tenths of a
+/// second.
+enum class PageReference : unsigned char { compared, later };
+
+struct PageDataOptions {
+    PageReference reference = PageReference::compared;  ///< later: only the law's title
+    bool solid = true;                                  ///< the meshes of a three-dimensional cam
+    /// false: a picture before its proof. The verdict says so, and tables, remarks and appendix are empty.
+    bool proof = true;
+};
+
+/// Ends in a line feed. Any text of the scene stands in it as a JSON string and nowhere else.
+[[nodiscard]] std::string page_data(const View& view, const RunOrigin& origin = {},
+                                    const PageDataOptions& options = {});
+
+/// The page of the solution needs a library for three dimensions.
+[[nodiscard]] bool page_needs_solids(const Solution& solution);
+
+// What a result folder holds beside the files of every result: the page for a browser, the pictures of a
+// drum.
+
+/// For WriteOptions::also: report.html, and of a three-dimensional cam drum.svg and developed.svg.
+[[nodiscard]] std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin = {});
+
+// Laws of the catalogue in the place of a solution's motion, for the curves of its page.
+//
+//   key, title
+//   misfit     null, or why the law does not fit the scene: then there are no curves
+//   curves     displacement, velocity, acceleration, jerk: values[] by the angles and in the units of
+//   page_data
+//              (null: infinite, or in the dwell behind the motion)
+//   peaks      velocity, acceleration, jerk, normalised as the scene's; null where infinite
+
+/// A JSON array, one entry a key, in their order; [] for a solution without a motion. Throws InputError for a
+/// law that is not in the catalogue.
+[[nodiscard]] std::string page_laws(const View& view, std::span<const std::string> keys);
+
+// A page as one HTML file that loads nothing from anywhere: styles, scripts and data stand in it. Its policy
+// (Content-Security-Policy) lets it load nothing either, whatever the data says.
+
 struct PageHtml {
     std::string title;
-    std::string data;     ///< JSON (page_data.hpp); any text: what could end a script is written otherwise
+    std::string data;     ///< JSON (page_html.hpp); any text: what could end a script is written otherwise
     bool solids = false;  ///< with the library for three dimensions, half a megabyte
     /// More scripts and styles, run after the page's own, and what the page may connect to (an element of
     /// the policy's connect-src): the studio's.

@@ -8,10 +8,8 @@
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
-#include "output/words/comparison_words.hpp"
-#include "output/words/dynamics_text.hpp"
-#include "output/words/infeasible_words.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/study_text.hpp"
 #include "studies/compare/comparison.hpp"
 
 #include <fmt/format.h>

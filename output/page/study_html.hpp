@@ -2,7 +2,7 @@
 // Pages of many motions: comparison.html, sweep.html, pareto.html. A pointer on a mark or a curve names what
 // it is and says its numbers; a click, or Enter, hands out its scene as TOML.
 //
-// Their data, beside what every page has (page_data.hpp: page = "study", camopt, title, verdict, scene):
+// Their data, beside what every page has (page_html.hpp: page = "study", camopt, title, verdict, scene):
 //   kind       "Comparison", "Sweep", "Front"
 //   items      names[], numbers[] (the class "rN" of its marks in the picture), tones[] ("", "good", "bad")
 //   columns[]  key, title, left, values[]: numbers, texts or null, by item
@@ -18,7 +18,7 @@
 
 #include "output/chart/studies/study_svg.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
-#include "output/json/run_origin.hpp"
+#include "output/json/result_json.hpp"
 #include "output/json/sweep_json.hpp"
 #include "studies/compare/comparison.hpp"
 

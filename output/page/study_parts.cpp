@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "output/page/study_parts.hpp"
-
 #include "core/version.hpp"
 #include "input/scene_reader.hpp"
 #include "output/page/page_html.hpp"

@@ -9,7 +9,7 @@
 // A point stands every PhasePitch from the node before and at the node. Between points the table is straight,
 // so it has no acceleration. Phase 0, displacement 0 is its first point.
 #include "core/errors.hpp"
-#include "output/plc/formats.hpp"
+#include "output/plc/plc_format.hpp"
 #include "output/plc/structured_text.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 #include "output/plc/plc_format.hpp"
 
 #include "core/errors.hpp"
-#include "output/plc/formats.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -81,4 +81,15 @@ void count_from_start(PlcTable& table);
 [[nodiscard]] PlcTable fitted_table(const MasterCurve& curve, const PlcOptions& options,
                                     const PlcFormat& format);
 
+// The rows of plc_format.hpp, a source each. Where the fields come from: docs/plc.md.
+
+[[nodiscard]] PlcFormat codesys_format();
+[[nodiscard]] PlcFormat twincat_format();
+[[nodiscard]] PlcFormat siemens_format();
+[[nodiscard]] PlcFormat br_format();
+[[nodiscard]] PlcFormat rockwell_format();
+[[nodiscard]] PlcFormat omron_format();
+[[nodiscard]] PlcFormat lenze_format();
+[[nodiscard]] PlcFormat coefficient_csv_format();
+
 }  // namespace camopt

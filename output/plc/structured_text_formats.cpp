@@ -4,7 +4,7 @@
 //
 // FunctionType rules the stretch that begins at a point; POLYNOM5_MM takes s, s', s'' of both ends.
 #include "core/errors.hpp"
-#include "output/plc/formats.hpp"
+#include "output/plc/plc_format.hpp"
 #include "output/plc/structured_text.hpp"
 
 #include <fmt/format.h>

@@ -4,9 +4,8 @@
 #include "core/errors.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
+#include "output/drawing/cam_svg.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
-#include "output/drawing/mechanism_svg.hpp"
-#include "output/drawing/profile_svg.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <algorithm>

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "output/report/report.hpp"
-
 #include "core/text/printable.hpp"
 #include "core/version.hpp"
 #include "input/document/written_keys.hpp"
 #include "output/report/cam_files.hpp"
+#include "output/report/result_folder.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
-#include "output/view/text_table.hpp"
-#include "output/words/cam_remarks.hpp"
-#include "output/words/dynamics_text.hpp"
-#include "output/words/infeasible_words.hpp"
-#include "output/words/scene_words.hpp"
 #include "output/words/solution_text.hpp"
 
 #include <fmt/format.h>

@@ -9,12 +9,10 @@
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/certificate_json.hpp"
-#include "output/json/certificate_reader.hpp"
 #include "output/json/json_text.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/folder_update.hpp"
-#include "output/report/report.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/restored/restored_solution.hpp"
 

@@ -4,7 +4,7 @@
 // where asked for, profile.dxf. read_result_folder reads it back.
 #pragma once
 
-#include "output/json/run_origin.hpp"
+#include "output/json/result_json.hpp"
 #include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -54,5 +54,9 @@ using SceneLoader = std::function<Scene(const std::string& text, const std::stri
 /// Throws InputError for a folder that is no result folder, is not complete, holds no motion (infeasible,
 /// failed), is of another version of camopt, or whose files say different things.
 [[nodiscard]] ResultFolder read_result_folder(const std::filesystem::path& folder, const SceneLoader& load);
+
+// report.md: the result for a cam engineer, in words, tables and the picture motion.svg beside it.
+
+[[nodiscard]] std::string report_markdown(const Solution& solution, const RunOrigin& origin = {});
 
 }  // namespace camopt

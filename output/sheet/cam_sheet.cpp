@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
-#include "output/sheet/sheet_furniture.hpp"
+#include "output/sheet/sheet_painter.hpp"
 #include "output/view/number_text.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/delivered.hpp"

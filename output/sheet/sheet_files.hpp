@@ -15,4 +15,16 @@ namespace camopt {
 // A sheet as SVG to scale: its width and height are those of the paper, so that it is printed at its scale.
 [[nodiscard]] std::string sheet_svg(const Sheet& sheet);
 
+// A sheet as PDF, one page of its size, lines and letters as such (the font is embedded). Made by cairo where
+// this build has it: the same lines and words as the SVG, whatever fonts the reader has.
+
+/// False in a build without cairo.
+[[nodiscard]] bool pdf_available();
+/// Throws UnavailableError in a build without cairo.
+void require_pdf();
+
+/// The same bytes for the same sheet and fonts. Throws UnavailableError in a build without cairo, InputError
+/// where cairo fails.
+[[nodiscard]] std::string sheet_pdf(const Sheet& sheet);
+
 }  // namespace camopt

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/sheet/sheet_furniture.hpp"
-
 #include "core/text/printable.hpp"
 #include "core/units.hpp"
+#include "output/sheet/sheet_painter.hpp"
 
 #include <algorithm>
 

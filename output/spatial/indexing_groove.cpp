@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "output/spatial/indexing_groove.hpp"
-
 #include "core/errors.hpp"
 #include "core/numbers/scalar_search.hpp"
 #include "core/units.hpp"
 #include "core/whole_turn.hpp"
+#include "output/spatial/indexing_body.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <Eigen/Geometry>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "output/spatial/nc_export.hpp"
-
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/spatial/cam_export.hpp"
-#include "output/spatial/indexing_groove.hpp"
+#include "output/spatial/indexing_body.hpp"
 #include "output/view/shown_units.hpp"
 #include "scene/flank_grid.hpp"
 

@@ -3,7 +3,6 @@
 // marked are those of the summary, so that pictures and tables name the same angles.
 #include "core/units.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/limit_spans.hpp"
 #include "output/view/view.hpp"
 #include "scene/limit_table.hpp"
 

@@ -4,7 +4,6 @@
 
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
-#include "output/view/text_table.hpp"
 #include "scene/cam_spec.hpp"
 #include "studies/delivered/solution.hpp"
 

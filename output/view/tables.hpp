@@ -3,7 +3,7 @@
 // tables.cpp.
 #pragma once
 
-#include "output/view/text_table.hpp"
+#include "output/view/number_text.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <string>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/cam_remarks.hpp"
-
 #include "core/numbers/scalar_search.hpp"
 #include "core/units.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
+#include "output/words/solution_text.hpp"
 #include "profiles/sampling.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"

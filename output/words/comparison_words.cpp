@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/comparison_words.hpp"
-
 #include "core/units.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
-#include "output/view/text_table.hpp"
+#include "output/words/study_text.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/format.h>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/dynamics_text.hpp"
-
 #include "core/units.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
-#include "output/view/text_table.hpp"
+#include "output/words/solution_text.hpp"
 
 #include <fmt/format.h>
 

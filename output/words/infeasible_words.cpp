@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/infeasible_words.hpp"
-
 #include "core/units.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
+#include "output/words/solution_text.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>

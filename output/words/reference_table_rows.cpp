@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/reference_table_rows.hpp"
+#include "output/words/study_text.hpp"
 
 #include <fmt/format.h>
 

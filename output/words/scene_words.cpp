@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "output/words/scene_words.hpp"
-
 #include "core/text/printable.hpp"
 #include "core/units.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
+#include "output/words/solution_text.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"

@@ -2,7 +2,9 @@
 // A solution in words: for the terminal, the picture and the report.
 #pragma once
 
+#include "scene/scene.hpp"
 #include "studies/delivered/solution.hpp"
+#include "studies/response/train_study.hpp"
 
 #include <filesystem>
 #include <span>
@@ -39,5 +41,48 @@ namespace camopt {
 /// What `camopt solve` prints: a compact summary of a dozen lines, ending in a line feed.
 [[nodiscard]] std::string summary_text(const Solution& solution,
                                        std::span<const std::filesystem::path> written);
+
+// What a scene asks for, in words: motion, spline, cam, forces, limits, objective.
+
+/// One line each, "Motion: rise between two dwells, lift 10 mm, …"; what the scene has not is left out.
+[[nodiscard]] std::vector<std::string> scene_lines(const Scene& scene);
+
+// Why a scene has no motion, and what would have to change, in the user's words.
+
+/// "The pressure angle limit at 23.4 deg fights the cam radius limit at 12 deg: no spline of 12 cubic
+/// segments satisfies all limits." Which limits the proof rests on, heaviest first, and where; "cannot be
+/// kept" is said of those that are impossible by themselves, and of "any motion" only where that is proved of
+/// every motion. Empty where nothing is known of it.
+[[nodiscard]] std::string conflict_sentence(const Solution& solution);
+
+/// "lengthen the rise to 68.2 deg, or increase the base radius to 31.4 mm, or raise the pressure angle limit
+/// to 33.1 deg": each change alone would do. Empty where none helps.
+[[nodiscard]] std::string sufficient_changes(const std::vector<Relaxation>& rows);
+
+/// "concave radius, roller radius": what no change alone was found to help. Empty where everything does.
+[[nodiscard]] std::string hopeless_changes(const std::vector<Relaxation>& rows);
+
+/// "spline of 4 quintic segments": the motions that a verdict speaks of.
+[[nodiscard]] std::string spline_words(const Scene& scene);
+
+/// "Together these would do: raise the velocity limit to 1.31 and raise the acceleration limit to 4.37."
+/// Empty where nothing is known of it.
+[[nodiscard]] std::string joint_sentence(const Solution& solution);
+
+/// The sentences of all that, in this order; empty for a feasible scene.
+[[nodiscard]] std::vector<std::string> infeasible_remarks(const Solution& solution);
+
+// What an engineer must know about a cam beside its figures, in sentences.
+
+/// Undercut, what limits the cam, the smallest one, the rest of the turn, lift-off, the forward check: one
+/// sentence or two each, of what there is to say about this kind. For a solution with a cam.
+[[nodiscard]] std::vector<std::string> cam_remarks(const Solution& solution);
+
+// An elastic follower train in words and tables for people.
+
+/// What the command prints: the train, every motion at the scene's speed, where it lifts off.
+[[nodiscard]] std::string dynamics_text(const TrainStudy& study);
+/// A sentence a figure: of result reports.
+[[nodiscard]] std::vector<std::string> train_sentences(const Solution& solution);
 
 }  // namespace camopt

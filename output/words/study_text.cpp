@@ -4,9 +4,6 @@
 #include "core/text/printable.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
-#include "output/view/text_table.hpp"
-#include "output/words/comparison_words.hpp"
-#include "output/words/reference_table_rows.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 

@@ -3,7 +3,7 @@
 #include "program.hpp"
 
 #include "core/text/text_file.hpp"
-#include "output/json/certificate_reader.hpp"
+#include "output/json/certificate_json.hpp"
 #include "tests/output/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/json/certificate_reader.hpp"
+#include "output/json/certificate_json.hpp"
 #include "output/json/study_json.hpp"
 #include "output/nc/post_processor.hpp"
 #include "output/plc/plc_export.hpp"

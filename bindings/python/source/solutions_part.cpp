@@ -2,8 +2,8 @@
 // What was found: the class Solution of Python.
 #include "bindings/python/source/columns.hpp"
 #include "bindings/python/source/parts.hpp"
-#include "output/page/page_data.hpp"
-#include "output/report/report.hpp"
+#include "output/page/page_html.hpp"
+#include "output/report/result_folder.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>

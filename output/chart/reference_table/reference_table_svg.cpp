@@ -4,8 +4,8 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/plot_frame.hpp"
-#include "output/view/text_table.hpp"
-#include "output/words/reference_table_rows.hpp"
+#include "output/view/number_text.hpp"
+#include "output/words/study_text.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,8 @@
 #include "output/chart/studies/study_svg.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/view/number_text.hpp"
-#include "output/view/text_table.hpp"
-#include "output/words/comparison_words.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/study_text.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,6 @@
 #include "output/chart/placed_texts.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
 #include "output/view/number_text.hpp"
-#include "output/view/text_table.hpp"
 
 #include <fmt/format.h>
 

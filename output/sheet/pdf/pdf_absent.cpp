@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stands in for pdf_cairo.cpp in a build without cairo.
 #include "core/errors.hpp"
-#include "output/sheet/pdf/sheet_pdf.hpp"
+#include "output/sheet/sheet_files.hpp"
 
 namespace camopt {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
-#include "output/sheet/pdf/sheet_pdf.hpp"
+#include "output/sheet/sheet_files.hpp"
 #include "output/sheet/sheet_painter.hpp"
 
 #include <fmt/format.h>

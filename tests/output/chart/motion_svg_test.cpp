@@ -2,7 +2,7 @@
 #include "core/errors.hpp"
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/curve_chart.hpp"
-#include "output/report/report.hpp"
+#include "output/report/result_folder.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/words/solution_text.hpp"

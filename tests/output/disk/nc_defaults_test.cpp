@@ -3,7 +3,7 @@
 #include "core/errors.hpp"
 #include "output/disk/disk_export.hpp"
 #include "output/nc/spoiled_programs.hpp"
-#include "output/spatial/nc_export.hpp"
+#include "output/spatial/cam_export.hpp"
 #include "profiles/spatial/reference_cams.hpp"
 #include "tests/output/disk/harmonic_disk.hpp"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/profile_svg.hpp"
-
 #include "core/units.hpp"
 #include "output/chart/curve_chart.hpp"
+#include "output/drawing/cam_svg.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "studies/delivered/cam_summary.hpp"

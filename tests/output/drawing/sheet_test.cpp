@@ -6,7 +6,6 @@
 #include "core/errors.hpp"
 #include "output/drawing/dxf/dxf_scaffold.hpp"
 #include "output/sheet/sheet_files.hpp"
-#include "output/sheet/sheet_furniture.hpp"
 #include "output/sheet/sheet_painter.hpp"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "output/nc/cutter_location.hpp"
 #include "output/nc/nc_check.hpp"
 #include "output/nc/nc_program.hpp"
-#include "output/spatial/nc_export.hpp"
+#include "output/spatial/cam_export.hpp"
 #include "profiles/spatial/reference_cams.hpp"
 
 #include <numbers>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The data of a page are the result's: curves those of the motion, marks those of the tables, poses those of
 // the follower.
-#include "output/page/page_data.hpp"
-
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
+#include "output/page/page_html.hpp"
 #include "output/view/shown_units.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/cam_report.hpp"

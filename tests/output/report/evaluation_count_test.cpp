@@ -2,7 +2,7 @@
 // Writing a result folder evaluates each point of the cam once.
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "output/page/page_data.hpp"
+#include "output/page/page_html.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "scene/cam_flanks.hpp"

@@ -7,7 +7,6 @@
 #include "output/disk/disk_solid.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/sheet/cam_sheet.hpp"
-#include "output/words/cam_remarks.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/disk/disk_sides.hpp"

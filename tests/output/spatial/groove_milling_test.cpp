@@ -2,7 +2,7 @@
 // Roughing, ways in and direction in the grooves of drums; programs with one fault each.
 #include "core/errors.hpp"
 #include "output/nc/spoiled_programs.hpp"
-#include "output/spatial/nc_export.hpp"
+#include "output/spatial/cam_export.hpp"
 #include "profiles/spatial/reference_cams.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Programs of the reference cams with what their check says.
-#include "output/spatial/nc_export.hpp"
-
 #include "core/errors.hpp"
+#include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "profiles/spatial/reference_cams.hpp"
 #include "tests/support/refusal.hpp"

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What terminal summary and report say about cams, programs and scenes that have no motion.
-#include "output/report/report.hpp"
+#include "output/report/result_folder.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
-#include "output/words/cam_remarks.hpp"
-#include "output/words/infeasible_words.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/check/check_cam.hpp"
 #include "tests/output/sample_solution.hpp"

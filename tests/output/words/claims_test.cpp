@@ -2,9 +2,7 @@
 // What is said of scenes without a motion, and of limits of any curve, held against solves: every sentence is
 // a claim.
 #include "core/units.hpp"
-#include "output/report/report.hpp"
-#include "output/words/cam_remarks.hpp"
-#include "output/words/infeasible_words.hpp"
+#include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "scene/motion/set_points.hpp"

@@ -2,7 +2,6 @@
 // When a limit is active: measured by the quantity it holds, never by the limit, which may be 0.
 #include "core/units.hpp"
 #include "input/loading/load_scene.hpp"
-#include "output/words/cam_remarks.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/solve/solve.hpp"

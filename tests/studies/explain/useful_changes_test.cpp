@@ -4,7 +4,7 @@
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/view/key_words.hpp"
-#include "output/words/infeasible_words.hpp"
+#include "output/words/solution_text.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
 

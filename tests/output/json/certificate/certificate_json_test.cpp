@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
-#include "output/json/certificate_reader.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"
 

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Pictures of planar cams that do not touch their follower themselves, to scale.
+// profile.svg: the cam to scale in the cam frame, with its pitch curve, base and prime circle, its follower
+// where the motion begins and, paler, every 60°, a mark every 30° of cam angle, the direction of rotation and
+// its dimensions. Stretches that are undercut are red, and said to be.
 #pragma once
 
+#include "output/drawing/profile_shape.hpp"
 #include "output/view/view.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace camopt {
+
+/// A shape that is not closed is drawn as the sector it is.
+[[nodiscard]] std::string profile_svg(const ProfileShape& shape, std::string_view title);
+
+// Pictures of planar cams that do not touch their follower themselves, to scale.
 
 /// mechanism.svg: the cam and its pitch curve at cam angle 0, roller, levers, couplers and slider there, and
 /// thin the links at the two ends of the output's motion; beside it dimensions and figures. The frame that
