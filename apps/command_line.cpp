@@ -7,7 +7,6 @@
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "core/licenses.hpp"
 #include "core/version.hpp"
 #include "output/plc/plc_format.hpp"
 #include "scene/cost_table.hpp"

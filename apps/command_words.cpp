@@ -2,7 +2,7 @@
 #include "apps/command_words.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/spelling_hint.hpp"
+#include "core/text/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -49,4 +49,14 @@ class Motion {
     Motion& operator=(Motion&&) = default;
 };
 
+/// The state of a follower at one cam angle, the input of every cam generator: displacement and its
+/// derivatives by the cam angle, SI: m, m/rad, m/rad² (rad, 1, 1/rad where it swings).
+struct FollowerState {
+    double s = 0.0, velocity = 0.0, acceleration = 0.0;  ///< s, s', s''
+};
+
+/// The shape of a rule g <= 0 over all motions whose displacements stay in a range, and all parameters in
+/// their bounds.
+enum class Curvature { linear, convex, general };
+
 }  // namespace camopt

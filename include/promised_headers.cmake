@@ -120,7 +120,7 @@ Infinite peaks are impulses. Errors: InputError for an unknown key or a paramete
 camopt_promise(licenses [[
 Which libraries of others are in this build, and under what terms a binary of it may be passed on:
 licensed_parts(), terms_of_binary().]]
-  core/licenses.hpp)
+  core/version.hpp)
 camopt_promise(mechanism [[
 Any mechanism between a cam and its output, as the optimizer sees it: from one state (s, s', s'') of the
 output and the mechanism's dimensions to the quantities that limits are made of, with exact partials.

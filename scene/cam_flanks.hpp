@@ -9,7 +9,7 @@
 // m, rad.
 #pragma once
 
-#include "core/follower_state.hpp"
+#include "core/motion.hpp"
 #include "scene/cam_spec.hpp"
 
 #include <Eigen/Core>

@@ -10,10 +10,8 @@
 // an exception; `fault` describes in words what does not reach.
 #pragma once
 
-#include "core/curvature.hpp"
-#include "core/follower_state.hpp"
-#include "core/numbers/range_along.hpp"
-#include "core/numbers/range_over.hpp"
+#include "core/motion.hpp"
+#include "core/numbers/enclosures.hpp"
 #include "core/partials.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/follower_geometry.hpp"

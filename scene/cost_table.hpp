@@ -8,7 +8,7 @@
 // may have weights too, are listed by DimensionIndex (scene/cam_spec.hpp).
 #pragma once
 
-#include "core/peak_figures.hpp"
+#include "core/peaks.hpp"
 #include "scene/scene.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 // (cam_mechanism.hpp). m, rad.
 #pragma once
 
-#include "core/follower_state.hpp"
+#include "core/motion.hpp"
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 // scene file, so that a scene can be written in a few lines of C++ without any file.
 #pragma once
 
-#include "core/text/choices.hpp"
+#include "core/text/names.hpp"
 #include "core/units.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/drawing_spec.hpp"

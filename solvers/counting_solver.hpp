@@ -2,7 +2,7 @@
 // A backend that counts its evaluations.
 #pragma once
 
-#include "core/counting_nlp.hpp"
+#include "core/nlp.hpp"
 #include "solvers/solver.hpp"
 
 namespace camopt {

@@ -5,7 +5,7 @@
 
 #include "core/deadline.hpp"
 #include "core/nlp.hpp"
-#include "core/text/choices.hpp"
+#include "core/text/names.hpp"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #include "splines/extrema.hpp"
 
 #include "core/numbers/polynomial.hpp"
-#include "core/peak_figures.hpp"
+#include "core/peaks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "apps/studio/studio_controls.hpp"
 
 #include "apps/completion/key_values.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "input/document/document.hpp"
 #include "input/keys/scene_keys.hpp"
 

@@ -2,7 +2,7 @@
 #include "apps/sweep/rank_launch.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 
 #include <fmt/format.h>
 

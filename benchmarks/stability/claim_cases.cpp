@@ -4,7 +4,7 @@
 #include "benchmarks/stability/stability_cases.hpp"
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "motions/bounds/smallest_cam.hpp"
 #include "output/words/number_text.hpp"

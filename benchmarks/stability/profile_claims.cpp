@@ -2,7 +2,7 @@
 #include "benchmarks/stability/profile_claims.hpp"
 
 #include "benchmarks/stability/stability_scenes.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/drawing/profile_shape.hpp"

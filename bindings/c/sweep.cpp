@@ -3,7 +3,6 @@
 #include "bindings/c/handles.hpp"
 #include "bindings/c/structs.hpp"
 #include "core/errors.hpp"
-#include "core/licenses.hpp"
 #include "core/units.hpp"
 #include "core/version.hpp"
 #include "studies/checked/checked_cam.hpp"

@@ -2,9 +2,8 @@
 #include "input/measured/measured_reader.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/text/printable.hpp"
-#include "core/text/split_text.hpp"
 #include "core/text/text_file.hpp"
 #include "input/keys/key_spellings.hpp"
 

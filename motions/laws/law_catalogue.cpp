@@ -2,9 +2,9 @@
 #include "motions/laws/law_catalogue.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/quadrature.hpp"
+#include "core/numbers/polynomial.hpp"
 #include "core/open_registry.hpp"
-#include "core/text/plain_name.hpp"
+#include "core/text/names.hpp"
 #include "motions/laws/asymmetric_law.hpp"
 #include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/one_dwell_laws.hpp"

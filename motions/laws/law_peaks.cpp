@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "motions/laws/law_peaks.hpp"
 
-#include "core/numbers/quadrature.hpp"
-#include "core/numbers/scalar_search.hpp"
-#include "core/peak_figures.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/numbers/polynomial.hpp"
+#include "core/peaks.hpp"
 
 #include <algorithm>
 #include <array>

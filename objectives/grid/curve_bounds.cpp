@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid/curve_bounds.hpp"
 
-#include "core/numbers/infinity.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "objectives/response/train_figures.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/numbers/extremum.hpp"
-#include "core/numbers/infinity.hpp"
 #include "objectives/response/motion_events.hpp"
 #include "scene/scene.hpp"
 

@@ -6,11 +6,9 @@
 // independent of the design vector: constant sparse maps apply the chain rule (grid_nlp.hpp).
 #pragma once
 
-#include "core/curvature.hpp"
 #include "core/motion.hpp"
 #include "core/nlp.hpp"
-#include "core/numbers/range_along.hpp"
-#include "core/numbers/range_over.hpp"
+#include "core/numbers/enclosures.hpp"
 
 #include <Eigen/Core>
 

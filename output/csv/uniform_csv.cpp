@@ -2,10 +2,9 @@
 #include "output/csv/uniform_csv.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/infinity.hpp"
-#include "core/text/split_text.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/text/parsing.hpp"
 #include "core/units.hpp"
-#include "core/whole_turn.hpp"
 #include "output/words/number_text.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"

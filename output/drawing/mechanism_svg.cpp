@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "core/whole_turn.hpp"
 #include "output/chart/placed_texts.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/words/cam_words.hpp"

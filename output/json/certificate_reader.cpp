@@ -2,7 +2,7 @@
 #include "output/json/certificate_reader.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/choices.hpp"
+#include "core/text/names.hpp"
 #include "core/text/text_file.hpp"
 #include "output/json/json_text.hpp"
 #include "solvers/certificate/box_proof.hpp"

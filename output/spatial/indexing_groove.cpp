@@ -2,9 +2,8 @@
 #include "output/spatial/indexing_groove.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
-#include "core/whole_turn.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/cam_remarks.hpp"
 
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/key_words.hpp"

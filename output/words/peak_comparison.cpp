@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/peak_comparison.hpp"
 
-#include "core/numbers/sampled_maximum.hpp"
-#include "core/peak_figures.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/peaks.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"

@@ -25,7 +25,7 @@
 // A cam with a geometry_fault may give NaN; nothing here throws for it.
 #pragma once
 
-#include "core/follower_state.hpp"
+#include "core/motion.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/cam_spec.hpp"

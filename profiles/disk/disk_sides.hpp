@@ -18,7 +18,7 @@
 // by −s: second_disk(). Its points here are mirrored back. The disks are fixed to one shaft.
 #pragma once
 
-#include "core/numbers/range_along.hpp"
+#include "core/numbers/enclosures.hpp"
 #include "profiles/disk/disk_cam.hpp"
 
 #include <string>

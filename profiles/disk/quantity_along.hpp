@@ -3,8 +3,7 @@
 // dimensions: of their values and derivatives, by the formulas of disk_cam.hpp (quantity_text.hpp).
 #pragma once
 
-#include "core/numbers/range_along.hpp"
-#include "core/numbers/range_over.hpp"
+#include "core/numbers/enclosures.hpp"
 #include "profiles/disk/disk_cam.hpp"
 
 #include <array>

@@ -11,7 +11,7 @@
 // Source: the paper of guide.hpp, eqs. 13 to 23, corrected (docs/papers/000.md).
 #pragma once
 
-#include "core/follower_state.hpp"
+#include "core/motion.hpp"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 #include "core/errors.hpp"
-#include "core/second_order.hpp"
+#include "core/partials.hpp"
 #include "profiles/inverse/inverse_feeder.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 #include "profiles/inverse/inverse_spec.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/inverse/inverse_quantity.hpp"
 
-#include "core/second_order.hpp"
+#include "core/partials.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 
 namespace camopt {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_extremes.hpp"
 
-#include "core/numbers/sampled_maximum.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 #include <algorithm>

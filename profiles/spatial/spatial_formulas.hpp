@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/errors.hpp"
-#include "core/numbers/squared.hpp"
+#include "core/numbers/interval.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 
 #include <cmath>

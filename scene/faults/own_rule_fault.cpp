@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/text/plain_name.hpp"
+#include "core/text/names.hpp"
 #include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>

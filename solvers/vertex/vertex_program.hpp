@@ -12,7 +12,7 @@
 // added up in long double and rounded outward.
 #pragma once
 
-#include "core/numbers/infinity.hpp"
+#include "core/numbers/extremum.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/vertex/sparse_row_list.hpp"
 

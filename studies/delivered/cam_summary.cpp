@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/cam_summary.hpp"
 
-#include "core/numbers/infinity.hpp"
-#include "core/numbers/sampled_maximum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "objectives/rules/rest_places.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/follower_loads.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered_audit.hpp"
 
-#include "core/numbers/sampled_maximum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "scene/limit_table.hpp"
 #include "solvers/certificate/forget_proof.hpp"
 #include "splines/basis.hpp"

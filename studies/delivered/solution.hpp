@@ -2,7 +2,7 @@
 // Everything known after a scene was solved: what output/ writes and what an embedder reads.
 #pragma once
 
-#include "core/counting_nlp.hpp"
+#include "core/nlp.hpp"
 #include "core/peaks.hpp"
 #include "scene/scene.hpp"
 #include "solvers/certificate/certificate.hpp"

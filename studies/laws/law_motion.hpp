@@ -11,7 +11,6 @@
 // interrupts it. Displacements in lifts, angles in x.
 #pragma once
 
-#include "core/peak_figures.hpp"
 #include "core/peaks.hpp"
 #include "motions/laws/law.hpp"
 #include "objectives/rules/model.hpp"

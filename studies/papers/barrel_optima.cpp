@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/papers/barrel_optima.hpp"
 
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/spatial/spatial_extremes.hpp"

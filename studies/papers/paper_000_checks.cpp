@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "profiles/inverse/guide_points.hpp"
 #include "profiles/inverse/node_method.hpp"

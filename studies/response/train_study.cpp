@@ -2,7 +2,7 @@
 #include "studies/response/train_study.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/response/train_figures.hpp"

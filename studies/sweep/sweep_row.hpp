@@ -5,7 +5,7 @@
 // row) is absent, never a NaN.
 #pragma once
 
-#include "core/counting_nlp.hpp"
+#include "core/nlp.hpp"
 #include "core/units.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"

@@ -2,7 +2,7 @@
 #include "bindings/python/source/columns.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 // hold what the formulas give.
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
-#include "core/numbers/range_along.hpp"
+#include "core/numbers/enclosures.hpp"
 #include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/cam_limits.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/text/spelling_hint.hpp"
+#include "core/text/names.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,33 @@
 #include <numeric>
 
 namespace camopt {
+
+const char* name_of(MotionType value) {
+    switch (value) {
+        case MotionType::drd:
+            return "DRD";
+        case MotionType::rr:
+            return "RR";
+        case MotionType::program:
+            break;
+    }
+    return "program";
+}
+
+const char* name_of(DesignKind value) {
+    switch (value) {
+        case DesignKind::ordinates:
+            return "ordinates";
+        case DesignKind::coefficients:
+            return "coefficients";
+        case DesignKind::states:
+            return "states";
+        case DesignKind::automatic:
+            break;
+    }
+    return "auto";
+}
+
 namespace {
 
 // Longer words are not misspellings.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 
 #include "core/errors.hpp"
 

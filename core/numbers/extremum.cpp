@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/numbers/sampled_maximum.hpp"
-
-#include "core/numbers/infinity.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <algorithm>
 #include <cmath>
