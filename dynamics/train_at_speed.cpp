@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/train_at_speed.hpp"
-
 #include "core/numbers/polynomial.hpp"
 #include "core/units.hpp"
+#include "dynamics/linear_train.hpp"
 #include "scene/scene_error.hpp"
 
 #include <Eigen/Eigenvalues>

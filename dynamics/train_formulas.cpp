@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "dynamics/linear_train.hpp"
-#include "dynamics/train_at_speed.hpp"
 #include "scene/dynamics_spec.hpp"
 
 #include <Eigen/SVD>

@@ -60,7 +60,7 @@ The problem behind the grid: constraints that hold at every cam angle. Derive fr
 have a problem of your own solved by exchange (grid, true maxima, new rows) and judged. One belongs to one
 thread at a time.]]
   core/continuous_problem.hpp
-  solvers/exchange/continuous_solve.hpp)
+  solvers/exchange/exchange.hpp)
 camopt_promise(deadline [[
 Until when: one value for everything done under one limit of time. Copies share whether it was ever felt.
 Seconds. Safe to ask from several threads.]]
@@ -113,10 +113,8 @@ them, make_law("modified_sine") makes one; the others take free parameters.
   y(0) = 0, y(1) = 1, y'(0) = y'(1) = 0 on 0 <= x <= 1.
 
 Infinite peaks are impulses. Errors: InputError for an unknown key or a parameter out of range.]]
-  motions/laws/asymmetric_law.hpp
-  motions/laws/harmonic_law.hpp
   motions/laws/law_catalogue.hpp
-  motions/laws/one_dwell_laws.hpp)
+  motions/laws/harmonic_law.hpp)
 camopt_promise(licenses [[
 Which libraries of others are in this build, and under what terms a binary of it may be passed on:
 licensed_parts(), terms_of_binary().]]

@@ -2,7 +2,6 @@
 #include "linear/sparse_symmetric.hpp"
 
 #include "linear/chain_factor.hpp"
-#include "linear/suitesparse_factors.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>

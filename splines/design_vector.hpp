@@ -13,7 +13,6 @@
 
 #include "core/text/names.hpp"
 #include "splines/curve.hpp"
-#include "splines/space.hpp"
 
 #include <Eigen/Core>
 

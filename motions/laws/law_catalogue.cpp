@@ -5,9 +5,7 @@
 #include "core/numbers/polynomial.hpp"
 #include "core/open_registry.hpp"
 #include "core/text/names.hpp"
-#include "motions/laws/asymmetric_law.hpp"
 #include "motions/laws/harmonic_law.hpp"
-#include "motions/laws/one_dwell_laws.hpp"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,6 @@
 #include "core/nlp.hpp"
 #include "objectives/hessian_slots.hpp"
 #include "objectives/rules/model.hpp"
-#include "splines/free_knot_energy.hpp"
 #include "splines/free_knot_form.hpp"
 
 #include <memory>

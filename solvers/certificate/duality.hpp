@@ -26,4 +26,15 @@ namespace camopt {
 [[nodiscard]] double stationarity_of(const Nlp& problem, const Eigen::VectorXd& x,
                                      const Eigen::VectorXd& row_multipliers, double active);
 
+// Removes the proof from a certificate. For the modules that verify results.
+
+/// No bound, no gap, no proof: the proof belongs to another motion or problem.
+inline void forget_proof(Certificate& certificate) {
+    certificate.lower_bound.reset();
+    certificate.gap.reset();
+    certificate.proof.reset();
+    certificate.box_proof.reset();
+    certificate.proof_kind = ProofKind::none;
+}
+
 }  // namespace camopt

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/sequential_solver.hpp"
 
-#include "solvers/structured/sequential_run.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>

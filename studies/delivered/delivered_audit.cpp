@@ -3,8 +3,8 @@
 
 #include "core/numbers/extremum.hpp"
 #include "scene/limit_table.hpp"
-#include "solvers/certificate/forget_proof.hpp"
-#include "splines/basis.hpp"
+#include "solvers/certificate/duality.hpp"
+#include "splines/curve.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_conditions.hpp"
 #include "studies/delivered/scene_limits.hpp"

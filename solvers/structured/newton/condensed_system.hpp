@@ -17,7 +17,7 @@
 
 #include "linear/compressed_rows.hpp"
 #include "linear/sparse_symmetric.hpp"
-#include "solvers/structured/convex_model.hpp"
+#include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/range_rows.hpp"
 
 #include <Eigen/Core>

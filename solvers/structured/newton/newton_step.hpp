@@ -10,7 +10,6 @@
 #pragma once
 
 #include "linear/sparse_symmetric.hpp"
-#include "solvers/structured/convex_model.hpp"
 #include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/newton/condensed_system.hpp"
 #include "solvers/structured/range_rows.hpp"
