@@ -2,7 +2,7 @@
 #include "dynamics/linear_train.hpp"
 
 #include "core/errors.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

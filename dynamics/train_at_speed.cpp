@@ -2,7 +2,7 @@
 #include "core/numbers/polynomial.hpp"
 #include "core/units.hpp"
 #include "dynamics/linear_train.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>

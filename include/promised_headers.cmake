@@ -207,7 +207,7 @@ validate(scene) throws InputError with it. Every study validates what it is give
 
 Scenes may be copied and read by several threads.]]
   scene/scene.hpp
-  scene/spellings.hpp)
+  scene/key_row.hpp)
 camopt_promise(scene_check [[
 What can be said of a scene without solving it: which problem it becomes, how large it is, which verdict
 can come, and whether its derivatives agree with differences. Throws InputError for a wrong scene.]]
@@ -240,7 +240,7 @@ control).
 Throws InputError for a wrong scene, UnavailableError for a backend this build leaves out. Every numerical
 outcome is a Verdict. Threads may solve at once, the same scene too; Ipopt's turns are taken one after
 another, all else runs side by side.]]
-  scene/peak_units.hpp
+  scene/written_limits.hpp
   studies/solve/solve.hpp)
 camopt_promise(solver [[
 A backend: takes an Nlp and a start, hands back a point, perhaps multipliers, and why it stopped
@@ -256,7 +256,7 @@ camopt_promise(spatial_cam [[
 Barrel and cylindrical cams with a cylindrical roller: the roller's axis, contact on both flanks, pressure
 angle, undercut, and the flanks as grids of points. m, rad.]]
   profiles/spatial/contact.hpp
-  scene/flank_grid.hpp
+  scene/cam_flanks.hpp
   profiles/spatial/spatial_cam.hpp
   profiles/spatial/spatial_mechanism.hpp)
 camopt_promise(spline_curve [[

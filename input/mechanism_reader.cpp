@@ -3,7 +3,7 @@
 
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -13,9 +13,9 @@
 #include "input/mechanism_reader.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/drawing_spec.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

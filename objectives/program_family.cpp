@@ -3,7 +3,7 @@
 
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/set_point_conditions.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -14,7 +14,7 @@
 #include "objectives/set_point_conditions.hpp"
 #include "objectives/strokes.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

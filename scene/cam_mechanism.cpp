@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "scene/cam_flanks.hpp"
-#include "scene/roller_guide.hpp"
 
 #include <fmt/format.h>
 

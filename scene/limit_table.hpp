@@ -9,8 +9,8 @@
 
 #include "core/numbers/range.hpp"
 #include "scene/cost_table.hpp"
+#include "scene/key_row.hpp"
 #include "scene/scene.hpp"
-#include "scene/spellings.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -5,8 +5,8 @@
 
 #include "input/document/known_names.hpp"
 #include "input/document/scene_source.hpp"
+#include "scene/key_row.hpp"
 #include "scene/scene.hpp"
-#include "scene/spellings.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "scene/cam_flanks.hpp"
-#include "scene/flank_grid.hpp"
 
 #include <filesystem>
 #include <string>

@@ -6,7 +6,7 @@
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_groove.hpp"
-#include "scene/flank_grid.hpp"
+#include "scene/cam_flanks.hpp"
 
 #include <fmt/format.h>
 

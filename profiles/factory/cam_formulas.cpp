@@ -8,7 +8,7 @@
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "profiles/inverse/inverse_feeder.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
-#include "scene/roller_guide.hpp"
+#include "scene/cam_flanks.hpp"
 
 #include <fmt/format.h>
 

@@ -14,7 +14,7 @@
 #pragma once
 
 #include "profiles/spatial/spatial_extremes.hpp"
-#include "scene/flank_grid.hpp"
+#include "scene/cam_flanks.hpp"
 
 namespace camopt {
 

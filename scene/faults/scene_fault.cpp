@@ -3,7 +3,7 @@
 #include "core/numbers/range.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/faults/scene_faults.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

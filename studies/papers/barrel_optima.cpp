@@ -7,7 +7,7 @@
 #include "profiles/spatial/spatial_extremes.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
-#include "scene/flank_grid.hpp"
+#include "scene/cam_flanks.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"

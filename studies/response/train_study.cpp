@@ -8,7 +8,7 @@
 #include "objectives/response/train_figures.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 #include "studies/search/solve_without_explaining.hpp"
 
 #include <fmt/format.h>

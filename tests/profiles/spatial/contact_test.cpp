@@ -5,7 +5,7 @@
 
 #include "core/errors.hpp"
 #include "reference_cams.hpp"
-#include "scene/flank_grid.hpp"
+#include "scene/cam_flanks.hpp"
 #include "situations.hpp"
 #include "tests/support/refusal.hpp"
 

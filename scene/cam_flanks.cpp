@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/flank_grid.hpp"
+#include "scene/cam_flanks.hpp"
 
 #include "core/errors.hpp"
 
