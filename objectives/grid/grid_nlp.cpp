@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/grid/grid_nlp.hpp"
-
-#include "objectives/grid/equality_projection.hpp"
-#include "objectives/rules/whole_motion_rule.hpp"
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/rules/point_rule.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "objectives/response/response_rows.hpp"
+#include "objectives/response/train_figures.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/scene.hpp"
 

@@ -6,7 +6,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/whole_motion_rule.hpp"
+#include "objectives/rules/point_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"

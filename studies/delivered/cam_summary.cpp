@@ -2,7 +2,7 @@
 #include "studies/delivered/cam_summary.hpp"
 
 #include "core/numbers/extremum.hpp"
-#include "objectives/rules/rest_places.hpp"
+#include "objectives/rules/cam_limits.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/follower_loads.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
-#include "objectives/rules/maxima/piece_maxima.hpp"
 #include "splines/extrema.hpp"
 
 #include <algorithm>

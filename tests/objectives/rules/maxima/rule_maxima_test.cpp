@@ -7,7 +7,6 @@
 #include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/maxima/piece_maxima.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/disk/quantity_along.hpp"
