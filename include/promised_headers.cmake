@@ -70,8 +70,7 @@ Disk cams: scene.cam = disk_spec({.follower = …}) puts one into a scene. One p
 makes one point of the cam (profile_point), and the quantities that limits are made of (pressure angle,
 radii, forces) with exact partials. Frames and signs stand in the header this one brings; m, rad, s' in
 m/rad. disk_cam(solution.cam->cam) is the one that was delivered.]]
-  profiles/disk/disk_cam.hpp
-  profiles/disk/disk_mechanism.hpp)
+  profiles/disk/disk_cam.hpp)
 camopt_promise(drawings [[
 Cams as DXF text: arcs within a tolerance (m) of the exact curve; files in mm. Errors: InputError for a
 tolerance that is not positive and a cam that is not finite.]]
@@ -97,7 +96,7 @@ origin. m, rad.]]
 camopt_promise(inverse_cam [[
 Inverse cams: the guide that makes a feeder move as wished, and the check that pushes a roller through the
 finished guide. m, rad, s.]]
-  profiles/inverse/guide_points.hpp
+  profiles/inverse/guide.hpp
   profiles/inverse/wished_guide.hpp
   studies/inverse/inverse_forward.hpp)
 camopt_promise(law_losses [[
@@ -255,10 +254,9 @@ registry is constant.]]
 camopt_promise(spatial_cam [[
 Barrel and cylindrical cams with a cylindrical roller: the roller's axis, contact on both flanks, pressure
 angle, undercut, and the flanks as grids of points. m, rad.]]
-  profiles/spatial/contact.hpp
+  profiles/spatial/spatial_analysis.hpp
   scene/cam_flanks.hpp
-  profiles/spatial/spatial_cam.hpp
-  profiles/spatial/spatial_mechanism.hpp)
+  profiles/spatial/spatial_cam.hpp)
 camopt_promise(spline_curve [[
 Piecewise polynomial motions y(x) of degree p with continuity C^k: on segment i, t = x − x_i, y = Σ
 a_{i,m} t^m. SplineCurve takes the coefficients as a matrix, one column a segment, one row a power; hands

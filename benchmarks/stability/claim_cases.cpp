@@ -8,7 +8,7 @@
 #include "core/units.hpp"
 #include "motions/bounds/smallest_cam.hpp"
 #include "output/words/number_text.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
 

@@ -7,7 +7,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "output/report/cam_files.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/solve/solve.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "core/partials.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/quantity_algebra.hpp"
+#include "profiles/disk/disk_quantity.hpp"
 
 #include <Eigen/Core>
 

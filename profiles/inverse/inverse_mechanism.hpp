@@ -5,7 +5,7 @@
 // The roller starts from rest and moves with a constant acceleration to the end of its stroke; at cam angle 0
 // of the scene, where the rise begins, it is at roller_from:
 //   L(θ) = rest + u²,  u = sqrt(from − rest) + sqrt(end − rest) θ / roller_angle
-// The feeder is at Y = feeder_start + s. Backwards through the linkage (feeder_linkage.hpp) follow body and
+// The feeder is at Y = feeder_start + s. Backwards through the linkage (inverse_feeder.hpp) follow body and
 // guide:
 //   pressure_numerator   −L θ_body'    pressure_denominator  L'        ' by the cam angle θ
 //   pitch_curvature      ±κ of the guide, regularity 1 ∓ r κ
@@ -14,8 +14,7 @@
 // Exact partials by automatic differentiation, by all numbers. Out of reach: NaN.
 #pragma once
 
-#include "profiles/inverse/feeder_linkage.hpp"
-#include "profiles/inverse/roller_law.hpp"
+#include "profiles/inverse/inverse_feeder.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/cam_spec.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Both methods are written from the papers' transformations, not from the formulas of spatial_formulas.hpp,
 // so that their agreement is an independent test.
-#include "profiles/spatial/contact.hpp"
+#include "profiles/spatial/spatial_analysis.hpp"
 
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/AutoDiff>

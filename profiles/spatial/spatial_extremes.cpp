@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/spatial/spatial_extremes.hpp"
-
 #include "core/numbers/extremum.hpp"
+#include "profiles/spatial/spatial_analysis.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 #include <algorithm>

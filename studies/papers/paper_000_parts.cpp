@@ -3,8 +3,8 @@
 
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
-#include "profiles/inverse/guide_points.hpp"
-#include "profiles/inverse/node_method.hpp"
+#include "profiles/inverse/guide.hpp"
+#include "profiles/inverse/paper_guide.hpp"
 
 #include <cmath>
 #include <functional>

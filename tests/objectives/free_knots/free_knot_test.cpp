@@ -3,7 +3,7 @@
 #include "core/derivative_check.hpp"
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "solvers/exchange/exchange.hpp"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,6 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 
 #include <gtest/gtest.h>
 

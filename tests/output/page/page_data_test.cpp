@@ -6,7 +6,7 @@
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/words/shown_units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"

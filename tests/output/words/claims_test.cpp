@@ -6,7 +6,7 @@
 #include "output/words/cam_remarks.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/solution_text.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"

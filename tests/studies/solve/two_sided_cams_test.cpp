@@ -4,8 +4,7 @@
 #include "core/units.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/disk_sides.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 

@@ -8,8 +8,8 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/quantity_along.hpp"
+#include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/disk_quantity.hpp"
 
 #include <gtest/gtest.h>
 

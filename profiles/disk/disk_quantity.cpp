@@ -1,10 +1,41 @@
 // SPDX-License-Identifier: MIT
+#include "profiles/disk/disk_quantity.hpp"
+
 #include "core/errors.hpp"
-#include "profiles/disk/disk_sides.hpp"
-#include "profiles/disk/quantity_along.hpp"
-#include "profiles/disk/quantity_text.hpp"
+#include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/disk_cam_formulas.hpp"
 
 namespace camopt {
+
+QuantityValue constant_quantity(double value) {
+    QuantityValue result{value, {}, {}};
+    result.gradient.setZero();
+    result.hessian.setZero();
+    return result;
+}
+
+QuantityValue variable_quantity(double value, int index) {
+    QuantityValue result = constant_quantity(value);
+    result.gradient[index] = 1.0;
+    return result;
+}
+
+namespace {
+
+struct SourceAlong : StateAlong {
+    const DiskCam& cam;
+
+    [[nodiscard]] RangeAlong rest() const { return {rest_position(cam)}; }
+    [[nodiscard]] RangeAlong flank_offset() const { return {surface_offset(cam, 0)}; }
+    [[nodiscard]] RangeAlong number(DimensionIndex which) const { return {cam[which]}; }
+};
+
+}  // namespace
+
+RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which) {
+    return formulas::quantity_of_first_side<RangeAlong>(cam, SourceAlong{state, cam}, which);
+}
+
 namespace {
 
 using enum DimensionIndex;
@@ -88,7 +119,7 @@ RangeOver given_or_own(const std::optional<double>& given, const RangeOver& own)
     return given ? RangeOver(*given) : own;
 }
 
-/// The motion and the dimensions of the second disk, in the mirror image (disk_sides.hpp), by those of the
+/// The motion and the dimensions of the second disk, in the mirror image (disk_cam.hpp), by those of the
 /// cam.
 StateOver second_over(const DiskCam& cam, const StateOver& state) {
     StateOver second{-state.s, -state.velocity, -state.acceleration, {}};
