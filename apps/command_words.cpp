@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/command_words.hpp"
-
+#include "apps/command_line.hpp"
 #include "core/errors.hpp"
 #include "core/text/names.hpp"
 

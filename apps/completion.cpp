@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "apps/completion.hpp"
-
+#include "apps/command_line.hpp"
 #include "apps/commands.hpp"
-#include "apps/completion/key_values.hpp"
+#include "apps/studio/studio_controls.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "output/csv/uniform_csv.hpp"
 #include "output/plc/plc_format.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "input/mechanism_reader.hpp"
-
+#include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/scene.hpp"

@@ -52,3 +52,12 @@ struct StudioStart {
                                            const SolveControl& control);
 
 }  // namespace camopt::apps
+
+namespace camopt {
+
+// The files under assets/, compiled in.
+
+/// "studio.js". Throws ModelError for a name that is not there.
+[[nodiscard]] std::string_view studio_asset(std::string_view name);
+
+}  // namespace camopt

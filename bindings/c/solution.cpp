@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/c/handles.hpp"
-#include "bindings/c/structs.hpp"
 #include "core/units.hpp"
 
 #include <algorithm>

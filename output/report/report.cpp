@@ -3,7 +3,7 @@
 
 #include "core/text/printable.hpp"
 #include "core/version.hpp"
-#include "input/document/written_keys.hpp"
+#include "input/scene_document.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/cam_words.hpp"

@@ -3,7 +3,7 @@
 // below) and none of the others; the linker's map is then looked at.
 //
 // Prints how often the cam was evaluated. Exit 0: solved, and by formulas of the wanted kind alone.
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"

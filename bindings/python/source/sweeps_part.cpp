@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sweeps from Python: the rows of the command line's sweep, solved by threads of this process.
 #include "bindings/python/source/parts.hpp"
-#include "bindings/python/source/read_scene.hpp"
 #include "bindings/python/source/watch.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/words/study_text.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files and words of cams that drive both ways: tables of both sides, layers, remarks, what is refused.
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/uniform_csv.hpp"
 #include "output/disk/disk_export.hpp"

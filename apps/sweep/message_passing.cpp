@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/sweep/rank_launch.hpp"
+#include "apps/sweep/message_passing.hpp"
 
 #include "core/errors.hpp"
 #include "core/text/parsing.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bindings/c/structs.hpp"
+#include "bindings/c/handles.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "input/measured/measured_reader.hpp"
-
 #include "core/errors.hpp"
 #include "core/text/parsing.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
 #include "input/keys/key_spellings.hpp"
+#include "input/scene_parts.hpp"
 
 #include <fmt/format.h>
 
