@@ -7,7 +7,6 @@
 #include "output/plc/plc_format.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
-#include <algorithm>
 #include <string_view>
 #include <vector>
 

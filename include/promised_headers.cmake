@@ -135,8 +135,7 @@ A motion y(x) with its first three derivatives, and its peaks.
 Motion::at(x, side) gives a MotionPoint; outside [begin(), end()] it throws InputError. A Motion is never
 written to by a const call: threads may share one.]]
   core/numbers/extremum.hpp
-  core/motion.hpp
-  core/peaks.hpp)
+  core/motion.hpp)
 camopt_promise(motion_chain [[
 Motions one after another as one Motion: a whole turn of dwells, laws and splines.
 
@@ -161,7 +160,6 @@ x has `variables` entries, g `constraints` rows; missing bounds are ±infinity. 
 active upper bound. Derive from Nlp to bring a problem of your own; check_derivatives compares its
 derivatives with differences. An Nlp may keep work space between calls: one belongs to one thread at a
 time.]]
-  core/derivative_check.hpp
   core/nlp.hpp)
 camopt_promise(own_rules [[
 Cost terms and limits of your own, for Scene::own_terms and Scene::own_limits: any function of y to y'''.]]

@@ -3,8 +3,8 @@
 // follower, missing dimensions, unknown laws, units that do not fit the lift. Internal to input/.
 #pragma once
 
-#include "input/document/known_names.hpp"
 #include "input/document/scene_source.hpp"
+#include "input/scene_reader.hpp"
 #include "scene/cam_kind.hpp"
 #include "scene/key_row.hpp"
 #include "scene/scene.hpp"

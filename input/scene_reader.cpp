@@ -11,7 +11,6 @@
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -6,9 +6,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace camopt {
 namespace {

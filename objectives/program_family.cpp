@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/program_family.hpp"
-
 #include "motions/laws/law_catalogue.hpp"
-#include "scene/scene.hpp"
+#include "objectives/scene_model.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,6 @@
 // objectives/rules.
 #pragma once
 
-#include "core/numbers/range.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/key_row.hpp"
 #include "scene/scene.hpp"

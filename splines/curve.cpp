@@ -2,7 +2,6 @@
 #include "splines/curve.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
 #include "core/numbers/polynomial.hpp"
 
 #include <fmt/format.h>

@@ -2,10 +2,7 @@
 #include "splines/design_vector.hpp"
 
 #include "core/errors.hpp"
-#include "splines/curve.hpp"
 #include "splines/design_forms.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

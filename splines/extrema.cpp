@@ -2,7 +2,6 @@
 #include "splines/extrema.hpp"
 
 #include "core/numbers/polynomial.hpp"
-#include "core/peaks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -14,8 +14,6 @@
 #include <cmath>
 #include <set>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

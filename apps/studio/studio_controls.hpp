@@ -3,7 +3,6 @@
 // scene files checks against. A key added there is a control here.
 #pragma once
 
-#include "core/numbers/range.hpp"
 #include "scene/key_row.hpp"
 
 #include <nlohmann/json.hpp>

@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
-#include <optional>
 #include <system_error>
 #include <utility>
 

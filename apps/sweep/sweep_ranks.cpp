@@ -12,7 +12,6 @@
 #include <array>
 #include <chrono>
 #include <ctime>
-#include <exception>
 #include <optional>
 #include <poll.h>
 #include <stdexcept>

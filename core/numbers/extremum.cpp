@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/extremum.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 

@@ -4,16 +4,13 @@
 #include "core/errors.hpp"
 #include "core/numbers/extremum.hpp"
 #include "core/numbers/polynomial.hpp"
-#include "core/peaks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace camopt {
 

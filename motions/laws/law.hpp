@@ -16,7 +16,6 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "core/peaks.hpp"
 
 #include <array>
 #include <string>

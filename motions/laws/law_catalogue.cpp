@@ -15,7 +15,6 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace camopt {
 

@@ -3,8 +3,6 @@
 #include "objectives/free_knots/free_knot_problem.hpp"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 namespace camopt {
 

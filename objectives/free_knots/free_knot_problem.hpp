@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/continuous_problem.hpp"
+#include "core/motion.hpp"
 #include "core/nlp.hpp"
-#include "core/peaks.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/nlp_parts.hpp"
 #include "objectives/rules/model.hpp"

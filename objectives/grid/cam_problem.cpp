@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid/cam_problem.hpp"
 
-#include "objectives/nlp_parts.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/point_rule.hpp"
 

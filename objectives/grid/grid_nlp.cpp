@@ -2,10 +2,7 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/point_rule.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
 namespace camopt {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/grid/tied_problem.hpp"
-
+#include "objectives/grid/cam_problem.hpp"
 #include "objectives/nlp_parts.hpp"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "objectives/response/train_figures.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/scene.hpp"
 

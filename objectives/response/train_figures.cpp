@@ -2,7 +2,6 @@
 #include "objectives/response/train_figures.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 
 #include <algorithm>

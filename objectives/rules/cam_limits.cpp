@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/cam_limits.hpp"
 
-#include "objectives/rules/cam_rule.hpp"
 #include "scene/limit_table.hpp"
 
 #include <algorithm>

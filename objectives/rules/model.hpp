@@ -135,7 +135,7 @@ struct CamModel {
     double cost_constant = 0.0;
     /// Set where the scene has a disk cam; where it has another mechanism.
     std::shared_ptr<const CamVariables> cam;
-    double jerk_reference = 1.0;  ///< of the energy that breaks ties (tied_problem.hpp)
+    double jerk_reference = 1.0;  ///< of the energy that breaks ties (cam_problem.hpp)
     /// Entries of a motion that is the first start of a search; empty: none.
     Eigen::VectorXd start_design;
     /// Typical sizes of y, y', y'': design entries are optimized in these units.

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "core/peaks.hpp"
 #include "scene/scene.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/solution_json.hpp"
 
-#include "core/peaks.hpp"
+#include "core/motion.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law.hpp"
 #include "output/words/cam_words.hpp"

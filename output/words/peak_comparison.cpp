@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/peak_comparison.hpp"
 
+#include "core/motion.hpp"
 #include "core/numbers/extremum.hpp"
-#include "core/peaks.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "core/peaks.hpp"
 #include "output/words/shown_units.hpp"
 #include "scene/scene.hpp"
 #include "studies/delivered/solution.hpp"

@@ -27,6 +27,7 @@
 
 #include "core/motion.hpp"
 #include "core/numbers/enclosures.hpp"
+#include "core/partials.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/cam_spec.hpp"
@@ -132,7 +133,7 @@ struct QuantityValue {
 [[nodiscard]] ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state,
                                          int side);
 
-/// As quantity() above and of disk_quantity.hpp, of one side; partials by the variables of the whole
+/// As quantity(), of one side; partials by the variables of the whole
 /// cam. The pressure angle of the second disk has the sign of its mirror image.
 [[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which,
                                      int side);
@@ -156,5 +157,51 @@ struct QuantityValue {
 
 /// The disk cam of these formulas and numbers; none: they are of another kind.
 [[nodiscard]] std::optional<DiskCam> disk_cam(const DrivenMechanism& mechanism);
+
+// Quantities of a disk cam: constants and variables of the formulas, and enclosures.
+
+// Constants and variables as quantities of a disk cam. Formulas use a QuantityValue like a RangeAlong or a
+// RangeOver (core/partials.hpp).
+
+/// The index of a dimension among the variables of a quantity; s, s', s'' have 0, 1, 2.
+[[nodiscard]] constexpr int column_of(DimensionIndex dimension) {
+    return 3 + static_cast<int>(dimension);
+}
+
+[[nodiscard]] QuantityValue constant_quantity(double value);
+/// value with one partial 1: a variable. index: 0 s, 1 s', 2 s'', else column_of.
+[[nodiscard]] QuantityValue variable_quantity(double value, int index);
+
+// Enclosures of quantities of a disk cam over an interval of the cam angle, and over a box of motions and
+// dimensions: of their values and derivatives, by the formulas above (disk_cam_formulas.hpp).
+
+/// Slopes and second derivatives by the cam angle. Unbounded where the formula may divide by zero somewhere
+/// in the interval. Throws ModelError if the follower has no such quantity.
+[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which);
+
+/// s, s', s'' and the dimensions, each a number, a separate interval, or a function of the box's variables.
+struct StateOver {
+    RangeOver s, velocity, acceleration;
+    std::array<RangeOver, dimension_count> dimensions;
+
+    [[nodiscard]] const RangeOver& operator[](DimensionIndex index) const {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+};
+
+/// With first and second partials by the box's variables; unbounded results and errors as above. The
+/// dimensions of `cam` do not matter.
+[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which);
+
+/// As those above.
+[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which,
+                                 int side);
+[[nodiscard]] RangeOver roller_on(const DiskCam& cam, const StateOver& state, int side);
+
+/// (factor κ − share)(speed of the roller centre)³ over the coefficient of s'', of followers with a pitch
+/// curve and with the curvature κ of a side: >= 0 where factor κ >= share, and linear in s''. Unbounded where
+/// that coefficient may vanish.
+[[nodiscard]] RangeOver curvature_excess(const DiskCam& cam, const StateOver& state, const RangeOver& factor,
+                                         double share, int side);
 
 }  // namespace camopt

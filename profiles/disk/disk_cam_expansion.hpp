@@ -11,7 +11,6 @@
 
 #include "core/partials.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/disk_quantity.hpp"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/disk_quantity.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "scene/scene.hpp"
 
@@ -13,7 +12,6 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <utility>
 
 namespace camopt {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/disk/disk_quantity.hpp"
-
 #include "core/errors.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"

@@ -2,7 +2,6 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
-#include "profiles/disk/disk_quantity.hpp"
 
 #include <array>
 #include <cmath>

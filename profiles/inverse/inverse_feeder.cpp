@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/inverse/inverse_feeder.hpp"
-
 #include "core/errors.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
 
 #include <fmt/format.h>
 

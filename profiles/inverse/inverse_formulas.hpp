@@ -7,7 +7,7 @@
 
 #include "core/numbers/enclosures.hpp"
 #include "core/numbers/interval.hpp"
-#include "profiles/inverse/inverse_feeder.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "core/partials.hpp"
-#include "profiles/inverse/inverse_feeder.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
 #include "scene/cam_flanks.hpp"

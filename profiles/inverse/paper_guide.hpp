@@ -3,7 +3,7 @@
 #pragma once
 
 #include "profiles/inverse/guide.hpp"
-#include "profiles/inverse/inverse_feeder.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
 
 #include <vector>
 

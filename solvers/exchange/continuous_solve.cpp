@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/continuous_problem.hpp"
-#include "solvers/certificate/duality.hpp"
+#include "solvers/certificate/certificate.hpp"
 #include "solvers/exchange/exchange.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"

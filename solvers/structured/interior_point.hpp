@@ -112,7 +112,7 @@ struct InteriorPointLimits {
     double tolerance = 1e-10;  ///< on every member of Errors
     int max_iterations = 200;
     int patience = 12;    ///< iterations without a better iterate
-    double shift = 1e-9;  ///< regularisation, see condensed_system.hpp
+    double shift = 1e-9;  ///< regularisation, see newton_step.hpp
     FactorKind factor = FactorKind::automatic;
     int correctors = 2;      ///< centrality correctors per iteration, at most
     bool suspicious = true;  ///< stop at signs of infeasibility or unboundedness

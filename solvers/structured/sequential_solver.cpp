@@ -3,10 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 namespace camopt::structured {
 
 namespace {

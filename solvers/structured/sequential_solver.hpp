@@ -16,7 +16,6 @@
 #include "solvers/solver.hpp"
 #include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/linearized_problem.hpp"
-#include "solvers/structured/nlp_measures.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <Eigen/Core>

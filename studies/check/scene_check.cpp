@@ -3,7 +3,6 @@
 
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/grid/cam_problem.hpp"
-#include "objectives/program_family.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"

@@ -2,7 +2,7 @@
 #include "studies/compare/comparison.hpp"
 
 #include "core/errors.hpp"
-#include "core/peaks.hpp"
+#include "core/motion.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"

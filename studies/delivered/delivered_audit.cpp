@@ -3,7 +3,7 @@
 
 #include "core/numbers/extremum.hpp"
 #include "scene/limit_table.hpp"
-#include "solvers/certificate/duality.hpp"
+#include "solvers/certificate/certificate.hpp"
 #include "splines/curve.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_conditions.hpp"

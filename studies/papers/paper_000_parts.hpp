@@ -2,7 +2,7 @@
 // Private to studies/papers/: the parts of the report on paper 000, one source each.
 #pragma once
 
-#include "profiles/inverse/inverse_feeder.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/paper_guide.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 

@@ -2,7 +2,7 @@
 #include "studies/search/solve_free_knots.hpp"
 
 #include "objectives/scene_model.hpp"
-#include "solvers/certificate/duality.hpp"
+#include "solvers/certificate/certificate.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/search/backend_choice.hpp"

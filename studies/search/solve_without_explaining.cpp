@@ -7,7 +7,7 @@
 #include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
-#include "solvers/certificate/duality.hpp"
+#include "solvers/certificate/certificate.hpp"
 #include "solvers/exchange/exchange.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/solver.hpp"

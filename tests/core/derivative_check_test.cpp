@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/derivative_check.hpp"
-
 #include "core/errors.hpp"
 #include "core/nlp.hpp"
 #include "solvers/test_problems.hpp"

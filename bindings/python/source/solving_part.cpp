@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Solving from Python: one scene, or neighbours one after another.
 #include "bindings/python/source/parts.hpp"
-#include "bindings/python/source/watch.hpp"
 #include "output/chart/studies/study_svg.hpp"
 #include "output/json/study_json.hpp"
 #include "studies/search/solve_sequence.hpp"

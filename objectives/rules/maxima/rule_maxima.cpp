@@ -4,10 +4,8 @@
 #include "splines/extrema.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 namespace camopt {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/derivative_check.hpp"
+#include "core/nlp.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/peak_rule.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Exchange, repair, proof and verdict on a problem whose answer is known in closed form.
-#include "solvers/certificate/duality.hpp"
+#include "solvers/certificate/certificate.hpp"
 #include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "tests/solvers/exchange/disc_problem.hpp"

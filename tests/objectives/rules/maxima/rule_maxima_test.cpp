@@ -9,7 +9,6 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/disk_quantity.hpp"
 
 #include <gtest/gtest.h>
 
