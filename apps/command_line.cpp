@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "apps/command_line.hpp"
 
-#include "apps/command_words.hpp"
-#include "apps/completion.hpp"
-#include "apps/manual/manual.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "core/licenses.hpp"
 #include "core/version.hpp"
 #include "output/plc/plc_format.hpp"
 #include "scene/cost_table.hpp"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "apps/command_words.hpp"
-
+#include "apps/command_line.hpp"
 #include "core/errors.hpp"
-#include "core/text/spelling_hint.hpp"
+#include "core/text/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

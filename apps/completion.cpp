@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "apps/completion.hpp"
-
+#include "apps/command_line.hpp"
 #include "apps/commands.hpp"
-#include "apps/completion/key_values.hpp"
+#include "apps/studio/studio_controls.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "output/plc/plc_format.hpp"
 #include "output/view/columns.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
-#include <algorithm>
 #include <string_view>
 #include <vector>
 

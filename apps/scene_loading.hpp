@@ -2,7 +2,7 @@
 // A scene file together with everything this camopt knows by name.
 #pragma once
 
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <span>
 #include <string>

@@ -4,7 +4,7 @@
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "output/chart/reference_table/reference_table_svg.hpp"
 #include "output/chart/studies/study_svg.hpp"

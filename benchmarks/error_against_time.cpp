@@ -9,7 +9,7 @@
 #include "benchmarks/parts/machine.hpp"
 #include "benchmarks/parts/measurement.hpp"
 #include "benchmarks/parts/solver_variants.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
 #include "studies/solve/solve.hpp"

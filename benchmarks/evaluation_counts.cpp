@@ -5,7 +5,7 @@
 // CSV on the standard output, a line a scene. Ends with code 1 where a scene without a cam evaluated a point
 // of a profile, or could not be solved at all.
 #include "benchmarks/parts/whole_output.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
 #include "studies/search/solve_without_explaining.hpp"

@@ -51,7 +51,7 @@ if(CAMOPT_BUILD_APPS)
   camopt_optional(MPI CamoptMPI camopt_mpi_package)
 endif()
 
-# What core/licenses.cpp says of a binary, in a line.
+# What core/version.cpp says of a binary, in a line.
 if((CAMOPT_HAVE_SPQR OR CAMOPT_HAVE_SUITESPARSE) AND CAMOPT_HAVE_IPOPT)
   message(STATUS "camopt: GPL parts and Ipopt (EPL) together: for own use; to pass a binary on, CAMOPT_GPL=OFF or no Ipopt")
 elseif(CAMOPT_HAVE_SPQR OR CAMOPT_HAVE_SUITESPARSE)

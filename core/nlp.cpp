@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "core/nlp.hpp"
 
+#include "core/errors.hpp"
+
+#include <fmt/core.h>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
 
 namespace camopt {
 
@@ -10,6 +20,226 @@ std::string RowOrigin::text() const {
     if (!remark.empty()) words += fmt::format(" ({})", remark);
     if (at) words += fmt::format(" at x = {:.9g}{}", *at, side == Side::left ? "-" : "");
     return words;
+}
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double sigma = 0.7;
+
+/// Weights of an evaluation at x + offset h; the sum over the stencil, over h, is the derivative.
+struct Node {
+    double offset, weight;
+};
+using Stencil = std::array<Node, 5>;
+constexpr Stencil central{{{-2, 1.0 / 12}, {-1, -8.0 / 12}, {0, 0}, {1, 8.0 / 12}, {2, -1.0 / 12}}};
+constexpr Stencil forward{{{0, -25.0 / 12}, {1, 4}, {2, -3}, {3, 4.0 / 3}, {4, -0.25}}};
+
+struct Column {
+    VectorXd derivative, rounding;
+};
+
+using Function = std::function<VectorXd(const VectorXd&)>;
+
+/// The derivative of all components by variable j.
+Column differenced(const Function& function, const NlpShape& shape, VectorXd x, int j, double relative_step) {
+    const double origin = x[j];
+    double step = relative_step * std::max(1.0, std::abs(origin));
+    const double below = origin - shape.x_lower[j], above = shape.x_upper[j] - origin;
+    const bool fixed = !(shape.x_upper[j] > shape.x_lower[j]);
+    const bool one_sided = !fixed && std::min(below, above) < 2.0 * step;
+    if (one_sided && std::max(below, above) < 4.0 * step) step = std::max(below, above) / 4.0;
+    if (one_sided && below > above) step = -step;
+    Column column;
+    double largest_weight = 0.0;
+    for (const Node& node : one_sided ? forward : central) {
+        if (node.weight == 0.0) continue;
+        x[j] = origin + node.offset * step;
+        const VectorXd value = function(x);
+        if (column.derivative.size() == 0) column.derivative = column.rounding = VectorXd::Zero(value.size());
+        column.derivative += node.weight * value;
+        column.rounding = column.rounding.cwiseMax(value.cwiseAbs());
+        largest_weight = std::max(largest_weight, std::abs(node.weight));
+    }
+    column.derivative /= step;
+    // A value is assumed correct to some units in its last place.
+    constexpr double value_error = 16.0 * std::numeric_limits<double>::epsilon();
+    column.rounding *= value_error * largest_weight / std::abs(step);
+    return column;
+}
+
+VectorXd multipliers(int rows) {
+    VectorXd lambda(rows);
+    for (int i = 0; i < rows; ++i)
+        lambda[i] = (i % 2 ? -1.0 : 1.0) * (0.5 + std::fmod(0.6180339887 * (i + 1), 1.0));
+    return lambda;
+}
+
+VectorXd lagrangian_gradient(const Nlp& problem, const VectorXd& x, const VectorXd& lambda) {
+    const SparsityPattern& pattern = problem.shape().jacobian;
+    VectorXd slope(x.size());
+    problem.gradient(x, slope);
+    slope *= sigma;
+    std::vector<double> values(pattern.rows.size());
+    problem.jacobian(x, values);
+    for (int k = 0; k < pattern.size(); ++k) slope[pattern.columns[k]] += lambda[pattern.rows[k]] * values[k];
+    return slope;
+}
+
+struct Given {
+    MatrixXd values;
+    Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> known;
+};
+
+Given dense(const SparsityPattern& pattern, const std::vector<double>& values, int rows, int columns,
+            bool mirror) {
+    Given given{MatrixXd::Zero(rows, columns), {}};
+    given.known.setConstant(rows, columns, false);
+    for (int k = 0; k < pattern.size(); ++k) {
+        const int i = pattern.rows[k], j = pattern.columns[k];
+        given.values(i, j) += values[k];
+        given.known(i, j) = true;
+        if (mirror && i != j) {
+            given.values(j, i) += values[k];
+            given.known(j, i) = true;
+        }
+    }
+    return given;
+}
+
+class Checker {
+ public:
+    Checker(const Nlp& problem, const DerivativeCheckOptions& options)
+        : problem_(problem), shape_(problem.shape()), options_(options) {}
+
+    void check_point(const VectorXd& x, int point) {
+        point_ = point;
+        const int n = shape_.variables(), m = shape_.constraints();
+        Given gradient{MatrixXd(1, n), {}};
+        gradient.known.setConstant(1, n, true);
+        VectorXd slope(n);
+        problem_.gradient(x, slope);
+        gradient.values = slope.transpose();
+        compare(DerivativeKind::gradient, gradient, x,
+                [this](const VectorXd& at) { return VectorXd::Constant(1, problem_.cost(at)).eval(); });
+        if (m > 0) {
+            std::vector<double> values(shape_.jacobian.rows.size());
+            problem_.jacobian(x, values);
+            compare(DerivativeKind::jacobian, dense(shape_.jacobian, values, m, n, false), x,
+                    [this, m](const VectorXd& at) {
+                        VectorXd g(m);
+                        problem_.constraints(at, g);
+                        return g;
+                    });
+        }
+        const VectorXd lambda = multipliers(m);
+        std::vector<double> values(shape_.hessian.rows.size());
+        problem_.hessian(x, sigma, lambda, values);
+        compare(DerivativeKind::hessian, dense(shape_.hessian, values, n, n, true), x,
+                [this, &lambda](const VectorXd& at) { return lagrangian_gradient(problem_, at, lambda); });
+    }
+
+    DerivativeReport take_report() {
+        for (auto& [kind, faults] : faults_) {
+            std::sort(faults.begin(), faults.end(), worse);
+            if (std::ssize(faults) > options_.worst) faults.resize(static_cast<std::size_t>(options_.worst));
+            report_.faults.insert(report_.faults.end(), faults.begin(), faults.end());
+        }
+        std::sort(report_.faults.begin(), report_.faults.end(), worse);
+        return std::move(report_);
+    }
+
+ private:
+    static bool worse(const DerivativeFault& a, const DerivativeFault& b) { return a.error > b.error; }
+
+    void compare(DerivativeKind kind, const Given& given, const VectorXd& x, const Function& function) {
+        for (int j = 0; j < shape_.variables(); ++j) {
+            const Column column = differenced(function, shape_, x, j, options_.step);
+            const int first = kind == DerivativeKind::hessian ? j : 0;  // lower triangle
+            for (int i = first; i < column.derivative.size(); ++i) {
+                DerivativeFault fault{kind,
+                                      point_,
+                                      row_name(kind, i),
+                                      problem_.variable_name(j),
+                                      given.values(i, j),
+                                      column.derivative[i],
+                                      0.0,
+                                      given.known(i, j)};
+                fault.error = error_of(fault, column.rounding[i]);
+                ++report_.entries;
+                report_.worst_error = std::max(report_.worst_error, fault.error);
+                if (fault.error > options_.tolerance) faults_[kind].push_back(std::move(fault));
+            }
+        }
+    }
+
+    static double error_of(const DerivativeFault& fault, double rounding) {
+        if (!std::isfinite(fault.given) || !std::isfinite(fault.differenced)) return infinity;
+        const double distance = std::abs(fault.given - fault.differenced) - rounding;
+        return std::max(0.0, distance) / std::max({1.0, std::abs(fault.given), std::abs(fault.differenced)});
+    }
+
+    [[nodiscard]] std::string row_name(DerivativeKind kind, int index) const {
+        if (kind == DerivativeKind::gradient) return {};
+        return kind == DerivativeKind::jacobian ? problem_.row_name(index) : problem_.variable_name(index);
+    }
+
+    const Nlp& problem_;
+    const NlpShape& shape_;
+    const DerivativeCheckOptions& options_;
+    int point_ = 0;
+    std::map<DerivativeKind, std::vector<DerivativeFault>> faults_;
+    DerivativeReport report_;
+};
+
+}  // namespace
+
+void DerivativeCheckOptions::validate() const {
+    if (!(step > 0.0 && step < 0.1))
+        throw InputError(fmt::format("derivative check: step is {}, allowed is a number in (0, 0.1)", step));
+    if (!(tolerance > 0.0))
+        throw InputError(
+            fmt::format("derivative check: tolerance is {}, allowed is a number > 0", tolerance));
+    if (worst < 1)
+        throw InputError(fmt::format("derivative check: worst is {}, allowed is an integer >= 1", worst));
+}
+
+const char* name_of(DerivativeKind value) {
+    switch (value) {
+        case DerivativeKind::gradient:
+            return "gradient";
+        case DerivativeKind::jacobian:
+            return "jacobian";
+        case DerivativeKind::hessian:
+            return "hessian";
+    }
+    return "unknown";
+}
+
+DerivativeReport check_derivatives(const Nlp& problem, std::span<const VectorXd> points,
+                                   const DerivativeCheckOptions& options) {
+    options.validate();
+    Checker checker(problem, options);
+    int index = 0;
+    for (const VectorXd& point : points) {
+        if (point.size() != problem.shape().variables())
+            throw InputError(
+                fmt::format("derivative check: point {} has {} entries, the problem has {} variables", index,
+                            point.size(), problem.shape().variables()));
+        checker.check_point(point, index++);
+    }
+    return checker.take_report();
+}
+
+std::string describe(const DerivativeFault& fault) {
+    const std::string of = fault.row.empty() ? "" : fmt::format(" of '{}'", fault.row);
+    return fmt::format("{}{} by '{}' at point {}: given {}, differenced {}, error {:.2g}{}",
+                       name_of(fault.kind), of, fault.variable, fault.point,
+                       fault.in_pattern ? fmt::format("{:.10g}", fault.given) : "nothing",
+                       fmt::format("{:.10g}", fault.differenced), fault.error,
+                       fault.in_pattern ? "" : " (missing from the pattern)");
 }
 
 }  // namespace camopt

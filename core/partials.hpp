@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
+// Values with their first and second partials: sums and products of any type that has them, and numbers for
+// automatic differentiation.
+#pragma once
+
+#include <Eigen/Core>
+#include <unsupported/Eigen/AutoDiff>
+
+namespace camopt {
+
 // Sums and products of values with their first and second partials, for every type with the members value,
 // gradient (n) and hessian (n x n, symmetric). by_angle, if present: the partial by a further variable
 // without second partials.
-#pragma once
-
-namespace camopt {
 
 template <class Value>
 concept WithPartials = requires(Value value) {
@@ -46,6 +52,40 @@ template <WithPartials Value>
     result.hessian += cross + cross.transpose();
     if constexpr (requires { a.by_angle; }) result.by_angle = a.value * b.by_angle + b.value * a.by_angle;
     return result;
+}
+
+// Numbers that carry their first and second partials by n variables (forward automatic
+// differentiation of Eigen, nested).
+
+template <int n>
+using FirstOrder = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
+template <int n>
+using SecondOrder = Eigen::AutoDiffScalar<Eigen::Matrix<FirstOrder<n>, n, 1>>;
+
+/// Depends on none of the n variables.
+template <int n>
+[[nodiscard]] SecondOrder<n> constant(double value) {
+    SecondOrder<n> result;
+    result.value() = FirstOrder<n>(value);
+    for (int i = 0; i < n; ++i) result.derivatives()(i) = FirstOrder<n>(0.0);
+    return result;
+}
+
+/// The variable `index` of n.
+template <int n>
+[[nodiscard]] SecondOrder<n> variable(double value, int index) {
+    SecondOrder<n> result = constant<n>(value);
+    result.value() = FirstOrder<n>(value, n, index);
+    result.derivatives()(index) = FirstOrder<n>(1.0);
+    return result;
+}
+
+/// Second partials; mixed ones differ by rounding in the order they are taken.
+template <int n>
+[[nodiscard]] Eigen::Matrix<double, n, n> second_partials(const SecondOrder<n>& result) {
+    Eigen::Matrix<double, n, n> partials;
+    for (int i = 0; i < n; ++i) partials.col(i) = result.derivatives()(i).derivatives();
+    return partials;
 }
 
 }  // namespace camopt

@@ -2,6 +2,7 @@
 // SI and radians inside; display units only at the edges.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 namespace camopt::units {
@@ -25,6 +26,12 @@ enum class LengthUnit { millimetre, inch };
 }
 [[nodiscard]] constexpr const char* name_of(LengthUnit unit) {
     return unit == LengthUnit::inch ? "in" : "mm";
+}
+
+/// An angle of rad that is one revolution to within the rounding of sums and units.
+[[nodiscard]] inline bool is_whole_turn(double angle) {
+    constexpr double rounding = 1e-9;  // rad: far above round-off of sums, far below any segment of a motion
+    return std::abs(angle - units::turn) < rounding;
 }
 
 }  // namespace camopt

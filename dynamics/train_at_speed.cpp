@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/train_at_speed.hpp"
-
 #include "core/numbers/polynomial.hpp"
 #include "core/units.hpp"
-#include "scene/scene_error.hpp"
+#include "dynamics/linear_train.hpp"
+#include "scene/scene.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>

@@ -60,7 +60,7 @@ The problem behind the grid: constraints that hold at every cam angle. Derive fr
 have a problem of your own solved by exchange (grid, true maxima, new rows) and judged. One belongs to one
 thread at a time.]]
   core/continuous_problem.hpp
-  solvers/exchange/continuous_solve.hpp)
+  solvers/exchange/exchange.hpp)
 camopt_promise(deadline [[
 Until when: one value for everything done under one limit of time. Copies share whether it was ever felt.
 Seconds. Safe to ask from several threads.]]
@@ -70,8 +70,7 @@ Disk cams: scene.cam = disk_spec({.follower = …}) puts one into a scene. One p
 makes one point of the cam (profile_point), and the quantities that limits are made of (pressure angle,
 radii, forces) with exact partials. Frames and signs stand in the header this one brings; m, rad, s' in
 m/rad. disk_cam(solution.cam->cam) is the one that was delivered.]]
-  profiles/disk/disk_cam.hpp
-  profiles/disk/disk_mechanism.hpp)
+  profiles/disk/disk_cam.hpp)
 camopt_promise(drawings [[
 Cams as DXF text: arcs within a tolerance (m) of the exact curve; files in mm. Errors: InputError for a
 tolerance that is not positive and a cam that is not finite.]]
@@ -97,7 +96,7 @@ origin. m, rad.]]
 camopt_promise(inverse_cam [[
 Inverse cams: the guide that makes a feeder move as wished, and the check that pushes a roller through the
 finished guide. m, rad, s.]]
-  profiles/inverse/guide_points.hpp
+  profiles/inverse/guide.hpp
   profiles/inverse/wished_guide.hpp
   studies/inverse/inverse_forward.hpp)
 camopt_promise(law_losses [[
@@ -113,14 +112,12 @@ them, make_law("modified_sine") makes one; the others take free parameters.
   y(0) = 0, y(1) = 1, y'(0) = y'(1) = 0 on 0 <= x <= 1.
 
 Infinite peaks are impulses. Errors: InputError for an unknown key or a parameter out of range.]]
-  motions/laws/asymmetric_law.hpp
-  motions/laws/harmonic_law.hpp
   motions/laws/law_catalogue.hpp
-  motions/laws/one_dwell_laws.hpp)
+  motions/laws/harmonic_law.hpp)
 camopt_promise(licenses [[
 Which libraries of others are in this build, and under what terms a binary of it may be passed on:
 licensed_parts(), terms_of_binary().]]
-  core/licenses.hpp)
+  core/version.hpp)
 camopt_promise(mechanism [[
 Any mechanism between a cam and its output, as the optimizer sees it: from one state (s, s', s'') of the
 output and the mechanism's dimensions to the quantities that limits are made of, with exact partials.
@@ -138,8 +135,7 @@ A motion y(x) with its first three derivatives, and its peaks.
 Motion::at(x, side) gives a MotionPoint; outside [begin(), end()] it throws InputError. A Motion is never
 written to by a const call: threads may share one.]]
   core/numbers/extremum.hpp
-  core/motion.hpp
-  core/peaks.hpp)
+  core/motion.hpp)
 camopt_promise(motion_chain [[
 Motions one after another as one Motion: a whole turn of dwells, laws and splines.
 
@@ -164,7 +160,6 @@ x has `variables` entries, g `constraints` rows; missing bounds are ±infinity. 
 active upper bound. Derive from Nlp to bring a problem of your own; check_derivatives compares its
 derivatives with differences. An Nlp may keep work space between calls: one belongs to one thread at a
 time.]]
-  core/derivative_check.hpp
   core/nlp.hpp)
 camopt_promise(own_rules [[
 Cost terms and limits of your own, for Scene::own_terms and Scene::own_limits: any function of y to y'''.]]
@@ -206,7 +201,7 @@ validate(scene) throws InputError with it. Every study validates what it is give
 
 Scenes may be copied and read by several threads.]]
   scene/scene.hpp
-  scene/spellings.hpp)
+  scene/key_row.hpp)
 camopt_promise(scene_check [[
 What can be said of a scene without solving it: which problem it becomes, how large it is, which verdict
 can come, and whether its derivatives agree with differences. Throws InputError for a wrong scene.]]
@@ -239,7 +234,7 @@ control).
 Throws InputError for a wrong scene, UnavailableError for a backend this build leaves out. Every numerical
 outcome is a Verdict. Threads may solve at once, the same scene too; Ipopt's turns are taken one after
 another, all else runs side by side.]]
-  scene/peak_units.hpp
+  scene/written_limits.hpp
   studies/solve/solve.hpp)
 camopt_promise(solver [[
 A backend: takes an Nlp and a start, hands back a point, perhaps multipliers, and why it stopped
@@ -254,10 +249,9 @@ registry is constant.]]
 camopt_promise(spatial_cam [[
 Barrel and cylindrical cams with a cylindrical roller: the roller's axis, contact on both flanks, pressure
 angle, undercut, and the flanks as grids of points. m, rad.]]
-  profiles/spatial/contact.hpp
-  scene/flank_grid.hpp
-  profiles/spatial/spatial_cam.hpp
-  profiles/spatial/spatial_mechanism.hpp)
+  profiles/spatial/spatial_analysis.hpp
+  scene/cam_flanks.hpp
+  profiles/spatial/spatial_cam.hpp)
 camopt_promise(spline_curve [[
 Piecewise polynomial motions y(x) of degree p with continuity C^k: on segment i, t = x − x_i, y = Σ
 a_{i,m} t^m. SplineCurve takes the coefficients as a matrix, one column a segment, one row a power; hands

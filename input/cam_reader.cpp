@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "input/mechanism_reader.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/cam_mechanism.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "input/mechanism_reader.hpp"
-
+#include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "core/numbers/range.hpp"
 #include "core/units.hpp"
-#include "input/document/key_check.hpp"
+#include "input/document/scene_source.hpp"
 #include "input/scene_parts.hpp"
+#include "scene/key_row.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>

@@ -3,9 +3,17 @@
 // follower, missing dimensions, unknown laws, units that do not fit the lift. Internal to input/.
 #pragma once
 
-#include "input/document/known_names.hpp"
 #include "input/document/scene_source.hpp"
+#include "input/scene_reader.hpp"
+#include "scene/cam_kind.hpp"
+#include "scene/key_row.hpp"
 #include "scene/scene.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace camopt::input {
 
@@ -24,5 +32,59 @@ namespace camopt::input {
 
 /// Adds to the limits on the peaks.
 void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits);
+
+// Cams: their numbers and choices, as their kind describes them. Internal to input/.
+
+/// Throws InputError if the output swings and the lift is a length, or the reverse.
+void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant& variant,
+                const MotionSpec& motion);
+
+/// Without formulas.
+[[nodiscard]] CamSpec read_mechanism(const SceneSource& source, const CamKind& kind,
+                                     const MotionSpec& motion);
+
+// Caps of [limits] on normalised peaks. In time: v = (lift·ω/β) V, a = lift (ω/β)² A, j = lift (ω/β)³ J with
+// ω in rad/s and β = the unit angle of the motion in rad. Errors: InputError for a missing speed or a unit
+// that does not fit the lift. Internal to input/.
+[[nodiscard]] LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion);
+
+// The [dynamics] table. Internal to input/.
+[[nodiscard]] std::optional<DynamicsSpec> read_dynamics(const SceneSource& source, const MotionSpec& motion);
+
+// [measured] of a checked scene file → MeasuredMotion: numbers of the scene itself, or of a CSV file in its
+// folder. Internal to input/.
+
+// A CSV file of a measured motion: a line that names the columns, then rows of numbers.
+//
+// Columns are found by their names, in any order; others are ignored. They are separated by commas,
+// semicolons or tabs, as in the first line; numbers have a decimal point in any locale. Empty lines and lines
+// that begin with # are skipped. Internal to input/.
+struct MeasuredTable {
+    std::string file;              ///< its name in messages
+    std::string theta_key, s_key;  ///< "theta_deg", "s_mm"
+    Spelling theta_unit, s_unit;
+    std::vector<double> theta, s;  ///< as written
+    std::vector<int> lines;        ///< of each row, from 1
+};
+
+/// Throws InputError "FILE:LINE: …" for columns that are missing, twice or in other units, cells that are not
+/// finite numbers, angles that do not ascend, and files that cannot be read.
+[[nodiscard]] MeasuredTable read_measured_table(const std::filesystem::path& file);
+[[nodiscard]] MeasuredTable measured_table_of(std::string_view text, const std::string& name);
+
+struct MeasuredInput {
+    MeasuredMotion motion;
+    std::optional<MeasuredTable> table;  ///< if from a file: its lines, for messages
+};
+
+/// Throws InputError for a missing key, a file that cannot be read, units that do not fit the lift.
+[[nodiscard]] std::optional<MeasuredInput> read_measured(const SceneSource& source, const MotionSpec& motion,
+                                                         const KnownNames& known);
+
+/// A fault of the measured motion at the line of its file; no effect for other faults.
+void fail_in_table(const SceneSource& source, const MeasuredInput& measured, const SceneFault& fault);
+
+/// Replaces the table that the scene names by its numbers. No effect if it names none.
+void write_out_tables(Node& root, const std::filesystem::path& folder);
 
 }  // namespace camopt::input

@@ -5,17 +5,12 @@
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
 #include "input/document/document.hpp"
-#include "input/document/key_check.hpp"
-#include "input/document/overrides.hpp"
 #include "input/document/scene_source.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "input/measured/measured_reader.hpp"
-#include "input/mechanism_reader.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/drawing_spec.hpp"
-#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 

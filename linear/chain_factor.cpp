@@ -2,8 +2,6 @@
 #include "linear/chain_factor.hpp"
 
 #include "core/errors.hpp"
-#include "linear/chain_kernels.hpp"
-#include "linear/chain_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +9,6 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace camopt {
 namespace {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
 // LDLᵀ factorization of a banded matrix with a dense border:
 //
 //     K = [ B  Uᵀ ]     B: half-bandwidth b with its rows in the order of the chain,
@@ -20,11 +19,55 @@
 
 #include "linear/sparse_symmetric.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace camopt {
 
 /// Null if the matrix is not such a chain: its band would be wide and dense storage would cost more than it
 /// saves. `lower` with the values of the constant rows (those of sign −1): pivots are chosen by magnitude.
 [[nodiscard]] std::unique_ptr<SymmetricFactor> make_chain_factor(const SymmetricFactor::Matrix& lower,
                                                                  const std::vector<int>& signs);
+
+// Internal to linear/: the order in which a chain with a border is eliminated.
+
+struct ChainOrder {
+    std::vector<int> sequence;     ///< rows of the chain, in the order of elimination
+    std::vector<int> position;     ///< of every row: in `sequence`, or sequence.size() + place in `border`
+    std::vector<char> opens_pair;  ///< for each place of `sequence`: a 2 x 2 pivot with the next one
+    std::vector<int> border;       ///< dense rows, eliminated last
+    int half_bandwidth = 0;
+};
+
+/// Nullopt if the band would be wide.
+[[nodiscard]] std::optional<ChainOrder> chain_order(const SymmetricFactor::Matrix& lower,
+                                                    const std::vector<int>& signs);
+
+// Internal to linear/: the inner loops of the chain factor, compiled for each usual width of band and border,
+// so that they are unrolled and vectorized.
+//
+// A column of the chain is [ pivot | band entries below it | border entries ].
+
+struct ChainWidths {
+    int band = 0, border = 0;
+    [[nodiscard]] int stride() const { return 1 + band + border; }
+};
+
+struct ChainKernels {
+    /// K of the later columns −= factor · scaledᵀ for column `own`; border: rows of width `border_rows`.
+    void (*subtract)(double* own, const double* factor, const double* scaled, double* border,
+                     const ChainWidths& widths);
+    /// x −= L y in place, column by column; bottom: the border's part of x.
+    void (*forward)(const double* columns, int count, double* x, double* bottom, const ChainWidths& widths);
+    /// x = y − Lᵀ x from the last column to the first.
+    void (*backward)(const double* columns, int count, double* x, const double* bottom,
+                     const ChainWidths& widths);
+};
+
+/// The smallest widths with fast kernels that are at least those given (missing entries are zeros), else
+/// those given.
+[[nodiscard]] ChainWidths padded(const ChainWidths& widths);
+
+[[nodiscard]] ChainKernels chain_kernels(const ChainWidths& widths);
 
 }  // namespace camopt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "linear/chain_kernels.hpp"
+#include "linear/chain_factor.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "linear/chain_order.hpp"
+#include "linear/chain_factor.hpp"
 
 #include <algorithm>
 #include <cmath>

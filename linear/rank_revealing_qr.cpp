@@ -2,7 +2,6 @@
 #include "linear/rank_revealing_qr.hpp"
 
 #include "core/errors.hpp"
-#include "linear/rank_revealing_qr_factor.hpp"
 
 #include <algorithm>
 #include <cmath>

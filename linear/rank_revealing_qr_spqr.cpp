@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
-#include "linear/rank_revealing_qr_factor.hpp"
+#include "linear/rank_revealing_qr.hpp"
 
 #include <SuiteSparseQR.hpp>
 #include <cstddef>

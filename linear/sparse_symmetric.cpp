@@ -2,14 +2,11 @@
 #include "linear/sparse_symmetric.hpp"
 
 #include "linear/chain_factor.hpp"
-#include "linear/suitesparse_factors.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace camopt {
 namespace {

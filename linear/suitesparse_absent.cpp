@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A build without SuiteSparse.
 #include "core/errors.hpp"
-#include "linear/suitesparse_factors.hpp"
+#include "linear/sparse_symmetric.hpp"
 
 #include <string>
 

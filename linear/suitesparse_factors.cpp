@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "linear/suitesparse_factors.hpp"
+#include "linear/sparse_symmetric.hpp"
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/KLUSupport>

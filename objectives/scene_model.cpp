@@ -3,18 +3,11 @@
 
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "objectives/free_displacements.hpp"
 #include "objectives/own_point_rule.hpp"
-#include "objectives/program_family.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/cam_reach.hpp"
 #include "objectives/rules/peak_rule.hpp"
-#include "objectives/rules/torque_rule.hpp"
-#include "objectives/set_point_conditions.hpp"
-#include "objectives/strokes.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 

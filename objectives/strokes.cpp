@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/strokes.hpp"
-
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/peak_rule.hpp"
+#include "objectives/scene_model.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>

@@ -8,6 +8,7 @@
 #include "scene/cam_spec.hpp"
 #include "scene/key_row.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
@@ -76,9 +77,20 @@ struct CamKind {
     std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> formulas = {};
 
     /// Whether a scene with this kind may have the key.
-    [[nodiscard]] bool knows(std::string_view table, std::string_view key) const;
+    [[nodiscard]] bool knows(std::string_view table, std::string_view key) const {
+        const auto is_it = [&](const auto& entry) { return entry.table == table && entry.key == key; };
+        if (table == "cam" && (key == "type" || (key == "rotation" && has_rotation))) return true;
+        if (!choosing_key.empty() && table == choosing_table && key == choosing_key) return true;
+        if (table.empty()) return key == choosing_table && key != "cam";
+        return std::ranges::any_of(variants, [&](const CamVariant& variant) {
+            return std::ranges::any_of(variant.numbers, is_it) || std::ranges::any_of(variant.choices, is_it);
+        });
+    }
     /// The variant chosen by a word; null: none.
-    [[nodiscard]] const CamVariant* variant(std::string_view word) const;
+    [[nodiscard]] const CamVariant* variant(std::string_view word) const {
+        const auto found = std::ranges::find(variants, word, &CamVariant::word);
+        return found == variants.end() ? nullptr : &*found;
+    }
 };
 
 }  // namespace camopt

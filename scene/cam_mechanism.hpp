@@ -10,13 +10,11 @@
 // an exception; `fault` describes in words what does not reach.
 #pragma once
 
-#include "core/curvature.hpp"
-#include "core/follower_state.hpp"
-#include "core/numbers/range_along.hpp"
-#include "core/numbers/range_over.hpp"
+#include "core/motion.hpp"
+#include "core/numbers/enclosures.hpp"
 #include "core/partials.hpp"
 #include "scene/cam_spec.hpp"
-#include "scene/follower_geometry.hpp"
+#include "scene/follower.hpp"
 
 #include <Eigen/Core>
 
@@ -346,7 +344,7 @@ class CamMechanism {
     }
     /// Of a three-dimensional cam: its roller and its flanks (scene/cam_flanks.hpp); none: it has no flanks.
     [[nodiscard]] virtual std::optional<CamFlanks> flanks(std::span<const double> dimensions) const;
-    /// Of a cam that has a guide: what its forward check needs (scene/roller_guide.hpp).
+    /// Of a cam that has a guide: what its forward check needs (scene/cam_flanks.hpp).
     [[nodiscard]] virtual std::optional<RollerGuide> guide(std::span<const double> dimensions) const;
 
  protected:

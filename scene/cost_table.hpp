@@ -2,13 +2,13 @@
 //
 // The cost terms of a motion, one row per term:
 //
-//   f = Σ weight · figure / reference,   the figure one of core/peaks.hpp, normalised.
+//   f = Σ weight · figure / reference,   the figure one of core/motion.hpp, normalised.
 //
 // Reader, validation, model, files, charts and words iterate over the rows. The dimensions of the cam, which
 // may have weights too, are listed by DimensionIndex (scene/cam_spec.hpp).
 #pragma once
 
-#include "core/peak_figures.hpp"
+#include "core/motion.hpp"
 #include "scene/scene.hpp"
 
 #include <array>

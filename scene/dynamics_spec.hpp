@@ -14,7 +14,6 @@
 
 #include "core/motion.hpp"
 #include "core/numbers/extremum.hpp"
-#include "core/numbers/infinity.hpp"
 
 #include <Eigen/Core>
 

@@ -7,10 +7,9 @@
 // objectives/rules.
 #pragma once
 
-#include "core/numbers/range.hpp"
 #include "scene/cost_table.hpp"
+#include "scene/key_row.hpp"
 #include "scene/scene.hpp"
-#include "scene/spellings.hpp"
 
 #include <cstddef>
 #include <optional>

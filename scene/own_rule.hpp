@@ -10,9 +10,8 @@
 // the program. Not available in scene files.
 #pragma once
 
-#include "core/curvature.hpp"
 #include "core/motion.hpp"
-#include "core/second_order.hpp"
+#include "core/partials.hpp"
 
 #include <Eigen/Core>
 

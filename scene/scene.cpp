@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.hpp"
 
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 // scene file, so that a scene can be written in a few lines of C++ without any file.
 #pragma once
 
-#include "core/text/choices.hpp"
+#include "core/errors.hpp"
+#include "core/text/names.hpp"
 #include "core/units.hpp"
 #include "scene/cam_spec.hpp"
-#include "scene/drawing_spec.hpp"
 #include "scene/dynamics_spec.hpp"
 #include "scene/own_rule.hpp"
 
@@ -75,8 +75,8 @@ struct MotionSpec {
     std::optional<double> return_angle;    ///< RR: cam angle of the return, rad; default: rise
     std::optional<double> speed;           ///< rad/s, > 0; only time-domain limits and outputs need it
     bool symmetric = false;                ///< DRD: y(x) + y(1-x) = 1; RR: y(x) = y(2-x)
-    bool within_lift = true;               ///< each stroke stays between its ends (objectives/strokes.hpp)
-    bool monotone = false;                 ///< a rise only rises, a return only falls
+    bool within_lift = true;  ///< each stroke stays between its ends (objectives/scene_model.hpp)
+    bool monotone = false;    ///< a rise only rises, a return only falls
     std::vector<SetPoint> via;
     std::vector<ProgramSegment> segments;  ///< program: from s = 0 at the start
     bool closed = true;                    ///< program: the angles add up to a turn, and it ends at s = 0
@@ -127,7 +127,7 @@ struct ObjectiveSpec {
 
 /// A hard limit on a peak, as the user wrote it. From C++ a number will do, which is normalised
 /// (limits.velocity = 1.6), or one in a unit (limits.velocity = millimetres_per_second(300),
-/// scene/peak_units.hpp): solve() fills in the rest.
+/// scene/written_limits.hpp): solve() fills in the rest.
 struct PeakLimit {
     double normalised = 0.0;  ///< on the normalised peak, > 0
     std::string key;          ///< as written, e.g. "limits.velocity_mm_s"
@@ -266,5 +266,21 @@ void validate(const Scene& scene);
 
 /// A segment has a range for its angle.
 [[nodiscard]] bool searches_angles(const Scene& scene);
+
+// A fault of a scene as an exception: code that knows the scene's file adds file and line
+// (input::fail_in_scene).
+
+/// "member: found …; allowed: …"
+class SceneError : public InputError {
+ public:
+    explicit SceneError(SceneFault fault);
+    [[nodiscard]] const SceneFault& fault() const { return fault_; }
+
+ private:
+    SceneFault fault_;
+};
+
+/// "found …; allowed: …"
+[[nodiscard]] std::string words_of(const SceneFault& fault);
 
 }  // namespace camopt

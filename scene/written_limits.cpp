@@ -3,8 +3,8 @@
 
 #include "core/errors.hpp"
 #include "scene/cam_mechanism.hpp"
+#include "scene/key_row.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/spellings.hpp"
 
 #include <fmt/format.h>
 

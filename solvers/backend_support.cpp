@@ -2,7 +2,7 @@
 #include "solvers/backend_support.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/spelling_hint.hpp"
+#include "core/text/names.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

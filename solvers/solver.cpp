@@ -49,4 +49,10 @@ void BackendOptions::validate() const {
                                      max_seconds));
 }
 
+BackendResult CountingSolver::minimize(const Nlp& problem, const Eigen::VectorXd& start,
+                                       const BackendOptions& options, const SolveControl& control) const {
+    const CountingNlp counted(problem, counts_);
+    return solver_->minimize(counted, start, options, control);
+}
+
 }  // namespace camopt

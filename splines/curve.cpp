@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "core/numbers/polynomial.hpp"
-#include "splines/basis.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +11,126 @@
 #include <limits>
 
 namespace camopt {
+
+namespace {
+// Points computed from angles may exceed the ends by a few units in the last place.
+constexpr double overshoot = 1e-12;
+}  // namespace
+
+SplineSpace::SplineSpace(int degree, int continuity, std::vector<double> breakpoints)
+    : degree_(degree), continuity_(continuity), breakpoints_(std::move(breakpoints)) {
+    if (degree < 1) throw InputError(fmt::format("degree: found {}; allowed: 1 or more", degree));
+    if (continuity < 0 || continuity >= degree) {
+        throw InputError(fmt::format("continuity: found {}; allowed: 0 … {}", continuity, degree - 1));
+    }
+    if (breakpoints_.size() < 2) {
+        throw InputError(fmt::format("breakpoints: found {}; allowed: at least 2", breakpoints_.size()));
+    }
+    for (std::size_t i = 1; i < breakpoints_.size(); ++i) {
+        if (!(breakpoints_[i] > breakpoints_[i - 1]) || !std::isfinite(breakpoints_[i])) {
+            throw InputError(fmt::format("breakpoints[{}]: found {} after {}; allowed: ascending", i,
+                                         breakpoints_[i], breakpoints_[i - 1]));
+        }
+    }
+}
+
+SplineSpace SplineSpace::uniform(int degree, int continuity, int segments, double length) {
+    if (segments < 1) throw InputError(fmt::format("segments: found {}; allowed: 1 or more", segments));
+    std::vector<double> breakpoints(segments + 1);
+    for (int i = 0; i <= segments; ++i) breakpoints[i] = length * i / segments;
+    return {degree, continuity, std::move(breakpoints)};
+}
+
+double SplineSpace::knot(int index) const {
+    if (index <= degree_) return begin();
+    const int breakpoint = (index - degree_ - 1) / (degree_ - continuity_) + 1;
+    return breakpoint < segments() ? breakpoints_[breakpoint] : end();
+}
+
+std::vector<double> SplineSpace::knots() const {
+    std::vector<double> knots(dimension() + degree_ + 1);
+    for (std::size_t k = 0; k < knots.size(); ++k) knots[k] = knot(static_cast<int>(k));
+    return knots;
+}
+
+int SplineSpace::segment_of(double x, Side side) const {
+    const double slack = overshoot * std::max(1.0, end() - begin());
+    if (!(x >= begin() - slack && x <= end() + slack)) {
+        throw InputError(fmt::format("x: found {}; allowed: {} … {}", x, begin(), end()));
+    }
+    const auto after = side == Side::right ? std::upper_bound(breakpoints_.begin(), breakpoints_.end(), x)
+                                           : std::lower_bound(breakpoints_.begin(), breakpoints_.end(), x);
+    return std::clamp(static_cast<int>(after - breakpoints_.begin()) - 1, 0, segments() - 1);
+}
+
+bool SplineSpace::is_symmetric() const {
+    const int n = segments();
+    for (int i = 0; i <= n / 2; ++i) {
+        const double defect = (breakpoints_[i] - begin()) - (end() - breakpoints_[n - i]);
+        if (std::abs(defect) > overshoot * (end() - begin())) return false;
+    }
+    return true;
+}
+
+namespace {
+
+/// Local knots u_{1} … u_{2p} around a segment, measured from its left end: the B-splines on the segment
+/// depend on no others.
+Eigen::VectorXd local_knots(const SplineSpace& space, int segment) {
+    const int p = space.degree();
+    const int first = space.first_basis_function(segment);
+    const double origin = space.breakpoints()[segment];
+    Eigen::VectorXd local(2 * p);
+    for (int k = 0; k < 2 * p; ++k) local[k] = space.knot(first + 1 + k) - origin;
+    return local;
+}
+
+}  // namespace
+
+Eigen::MatrixXd monomials_of_basis(const SplineSpace& space, int segment) {
+    const int p = space.degree();
+    const Eigen::VectorXd u = local_knots(space, segment);
+    // Cox–de Boor on polynomials in t: row m of column j is the coefficient of t^m.
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(p + 1, p + 1);
+    basis(0, 0) = 1.0;
+    for (int d = 1; d <= p; ++d) {
+        Eigen::MatrixXd raised = Eigen::MatrixXd::Zero(p + 1, p + 1);
+        for (int j = 0; j < d; ++j) {
+            // basis.col(j) of degree d − 1 spans from u_left to u_right in the next recurrence.
+            const double left = u[p - d + j];
+            const double right = u[p + j];
+            const double span = right - left;
+            for (int m = 0; m < d; ++m) {
+                const double value = basis(m, j) / span;
+                raised(m, j) += right * value;
+                raised(m + 1, j) -= value;
+                raised(m, j + 1) -= left * value;
+                raised(m + 1, j + 1) += value;
+            }
+        }
+        basis = raised;
+    }
+    return basis;
+}
+
+Eigen::RowVectorXd blossom_weights(const SplineSpace& space, int function, int segment) {
+    const int p = space.degree();
+    const Eigen::VectorXd u = local_knots(space, segment);
+    const int offset = function - space.first_basis_function(segment);
+    // Elementary symmetric sums of the p knots inside the support of the function.
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(p + 1);
+    sums[0] = 1.0;
+    for (int k = 0; k < p; ++k) {
+        for (int m = std::min(k + 1, p); m >= 1; --m) sums[m] += u[offset + k] * sums[m - 1];
+    }
+    Eigen::RowVectorXd weights(p + 1);
+    double binomial = 1.0;
+    for (int m = 0; m <= p; ++m) {
+        weights[m] = sums[m] / binomial;
+        binomial = binomial * (p - m) / (m + 1);
+    }
+    return weights;
+}
 
 namespace {
 
@@ -105,6 +224,28 @@ Eigen::VectorXd SplineCurve::coefficients() const {
         }
     }
     return result;
+}
+
+Eigen::MatrixXd derivative_bounds(const SplineSpace& space, const KnownBounds& known) {
+    const int p = space.degree();
+    const double length = space.end() - space.begin();
+    std::array<double, 4> sup = known.sup;
+    for (int r = 3; r >= 1; --r) {
+        // Integrating from both ends, the worst point is where the two estimates are equal.
+        const double ends = 0.5 * (std::abs(known.begin_state[r - 1]) + std::abs(known.end_state[r - 1]));
+        const double farther = std::max(std::abs(known.begin_state[r - 1]), std::abs(known.end_state[r - 1]));
+        sup[r - 1] = std::min({sup[r - 1], ends + 0.5 * length * sup[r], farther + length * known.rms[r]});
+    }
+    Eigen::MatrixXd bounds(p + 1, space.segments());
+    for (int i = 0; i < space.segments(); ++i) {
+        double below = infinity;
+        for (int m = 0; m <= p; ++m) {
+            const double markov = 2.0 * (p - m + 1) * (p - m + 1) / space.width(i) * below;
+            below = std::min(m <= 3 ? sup[m] : infinity, m > 0 ? markov : infinity);
+            bounds(m, i) = below;
+        }
+    }
+    return bounds;
 }
 
 }  // namespace camopt

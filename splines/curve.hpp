@@ -1,19 +1,76 @@
 // SPDX-License-Identifier: MIT
+// Splines: the space of piecewise polynomials on given breakpoints, its B-splines, a curve of it as a motion,
+// and bounds on derivatives of such curves.
+#pragma once
+
+#include "core/motion.hpp"
+#include "core/numbers/extremum.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace camopt {
+
+// The space of piecewise polynomials of degree p on breakpoints x_0 < … < x_n that are C^k at the interior
+// ones.
+//
+// Dimension N = (p + 1) + (n − 1)(p − k). Clamped knots: ends of multiplicity p + 1, interior breakpoints of
+// multiplicity p − k.
+
+class SplineSpace {
+ public:
+    /// Throws InputError: degree < 1, continuity not in 0 … degree − 1, fewer than two breakpoints, not
+    /// ascending.
+    SplineSpace(int degree, int continuity, std::vector<double> breakpoints);
+    [[nodiscard]] static SplineSpace uniform(int degree, int continuity, int segments, double length);
+
+    [[nodiscard]] int degree() const { return degree_; }
+    [[nodiscard]] int continuity() const { return continuity_; }
+    [[nodiscard]] int segments() const { return static_cast<int>(breakpoints_.size()) - 1; }
+    [[nodiscard]] int dimension() const { return degree_ + 1 + (segments() - 1) * (degree_ - continuity_); }
+    [[nodiscard]] const std::vector<double>& breakpoints() const { return breakpoints_; }
+    [[nodiscard]] double begin() const { return breakpoints_.front(); }
+    [[nodiscard]] double end() const { return breakpoints_.back(); }
+    [[nodiscard]] double width(int segment) const {
+        return breakpoints_[segment + 1] - breakpoints_[segment];
+    }
+
+    [[nodiscard]] double knot(int index) const;
+    [[nodiscard]] std::vector<double> knots() const;
+    /// First of the degree + 1 basis functions with support on a segment.
+    [[nodiscard]] int first_basis_function(int segment) const { return segment * (degree_ - continuity_); }
+
+    /// The segment that contains x; at a breakpoint the one on `side`. Throws InputError outside [begin, end]
+    /// (a round-off excess is clamped).
+    [[nodiscard]] int segment_of(double x, Side side = Side::right) const;
+
+    /// Whether the breakpoints lie symmetrically about the middle, to round-off.
+    [[nodiscard]] bool is_symmetric() const;
+
+ private:
+    int degree_, continuity_;
+    std::vector<double> breakpoints_;
+};
+
+// Conversion between B-splines and local polynomials.
+//
+// On segment i with t = x − x_i a spline is Σ_m a_m t^m and also Σ_j c_j N_j(x) over the degree + 1 basis
+// functions with support there, j = first_basis_function(i) … + degree. Source: de Boor, A Practical Guide to
+// Splines (recurrence, blossom); nothing here is specific to a degree.
+
+/// M, (degree + 1) x (degree + 1), with a = M c on this segment: column j holds N_j^{(m)}(x_i+) / m!.
+[[nodiscard]] Eigen::MatrixXd monomials_of_basis(const SplineSpace& space, int segment);
+
+/// w with c_j = wᵀ a: the blossom of t^m at the knots of basis function j, for a segment in its support.
+[[nodiscard]] Eigen::RowVectorXd blossom_weights(const SplineSpace& space, int function, int segment);
+
 // A piecewise polynomial motion y(x) of degree p on breakpoints x_0 < … < x_n with continuity C^k.
 //
 // On segment i, with t = x − x_i:  y = Σ_{m=0}^{p} a_{i,m} t^m.  Its B-spline form has clamped knots: end
 // knots of multiplicity p + 1, interior breakpoints of multiplicity p − k. No units: x in rises, y in lifts.
 // Outside [x_0, x_n]: InputError.
-#pragma once
-
-#include "core/motion.hpp"
-#include "splines/space.hpp"
-
-#include <Eigen/Core>
-
-#include <vector>
-
-namespace camopt {
 
 class SplineCurve final : public Motion {
  public:
@@ -53,5 +110,21 @@ class SplineCurve final : public Motion {
     SplineSpace space_;
     Eigen::MatrixXd pieces_;
 };
+
+// Bounds on the derivatives of a spline from bounds on some of them.
+//
+// Lower derivatives by integration from either end, where the end states are known: |y^{(r-1)}| <= |end
+// value| + L B_r / 2 (from the nearer end). Higher ones by Markov's inequality on each segment of width h: a
+// polynomial of degree d with |p| <= B has |p'| <= 2 d² B / h. The mean square of y^{(r)} bounds y^{(r-1)} by
+// the Cauchy–Schwarz inequality: |y^{(r-1)}| <= |end value| + L rms.
+
+struct KnownBounds {
+    std::array<double, 4> sup{};  ///< bounds on |y^{(r)}|, r = 0 … 3; infinity: no bound
+    std::array<double, 4> rms{};  ///< bounds on the root mean square, likewise
+    std::array<double, 3> begin_state{}, end_state{};
+};
+
+/// (degree + 1) x segments: |y^{(m)}| on segment i is at most result(m, i). Infinite without a bound.
+[[nodiscard]] Eigen::MatrixXd derivative_bounds(const SplineSpace& space, const KnownBounds& known);
 
 }  // namespace camopt

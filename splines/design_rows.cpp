@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "splines/design_rows.hpp"
-
 #include "linear/rank_revealing_qr.hpp"
+#include "splines/design_forms.hpp"
 
 #include <Eigen/SparseCore>
 

@@ -2,11 +2,7 @@
 #include "splines/design_vector.hpp"
 
 #include "core/errors.hpp"
-#include "splines/basis.hpp"
 #include "splines/design_forms.hpp"
-#include "splines/design_rows.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

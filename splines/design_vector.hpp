@@ -11,9 +11,8 @@
 // E x = e. Redundant rows are omitted; contradictory rows are named.
 #pragma once
 
-#include "core/text/choices.hpp"
+#include "core/text/names.hpp"
 #include "splines/curve.hpp"
-#include "splines/space.hpp"
 
 #include <Eigen/Core>
 

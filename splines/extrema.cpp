@@ -2,7 +2,6 @@
 #include "splines/extrema.hpp"
 
 #include "core/numbers/polynomial.hpp"
-#include "core/peak_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

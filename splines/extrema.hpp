@@ -3,8 +3,8 @@
 // inside.
 #pragma once
 
+#include "core/motion.hpp"
 #include "core/numbers/extremum.hpp"
-#include "core/peaks.hpp"
 #include "splines/curve.hpp"
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Completion of camopt for bash 4.4 and later; installed to share/bash-completion/completions/camopt. By hand: source this file.
-# The program itself says what fits (apps/completion.hpp), so this file knows no command and no option.
+# The program itself says what fits (apps/completion.cpp), so this file knows no command and no option.
 
 # What readline took apart at '=' and ':' put together again, up to the cursor: into _camopt_words.
 _camopt_join_words() {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Completion of camopt for fish; installed to share/fish/vendor_completions.d. The program itself says what fits
-# (apps/completion.hpp), so this file knows no command and no option.
+# (apps/completion.cpp), so this file knows no command and no option.
 
 function __camopt_complete
     set -l words (commandline -opc)

@@ -3,7 +3,7 @@
 // camopt knows.
 #include "apps/commands.hpp"
 #include "apps/terminal.hpp"
-#include "core/peak_figures.hpp"
+#include "core/motion.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"

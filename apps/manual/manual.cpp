@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/manual/manual.hpp"
-
+#include "apps/command_line.hpp"
 #include "core/version.hpp"
 #include "input/keys/scene_keys.hpp"
 

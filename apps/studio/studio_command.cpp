@@ -4,7 +4,6 @@
 #include "apps/scene_loading.hpp"
 #include "apps/studio/studio_page.hpp"
 #include "apps/studio/studio_server.hpp"
-#include "apps/studio/studio_session.hpp"
 #include "apps/terminal.hpp"
 
 #include <fmt/format.h>

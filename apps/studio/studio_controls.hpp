@@ -3,11 +3,12 @@
 // scene files checks against. A key added there is a control here.
 #pragma once
 
-#include "core/numbers/range.hpp"
+#include "scene/key_row.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace camopt::apps {
 
@@ -34,5 +35,13 @@ struct SliderRange {
 /// 1, 2 or 5 times a power of ten, is a two-hundredth of the way or less; 1 of integers. An end that is not
 /// allowed itself is left out by one step.
 [[nodiscard]] SliderRange slider_range(const Range& allowed, double value, bool integer);
+
+// The values a key of a scene can have, where they can be listed.
+
+/// Laws and solvers by their names, true and false, words; empty where any text or number may stand.
+[[nodiscard]] std::vector<std::string> values_of_key(const KeyRow& row);
+
+/// "auto" and every solver this build has.
+[[nodiscard]] std::vector<std::string> solver_words();
 
 }  // namespace camopt::apps

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/studio/studio_page.hpp"
 
-#include "apps/studio/studio_asset.hpp"
+#include "apps/studio/request_room.hpp"
 #include "core/errors.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/scene_document.hpp"

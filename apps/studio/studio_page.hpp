@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,5 +52,61 @@ struct StudioStart {
 /// this scene has not (the cam of a scene without one, anything of a scene without a motion).
 [[nodiscard]] StudioAnswer studio_download(std::string_view what, const StudioScene& given,
                                            const SolveControl& control);
+
+}  // namespace camopt::apps
+
+namespace camopt {
+
+// The files under assets/, compiled in.
+
+/// "studio.js". Throws ModelError for a name that is not there.
+[[nodiscard]] std::string_view studio_asset(std::string_view name);
+
+}  // namespace camopt
+
+namespace camopt::apps {
+
+// What stands behind the studio's page: scenes in, solutions out, one solve at a time for each open page.
+//
+// A newer request of a page cancels the older one, which answers 409. Requests are JSON:
+//
+//   solve   { "page": its own name, "scene": TOML, "set": { KEY: value, … }, "laws": [key, …], "stage": … }
+//   export  { "page", "scene", "set", "what": one of download_names() }
+//
+// `set`, `laws` and `stage` may be left out. `stage` is "curve" (a look, to 1e-6 instead of the scene's
+// tolerance), "proof" (the default) or "rest" (what follows the proof; of the scene proved last nothing is
+// solved again). The answer to `solve` is the object that studio_session.cpp describes. What is wrong with a
+// scene answers 422, with a request 400: { "error": text }.
+
+// What a request may take of this machine.
+struct StudioLimits {
+    double solve_seconds = 10.0;     ///< wall time of a solve, whatever solver.max_seconds of the scene says
+    double download_seconds = 60.0;  ///< of a solve whose file is asked for
+    std::size_t pages = 8;           ///< open at the same time; the one not heard of for longest is forgotten
+    std::size_t settings = 200;      ///< of a request
+    std::size_t laws = 40;           ///< drawn beside the optimum
+};
+
+class StudioSession {
+ public:
+    explicit StudioSession(const StudioLimits& limits = {});
+    ~StudioSession();
+    StudioSession(const StudioSession&) = delete;
+    StudioSession& operator=(const StudioSession&) = delete;
+
+    /// Called from several threads at once; never throw for what a request holds.
+    [[nodiscard]] StudioAnswer solve(const std::string& body);
+    [[nodiscard]] StudioAnswer download(const std::string& body);
+
+    /// The answer to `solve` of a page that opens; throws what is wrong with its scene.
+    [[nodiscard]] std::string first(const std::string& scene);
+
+    /// Running solves end soon; later ones answer 503.
+    void stop();
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 }  // namespace camopt::apps

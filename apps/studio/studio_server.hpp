@@ -62,8 +62,4 @@ class StudioServer {
     std::unique_ptr<State> state_;
 };
 
-/// 128 bits of the system's random source, as 32 hexadecimal digits. Throws std::runtime_error where it gives
-/// none.
-[[nodiscard]] std::string random_token();
-
 }  // namespace camopt::apps

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "apps/studio/studio_session.hpp"
-
 #include "apps/studio/studio_controls.hpp"
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,5 +42,20 @@ class MessagePassing {
 /// The name and type of the one function of the module; null: MPI could not be started.
 inline constexpr const char* message_passing_entry = "camopt_start_message_passing";
 using StartMessagePassing = MessagePassing* (*)();
+
+// Whether mpirun started this program, and the way to the other ranks.
+
+/// What mpirun says in the environment of every process it starts.
+struct RankLaunch {
+    int rank = 0;
+    int size = 1;  ///< 1: nobody else, as without mpirun
+};
+
+/// Reads the environment of OpenMPI's mpirun and, for others, of the process managers PMI and PMIx.
+[[nodiscard]] RankLaunch rank_launch();
+
+/// Loads camopt_mpi.so from beside the program or from where it is installed, and starts MPI. Throws
+/// InputError, with what to do, where this camopt was built without MPI or the module does not load.
+[[nodiscard]] std::unique_ptr<MessagePassing> start_message_passing(const RankLaunch& launch);
 
 }  // namespace camopt::apps

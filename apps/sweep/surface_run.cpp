@@ -5,7 +5,7 @@
 #include "apps/terminal.hpp"
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"

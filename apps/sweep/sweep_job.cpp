@@ -4,7 +4,7 @@
 #include "apps/sweep/sweep_progress.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"

@@ -4,6 +4,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
+#include "apps/sweep/message_passing.hpp"
 #include "apps/sweep/worker_pool.hpp"
 #include "output/json/sweep_json.hpp"
 #include "output/report/sweep_folder.hpp"
@@ -104,5 +105,13 @@ class WorkFolder {
 /// of lengths in words and pictures.
 [[nodiscard]] ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene = nullptr,
                                     std::string_view units = {});
+
+// camopt sweep under mpirun: one sweep by all ranks, into one folder that they share.
+
+/// Rank 0 checks the rows, makes the folder, hands out the missing chunks one by one to whoever is free, and
+/// writes the table; every rank solves with --workers workers, 1 where it is not said, and writes what it
+/// finished. What the other ranks return is success. Throws InputError as a sweep without MPI does, from rank
+/// 0.
+[[nodiscard]] ExitCode sweep_across_ranks(const SweepRequest& request, const RankLaunch& launch);
 
 }  // namespace camopt::apps

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "apps/sweep/sweep_ranks.hpp"
-
 #include "apps/sweep/chunk_hand_out.hpp"
 #include "apps/sweep/sweep_job.hpp"
 #include "apps/sweep/sweep_progress.hpp"
@@ -14,7 +12,6 @@
 #include <array>
 #include <chrono>
 #include <ctime>
-#include <exception>
 #include <optional>
 #include <poll.h>
 #include <stdexcept>

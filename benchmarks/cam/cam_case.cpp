@@ -2,7 +2,7 @@
 #include "benchmarks/cam/cam_case.hpp"
 
 #include "core/units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/papers/paper_tables.hpp"
 
 #include <fmt/format.h>

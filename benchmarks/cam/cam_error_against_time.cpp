@@ -11,7 +11,7 @@
 #include "benchmarks/parts/machine.hpp"
 #include "benchmarks/parts/solver_variants.hpp"
 #include "benchmarks/parts/whole_output.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
 #include "studies/search/solve_without_explaining.hpp"

@@ -7,7 +7,7 @@
 
 #include "benchmarks/cam/cam_case.hpp"
 #include "benchmarks/parts/measurement.hpp"
-#include "core/counting_nlp.hpp"
+#include "core/nlp.hpp"
 
 #include <optional>
 #include <string>

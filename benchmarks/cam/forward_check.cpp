@@ -12,7 +12,7 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/csv/csv_line.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/check/forward_check_input.hpp"
 

@@ -8,7 +8,7 @@
 // motion is the scene's optimum from one start.
 #include "benchmarks/parts/whole_output.hpp"
 #include "core/units.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
 #include "studies/checked/checked_cam.hpp"

@@ -11,7 +11,7 @@
 #include "benchmarks/parts/whole_output.hpp"
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 // solver's best lies above that of the row, relative (target: at most 1e-7).
 #include "benchmarks/parts/paired_runs.hpp"
 #include "benchmarks/parts/whole_output.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"

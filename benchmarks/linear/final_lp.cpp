@@ -14,7 +14,7 @@
 #include "benchmarks/parts/measurement.hpp"
 #include "benchmarks/parts/whole_output.hpp"
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "output/csv/csv_line.hpp"
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "benchmarks/parts/combination.hpp"
-#include "core/counting_nlp.hpp"
+#include "core/nlp.hpp"
 
 #include <optional>
 #include <string>

@@ -4,11 +4,11 @@
 #include "benchmarks/stability/stability_cases.hpp"
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "motions/bounds/smallest_cam.hpp"
 #include "output/view/number_text.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
 

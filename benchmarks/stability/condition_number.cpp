@@ -2,7 +2,7 @@
 #include "benchmarks/stability/condition_number.hpp"
 
 #include "core/errors.hpp"
-#include "objectives/grid/grid_nlp.hpp"
+#include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 
 #include <Eigen/QR>

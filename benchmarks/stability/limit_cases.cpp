@@ -3,7 +3,7 @@
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/search/solve_without_explaining.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "benchmarks/stability/local_polynomial.hpp"
 #include "benchmarks/stability/train_audit.hpp"
 #include "core/errors.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 
 #include <fmt/format.h>
 

@@ -2,12 +2,12 @@
 #include "benchmarks/stability/profile_claims.hpp"
 
 #include "benchmarks/stability/stability_scenes.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "output/report/cam_files.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/solve/solve.hpp"
 

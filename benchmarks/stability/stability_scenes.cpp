@@ -2,7 +2,7 @@
 #include "benchmarks/stability/stability_scenes.hpp"
 
 #include "core/errors.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "studies/search/solve_without_explaining.hpp"
 

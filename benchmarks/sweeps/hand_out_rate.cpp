@@ -6,7 +6,7 @@
 // Prints a line of CSV from rank 0: ranks, chunks asked for at a time by each, chunks, microseconds of rank 0
 // a chunk, and the median milliseconds until a chunk's file of 8 kB stands in FOLDER and on its disk.
 #include "apps/sweep/chunk_hand_out.hpp"
-#include "apps/sweep/rank_launch.hpp"
+#include "apps/sweep/message_passing.hpp"
 #include "benchmarks/parts/measurement.hpp"
 #include "benchmarks/parts/whole_output.hpp"
 #include "core/text/text_file.hpp"

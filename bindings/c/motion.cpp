@@ -2,7 +2,6 @@
 #include "core/motion.hpp"
 
 #include "bindings/c/handles.hpp"
-#include "bindings/c/structs.hpp"
 #include "core/units.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "bindings/c/control.hpp"
+// Solving and sweeping, with a caller's callbacks around them.
+#include "bindings/c/camopt.h"
+#include "bindings/c/failure.hpp"
 #include "bindings/c/handles.hpp"
-#include "bindings/c/structs.hpp"
 #include "core/errors.hpp"
-#include "core/licenses.hpp"
 #include "core/units.hpp"
 #include "core/version.hpp"
+#include "solvers/solver.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
+#include <chrono>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +22,93 @@
 
 namespace camopt::c {
 namespace {
+
+/// A caller's callbacks around a solve or a sweep. What a callback throws never crosses the frames of
+/// solvers: it is kept, the search is stopped, and finish() throws it on as a Failure. Belongs to the thread
+/// that solves; must outlive its control().
+class CallbackControl {
+ public:
+    explicit CallbackControl(const camopt_solve_options& options) : options_(options) {}
+    CallbackControl(const CallbackControl&) = delete;
+    CallbackControl& operator=(const CallbackControl&) = delete;
+
+    [[nodiscard]] SolveControl control();
+
+    /// Calls `work`, a callback of the caller, unless one has thrown before.
+    template <class Work>
+    void call(Work&& work) noexcept {
+        if (thrown_) return;
+        try {
+            work();
+        } catch (...) {
+            thrown_ = std::current_exception();
+        }
+    }
+
+    /// A callback wanted an end or threw: nothing more is to be begun.
+    [[nodiscard]] bool stopped() const { return stopped_ || thrown_; }
+    void stop() { stopped_ = true; }
+
+    [[nodiscard]] double seconds() const;
+
+    /// Throws Failure (CALLBACK) where a callback threw.
+    void finish() const;
+
+ private:
+    camopt_solve_options options_;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+    std::exception_ptr thrown_;
+    bool stopped_ = false;
+
+    [[nodiscard]] bool asked_to_stop();
+    void report(const Progress& progress);
+};
+
+SolveControl CallbackControl::control() {
+    SolveControl control;
+    // Also without `cancel`: a callback that threw stops the search.
+    if (options_.cancel != nullptr || options_.progress != nullptr)
+        control.stop_requested = [this] { return asked_to_stop(); };
+    if (options_.progress != nullptr)
+        control.progress = [this](const Progress& progress) { report(progress); };
+    return control;
+}
+
+bool CallbackControl::asked_to_stop() {
+    // Once said is said: a callback that changes its mind would leave a search half stopped.
+    if (!stopped() && options_.cancel != nullptr)
+        call([&] { stopped_ = options_.cancel(options_.user) != 0; });
+    return stopped();
+}
+
+void CallbackControl::report(const Progress& progress) {
+    call([&] {
+        const std::string text(progress.message);
+        const camopt_progress shown{sizeof(camopt_progress),
+                                    text.c_str(),
+                                    seconds(),
+                                    progress.round.value_or(0),
+                                    number_or_absent(progress.incumbent),
+                                    number_or_absent(progress.bound),
+                                    number_or_absent(progress.violation)};
+        options_.progress(&shown, options_.user);
+    });
+}
+
+double CallbackControl::seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+}
+
+void CallbackControl::finish() const {
+    if (!thrown_) return;
+    try {
+        std::rethrow_exception(thrown_);
+    } catch (const std::exception& error) {
+        throw Failure(CAMOPT_ERROR_CALLBACK, std::string("a callback threw: ") + error.what());
+    } catch (...) {
+        throw Failure(CAMOPT_ERROR_CALLBACK, "a callback threw an exception that is not a std::exception");
+    }
+}
 
 std::vector<std::string> station_names(const Solution& solution) {
     std::vector<std::string> names;

@@ -114,4 +114,12 @@ namespace enclosing {
     return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
 }
 
+// The square in formulas that are generic over the scalar: an enclosure of it is never below 0, unlike that
+// of a product with itself (enclosures.hpp).
+
+template <class T>
+[[nodiscard]] T squared(const T& a) {
+    return T(a * a);
+}
+
 }  // namespace camopt

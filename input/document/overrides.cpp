@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "input/document/overrides.hpp"
-
+#include "core/text/parsing.hpp"
 #include "core/text/printable.hpp"
-#include "core/text/split_text.hpp"
+#include "input/document/document.hpp"
 #include "input/document/scene_source.hpp"
 
 #include <fmt/format.h>

@@ -13,7 +13,6 @@
 #include <deque>
 #include <map>
 #include <mutex>
-#include <string>
 
 namespace camopt::input {
 namespace {

@@ -3,8 +3,9 @@
 // including those added by the program. The result can be solved.
 #pragma once
 
-#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "solvers/registry.hpp"
 
 #include <filesystem>
 #include <span>
@@ -12,6 +13,25 @@
 #include <string_view>
 
 namespace camopt {
+
+// All laws, solvers and kinds of cams, including those added by the program: the names for input::read_scene.
+
+/// All of them.
+[[nodiscard]] input::KnownNames known_names();
+
+/// Without the formulas of cams, for a program that links those of one kind: set `cam_formulas`.
+[[nodiscard]] inline input::KnownNames names_of_laws_and_solvers() {
+    input::KnownNames known;
+    for (const LawInfo& law : law_catalogue()) {
+        known.laws.push_back(law.key);
+        if (!law.rests) known.moving_laws.push_back(law.key);
+    }
+    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
+    return known;
+}
+
+// Loads a scene from a file or a text with all names that camopt knows: laws, solvers, kinds of cams,
+// including those added by the program. The result can be solved.
 
 /// `settings`: "KEY=VALUE" as for `--set`, applied to the file. Throws InputError "FILE:LINE:COLUMN: key:
 /// found …; allowed: …".

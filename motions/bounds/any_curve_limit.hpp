@@ -20,7 +20,7 @@
 // section 3.4.
 #pragma once
 
-#include "core/text/choices.hpp"
+#include "core/text/names.hpp"
 
 #include <optional>
 #include <vector>

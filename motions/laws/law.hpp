@@ -16,7 +16,6 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "core/peaks.hpp"
 
 #include <array>
 #include <string>
@@ -81,5 +80,17 @@ class Law : public Motion {
 
     LawInfo info_;
 };
+
+// Exact peaks of a law: every stationary point of y', y'', y''' and y'·y'' on every piece, and its ends.
+//
+// A piece is divided into cells far shorter than the shortest wave of any law of the catalogue; in a cell
+// where the function's derivative (closed form) changes sign it is bisected down to neighbouring doubles. The
+// peak's value is then exact to round-off. Mean squares: five-point Gauss quadrature per cell, exact to
+// round-off for such analytic pieces. Normalised quantities, no units; signs and impulses as above.
+
+[[nodiscard]] Peaks find_peaks(const Law& law);
+/// Inside the law's pieces only: impulses at its ends are omitted.
+[[nodiscard]] Peaks find_peaks_without_impulses(const Law& law);
+[[nodiscard]] JerkExtrema find_jerk_extrema(const Law& law);
 
 }  // namespace camopt

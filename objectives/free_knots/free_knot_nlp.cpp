@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/free_knots/free_knot_nlp.hpp"
+#include "objectives/free_knots/free_knot_problem.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Cost, its partials, and the Hessian of all.
-#include "objectives/free_knots/free_knot_nlp.hpp"
+#include "objectives/free_knots/free_knot_problem.hpp"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 namespace camopt {
 

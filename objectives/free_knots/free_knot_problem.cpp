@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/free_knots/free_knot_problem.hpp"
 
-#include "objectives/exchange_samples.hpp"
 #include "objectives/scene_model.hpp"
 
 #include <algorithm>

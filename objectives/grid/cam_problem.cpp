@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid/cam_problem.hpp"
 
-#include "objectives/exchange_samples.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/whole_motion_rule.hpp"
+#include "objectives/rules/point_rule.hpp"
 
 #include <algorithm>
 #include <cmath>

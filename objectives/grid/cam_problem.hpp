@@ -1,20 +1,134 @@
 // SPDX-License-Identifier: MIT
-// A CamModel as a ContinuousProblem: the motion's design vector and the cam's rules on a grid of angles.
-//
-// x = design entries and parameters in optimizer units (grid_nlp.hpp). Rules hold at every cam angle: their
-// continuous maxima come from rule_maxima.hpp.
+// A CamModel on a grid of cam angles: as an Nlp, and as a ContinuousProblem around it.
 #pragma once
 
 #include "core/continuous_problem.hpp"
-#include "objectives/grid/equality_projection.hpp"
-#include "objectives/grid/grid_nlp.hpp"
+#include "core/nlp.hpp"
+#include "objectives/nlp_parts.hpp"
 #include "objectives/rules/model.hpp"
+#include "splines/design_vector.hpp"
+#include "splines/gram.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace camopt {
+
+// The Nlp of a CamModel on finitely many cam angles.
+//
+// Variables: design entries in units of their typical size, then parameters in units of their references.
+// Rows, in this order: equalities of the design vector, rows on the parameters, rows on the design, sampled
+// rules in the order given. A sampled rule's row is g(B x + b; q) <= 0 with the constant map B of its cam
+// angle: Jacobian Bᵀ∂g, Hessian Bᵀ ∂²g B. Rows of linear rules are multiplied out once.
+
+/// Rule `rule` enforced at x, as seen from `side`.
+struct RuleSample {
+    int rule = 0;
+    double at = 0.0;
+    Side side = Side::right;
+    std::vector<double> setting = {};  ///< of rules of the whole motion
+};
+
+class GridNlp final : public Nlp {
+ public:
+    GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> samples);
+
+    /// Appends rows of more samples.
+    void append(std::span<const RuleSample> samples);
+
+    [[nodiscard]] double cost(const ConstVectorRef& x) const override;
+    void gradient(const ConstVectorRef& x, VectorRef out) const override;
+    void constraints(const ConstVectorRef& x, VectorRef out) const override;
+    void jacobian(const ConstVectorRef& x, std::span<double> out) const override;
+    void hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
+                 std::span<double> out) const override;
+    [[nodiscard]] std::string variable_name(int index) const override;
+    [[nodiscard]] std::string row_name(int index) const override { return row_origin(index).text(); }
+    [[nodiscard]] RowOrigin row_origin(int index) const override;
+
+    [[nodiscard]] int first_sample_row() const { return first_sample_row_; }
+
+ private:
+    /// One row: affine rows have their coefficients, others the map (y … y''') = offset + matrix ·
+    /// x[columns].
+    struct Row {
+        std::vector<int> columns;     ///< of the Jacobian, ascending
+        std::vector<double> weights;  ///< affine rows
+        double offset = 0.0;          ///< affine rows
+        int sample = -1;              ///< nonlinear rows: which sample
+        Eigen::MatrixXd map;          ///< nonlinear rows: 4 x design columns
+        Eigen::Vector4d map_offset = Eigen::Vector4d::Zero();
+    };
+    struct RmsTerm {
+        int variable = 0;
+        double weight = 0.0;
+        QuadraticForm form;
+    };
+
+    void add_fixed_rows();
+    void add_sample_rows(int first);
+    void add_sample_row(int sample);
+    [[nodiscard]] const RuleValue& affine_rule(const RuleSample& place);
+    [[nodiscard]] AffineRow linear_rule_row(const RuleSample& place, const RuleValue& affine) const;
+    void add_linear_row(int sample);
+    void add_curved_row(int sample);
+    void add_cost_terms();
+    void claim_cost();
+    void claim_rows(int first);
+    [[nodiscard]] RuleValue rule_value(const Row& row, const ConstVectorRef& x) const;
+    [[nodiscard]] int design_size() const { return model_->design.size(); }
+
+    std::shared_ptr<const CamModel> model_;
+    std::vector<RuleSample> samples_;
+    Eigen::VectorXd scale_;  ///< of the design entries
+    std::vector<Row> rows_;
+    int first_sample_row_ = 0;
+    /// Cached rows of linear rules that do not depend on x; the last is of one that does.
+    std::vector<std::optional<RuleValue>> affine_;
+    Eigen::VectorXd linear_cost_;
+    std::vector<RmsTerm> rms_;
+    /// The slot of each contribution to the Hessian, in the order in which hessian() visits them.
+    HessianSlots hessian_slots_;
+};
+
+/// Unit of variable `index`: x_physical = scale · x.
+[[nodiscard]] double variable_scale(const CamModel& model, int index);
+
+/// Those of all design entries.
+[[nodiscard]] Eigen::VectorXd design_scales(const CamModel& model);
+
+// The nearest point that satisfies A x + a = 0: x − Aᵀ (A Aᵀ)⁻¹ (A x + a), repeated until round-off.
+
+/// The row over x = x_physical / column_scale, divided by its largest weight.
+[[nodiscard]] AffineRow unit_row(const AffineRow& row, const Eigen::VectorXd& column_scale);
+
+class EqualityProjection {
+ public:
+    /// rows: independent. column_scale: x_physical = column_scale · x.
+    EqualityProjection(const std::vector<Equality>& rows, const Eigen::VectorXd& column_scale);
+
+    [[nodiscard]] Eigen::VectorXd project(Eigen::VectorXd x) const;
+    [[nodiscard]] const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
+    [[nodiscard]] const Eigen::VectorXd& offset() const { return offset_; }
+
+ private:
+    Eigen::SparseMatrix<double> matrix_;
+    Eigen::VectorXd offset_;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> normal_;
+};
+
+// A CamModel as a ContinuousProblem: the motion's design vector and the cam's rules on a grid of angles.
+//
+// x = design entries and parameters in optimizer units (GridNlp). Rules hold at every cam angle:
+// their continuous maxima come from rule_maxima.hpp.
 
 class CamProblem final : public ContinuousProblem {
  public:
@@ -79,6 +193,45 @@ class CamProblem final : public ContinuousProblem {
     std::unique_ptr<EqualityProjection> projection_;
     Eigen::VectorXd scales_;   ///< of the design entries
     std::size_t on_grid_ = 0;  ///< samples that already have rows
+};
+
+// Tie-break: a CamProblem with a small energy added to its cost,
+//
+//   f + weight · e,   e = mean square of y''' over its reference²,
+//
+// on the problem's own grid, which both refine. For a weight small enough the optimum is, among the optima of
+// the problem, the one of least ∫ y'''².
+
+class TiedProblem final : public ContinuousProblem {
+ public:
+    /// The problem must outlive this one. weight > 0.
+    TiedProblem(CamProblem& problem, double weight);
+    ~TiedProblem() override;
+
+    /// Changes the weight of the energy; > 0.
+    void set_weight(double weight);
+    /// e of the motion of x.
+    [[nodiscard]] double energy(const Eigen::VectorXd& x) const;
+
+    [[nodiscard]] const Nlp& grid() const override;
+    [[nodiscard]] Eigen::VectorXd start() const override { return problem_.start(); }
+    [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
+    [[nodiscard]] double worst_of_limits(const Eigen::VectorXd& x) const override;
+    int refine(std::span<const Violation> worst) override;
+    int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) override;
+    [[nodiscard]] Box box(double incumbent, double relaxation) const override;
+    [[nodiscard]] bool convex(double incumbent) const override { return problem_.convex(incumbent); }
+
+ private:
+    class Grid;
+    void follow(int added);
+
+    CamProblem& problem_;
+    QuadraticForm energy_;  ///< of design entries in the optimizer's units
+    double weight_;
+    std::unique_ptr<Grid> grid_;
 };
 
 }  // namespace camopt

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bounds valid for every motion at least as good as the incumbent, for proofs.
 #include "objectives/grid/cam_problem.hpp"
-#include "objectives/grid/curve_bounds.hpp"
+#include "splines/curve.hpp"
 
 #include <algorithm>
 #include <cmath>

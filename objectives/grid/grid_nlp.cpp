@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/grid/grid_nlp.hpp"
-
-#include "objectives/grid/equality_projection.hpp"
-#include "objectives/rules/whole_motion_rule.hpp"
-
-#include <fmt/format.h>
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/rules/point_rule.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace camopt {
 

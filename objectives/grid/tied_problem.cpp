@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/grid/tied_problem.hpp"
-
-#include "objectives/hessian_slots.hpp"
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/nlp_parts.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/response/response_rows.hpp"
+#include "objectives/response/train_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,7 @@
 
 #include "objectives/response/train_figures.hpp"
 #include "objectives/rules/model.hpp"
-#include "objectives/rules/whole_motion_rule.hpp"
+#include "objectives/rules/point_rule.hpp"
 #include "scene/limit_table.hpp"
 
 #include <map>

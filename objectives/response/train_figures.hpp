@@ -1,20 +1,42 @@
 // SPDX-License-Identifier: MIT
-// The response of an elastic follower train to a motion: from rest over each event (motion_events.hpp), at
-// one speed or at the worst of a range.
+// The response of an elastic follower train: the events of a motion, the response to a motion, and the
+// response as rows of a family of motions.
 #pragma once
 
 #include "core/numbers/extremum.hpp"
-#include "core/numbers/infinity.hpp"
-#include "objectives/response/motion_events.hpp"
 #include "scene/scene.hpp"
+#include "splines/motion_family.hpp"
 
 #include <complex>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace camopt {
+
+// Excitation of a follower train: everything between two dwells, and the dwell after it, with free vibration.
+
+/// Consecutive stretches of x: one, or two if it crosses the end of a closed program.
+struct MotionStretch {
+    double begin = 0.0, end = 0.0;
+};
+
+struct MotionEvent {
+    std::vector<MotionStretch> moving;
+    std::vector<MotionStretch>
+        dwell;  ///< may lie beyond the motion: DRD and RR rest for the rest of the revolution
+};
+
+/// In the order of the cam angle. A closed program without a dwell has none.
+[[nodiscard]] std::vector<MotionEvent> motion_events(const MotionSpec& motion);
+
+/// One rise from rest over [0, 1], and a dwell for the rest: used to compare laws.
+[[nodiscard]] MotionEvent single_rise(double unit_angle);
+
+// The response of an elastic follower train to a motion: from rest over each event, at
+// one speed or at the worst of a range.
 
 /// A motion cut into the pieces of one event.
 struct EventPieces {
@@ -59,5 +81,31 @@ struct SpeedMaximum {
 };
 [[nodiscard]] std::vector<SpeedMaximum> maxima_over_speeds(const Scene& scene, double length,
                                                            const std::function<double(double)>& function);
+
+// The state of a train as an affine function of the entries of a family of motions.
+
+/// y' on a piece of a family, by powers of (x − begin) / width, each coefficient a row of the entries.
+struct AffinePiece {
+    double begin = 0.0, width = 0.0;
+    std::vector<AffineRow> slope;
+};
+
+/// The pieces of one event: moving ones, then those of the dwell.
+class EventRows {
+ public:
+    EventRows(const MotionFamily& family, const MotionEvent& event, const TrainFormulas& formulas);
+
+    /// X at x on the event, as states x (entries + 1): the last column does not depend on the entries.
+    [[nodiscard]] Eigen::MatrixXd state_at(const TrainAtSpeed& train, double x) const;
+    /// X at its end.
+    [[nodiscard]] Eigen::MatrixXd state_at_end(const TrainAtSpeed& train) const;
+
+ private:
+    [[nodiscard]] Eigen::MatrixXd advanced(const TrainAtSpeed& train, std::size_t pieces, double rest) const;
+
+    int entries_;
+    std::vector<AffinePiece> pieces_;
+    std::size_t moving_ = 0;
+};
 
 }  // namespace camopt

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Contact force, camshaft torque and Hertz pressure, and the contact that the last two assume.
 #include "core/errors.hpp"
-#include "objectives/rules/cam_limit_parts.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/rules/cam_rule.hpp"
 #include "scene/limit_table.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ void refuse_hertz_pressure(const Limits& limits, const WrittenLimit& limit, cons
 /// so that no sign changes where the cam's radius or the lever passes through zero. There is no pressure
 /// where F is not positive. 1/R = 1/ρ_cam + 1/r = 1/(r · regularity) for a roller. In a groove with a
 /// clearance the contact surface is not the pitch curve's offset by the roller radius: F (1 − (R − r) κ) <= r
-/// (1 − R κ) · lever · … of disk_sides.hpp.
+/// (1 − R κ) · lever · … of disk_cam.hpp.
 void add_hertz_pressure(Limits& limits, const WrittenLimit& limit, const Force& force, int station) {
     const double carried =
         force.spec.compliance() * std::numbers::pi * *force.spec.contact_width * limit.value * limit.value;

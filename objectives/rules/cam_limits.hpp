@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
 // The limits of a scene on its cam, of any kind, as rules g <= 0, at every binding station.
 //
 //   pressure angle   (± N cos φm − D sin φm)/L,  tan φ = N/D:  linear or convex: docs/theory/
@@ -19,11 +18,13 @@
 // L: a length of the cam that makes the first dimensionless. With separate pressure limits for rise and
 // return
 // the upper side has that of its stroke, and the angle of an inclined follower at rest has the stricter one
-// everywhere. Where the follower is known to rest (rest_places.hpp) the smallest of all given pressure limits
+// everywhere. Where the follower is known to rest (rest_places) the smallest of all given pressure limits
 // holds, including a general one that is replaced elsewhere.
 #pragma once
 
 #include "objectives/rules/cam_rule.hpp"
+#include "objectives/rules/model.hpp"
+#include "scene/cam_spec.hpp"
 #include "scene/scene.hpp"
 
 #include <memory>
@@ -48,5 +49,20 @@ struct PressureLimits {
     [[nodiscard]] bool general_at_rest_alone() const;
 };
 [[nodiscard]] PressureLimits pressure_limits(const LimitSpec& limits);
+
+// The cam can be built at rest, where its dimensions are variable: each sum of CamMechanism::reach is a
+// linear row, unless the ranges imply it.
+
+/// After the cam's variables are in the model.
+void add_reach_rows(CamModel& model, const CamSpec& spec);
+
+// Cam angles at which the follower rests for every motion of the scene: known before any search.
+//
+// Both ends of a motion (DRD, RR, an open program), the top of RR, via points of velocity 0, and in a program
+// both ends of every dwell and of every law that begins or ends at rest. Points inside a spline where s'
+// happens to vanish are not included.
+
+/// x, ascending, each once. Throws InputError for an unknown law.
+[[nodiscard]] std::vector<double> rest_places(const Scene& scene);
 
 }  // namespace camopt

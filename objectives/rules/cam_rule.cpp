@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-
 namespace camopt {
 
 CamRule::CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula)

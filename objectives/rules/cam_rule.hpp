@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A limit of a cam of any kind at one cam angle and one station: a formula of (s, s', s'', dimensions), in
-// three algebras: values with partials, enclosures over boxes, enclosures along a stretch of a motion. It
-// uses the cam only through its interface (scene/cam_mechanism.hpp).
-//
-// A formula is in SI. The rule converts it to the normalised (y, y', y'', y'''; q) of the optimizer by the
-// chain rule: s^{(r)} = lift / unit_angle^r · y^{(r)}, each variable dimension = reference · q.
+// Limits of a cam of any kind as rules: formulas of one state of the cam, generic over the algebra.
 #pragma once
 
-#include "objectives/rules/cam_call.hpp"
-#include "objectives/rules/cam_variables.hpp"
+#include "objectives/rules/model.hpp"
 #include "objectives/rules/point_rule.hpp"
+#include "scene/cam_mechanism.hpp"
+#include "scene/scene.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +18,103 @@
 #include <vector>
 
 namespace camopt {
+
+// One state of a cam, the argument of the formula of a limit, in one of three algebras: values with first and
+// second partials, enclosures over a box, enclosures along a stretch of a motion. A formula that is generic
+// over the call gives all three.
+//
+// SI: m, rad, s' and s'' by the cam angle.
+
+/// Partials are by (s, s', s'', the active dimensions in their order).
+struct CamCall {
+    const CamMechanism& cam;
+    MechanismState state;
+    std::span<const int> active;
+
+    [[nodiscard]] MechanismValue quantity(MechanismQuantity which, int station) const {
+        return cam.quantity(which, state, station, active);
+    }
+    [[nodiscard]] MechanismValue displacement() const { return variable(state.output.s, 0); }
+    [[nodiscard]] MechanismValue velocity() const { return variable(state.output.velocity, 1); }
+    [[nodiscard]] MechanismValue acceleration() const { return variable(state.output.acceleration, 2); }
+    /// One of the cam's dimensions.
+    [[nodiscard]] MechanismValue dimension(int index) const {
+        const auto place = std::ranges::find(active, index) - active.begin();
+        const bool moves = place < static_cast<std::ptrdiff_t>(active.size());
+        return variable(state.dimensions[static_cast<std::size_t>(index)],
+                        moves ? static_cast<int>(3 + place) : -1);
+    }
+
+ private:
+    /// index: of its partial 1; < 0: a constant.
+    [[nodiscard]] MechanismValue variable(double value, int index) const {
+        const auto size = static_cast<Eigen::Index>(3 + active.size());
+        MechanismValue result{value, MechanismValue::Gradient::Zero(size),
+                              MechanismValue::Hessian::Zero(size, size)};
+        if (index >= 0) result.gradient[index] = 1.0;
+        return result;
+    }
+};
+
+/// Common to CamCallOver and CamCallAlong: a quantity without an enclosure makes the whole unknown.
+template <class Range>
+class EnclosedCall {
+ public:
+    [[nodiscard]] std::optional<Range> known(const Range& found) const {
+        return is_known_ ? std::optional<Range>(found) : std::nullopt;
+    }
+
+ protected:
+    [[nodiscard]] Range noted(const std::optional<Range>& found) const {
+        is_known_ = is_known_ && found.has_value();
+        return found.value_or(Range(0.0));
+    }
+
+ private:
+    mutable bool is_known_ = true;
+};
+
+struct CamCallOver : EnclosedCall<RangeOver> {
+    CamCallOver(const CamMechanism& mechanism, const MechanismStateOver& box) : cam(mechanism), state(box) {}
+
+    const CamMechanism& cam;
+    const MechanismStateOver& state;
+
+    [[nodiscard]] RangeOver quantity(MechanismQuantity which, int station) const {
+        return noted(cam.quantity_over(which, state, station));
+    }
+    [[nodiscard]] const RangeOver& displacement() const { return state.s; }
+    [[nodiscard]] const RangeOver& velocity() const { return state.velocity; }
+    [[nodiscard]] const RangeOver& acceleration() const { return state.acceleration; }
+    [[nodiscard]] const RangeOver& dimension(int index) const {
+        return state.dimensions[static_cast<std::size_t>(index)];
+    }
+};
+
+struct CamCallAlong : EnclosedCall<RangeAlong> {
+    CamCallAlong(const CamMechanism& mechanism, const MechanismStateAlong& stretch)
+        : cam(mechanism), state(stretch) {}
+
+    const CamMechanism& cam;
+    const MechanismStateAlong& state;
+
+    [[nodiscard]] RangeAlong quantity(MechanismQuantity which, int station) const {
+        return noted(cam.quantity_along(which, state, station));
+    }
+    [[nodiscard]] const RangeAlong& displacement() const { return state.s; }
+    [[nodiscard]] const RangeAlong& velocity() const { return state.velocity; }
+    [[nodiscard]] const RangeAlong& acceleration() const { return state.acceleration; }
+    [[nodiscard]] RangeAlong dimension(int index) const {
+        return {state.dimensions[static_cast<std::size_t>(index)]};
+    }
+};
+
+// A limit of a cam of any kind at one cam angle and one station: a formula of (s, s', s'', dimensions), in
+// three algebras: values with partials, enclosures over boxes, enclosures along a stretch of a motion. It
+// uses the cam only through its interface (scene/cam_mechanism.hpp).
+//
+// A formula is in SI. The rule converts it to the normalised (y, y', y'', y'''; q) of the optimizer by the
+// chain rule: s^{(r)} = lift / unit_angle^r · y^{(r)}, each variable dimension = reference · q.
 
 struct CamFormula {
     std::string name;         ///< the key of the limit, as the user wrote it
@@ -90,3 +185,55 @@ class CamRule final : public PointRule {
 };
 
 }  // namespace camopt
+
+namespace camopt::cam_limit_parts {
+
+// The parts of cam_limits.cpp: each adds the rules of one kind of limit. Private.
+
+using Rules = std::vector<std::shared_ptr<const CamRule>>;
+
+// A violation relative to something near zero is meaningless: scales stay above this part of the whole.
+inline constexpr double least_scale = 1e-3;
+
+/// Collects the rules of one cam.
+class Limits {
+ public:
+    Limits(const Scene& scene, const CamVariables& variables);
+
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const CamMechanism& cam() const { return *variables_->cam.formulas; }
+    [[nodiscard]] const CamVariables& variables() const { return *variables_; }
+    [[nodiscard]] const std::vector<double>& dimensions() const { return variables_->cam.dimensions; }
+    [[nodiscard]] MechanismSetting setting() const { return {dimensions(), active_}; }
+    [[nodiscard]] const std::vector<int>& active() const { return active_; }
+    /// The unit of length for dimensionless geometry, m.
+    [[nodiscard]] double length() const { return cam().length(dimensions()); }
+    /// Of the roller at a station, m; 0 without one.
+    [[nodiscard]] double roller(int station) const;
+    /// The surface is this much further from the roller's centre than its radius: half a groove's clearance.
+    [[nodiscard]] double wider_by(int station) const;
+    /// The shape of a quantity.
+    [[nodiscard]] bool is_linear(MechanismQuantity which) const {
+        return cam().shape(which, setting()) == Curvature::linear;
+    }
+
+    void add(CamFormula formula) {
+        rules_.push_back(std::make_shared<CamRule>(variables_, std::move(formula)));
+    }
+    /// Of a rule that holds at one station of several.
+    void add_at(CamFormula formula, int station);
+    [[nodiscard]] Rules taken() { return std::move(rules_); }
+
+ private:
+    const Scene& scene_;
+    std::shared_ptr<const CamVariables> variables_;
+    std::vector<int> active_;
+    Rules rules_;
+};
+
+/// regularity >= margin at one station; nothing for kinds without undercut.
+void add_regularity(Limits& limits, const WrittenLimit& limit, int station);
+void add_pressure(Limits& limits);
+void add_forces(Limits& limits);
+
+}  // namespace camopt::cam_limit_parts

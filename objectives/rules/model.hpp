@@ -1,25 +1,49 @@
 // SPDX-License-Identifier: MIT
-//
+// The optimization model: the cam of a problem, and the model as plain data.
+#pragma once
+
+#include "core/nlp.hpp"
+#include "objectives/rules/point_rule.hpp"
+#include "profiles/sampling.hpp"
+#include "scene/cam_mechanism.hpp"
+#include "splines/motion_family.hpp"
+
+#include <Eigen/Core>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+struct CamVariables {
+    struct Variable {
+        int dimension = 0;       ///< its index among the cam's dimensions
+        int parameter = 0;       ///< index among the problem's parameters
+        double reference = 1.0;  ///< m or rad in one unit of the parameter
+    };
+    DrivenMechanism cam;
+    MotionScale scale;
+    std::vector<Variable> variables;
+    /// Number of evaluated points of the cam: shared by all rules of a problem; threads may count
+    /// concurrently.
+    std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
+
+    /// The dimensions for all parameters of a problem.
+    [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& parameters) const;
+    /// The dimensions for a rule's own parameters q, one for each of the variables.
+    [[nodiscard]] std::vector<double> dimensions_for(const Eigen::VectorXd& q) const;
+    /// The dimension is variable.
+    [[nodiscard]] bool is_variable(int dimension) const;
+};
+
 // The optimization model as plain data: parameters, rules, rows on the parameters, and the cost
 //
 //   f = Σ_p weight_p q_p  +  Σ_k weight_k / 2 (m_k(x) / q_k + q_k).
 //
 // m_k is a mean square (rms term): at the minimum over q_k > 0 the bracket is weight_k · sqrt(m_k), jointly
 // convex in (x, q_k) with a sparse Hessian. Every quantity is in units of its reference, so f is near one.
-#pragma once
-
-#include "core/nlp.hpp"
-#include "objectives/rules/cam_variables.hpp"
-#include "objectives/rules/point_rule.hpp"
-#include "splines/motion_family.hpp"
-
-#include <Eigen/Core>
-
-#include <memory>
-#include <string>
-#include <vector>
-
-namespace camopt {
 
 /// A root mean square of a moving motion is of order one; this bound only prevents a division by zero.
 inline constexpr double least_rms = 1e-4;
@@ -111,7 +135,7 @@ struct CamModel {
     double cost_constant = 0.0;
     /// Set where the scene has a disk cam; where it has another mechanism.
     std::shared_ptr<const CamVariables> cam;
-    double jerk_reference = 1.0;  ///< of the energy that breaks ties (tied_problem.hpp)
+    double jerk_reference = 1.0;  ///< of the energy that breaks ties (cam_problem.hpp)
     /// Entries of a motion that is the first start of a search; empty: none.
     Eigen::VectorXd start_design;
     /// Typical sizes of y, y', y'': design entries are optimized in these units.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The epigraph of a peak: sign · y^{(order)} / reference − P <= 0, with P the peak variable in units of
-// `reference`. Two of them, sign = ±1, make P >= max |y^{(order)}| / reference.
+// The epigraphs of peaks of the motion and of the torque.
 #pragma once
 
 #include "objectives/rules/point_rule.hpp"
 
 namespace camopt {
+
+// The epigraph of a peak: sign · y^{(order)} / reference − P <= 0, with P the peak variable in units of
+// `reference`. Two of them, sign = ±1, make P >= max |y^{(order)}| / reference.
 
 /// A limit on the motion itself: sign · y^{(order)} <= bound, as (sign · y^{(order)} − bound) / scale <= 0. A
 /// hard limit with no variable.
@@ -57,6 +59,34 @@ class PeakRule final : public PointRule {
 
  private:
     int order_, sign_;
+    std::vector<int> parameters_;
+    double reference_;
+};
+
+// The epigraph of the torque peak: sign · y' y'' / reference − Q <= 0, with Q the peak variable in units of
+// `reference`. Two of them, sign = ±1, make Q >= max |y' y''| / reference.
+//
+// y' y'' is proportional to the torque of an inertial load. The rule is bilinear, hence indefinite.
+
+class TorqueRule final : public PointRule {
+ public:
+    /// `parameter`: index of Q among the problem's parameters; reference > 0.
+    TorqueRule(int sign, int parameter, double reference);
+
+    [[nodiscard]] std::string name() const override { return sign_ > 0 ? "+torque" : "-torque"; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] bool linear() const override { return false; }
+    [[nodiscard]] int highest_order() const override { return 2; }
+    [[nodiscard]] bool limit() const override { return false; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
+    [[nodiscard]] Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& derivatives,
+                                        const Eigen::VectorXd& q) const override;
+    [[nodiscard]] std::optional<RangeOver> range_over(std::span<const Interval> box,
+                                                      double at) const override;
+
+ private:
+    int sign_;
     std::vector<int> parameters_;
     double reference_;
 };

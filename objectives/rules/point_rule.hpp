@@ -3,14 +3,15 @@
 //
 // A rule depends on one point of the motion and a few parameters q (the peak variables, the cam's
 // dimensions), in their normalised units, and gives its value with first and second partials. It is
-// independent of the design vector: constant sparse maps apply the chain rule (grid_nlp.hpp).
+// independent of the design vector: constant sparse maps apply the chain rule (cam_problem.hpp).
 #pragma once
 
-#include "core/curvature.hpp"
+#include "core/errors.hpp"
 #include "core/motion.hpp"
 #include "core/nlp.hpp"
-#include "core/numbers/range_along.hpp"
-#include "core/numbers/range_over.hpp"
+#include "core/numbers/enclosures.hpp"
+#include "core/numbers/extremum.hpp"
+#include "splines/motion_family.hpp"
 
 #include <Eigen/Core>
 
@@ -40,7 +41,7 @@ class WholeMotionRule;
 class PointRule {
  public:
     virtual ~PointRule() = default;
-    /// This rule, if it depends on more than one point (whole_motion_rule.hpp).
+    /// This rule, if it depends on more than one point.
     [[nodiscard]] virtual const WholeMotionRule* whole() const { return nullptr; }
     /// Of a limit of the scene: its key as written by the user.
     [[nodiscard]] virtual std::string name() const = 0;
@@ -124,5 +125,38 @@ class PointRule {
     origin.sign = sign;
     return origin;
 }
+
+// A rule over the whole motion, linear in it: g(motion; q; setting) <= 0 for every setting.
+//
+// A setting identifies a row besides its location: a speed of the cam, a direction. Rows are added where the
+// rule is largest over locations and settings together.
+
+class WholeMotionRule : public PointRule {
+ public:
+    struct Place {
+        Extremum where;
+        std::vector<double> setting;
+    };
+
+    /// The local maxima along the motion over all settings, the largest among them; q as in evaluate().
+    [[nodiscard]] virtual std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const = 0;
+    /// The rule at q = 0 by the entries of the family.
+    [[nodiscard]] virtual AffineRow row(const MotionFamily& family, double at, Side side,
+                                        std::span<const double> setting) const = 0;
+    /// The rows of the first grid: so many that a motion that satisfies them is nearly feasible between them.
+    /// Values do not count.
+    [[nodiscard]] virtual std::vector<Place> first() const = 0;
+    /// Further settings whose rows are added together with those of this one.
+    [[nodiscard]] virtual std::vector<std::vector<double>> beside(std::span<const double> setting) const = 0;
+    /// Identifies the row: "310 rpm".
+    [[nodiscard]] virtual std::string remark(std::span<const double> setting) const = 0;
+
+    [[nodiscard]] bool linear() const final { return true; }
+    [[nodiscard]] const WholeMotionRule* whole() const final { return this; }
+    /// It does not depend on a single point; throws ModelError.
+    [[nodiscard]] RuleValue evaluate(const MotionPoint&, const Eigen::VectorXd&) const final {
+        throw ModelError(name() + ": a rule of the whole motion was evaluated at a single point");
+    }
+};
 
 }  // namespace camopt

@@ -2,8 +2,8 @@
 #include "output/csv/motion_csv.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/split_text.hpp"
-#include "core/whole_turn.hpp"
+#include "core/text/parsing.hpp"
+#include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/view/columns.hpp"
 #include "output/view/number_text.hpp"

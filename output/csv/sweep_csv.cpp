@@ -2,7 +2,8 @@
 #include "output/csv/sweep_csv.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
+#include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/view/shown_units.hpp"
 #include "studies/sweep/sweep_run.hpp"

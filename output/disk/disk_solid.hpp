@@ -8,7 +8,7 @@
 #include "output/drawing/profile_shape.hpp"
 #include "output/surface/step/step_solid.hpp"
 #include "output/surface/triangle_mesh.hpp"
-#include "scene/drawing_spec.hpp"
+#include "scene/cam_spec.hpp"
 
 #include <optional>
 #include <string>

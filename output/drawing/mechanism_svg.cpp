@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "core/whole_turn.hpp"
 #include "output/chart/placed_texts.hpp"
 #include "output/drawing/cam_svg.hpp"
 #include "output/drawing/picture_page.hpp"

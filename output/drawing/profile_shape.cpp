@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/profile_shape.hpp"
 
-#include "core/numbers/scalar_search.hpp"
-#include "core/whole_turn.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/units.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <algorithm>

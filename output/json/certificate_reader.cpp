@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
-#include "core/text/choices.hpp"
+#include "core/text/names.hpp"
 #include "core/text/text_file.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/json_text.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/peak_figures.hpp"
+#include "core/motion.hpp"
+#include "core/units.hpp"
 #include "motions/laws/law.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/cam_words.hpp"

@@ -2,7 +2,7 @@
 #include "output/nc/finished_cam.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "output/nc/nc_check.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "output/nc/cutter_compensation.hpp"
 
 #include <Eigen/Geometry>

@@ -2,8 +2,8 @@
 #include "output/plc/cam_loss.hpp"
 
 #include "core/errors.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/numbers/polynomial.hpp"
-#include "core/numbers/scalar_search.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 #include "output/plc/cam_pieces.hpp"
 
 #include "core/units.hpp"
-#include "core/whole_turn.hpp"
 #include "output/plc/cam_loss.hpp"
 #include "output/view/shown_units.hpp"
 #include "splines/curve.hpp"

@@ -2,7 +2,7 @@
 #include "output/plc/structured_text.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/split_text.hpp"
+#include "core/text/parsing.hpp"
 
 #include <fmt/format.h>
 

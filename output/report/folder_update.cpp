@@ -2,7 +2,7 @@
 #include "output/report/folder_update.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
 

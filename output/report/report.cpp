@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/printable.hpp"
 #include "core/version.hpp"
-#include "input/document/written_keys.hpp"
+#include "input/scene_document.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/cam_words.hpp"

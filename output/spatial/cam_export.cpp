@@ -3,7 +3,6 @@
 
 #include "core/text/text_file.hpp"
 #include "core/units.hpp"
-#include "core/whole_turn.hpp"
 #include "output/spatial/drum_pictures.hpp"
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/spatial/indexing_body.hpp"

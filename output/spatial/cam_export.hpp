@@ -6,7 +6,6 @@
 #include "output/nc/cutter_location.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 #include "scene/cam_flanks.hpp"
-#include "scene/flank_grid.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -9,7 +9,6 @@
 
 #include "output/surface/mesh_files.hpp"
 #include "scene/cam_flanks.hpp"
-#include "scene/flank_grid.hpp"
 
 #include <string>
 #include <vector>

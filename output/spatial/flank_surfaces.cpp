@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "core/whole_turn.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/view/shown_units.hpp"

@@ -6,7 +6,6 @@
 #include "output/surface/bspline_surface.hpp"
 #include "output/surface/triangle_mesh.hpp"
 #include "scene/cam_flanks.hpp"
-#include "scene/flank_grid.hpp"
 
 #include <array>
 #include <optional>

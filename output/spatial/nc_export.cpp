@@ -5,7 +5,7 @@
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/view/shown_units.hpp"
-#include "scene/flank_grid.hpp"
+#include "scene/cam_flanks.hpp"
 
 #include <fmt/format.h>
 

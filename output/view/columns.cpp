@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/columns.hpp"
 
-#include "core/numbers/infinity.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "output/view/shown_units.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/peak_comparison.hpp"
 
-#include "core/numbers/sampled_maximum.hpp"
-#include "core/peak_figures.hpp"
+#include "core/motion.hpp"
+#include "core/numbers/extremum.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "core/peaks.hpp"
 #include "output/view/shown_units.hpp"
 #include "scene/scene.hpp"
 #include "studies/delivered/solution.hpp"
@@ -38,7 +37,7 @@ struct SignedPeaks {
 };
 
 /// order 1 … 3. For a solution with a motion. The peak is exact (Solution::motion_peaks), the opposite one
-/// comes from core/numbers/sampled_maximum.hpp.
+/// comes from core/numbers/extremum.hpp.
 [[nodiscard]] SignedPeaks signed_peaks(const Solution& solution, int order);
 
 /// Of a stroke (rise, rise and return, spline segment of a program) that leaves the range low … high between

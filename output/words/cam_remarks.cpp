@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"

@@ -4,14 +4,10 @@
 #include "core/errors.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
-#include "profiles/disk/disk_sides.hpp"
-#include "profiles/disk/quantity_algebra.hpp"
-#include "profiles/disk/quantity_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>

@@ -25,7 +25,9 @@
 // A cam with a geometry_fault may give NaN; nothing here throws for it.
 #pragma once
 
-#include "core/follower_state.hpp"
+#include "core/motion.hpp"
+#include "core/numbers/enclosures.hpp"
+#include "core/partials.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/cam_spec.hpp"
@@ -33,6 +35,8 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <string>
 
 namespace camopt {
@@ -42,7 +46,7 @@ struct DiskCam {
     FollowerType follower = FollowerType::translating_roller;
     Rotation rotation = Rotation::counterclockwise;
     std::array<double, dimension_count> dimensions{};  ///< by DimensionIndex
-    FormSpec form = {};                                ///< both sides of it: profiles/disk/disk_sides.hpp
+    FormSpec form = {};                                ///< both sides of it: below
 
     [[nodiscard]] double operator[](DimensionIndex index) const {
         return dimensions[static_cast<std::size_t>(index)];
@@ -92,5 +96,112 @@ struct QuantityValue {
 
 /// Throws ModelError if the follower has no such quantity. 0.1 to 2 µs.
 [[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which);
+
+// The sides of a disk cam: the surfaces that its follower touches. An open cam has one; a groove has two
+// flanks, a conjugate cam a disk on either side of the follower.
+//
+// Side 0 is that of an open cam of the same dimensions: the inner flank, the first disk. A force F > 0 along
+// the lift acts on it, F < 0 on side 1: the cam drives both ways, and no closing force is needed.
+//
+// Groove. Both flanks are offsets of the pitch curve by R = roller radius + clearance/2. The outer flank is
+// the surface of material outside: with the pitch curve's curvature κ it has the pitch curvature −κ, so
+//   outward normal −n (towards the roller),  radius −1/κ − R (concave where the pitch curve is convex),
+//   regularity 1 + R κ,  and the roller of radius r lies on either flank with the combined radius
+//   R_eff = r (1 − R κ_side)/(1 − (R − r) κ_side).
+//
+// Conjugate. The second roller is carried by the same follower. Translating: its centre at
+// (e2, s0 + s − D), D between the rollers' axes; oscillating: its arm below the line of centres by ψ2 = γ −
+// ψ, γ between the arms. In the mirror image about the x axis it is an open cam whose follower moves
+// by −s: second_disk(). Its points here are mirrored back. The disks are fixed to one shaft.
+
+[[nodiscard]] int side_count(const DiskCam& cam);
+[[nodiscard]] int side_count(const FormSpec& form);
+/// "inner flank", "second disk"; empty: there is only one.
+[[nodiscard]] std::string side_name(const FormSpec& form, int side);
+/// Of the roller on this side, m; 0 without a roller.
+[[nodiscard]] double roller_radius_of(const DiskCam& cam, int side);
+/// From the roller's centre to the surface: R above; m.
+[[nodiscard]] double surface_offset(const DiskCam& cam, int side);
+
+/// The second disk of a conjugate cam in the mirror image about the x axis, as an open cam: driven by −s,
+/// −s', −s''. A base radius that is not positive, or NaN: there is none.
+[[nodiscard]] DiskCam second_disk(const DiskCam& cam);
+[[nodiscard]] FollowerState second_state(const FollowerState& state);
+/// The second roller's distance (m) or angle (rad) along the follower's path at s = 0: D − s0, γ − ψ0.
+[[nodiscard]] double second_rest_position(const DiskCam& cam);
+
+[[nodiscard]] ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state,
+                                         int side);
+
+/// As quantity(), of one side; partials by the variables of the whole
+/// cam. The pressure angle of the second disk has the sign of its mirror image.
+[[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which,
+                                     int side);
+[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which,
+                                  int side);
+
+// The disk cam with any of its followers as a CamMechanism, for reports, checks and files. The optimizer uses
+// the formulas above directly.
+//
+// Its dimensions are those of the follower, in the order of DimensionIndex, then the numbers of its form; a
+// station is a side. m, rad.
+
+/// CamSpec::make of a disk cam. Throws InputError for an unknown follower or form.
+[[nodiscard]] std::shared_ptr<const CamMechanism> disk_formulas(const CamSpec& spec);
+
+/// The cam of a scene: type "disk", the choices "follower" and "form", a key for every dimension, and the
+/// formulas. Throws SceneError for a number that this follower or form does not have.
+[[nodiscard]] CamSpec disk_spec(const DiskSpec& cam);
+
+[[nodiscard]] DrivenMechanism disk_mechanism(const DiskCam& cam);
+
+/// The disk cam of these formulas and numbers; none: they are of another kind.
+[[nodiscard]] std::optional<DiskCam> disk_cam(const DrivenMechanism& mechanism);
+
+// Quantities of a disk cam: constants and variables of the formulas, and enclosures.
+
+// Constants and variables as quantities of a disk cam. Formulas use a QuantityValue like a RangeAlong or a
+// RangeOver (core/partials.hpp).
+
+/// The index of a dimension among the variables of a quantity; s, s', s'' have 0, 1, 2.
+[[nodiscard]] constexpr int column_of(DimensionIndex dimension) {
+    return 3 + static_cast<int>(dimension);
+}
+
+[[nodiscard]] QuantityValue constant_quantity(double value);
+/// value with one partial 1: a variable. index: 0 s, 1 s', 2 s'', else column_of.
+[[nodiscard]] QuantityValue variable_quantity(double value, int index);
+
+// Enclosures of quantities of a disk cam over an interval of the cam angle, and over a box of motions and
+// dimensions: of their values and derivatives, by the formulas above (disk_cam_formulas.hpp).
+
+/// Slopes and second derivatives by the cam angle. Unbounded where the formula may divide by zero somewhere
+/// in the interval. Throws ModelError if the follower has no such quantity.
+[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which);
+
+/// s, s', s'' and the dimensions, each a number, a separate interval, or a function of the box's variables.
+struct StateOver {
+    RangeOver s, velocity, acceleration;
+    std::array<RangeOver, dimension_count> dimensions;
+
+    [[nodiscard]] const RangeOver& operator[](DimensionIndex index) const {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+};
+
+/// With first and second partials by the box's variables; unbounded results and errors as above. The
+/// dimensions of `cam` do not matter.
+[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which);
+
+/// As those above.
+[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which,
+                                 int side);
+[[nodiscard]] RangeOver roller_on(const DiskCam& cam, const StateOver& state, int side);
+
+/// (factor κ − share)(speed of the roller centre)³ over the coefficient of s'', of followers with a pitch
+/// curve and with the curvature κ of a side: >= 0 where factor κ >= share, and linear in s''. Unbounded where
+/// that coefficient may vanish.
+[[nodiscard]] RangeOver curvature_excess(const DiskCam& cam, const StateOver& state, const RangeOver& factor,
+                                         double share, int side);
 
 }  // namespace camopt

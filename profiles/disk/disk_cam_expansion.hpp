@@ -9,9 +9,8 @@
 //   gradient = Jᵀ ∇f,   hessian = Jᵀ ∇²f J + ∂f/∂p ∇²p.
 #pragma once
 
-#include "core/second_order.hpp"
+#include "core/partials.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/quantity_algebra.hpp"
 
 #include <Eigen/Core>
 

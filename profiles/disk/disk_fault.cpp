@@ -9,9 +9,9 @@
 //   translating  s0 = √(p² − e²),       D − s0 − Δ > 0          (D between the rollers' axes)
 //   oscillating  cos ψ0 = (a² + l² − p²)/(2 a l),  γ − ψ0 − Δ > 0, γ − ψ0 < π   (γ between the arms)
 // and the second prime radius above the second roller's.
-#include "profiles/disk/disk_fault.hpp"
-
-#include "core/numbers/range.hpp"
+#include "profiles/disk/disk_spec.hpp"
+#include "scene/key_row.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,120 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/disk/disk_kind.hpp"
-
-#include "profiles/disk/disk_keys.hpp"
 #include "profiles/disk/disk_spec.hpp"
+#include "scene/cam_kind.hpp"
 #include "scene/follower.hpp"
 
 #include <fmt/format.h>
 
 namespace camopt {
 namespace {
+
+using enum KeyType;
+using namespace spellings;
+
+const Range arm_angle_range = {.low = 0.0, .high = 360.0, .low_included = false, .high_included = false};
+
+// A row is read as a row.
+// clang-format off
+std::vector<KeyRow> cam_rows() {
+    return {
+        {"cam", "follower", text, plain, any, {}, "required",
+         "What touches the cam. With a disk cam the lift of an oscillating follower is an angle, that of a translating "
+         "one a length."},
+        {"cam", "base_radius", number_or_range, length, positive, {}, "required",
+         "Radius of the base circle, on which the follower rests at displacement 0; the prime circle is base + "
+         "roller."},
+        {"cam", "roller_radius", number_or_range, length, positive, {}, "required for rollers",
+         "Radius of the roller; of disk cams `translating_roller` and `oscillating_roller` only."},
+        {"cam", "offset", number_or_range, length, any, {}, "0",
+         "x of the follower's axis, lift along +y; positive reduces the rise's pressure angle where the cam "
+         "turns counterclockwise. `translating_roller` and `translating_knife` only."},
+        {"cam", "center_distance", number_or_range, length, positive, {}, "required for oscillating",
+         "From the cam's centre to the follower's pivot: oscillating followers."},
+        {"cam", "arm_length", number_or_range, length, positive, {}, "required for oscillating_roller",
+         "From the pivot to the roller's centre: `oscillating_roller`."},
+        {"cam", "face_offset", number_or_range, length, any, {}, "0",
+         "Distance of the flat face from its parallel through the pivot, positive towards the cam's centre; "
+         "`oscillating_flat` only."},
+        {"cam", "face_half_width", number, length, positive, {}, "unlimited",
+         "Half the width of the flat face; the contact stays on it. `translating_flat` only."},
+        {"cam", "form", text, plain, any, {"open", "grooved", "conjugate"}, "\"open\"",
+         "How the cam holds a roller. `open`: on one side, a force presses it on; `grooved`: in a groove between two "
+         "flanks; `conjugate`: two disks on one shaft, each with a roller of the one follower. The last two drive both "
+         "ways."},
+        {"cam", "groove_clearance", number, length, not_negative, {}, "0",
+         "Width of the groove less the roller's diameter, half of it on either side; `grooved` only."},
+        {"cam", "groove_wall", number, length, positive, {}, "the roller radius",
+         "Least thickness of the wall around the groove: the rim of the disk in drawings; `grooved` only."},
+        {"cam", "roller_distance", number, length, positive, {}, "required for conjugate, translating",
+         "Between the axes of the two rollers, measured along the lift."},
+        {"cam", "arm_angle", number, angle, arm_angle_range, {}, "required for conjugate, oscillating",
+         "Between the arms of the two rollers."},
+        {"cam", "second_roller_radius", number, length, positive, {}, "that of the first",
+         "Radius of the second roller; `conjugate` only."},
+        {"cam", "second_offset", number, length, any, {}, "that of the first",
+         "x of the second roller's path; `conjugate` and `translating_roller` only."},
+        {"cam", "second_arm_length", number, length, positive, {}, "that of the first",
+         "From the pivot to the second roller's centre; `conjugate` and `oscillating_roller` only."},
+    };
+}
+
+std::vector<KeyRow> drawing_rows() {
+    return {
+        {"", "drawing", table, plain, any, {}, "no bore",
+         "What the drawing and the solid of a disk cam need in addition to its profile.", Availability::needs_cam},
+        {"drawing", "bore", number, length, positive, {}, "no hole",
+         "Diameter of the bore; with its keyway inside the cam's least radius."},
+        {"drawing", "keyway", table, plain, any, {}, "none", "A parallel keyway in the bore."},
+        {"drawing", "thickness", number, length, positive, {}, "20 mm",
+         "Thickness of the cam; `--thickness-mm` replaces it."},
+        {"drawing", "groove_depth", number, length, positive, {}, "half the thickness",
+         "How deep the groove of a `grooved` cam is, below the thickness."},
+        {"drawing", "datum", number, angle, any, {}, "0",
+         "Where the cam is marked: the ray that points along +y when the cam has turned by this cam angle. The "
+         "drawing's table of radii counts from it, as the cam angle grows."},
+        {"drawing", "title_block", table, plain, any, {}, "empty", "Text of the title block in addition to the scene's title."},
+        {"drawing.keyway", "width", number, length, positive, {}, "required", "Width of the keyway, below the bore's diameter."},
+        {"drawing.keyway", "depth", number, length, positive, {}, "required",
+         "How far its floor lies outside the bore's circle: the hub's depth t2 of a parallel key."},
+        {"drawing.keyway", "at", number, angle, any, {}, "0",
+         "Where its middle is: a cam angle, like `datum`."},
+        {"drawing.title_block", "part", text, plain, any, {}, "the title", "Name of the part."},
+        {"drawing.title_block", "material", text, plain, any, {}, "empty", "Material and treatment."},
+        {"drawing.title_block", "tolerance", text, plain, any, {}, "empty", "General tolerances."},
+        {"drawing.title_block", "drawn_by", text, plain, any, {}, "empty", "Who drew it."},
+    };
+}
+// clang-format on
+
+std::vector<KeyRow> disk_rows() {
+    std::vector<KeyRow> rows = cam_rows();
+    const std::vector<KeyRow> drawing = drawing_rows();
+    rows.insert(rows.end(), drawing.begin(), drawing.end());
+    return rows;
+}
+
+/// Other words that users write for the keys in [cam].
+std::vector<CamSynonym> disk_synonyms() {
+    return {{"base_circle", "base_radius"},        {"base_circle_radius", "base_radius"},
+            {"prime_radius", "base_radius"},       {"eccentricity", "offset"},
+            {"pivot_distance", "center_distance"}, {"arm", "arm_length"},
+            {"lever_length", "arm_length"},        {"follower_type", "follower"}};
+}
+
+/// Other words for parts of the names of followers.
+std::vector<CamSynonym> follower_part_synonyms() {
+    return {{"swinging", "oscillating"},
+            {"swing", "oscillating"},
+            {"rocking", "oscillating"},
+            {"pivoted", "oscillating"},
+            {"reciprocating", "translating"},
+            {"linear", "translating"},
+            {"plane", "flat"},
+            {"mushroom", "flat"},
+            {"edge", "knife"},
+            {"pointed", "knife"},
+            {"wheel", "roller"}};
+}
 
 const char* touched_with(ContactKind contact) {
     if (contact == ContactKind::roller) return "a roller";

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/disk/disk_mechanism.hpp"
-
 #include "core/units.hpp"
-#include "profiles/disk/disk_fault.hpp"
-#include "profiles/disk/disk_sides.hpp"
-#include "profiles/disk/quantity_algebra.hpp"
-#include "profiles/disk/quantity_along.hpp"
+#include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/disk_spec.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +12,6 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <utility>
 
 namespace camopt {
 namespace {

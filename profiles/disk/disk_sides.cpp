@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/disk/disk_sides.hpp"
-
+#include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
-#include "profiles/disk/quantity_algebra.hpp"
-#include "profiles/disk/quantity_along.hpp"
-#include "profiles/disk/quantity_text.hpp"
+#include "profiles/disk/disk_cam_formulas.hpp"
 
 #include <array>
 #include <cmath>

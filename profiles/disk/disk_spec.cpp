@@ -3,14 +3,13 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "scene/scene_error.hpp"
-#include "scene/spellings.hpp"
+#include "scene/key_row.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace camopt {

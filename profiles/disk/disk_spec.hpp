@@ -11,6 +11,8 @@
 
 namespace camopt {
 
+struct CamKind;
+struct MotionSpec;
 struct SceneFault;
 
 /// cam.type of a disk cam.
@@ -72,12 +74,18 @@ void set_numbers(FormSpec& form, const FormNumbers& given);
 /// A number that this follower or form does not have; none: there is no such one.
 [[nodiscard]] std::optional<SceneFault> foreign_fault(const DiskSpec& cam);
 
-/// The cam as scenes store it, without formulas (disk_spec of disk_mechanism.hpp adds them): type "disk", the
+/// The cam as scenes store it, without formulas (disk_spec of disk_cam.hpp adds them): type "disk", the
 /// choices "follower" and "form", a key for every dimension. Throws SceneError for a number that this
 /// follower or form does not have.
 [[nodiscard]] CamSpec blank_disk_spec(const DiskSpec& cam);
 
 /// The inverse. Throws InputError for another type, and for an unknown follower or form.
 [[nodiscard]] DiskSpec disk_of(const CamSpec& cam);
+
+/// The first fault for every choice of its dimensions within their ranges; none: it can be built and moved.
+[[nodiscard]] std::optional<SceneFault> disk_fault(const DiskSpec& cam, const MotionSpec& motion);
+
+/// Disk cams with their followers, as scene files know them.
+[[nodiscard]] CamKind disk_kind();
 
 }  // namespace camopt

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/factory/cam_formulas.hpp"
 
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "profiles/remote/remote_cam.hpp"
-#include "profiles/spatial/spatial_mechanism.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,191 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/inverse/inverse_feeder.hpp"
+#include "core/errors.hpp"
+#include "profiles/inverse/inverse_formulas.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
 
 namespace camopt {
+
+namespace {
+
+// Relative: tolerance for strokes given to six digits.
+constexpr double law_meeting_tolerance = 1e-6;
+
+}  // namespace
+
+RollerState state_of(const RollerStroke& stroke, double time) {
+    const double since = time - stroke.reference;
+    return {stroke.position + since * (stroke.velocity + 0.5 * stroke.acceleration * since),
+            stroke.velocity + stroke.acceleration * since, stroke.acceleration};
+}
+
+double time_at(const RollerStroke& stroke, double distance) {
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    const double a = 0.5 * stroke.acceleration, b = stroke.velocity, c = stroke.position - distance;
+    const double slack = 1e-9 * (stroke.end - stroke.begin);
+    const auto inside = [&](double since) {
+        const double time = stroke.reference + since;
+        return time >= stroke.begin - slack && time <= stroke.end + slack;
+    };
+    const double root = std::sqrt(b * b - 4.0 * a * c);  // NaN: never
+    const double sum = -0.5 * (b + std::copysign(root, b));
+    double found = nowhere;
+    for (const double since : {a != 0.0 ? sum / a : nowhere, sum != 0.0 ? c / sum : nowhere})
+        if (inside(since)) found = stroke.reference + since;
+    return std::clamp(found, stroke.begin, stroke.end);
+}
+
+RollerLaw::RollerLaw(std::vector<RollerStroke> strokes) : strokes_(std::move(strokes)) {
+    if (strokes_.empty()) throw InputError("the roller has no stroke; it needs at least one");
+    for (std::size_t i = 0; i < strokes_.size(); ++i) {
+        const RollerStroke& stroke = strokes_[i];
+        if (!(stroke.end > stroke.begin))
+            throw InputError(
+                fmt::format("stroke {} of the roller lasts from {} to {} s; it must end after it begins",
+                            i + 1, stroke.begin, stroke.end));
+        if (i == 0) continue;
+        const RollerStroke& before = strokes_[i - 1];
+        const double from = state_of(before, before.end).distance,
+                     to = state_of(stroke, stroke.begin).distance;
+        if (before.end != stroke.begin || !(std::abs(to - from) <= law_meeting_tolerance * std::abs(from)))
+            throw InputError(
+                fmt::format("stroke {} of the roller ends at {} s, {} m and stroke {} begins at {} s, {} m; "
+                            "they must meet",
+                            i, before.end, from, i + 1, stroke.begin, to));
+    }
+}
+
+RollerState RollerLaw::at(double time, Side side) const {
+    if (!(time >= begin() && time <= end()))
+        throw InputError(fmt::format("the roller's motion lasts from {} to {} s; {} s was requested", begin(),
+                                     end(), time));
+    std::size_t index = 0;
+    while (index + 1 < strokes_.size() &&
+           (side == Side::right ? time >= strokes_[index].end : time > strokes_[index].end))
+        ++index;
+    return state_of(strokes_[index], time);
+}
+
+using Eigen::Vector2d;
+
+namespace {
+
+// Relative to L1: for a smaller distance the pin's direction from the rocker's pivot is ill-conditioned.
+constexpr double least_reach = 1e-9;
+// |cos phi| below this: the feeder would be 10⁹ offsets away.
+constexpr double least_cosine = 1e-9;
+
+Vector2d pin_at(const FeederLinkage& linkage, double body_angle) {
+    const double angle = body_angle + linkage.pin_angle;
+    return linkage.pin_distance * Vector2d(std::cos(angle), std::sin(angle));
+}
+
+double angle_of(const Vector2d& direction) {
+    return std::atan2(direction.y(), direction.x());
+}
+
+/// The angle plus full revolutions, nearest to `reference`.
+double counted_on(double angle, double reference) {
+    return reference + std::remainder(angle - reference, 2.0 * std::numbers::pi);
+}
+
+}  // namespace
+
+void FeederLinkage::validate() const {
+    if (!(pin_distance > 0.0 && std::isfinite(pin_distance)))
+        throw InputError(
+            fmt::format("the pin's distance from the pivot is {} m; it must be > 0", pin_distance));
+    if (!(std::abs(feeder_offset) > 0.0 && std::isfinite(feeder_offset)))
+        throw InputError(fmt::format("the feeder's offset is {} m; it must not be 0", feeder_offset));
+    if (!std::isfinite(pin_angle) || !rocker_pivot.allFinite())
+        throw InputError("the pin's angle and the rocker's pivot must be finite numbers");
+}
+
+std::string_view name_of(InverseFault fault) {
+    switch (fault) {
+        case InverseFault::none:
+            return "none";
+        case InverseFault::roller_before_guide:
+            return "roller_before_guide";
+        case InverseFault::roller_beyond_guide:
+            return "roller_beyond_guide";
+        case InverseFault::pin_on_rocker_pivot:
+            return "pin_on_rocker_pivot";
+        case InverseFault::rocker_along_feeder:
+            return "rocker_along_feeder";
+        case InverseFault::rocker_misses_pin:
+            return "rocker_misses_pin";
+        case InverseFault::pin_at_dead_point:
+            return "pin_at_dead_point";
+        case InverseFault::roller_at_rest:
+            return "roller_at_rest";
+    }
+    return "unknown";
+}
+
+FeederMotion feeder_motion(const FeederLinkage& linkage, const BodyMotion& body) {
+    FeederMotion motion;
+    motion.pin = pin_at(linkage, body.angle);
+    const Vector2d across(-motion.pin.y(), motion.pin.x());
+    motion.pin_velocity = body.velocity * across;
+    motion.pin_acceleration = body.acceleration * across - body.velocity * body.velocity * motion.pin;
+    const Vector2d arm = motion.pin - linkage.rocker_pivot;
+    motion.rocker_reach = arm.norm();
+    if (!(motion.rocker_reach > least_reach * linkage.pin_distance)) {
+        motion.fault = InverseFault::pin_on_rocker_pivot;
+        return motion;
+    }
+    const double reach = motion.rocker_reach;
+    motion.rocker_angle = counted_on(angle_of(arm), angle_of(pin_at(linkage, 0.0) - linkage.rocker_pivot));
+    const Vector2d along = arm / reach, left(-along.y(), along.x());
+    // The same as the formulas of the header: the pin's motion in the rocker's directions.
+    motion.rocker_velocity = motion.pin_velocity.dot(left) / reach;
+    motion.reach_velocity = motion.pin_velocity.dot(along);
+    motion.rocker_acceleration =
+        (motion.pin_acceleration.dot(left) - 2.0 * motion.reach_velocity * motion.rocker_velocity) / reach;
+    motion.reach_acceleration =
+        motion.pin_acceleration.dot(along) + reach * motion.rocker_velocity * motion.rocker_velocity;
+    if (!(std::abs(along.x()) > least_cosine)) {
+        motion.fault = InverseFault::rocker_along_feeder;
+        return motion;
+    }
+    const double tangent = along.y() / along.x(), squared = along.x() * along.x();
+    const double turning = motion.rocker_velocity, offset = linkage.feeder_offset;
+    motion.feeder = {linkage.rocker_pivot.y() + offset * tangent, offset * turning / squared,
+                     offset * (motion.rocker_acceleration + 2.0 * turning * turning * tangent) / squared};
+    return motion;
+}
+
+inverse::Branch inverse::branch_of(const FeederLinkage& linkage) {
+    const Vector2d pin = pin_at(linkage, 0.0), arm = pin - linkage.rocker_pivot;
+    // Of two points of the pin's circle on a ray, at the nearer one the ray enters the circle: P · e < 0
+    // there.
+    return {arm.x() * linkage.feeder_offset < 0.0 ? -1.0 : 1.0, pin.dot(arm) < 0.0 ? 1.0 : -1.0,
+            linkage.feeder_offset < 0.0 ? -1.0 : 1.0};
+}
+
+BodyResult body_motion(const FeederLinkage& linkage, const FollowerState& feeder) {
+    const auto back =
+        inverse::backwards<double>(inverse::numbers_of<double>(linkage), inverse::branch_of(linkage),
+                                   {feeder.s, feeder.velocity, feeder.acceleration});
+    BodyResult result;
+    if (!(back.discriminant > 0.0) || !(back.reach > least_reach * linkage.pin_distance)) {
+        result.fault = InverseFault::rocker_misses_pin;
+    } else if (!(std::abs(back.along) > least_reach * linkage.pin_distance)) {
+        result.fault = InverseFault::pin_at_dead_point;
+    } else {
+        const double angle = std::atan2(back.pin_y, back.pin_x) - linkage.pin_angle;
+        result.body = {counted_on(angle, 0.0), back.velocity, back.acceleration};
+    }
+    return result;
+}
 
 BodyMotion body_on_guide(const Guide& guide, const RollerState& roller, Side guide_side) {
     const GuidePoint point = guide.at(roller.distance, guide_side);

@@ -5,10 +5,9 @@
 // independent variable of the roller's and the feeder's motion: time, or the cam angle.
 #pragma once
 
-#include "core/numbers/range_along.hpp"
-#include "core/numbers/range_over.hpp"
-#include "core/numbers/squared.hpp"
-#include "profiles/inverse/feeder_linkage.hpp"
+#include "core/numbers/enclosures.hpp"
+#include "core/numbers/interval.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
 
 #include <cmath>
 

@@ -2,11 +2,10 @@
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 #include "core/errors.hpp"
-#include "core/second_order.hpp"
-#include "profiles/inverse/inverse_feeder.hpp"
+#include "core/partials.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
-#include "scene/roller_guide.hpp"
+#include "scene/cam_flanks.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/inverse/inverse_spec.hpp"
 
+#include "scene/cam_kind.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -22,6 +24,67 @@ CamSpec blank_inverse_spec() {
         spec.dimensions.push_back({name_of_number(number), {}, angle});
     }
     return spec;
+}
+
+namespace {
+
+using enum KeyType;
+using namespace spellings;
+
+// A row is read as a row.
+// clang-format off
+std::vector<KeyRow> inverse_rows() {
+    return {
+        {"cam", "roller_rest", number_or_range, length, not_negative, {}, "required for inverse",
+         "Distance from the body's pivot at which the roller started from rest; from there its acceleration is "
+         "constant."},
+        {"cam", "roller_end", number_or_range, length, positive, {}, "required for inverse",
+         "The same at the end of the roller's stroke."},
+        {"cam", "roller_angle", number_or_range, angle, positive, {}, "required for inverse",
+         "Cam angle of that stroke, from rest to its end."},
+        {"cam", "roller_from", number_or_range, length, positive, {}, "required for inverse",
+         "The same distance where the rise begins; between rest and end."},
+        {"cam", "pin_distance", number_or_range, length, positive, {}, "required for inverse",
+         "From the body's pivot, the origin, to its pin in the rocker's slot."},
+        {"cam", "pin_angle", number_or_range, angle, any, {}, "0",
+         "Of the pin from the body's x axis."},
+        {"cam", "rocker_pivot_x", number_or_range, length, any, {}, "required for inverse",
+         "Of the pivot of the slotted rocker."},
+        {"cam", "rocker_pivot_y", number_or_range, length, any, {}, "0", "The same."},
+        {"cam", "feeder_offset", number_or_range, length, any, {}, "required for inverse",
+         "From the rocker's pivot to the line along y on which the feeder slides; not 0."},
+        {"cam", "feeder_start", number_or_range, length, any, {}, "required for inverse",
+         "y of the feeder at displacement 0."},
+    };
+}
+// clang-format on
+
+/// What a scene need not say.
+std::optional<double> default_of(InverseNumber number) {
+    if (number == InverseNumber::pin_angle || number == InverseNumber::rocker_pivot_y) return 0.0;
+    return std::nullopt;
+}
+
+}  // namespace
+
+CamKind inverse_kind() {
+    CamKind kind;
+    kind.type = inverse_type;
+    kind.spoken = "an inverse cam with its feeder";
+    CamVariant feeder{
+        kind.type, "an inverse cam", false, "a roller, in a guide of the moving body", {}, {}, [] {
+            return blank_inverse_spec();
+        }};
+    for (int i = 0; i < inverse_number_count; ++i) {
+        const auto number = static_cast<InverseNumber>(i);
+        feeder.numbers.push_back({"cam", name_of_number(number), true, default_of(number), 0.0, i});
+    }
+    kind.variants = {feeder};
+    kind.lift_remark = ", the stroke of its feeder";
+    kind.has_rotation = false;
+    kind.only_drd = true;
+    kind.rows = inverse_rows();
+    return kind;
 }
 
 }  // namespace camopt

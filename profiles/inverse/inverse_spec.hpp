@@ -7,6 +7,8 @@
 
 namespace camopt {
 
+struct CamKind;
+
 /// cam.type of such a cam.
 inline constexpr const char* inverse_type = "inverse";
 
@@ -28,5 +30,8 @@ inline constexpr int inverse_number_count = 11;
 
 /// Type "inverse", every number at 0, without formulas: inverse_spec of inverse_mechanism.hpp adds them.
 [[nodiscard]] CamSpec blank_inverse_spec();
+
+/// Inverse cams with a feeder, as scene files know them.
+[[nodiscard]] CamKind inverse_kind();
 
 }  // namespace camopt

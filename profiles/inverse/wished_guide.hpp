@@ -3,17 +3,17 @@
 //
 // The wish: while the roller goes from one distance to another in a stroke, the feeder rises from its lower
 // to its upper place by a motion y(x) (x: time in units of the rise, y: in units of the lift); before and
-// after it rests. Backwards through feeder, rocker, pin and body (profiles/inverse/inverse_feeder.hpp) every
-// moment gives one point of the guide with its slope and curvature: a quintic polar spline through them,
-// between two lines that point to the pivot. The objective of the motion (camopt::solve) is thereby that of
-// the guide. Where both strokes have a constant acceleration from and to rest at the same place, the return
-// is the forward motion run backwards, faster: its velocities are larger by sqrt(a_r/a_f), its accelerations
-// by a_r/a_f, whatever the guide. Then the best guide of one stroke is the best of both. Lengths m, angles
-// rad, time s.
+// after it rests. Backwards through feeder, rocker, pin and body (profiles/inverse/inverse_mechanism.hpp)
+// every moment gives one point of the guide with its slope and curvature: a quintic polar spline through
+// them, between two lines that point to the pivot. The objective of the motion (camopt::solve) is thereby
+// that of the guide. Where both strokes have a constant acceleration from and to rest at the same place, the
+// return is the forward motion run backwards, faster: its velocities are larger by sqrt(a_r/a_f), its
+// accelerations by a_r/a_f, whatever the guide. Then the best guide of one stroke is the best of both.
+// Lengths m, angles rad, time s.
 #pragma once
 
 #include "core/motion.hpp"
-#include "profiles/inverse/inverse_feeder.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
 
 namespace camopt {
 

@@ -3,10 +3,10 @@
 
 #include "core/errors.hpp"
 #include "core/open_registry.hpp"
-#include "profiles/disk/disk_kind.hpp"
-#include "profiles/inverse/inverse_kind.hpp"
-#include "profiles/remote/remote_kind.hpp"
-#include "profiles/spatial/spatial_kind.hpp"
+#include "profiles/disk/disk_spec.hpp"
+#include "profiles/inverse/inverse_spec.hpp"
+#include "profiles/remote/remote_spec.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 
 #include <fmt/format.h>
 

@@ -9,6 +9,8 @@
 
 namespace camopt {
 
+struct CamKind;
+
 /// cam.type of such a cam.
 inline constexpr const char* remote_type = "remote";
 
@@ -68,5 +70,8 @@ enum class PressurePoint {
 /// A cam of this kind with every dimension at 0 and every choice at its default (lever and rocker branches
 /// "left", pressure_angle_at "roller_center"), without formulas: remote_spec of remote_cam.hpp adds them.
 [[nodiscard]] CamSpec blank_remote_spec(RemoteLinkage linkage);
+
+/// Disk cams with a remote follower, as scene files know them.
+[[nodiscard]] CamKind remote_kind();
 
 }  // namespace camopt

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/spatial/interference.hpp"
-
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
+#include "profiles/spatial/spatial_analysis.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace camopt {

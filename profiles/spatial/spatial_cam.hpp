@@ -19,7 +19,8 @@
 // Pressure angle tan φ = V_u / |V_b|, positive while the follower moves on:
 //   barrel (r_i q' − σ ρ sin q) / (ρ cos q), rotating (ρ q' − σ dx sin q) / (dy − ρ cos q), translating s'/ρ.
 // Undercut function g = (1 − r k1)(1 − r k2) of the offset of the axis surface; the flank is regular where
-// g > 0 and cut away beyond its edge g = 0. It is a local condition: see interference.hpp for the global one.
+// g > 0 and cut away beyond its edge g = 0. It is a local condition: see spatial_analysis.hpp for the global
+// one.
 //   g = 1 − r (L − 2FM)/W² − r² M²/W²,  F = V·e,  L = C_θθ·n,  M = e_θ·n.
 //
 // s, s', s'' are by the cam angle: m, m/rad, m/rad² for the translating follower, else rad, 1, 1/rad.
@@ -27,15 +28,18 @@
 // Sources: seeds 001 (OCRF) and 002 (barrel cam) with their formulas corrected (docs/papers).
 #pragma once
 
-#include "core/follower_state.hpp"
+#include "core/motion.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "scene/cam_flanks.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "scene/cam_spec.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <string>
 
 namespace camopt {
@@ -107,5 +111,30 @@ struct SpatialValue {
 };
 [[nodiscard]] SpatialValue spatial_quantity(const SpatialCam& cam, const FollowerState& state,
                                             const RollerStation& station, SpatialQuantity which);
+
+// Barrel and cylindrical cams as a CamMechanism, for the optimizer.
+//
+// Stations are heights along the roller, uniformly from its near to its far end, each on both flanks: station
+// 2 k is flank +1, station 2 k + 1 flank −1 of height k. The pressure angle is the same on both flanks, and
+// cos φm V_u − sin φm |V_b| is linear in h, so that its limit holds everywhere if it holds at both ends: it
+// binds at two stations only. g binds at every station. Dimensions in the order of SpatialNumber
+// (profiles/spatial/spatial_spec.hpp); m, rad.
+
+/// Heights at which g is enforced; g is smooth over a roller (its extremes have always been found at its
+/// ends).
+inline constexpr int mechanism_heights = 3;
+
+/// CamSpec::make of the types "barrel" and "cylindrical". Throws InputError for another.
+[[nodiscard]] std::shared_ptr<const CamMechanism> spatial_mechanism(const CamSpec& spec);
+
+/// A scene's cam of this kind with every number at 0, complete: type "barrel" or "cylindrical", the latter
+/// with the choice "follower" = "rotating" or "translating".
+[[nodiscard]] CamSpec spatial_spec(SpatialFollower follower);
+
+/// The cam with these numbers, in the order of SpatialNumber.
+[[nodiscard]] SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation,
+                                     std::span<const double> numbers);
+/// The same of a scene's cam; throws InputError for one of another type.
+[[nodiscard]] SpatialCam spatial_cam(const CamSpec& spec, std::span<const double> numbers);
 
 }  // namespace camopt

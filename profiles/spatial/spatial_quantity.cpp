@@ -2,9 +2,12 @@
 // The quantities of limits, expanded to second order by automatic differentiation. All seven variables of a
 // formula are those of the partials (q differs from s by a constant), so no chain rule is needed.
 #include "core/errors.hpp"
-#include "core/second_order.hpp"
+#include "core/partials.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
+
+#include <algorithm>
+#include <numbers>
 
 namespace camopt {
 namespace {
@@ -52,3 +55,91 @@ SpatialValue spatial_quantity(const SpatialCam& cam, const FollowerState& state,
 }
 
 }  // namespace camopt
+
+namespace camopt::spatial_formulas {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+const RangeOver& number(const MechanismStateOver& state, SpatialNumber which) {
+    return state.dimensions[static_cast<std::size_t>(which)];
+}
+
+Variables<RangeOver> variables_over(const MechanismStateOver& state) {
+    return {number(state, SpatialNumber::start) + state.s,
+            state.velocity,
+            state.acceleration,
+            number(state, SpatialNumber::roller_radius),
+            number(state, SpatialNumber::arm_length),
+            number(state, SpatialNumber::center_distance),
+            number(state, SpatialNumber::lateral_offset)};
+}
+
+RangeOver height_over(const MechanismStateOver& state, const PlaceOnRoller& place) {
+    return place.share * number(state, SpatialNumber::roller_length);
+}
+
+/// sin u in [0, π], its tangents beyond: concave.
+RangeOver continued_sine(const RangeOver& u) {
+    const auto inside = [](double angle) { return std::clamp(angle, 0.0, pi); };
+    const Interval part(inside(u.value.lower), inside(u.value.upper));
+    const Interval below(std::min(u.value.lower, 0.0), std::min(u.value.upper, 0.0));
+    const Interval above(std::max(u.value.lower, pi), std::max(u.value.upper, pi));
+    const Interval bend = -sin(part);
+    const bool leaves = u.value.lower < 0.0 || u.value.upper > pi;
+    const Interval value = leaves ? sin(part) + below + (Interval(pi) - above) : sin(part);
+    return composed(value, cos(part),
+                    leaves ? Interval(std::min(bend.lower, 0.0), std::max(bend.upper, 0.0)) : bend, u);
+}
+
+RangeOver barrel_pressure(const SpatialCam& cam, const Variables<RangeOver>& v, const RangeOver& height,
+                          const PressureLimit& limit) {
+    const double side = cam.rotation == Rotation::clockwise ? -limit.sign : limit.sign;
+    const RangeOver u = RangeOver(limit.angle) + side * v.position;
+    const RangeOver rho = v.center_distance - height, cosine = cos(Interval(limit.angle));
+    const RangeOver sine = limit.continued ? continued_sine(u) : sin(u);
+    return limit.sign * (cosine * (v.arm_length * v.velocity)) - rho * sine;
+}
+
+}  // namespace
+
+RangeOver pressure_over(const SpatialCam& cam, const MechanismStateOver& state, const PlaceOnRoller& place,
+                        const PressureLimit& limit) {
+    const Variables<RangeOver> variables = variables_over(state);
+    const RangeOver height = height_over(state, place);
+    if (cam.follower == SpatialFollower::barrel) return barrel_pressure(cam, variables, height, limit);
+    const AxisMotion<RangeOver> motion = axis_motion(cam, variables, height);
+    const RangeOver cosine = cos(Interval(limit.angle)), sine = sin(Interval(limit.angle));
+    return limit.sign * (cosine * motion.across_travel) - sign_of_b(cam) * (sine * motion.along_b);
+}
+
+RangeOver undercut_over(const SpatialCam& cam, const MechanismStateOver& state, const PlaceOnRoller& place,
+                        double margin) {
+    Variables<RangeOver> variables = variables_over(state);
+    variables.acceleration = 0.0;
+    const AxisMotion<RangeOver> still = axis_motion(cam, variables, height_over(state, place));
+    const RangeOver speed_squared = squared(still.across_travel) + squared(still.along_b);
+    const RangeOver turn = still.turn_b * still.across_travel - still.turn_u * still.along_b;
+    const RangeOver tilt = still.tilt_b * still.across_travel - still.tilt_u * still.along_b;
+    const RangeOver& radius = variables.roller_radius;
+    const double side = place.flank > 0 ? 1.0 : -1.0;
+    const RangeOver room = (margin - 1.0) * (cube_of_root(speed_squared) / radius) +
+                           side * (turn - 2.0 * (still.along_axis * tilt)) +
+                           radius * (squared(tilt) / sqrt(speed_squared));
+    const RangeOver sign = sign_of(still.along_b), size = sign * still.along_b;
+    return room / (still.lever * size) - side * (sign * state.acceleration);
+}
+
+RangeAlong quantity_along(const SpatialCam& cam, const MechanismStateAlong& state,
+                          const RollerStation& station, SpatialQuantity which) {
+    using enum SpatialDimension;
+    const Variables<RangeAlong> variables{cam.start + state.s, state.velocity,  state.acceleration,
+                                          cam[roller_radius],  cam[arm_length], cam[center_distance],
+                                          cam[lateral_offset]};
+    const AxisMotion<RangeAlong> motion = axis_motion(cam, variables, station.height);
+    if (which == SpatialQuantity::pressure_numerator) return motion.across_travel;
+    if (which == SpatialQuantity::pressure_denominator) return sign_of_b(cam) * motion.along_b;
+    return undercut(motion, variables.roller_radius, station.flank);
+}
+
+}  // namespace camopt::spatial_formulas

@@ -7,6 +7,8 @@
 
 namespace camopt {
 
+struct CamKind;
+
 /// cam.type of such a cam.
 inline constexpr const char* barrel_type = "barrel";
 inline constexpr const char* cylindrical_type = "cylindrical";
@@ -32,11 +34,15 @@ enum class SpatialNumber {
 inline constexpr int spatial_number_count = 7;
 [[nodiscard]] const char* name_of_number(SpatialNumber value);  ///< "roller_radius", …
 
-/// A cam of this kind with every number at 0 and without formulas (spatial_spec of spatial_mechanism.hpp adds
+/// A cam of this kind with every number at 0 and without formulas (spatial_spec of spatial_cam.hpp adds
 /// them); type "barrel" or "cylindrical", the latter with the
 /// choice "follower" = "rotating" or "translating".
 [[nodiscard]] CamSpec blank_spatial_spec(SpatialFollower follower);
 /// Back again; throws InputError for a spec of another type.
 [[nodiscard]] SpatialFollower spatial_follower(const CamSpec& spec);
+
+/// Barrel and cylindrical cams, as scene files know them.
+[[nodiscard]] CamKind barrel_kind();
+[[nodiscard]] CamKind cylindrical_kind();
 
 }  // namespace camopt

@@ -8,8 +8,8 @@
 //   angle.
 #pragma once
 
+#include "scene/key_row.hpp"
 #include "scene/scene.hpp"
-#include "scene/spellings.hpp"
 
 #include <array>
 #include <optional>

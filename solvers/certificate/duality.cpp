@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/certificate/duality.hpp"
-
 #include "core/errors.hpp"
+#include "solvers/certificate/certificate.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <algorithm>

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/exchange/continuous_solve.hpp"
-
 #include "core/continuous_problem.hpp"
-#include "solvers/certificate/duality.hpp"
-#include "solvers/certificate/forget_proof.hpp"
-#include "solvers/exchange/elastic.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "solvers/exchange/exchange.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 

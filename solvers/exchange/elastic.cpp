@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/exchange/elastic.hpp"
-
 #include "core/errors.hpp"
-#include "solvers/certificate/duality.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <algorithm>

@@ -8,7 +8,10 @@
 #pragma once
 
 #include "core/continuous_problem.hpp"
+#include "solvers/certificate/certificate.hpp"
 #include "solvers/solver.hpp"
+
+#include <memory>
 
 namespace camopt {
 
@@ -55,5 +58,87 @@ struct ExchangeResult {
 [[nodiscard]] ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver,
                                                   const Candidate& start, const ExchangeOptions& options,
                                                   const SolveControl& control);
+
+// Elastic problem: the least common violation, min t such that every limit can be satisfied when relaxed by t
+// times its scale.
+//
+// t* > 0, proved by weak duality, proves the scene infeasible, for any backend. t* < 0 gives a point inside
+// all limits, towards which a slightly violating one is pulled back.
+
+/// Variables: those of the base problem, then t >= −least_slack. Cost t.
+class ElasticProblem final : public ContinuousProblem {
+ public:
+    /// Slack of half a limit is deep enough inside.
+    static constexpr double least_slack = 0.5;
+
+    /// Refining the elastic problem refines `base`, which must outlive it.
+    explicit ElasticProblem(ContinuousProblem& base);
+    ~ElasticProblem() override;
+
+    [[nodiscard]] const Nlp& grid() const override;
+    [[nodiscard]] Eigen::VectorXd start() const override;
+    [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
+    [[nodiscard]] double worst_of_limits(const Eigen::VectorXd& x) const override;
+    int refine(std::span<const Violation> worst) override;
+    int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) override;
+    [[nodiscard]] Box box(double incumbent, double relaxation) const override;
+    [[nodiscard]] bool convex(double incumbent) const override;
+
+ private:
+    class Grid;
+    ContinuousProblem& base_;
+    std::unique_ptr<Grid> grid_;
+};
+
+struct Feasibility {
+    Candidate point;                    ///< of the base problem, with the least violation
+    std::optional<DualityProof> proof;  ///< of infeasibility, where its bound is > 0
+    Termination termination = Termination::not_run;
+};
+
+/// Convex problems only. Uses the structured solver.
+[[nodiscard]] Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& options,
+                                        const SolveControl& control);
+
+// Solves one continuous problem with one backend: exchange, repair, proof, verdict.
+
+struct JudgeOptions {
+    double tolerance = 1e-9;     ///< a violation below this, relative to its scale, counts as satisfied
+    double gap = 1e-7;           ///< proved relative gap below which the verdict is optimal
+    double stationarity = 1e-6;  ///< residual below which a feasible point is called local; sizes are O(1)
+};
+
+struct ContinuousResult {
+    Eigen::VectorXd x;  ///< completed; empty if nothing is delivered
+    Certificate certificate;
+    ExchangeResult exchange;
+    Candidate inside;          ///< a feasible point (if there is one), towards which results are pulled
+    std::string proof_source;  ///< whose multipliers proved the bound
+};
+
+/// If the current bound exceeds the objective of the delivered point (the limits are infeasible to within
+/// round-off), the proof is replaced by that of the limits relaxed by the tolerance, or removed if there is
+/// none. Afterwards no bound exceeds the objective. `problem`: that of the bound.
+void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& problem,
+                         const ExchangeOptions& exchange, const JudgeOptions& judge,
+                         const SolveControl& control);
+
+/// The verdict for a delivered point whose lower bound (if any) is already in the certificate.
+void settle_verdict(Certificate& certificate, Termination termination, const JudgeOptions& options);
+
+/// Repairs a small violation left by a backend: the point moves towards a feasible one as far as its
+/// violation requires (convex problems). Unchanged if there is none or nothing to repair.
+[[nodiscard]] Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point,
+                                      const Candidate& inside);
+
+/// Searches for a feasible point first, and if there is none proves infeasibility on the elastic problem, for
+/// any backend. Then runs the backend by exchange from that point, repairs its result, and proves a bound:
+/// with the backend's multipliers, fitted ones, or the structured solver's. All of it takes
+/// exchange.backend.max_seconds at most. Interrupted before it searched: no x.
+[[nodiscard]] ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solver,
+                                                const ExchangeOptions& exchange, const JudgeOptions& judge,
+                                                const SolveControl& control);
 
 }  // namespace camopt

@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/open_registry.hpp"
-#include "core/text/spelling_hint.hpp"
+#include "core/text/names.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
 #include "solvers/nlopt/nlopt_solver.hpp"

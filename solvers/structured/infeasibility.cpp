@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/structured/infeasibility.hpp"
+#include "solvers/structured/interior_point.hpp"
 
 #include <algorithm>
 #include <cmath>

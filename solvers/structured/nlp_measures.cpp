@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/structured/nlp_measures.hpp"
+#include "solvers/structured/linearized_problem.hpp"
 
 #include <Eigen/SparseCholesky>
 

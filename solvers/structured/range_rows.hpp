@@ -12,7 +12,7 @@
 // with present = 0. Equalities are not ranges.
 #pragma once
 
-#include "solvers/structured/convex_model.hpp"
+#include "solvers/structured/interior_point.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

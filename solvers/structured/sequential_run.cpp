@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/structured/sequential_run.hpp"
-
+#include "solvers/structured/sequential_solver.hpp"
 #include "solvers/structured/standard_form.hpp"
 
 namespace camopt::structured {

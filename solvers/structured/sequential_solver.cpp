@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/sequential_solver.hpp"
 
-#include "solvers/structured/sequential_run.hpp"
-
 #include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace camopt::structured {
 

@@ -12,20 +12,133 @@
 // Trust-Region Methods (2000), chapter 15.
 #pragma once
 
+#include "solvers/backend_support.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/structured/interior_point.hpp"
+#include "solvers/structured/linearized_problem.hpp"
 #include "solvers/structured/structured_solver.hpp"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace camopt::structured {
 
 [[nodiscard]] BackendResult sequential_minimize(const Nlp& problem, const Eigen::VectorXd& start,
                                                 const BackendOptions& options, const SolveControl& control);
 
-// Internal to solvers/structured/: converts the options of a caller for the interior point.
+// Converts the options of a caller for the interior point.
 
 /// The seconds count from now. Aims at a tenth of the tolerance, as a margin.
 [[nodiscard]] InteriorPointLimits interior_point_limits(const BackendOptions& options,
                                                         const StructuredOptions& own,
                                                         const SolveControl& control);
+
+// The state of one sequential solve.
+
+// One step of the sequential method, by the interior point for linear rows.
+struct Step {
+    bool usable = false;  ///< accurate enough to be tried
+    Stop stop = Stop::breakdown;
+    Eigen::VectorXd step;         ///< d
+    double elastic = 0.0;         ///< t
+    Eigen::VectorXd multipliers;  ///< of the Nlp's rows
+    [[nodiscard]] bool stopped() const { return stop == Stop::time_limit || stop == Stop::interrupted; }
+};
+
+class StepSolver {
+ public:
+    StepSolver(const Nlp& problem, const InteriorPointLimits& limits, const SolveControl& control)
+        : problem_(problem), limits_(limits), control_(control) {}
+
+    [[nodiscard]] Step solve(const NlpPoint& point, const StepModel& model);
+
+    /// With elastic rows, and with a penalty ν large enough: ν grows until the step reaches its part of the
+    /// least violation that the linearized rows allow. Source: Byrd, Nocedal, Waltz, Steering exact penalty
+    /// methods for nonlinear programming, Optim. Methods Softw. 23 (2008).
+    struct Steered {
+        Step step;
+        Eigen::VectorXd least_multipliers;  ///< with Σ |λ_i| w_i = 1, if least_elastic was computed
+        double least_elastic = 0.0;         ///< of any step; the violation itself if not computed
+    };
+    [[nodiscard]] Steered solve_elastic(const NlpPoint& point, StepModel& model, double violation);
+
+    [[nodiscard]] int interior_iterations() const { return iterations_; }
+
+ private:
+    const Nlp& problem_;
+    InteriorPointLimits limits_;
+    const SolveControl& control_;
+    int iterations_ = 0;
+};
+
+class SequentialRun {
+ public:
+    SequentialRun(const Nlp& problem, const BackendOptions& options, const SolveControl& control);
+    BackendResult run(const Eigen::VectorXd& start);
+
+ private:
+    std::optional<BackendResult> begin(const Eigen::VectorXd& start);
+    [[nodiscard]] Eigen::VectorXd nudged() const;
+    std::optional<BackendResult> pass();
+    void linearize();
+    void convexify();
+    [[nodiscard]] bool drop_left_rows(const Step& step);
+    [[nodiscard]] StepModel step_model() const;
+    Step next_step(StepModel& model);
+    std::optional<BackendResult> contradiction();
+    [[nodiscard]] bool settled(const Step& step);
+    bool take(const StepModel& model, Step step);
+    [[nodiscard]] BackendResult finished() const;
+    [[nodiscard]] BackendResult infeasible() const;
+    [[nodiscard]] bool hopeless(double least_elastic);
+    [[nodiscard]] bool stationary_in_violation(double least_elastic) const;
+    void adapt_penalty(const StepModel& model, const Step& step);
+    [[nodiscard]] double slope_change(const Eigen::VectorXd& step) const;
+    [[nodiscard]] Eigen::VectorXd corrected_rows(const NlpPoint& trial, const Eigen::VectorXd& step) const;
+    [[nodiscard]] NlpPoint moved(const Eigen::VectorXd& step) const;
+    [[nodiscard]] double violation(const NlpPoint& point) const {
+        return violation_of(shape_, point.rows, false);
+    }
+    [[nodiscard]] double merit(const NlpPoint& point) const;
+    [[nodiscard]] bool kept(const NlpPoint& point) const {
+        return keeps_rows(shape_, point, jacobian_, options_.tolerance);
+    }
+    [[nodiscard]] double cost_size() const { return std::max(1.0, std::abs(here_.cost)); }
+    BackendResult ended(Termination termination, std::string why) const;
+
+    const Nlp& problem_;
+    const NlpShape& shape_;
+    const BackendOptions& options_;
+    const SolveControl& control_;
+    SolveGuard guard_;
+    StepSolver steps_;
+    int most_passes_;
+    Eigen::VectorXd weights_, reach_;
+    std::vector<bool> curved_;  ///< variables in which something is not linear
+    NlpPoint here_;
+    RowMatrix jacobian_;
+    ActiveRows active_;  ///< the active set of hessian_
+    ConvexifiedHessian hessian_;
+    Eigen::SparseMatrix<double> true_hessian_;
+    Eigen::VectorXd multipliers_, least_multipliers_;
+    double radius_, penalty_ = 1.0, last_length_ = infinity, least_elastic_ = 0.0;
+    bool fresh_ = true, relaxed_ = true, spoiled_ = false;
+    double marked_violation_ = infinity;
+    int marked_pass_ = 0, reductions_ = 0;
+    bool nudged_ = false, shrunk_ = false, flat_ = false;
+    int passes_ = 0, polishing_ = 0, failures_ = 0, patience_ = 0;
+    struct Best {
+        NlpPoint point;
+        Eigen::VectorXd multipliers;
+        double error = infinity;  ///< stationarity or violation
+        bool kept = false;        ///< every row to the tolerance
+    };
+    std::optional<Best> best_;
+};
 
 }  // namespace camopt::structured

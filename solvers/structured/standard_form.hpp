@@ -11,7 +11,7 @@
 #pragma once
 
 #include "core/nlp.hpp"
-#include "solvers/structured/convex_model.hpp"
+#include "solvers/structured/interior_point.hpp"
 
 #include <Eigen/Core>
 

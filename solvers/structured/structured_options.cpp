@@ -3,7 +3,6 @@
 #include "solvers/backend_support.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <Eigen/Core>
 #include <fmt/core.h>
 
 #include <array>

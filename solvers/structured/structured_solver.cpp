@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "solvers/backend_support.hpp"
-#include "solvers/structured/infeasibility.hpp"
+#include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/sequential_solver.hpp"
 #include "solvers/structured/standard_form.hpp"
 

@@ -2,8 +2,7 @@
 #include "studies/check/check_cam.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/infinity.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "studies/check/point_curve.hpp"
 
 #include <algorithm>

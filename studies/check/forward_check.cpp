@@ -3,8 +3,7 @@
 
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
-#include "core/numbers/infinity.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/check/point_curve.hpp"
 

@@ -9,12 +9,12 @@
 // is searched where it does. A knife edge stands on the highest crossing of its path. So a cam that is
 // undercut, or hollower than its roller is round, is found out.
 //
-// Lengths m, angles rad; the frame that stands still is that of scene/follower_geometry.hpp, and the cam
+// Lengths m, angles rad; the frame that stands still is that of scene/follower.hpp, and the cam
 // frame is it at cam angle 0, turned with the cam.
 #pragma once
 
 #include "scene/cam_spec.hpp"
-#include "scene/follower_geometry.hpp"
+#include "scene/follower.hpp"
 
 #include <Eigen/Core>
 

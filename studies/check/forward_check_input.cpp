@@ -2,8 +2,8 @@
 #include "studies/check/forward_check_input.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/infinity.hpp"
-#include "core/whole_turn.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/units.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -35,7 +35,7 @@ struct CheckedSide {
 
 // A follower that lies on points of a cam: geometry of the follower only, nothing of how the cam was made.
 //
-// Frame and position as in scene/follower_geometry.hpp. The lift here is that position: y of the roller
+// Frame and position as in scene/follower.hpp. The lift here is that position: y of the roller
 // centre, edge or face (m), or ψ of the arm (rad). A point of the cam holds the follower at the lift at which
 // it touches the point from outside; the cam holds it at the largest lift of all its points.
 

@@ -2,7 +2,7 @@
 #include "studies/check/point_curve.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/quadrature.hpp"
+#include "core/numbers/polynomial.hpp"
 
 #include <fmt/format.h>
 

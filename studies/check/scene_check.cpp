@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/check/scene_check.hpp"
 
-#include "objectives/free_displacements.hpp"
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"

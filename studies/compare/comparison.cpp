@@ -2,11 +2,11 @@
 #include "studies/compare/comparison.hpp"
 
 #include "core/errors.hpp"
-#include "core/peak_figures.hpp"
+#include "core/motion.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/whole_motion_rule.hpp"
+#include "objectives/rules/point_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"

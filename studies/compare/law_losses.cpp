@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/law_losses.hpp"
 
-#include "core/numbers/infinity.hpp"
+#include "core/numbers/extremum.hpp"
 #include "objectives/scene_model.hpp"
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/search/solve_sequence.hpp"

@@ -2,9 +2,8 @@
 #include "studies/compare/needed_base.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/infinity.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/numbers/interval.hpp"
-#include "core/numbers/scalar_search.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 

@@ -2,7 +2,7 @@
 #include "studies/delivered/cam_report.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/infinity.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"

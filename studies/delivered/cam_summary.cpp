@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/cam_summary.hpp"
 
-#include "core/numbers/infinity.hpp"
-#include "core/numbers/sampled_maximum.hpp"
-#include "objectives/rules/rest_places.hpp"
+#include "core/numbers/extremum.hpp"
+#include "objectives/rules/cam_limits.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/follower_loads.hpp"
 

@@ -45,7 +45,7 @@ struct CamSummary {
     CamExtreme pressure_angle;  ///< largest |φ|
     /// Of a direct cam, of the parts where s' > 0, s' < 0; 0 where there are none.
     std::optional<CamExtreme> rise_pressure_angle, return_pressure_angle;
-    /// Of a direct cam, where the follower is known to rest (rest_places.hpp).
+    /// Of a direct cam, where the follower is known to rest (cam_limits.hpp).
     std::optional<CamExtreme> rest_pressure_angle;
     /// Least, of the surface of a planar cam; none where it is nowhere convex. <= 0: undercut. −infinity
     /// where a flat face turns back.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered_audit.hpp"
 
-#include "core/numbers/sampled_maximum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "scene/limit_table.hpp"
-#include "solvers/certificate/forget_proof.hpp"
-#include "splines/basis.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "splines/curve.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_conditions.hpp"
 #include "studies/delivered/scene_limits.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/follower_loads.hpp"
 
-#include "core/numbers/infinity.hpp"
+#include "core/numbers/extremum.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/solution.hpp"

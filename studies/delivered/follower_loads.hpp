@@ -10,7 +10,6 @@
 // on its side 1: the normal force is then that of the side that carries, >= 0. A side is a station.
 #pragma once
 
-#include "core/follower_state.hpp"
 #include "core/motion.hpp"
 #include "scene/cam_mechanism.hpp"
 

@@ -2,8 +2,8 @@
 // Everything known after a scene was solved: what output/ writes and what an embedder reads.
 #pragma once
 
-#include "core/counting_nlp.hpp"
-#include "core/peaks.hpp"
+#include "core/motion.hpp"
+#include "core/nlp.hpp"
 #include "scene/scene.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/solver.hpp"

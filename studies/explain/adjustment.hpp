@@ -3,7 +3,7 @@
 // that has another value of it.
 #pragma once
 
-#include "core/numbers/range.hpp"
+#include "scene/key_row.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <functional>

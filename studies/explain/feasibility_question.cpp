@@ -3,7 +3,7 @@
 
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "solvers/exchange/elastic.hpp"
+#include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/search/rest_conflict.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/value_search.hpp"
 
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <algorithm>
 #include <cmath>

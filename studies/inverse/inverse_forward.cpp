@@ -3,10 +3,10 @@
 
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "profiles/sampling.hpp"
+#include "scene/cam_flanks.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/roller_guide.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/laws/law_motion.hpp"
 
+#include "motions/laws/law.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "motions/laws/law_peaks.hpp"
 
 #include <fmt/format.h>
 

@@ -11,8 +11,7 @@
 // interrupts it. Displacements in lifts, angles in x.
 #pragma once
 
-#include "core/peak_figures.hpp"
-#include "core/peaks.hpp"
+#include "core/motion.hpp"
 #include "motions/laws/law.hpp"
 #include "objectives/rules/model.hpp"
 #include "scene/scene.hpp"

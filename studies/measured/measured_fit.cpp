@@ -2,7 +2,7 @@
 #include "studies/measured/measured_fit.hpp"
 
 #include "objectives/scene_model.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/search/program/solve_free_angles.hpp"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "studies/papers/barrel_optima.hpp"
 
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/spatial/spatial_extremes.hpp"
-#include "profiles/spatial/spatial_mechanism.hpp"
+#include "profiles/spatial/spatial_analysis.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
-#include "scene/flank_grid.hpp"
+#include "scene/cam_flanks.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "core/units.hpp"
-#include "profiles/inverse/guide_points.hpp"
-#include "profiles/inverse/node_method.hpp"
+#include "profiles/inverse/guide.hpp"
+#include "profiles/inverse/paper_guide.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/papers/paper_000_parts.hpp"
 

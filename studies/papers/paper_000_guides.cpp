@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/inverse/guide_points.hpp"
+#include "profiles/inverse/guide.hpp"
 #include "profiles/inverse/wished_guide.hpp"
 #include "studies/papers/paper_000_parts.hpp"
 #include "studies/solve/solve.hpp"

@@ -2,8 +2,8 @@
 // Private to studies/papers/: the parts of the report on paper 000, one source each.
 #pragma once
 
-#include "profiles/inverse/g1_guide.hpp"
-#include "profiles/inverse/inverse_feeder.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
+#include "profiles/inverse/paper_guide.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
 #include <array>

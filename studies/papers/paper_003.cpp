@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/numbers/sampled_maximum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/delivered/cam_summary.hpp"

@@ -3,8 +3,7 @@
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/spatial/contact.hpp"
-#include "profiles/spatial/interference.hpp"
+#include "profiles/spatial/spatial_analysis.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>

@@ -30,7 +30,7 @@ void mark_front(SweepTable& table);
 // A figure that a front can trade against another: a peak, a root mean square, or a variable dimension of the
 // cam. How to weigh it, how to cap it, and what a solution makes of it.
 //
-// Values are normalised as in core/peaks.hpp; dimensions are in m. Functions throw InputError where said.
+// Values are normalised as in core/motion.hpp; dimensions are in m. Functions throw InputError where said.
 
 /// The terms of the objective whose rows say that a front can trade them.
 using FrontFigure = CostFigure;

@@ -2,13 +2,13 @@
 #include "studies/response/train_study.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/response/train_figures.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene_error.hpp"
+#include "scene/scene.hpp"
 #include "studies/search/solve_without_explaining.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "studies/restored/restored_solution.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/choices.hpp"
+#include "core/text/names.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/free_knot_descent.hpp"
 
-#include "solvers/exchange/elastic.hpp"
+#include "solvers/exchange/exchange.hpp"
 #include "studies/search/free_knot_step.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 #include "studies/search/solve_free_knots.hpp"
 
 #include "objectives/scene_model.hpp"
-#include "solvers/certificate/forget_proof.hpp"
-#include "solvers/counting_solver.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/search/backend_choice.hpp"
 #include "studies/search/free_knot_descent.hpp"

@@ -2,7 +2,7 @@
 #include "studies/search/solve_from_starts.hpp"
 
 #include "objectives/scene_model.hpp"
-#include "solvers/certificate/duality.hpp"
+#include "solvers/certificate/certificate.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/bound/box_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"

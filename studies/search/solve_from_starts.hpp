@@ -9,7 +9,7 @@
 
 #include "objectives/grid/cam_problem.hpp"
 #include "scene/scene.hpp"
-#include "solvers/exchange/continuous_solve.hpp"
+#include "solvers/exchange/exchange.hpp"
 #include "studies/search/grid_memory.hpp"
 
 #include <functional>

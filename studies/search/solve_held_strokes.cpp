@@ -2,7 +2,7 @@
 #include "studies/search/solve_held_strokes.hpp"
 
 #include "objectives/scene_model.hpp"
-#include "solvers/certificate/forget_proof.hpp"
+#include "solvers/certificate/certificate.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // motion.within_lift and motion.monotone: scenes whose best motion leaves the range of a stroke.
 //
-// A scene is solved without the rules of its strokes first (objectives/strokes.hpp). Usually that motion
+// A scene is solved without the rules of its strokes first (objectives/scene_model.hpp). Usually that motion
 // stays within their range, and is the optimum. Else the scene is solved with the rules; the bound of the
 // first solve, of a relaxation, holds for it too.
 //
@@ -10,7 +10,7 @@
 // that does so most is split into two cases, it rises or it falls; together they hold everything.
 #pragma once
 
-#include "objectives/strokes.hpp"
+#include "objectives/scene_model.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/start_search.hpp"
 
-#include "objectives/grid/grid_nlp.hpp"
+#include "objectives/grid/cam_problem.hpp"
 
 #include <algorithm>
 #include <optional>

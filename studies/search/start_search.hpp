@@ -5,7 +5,7 @@
 #pragma once
 
 #include "objectives/grid/cam_problem.hpp"
-#include "solvers/exchange/continuous_solve.hpp"
+#include "solvers/exchange/exchange.hpp"
 
 namespace camopt {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/tie_break.hpp"
 
-#include "objectives/grid/tied_problem.hpp"
+#include "objectives/grid/cam_problem.hpp"
 #include "scene/cost_table.hpp"
 #include "solvers/structured/structured_solver.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
+#include "core/numbers/extremum.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "studies/delivered/delivered.hpp"
 

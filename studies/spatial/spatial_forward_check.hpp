@@ -9,7 +9,6 @@
 #include "core/motion.hpp"
 #include "profiles/sampling.hpp"
 #include "scene/cam_flanks.hpp"
-#include "scene/flank_grid.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/delivered/solution.hpp"
 

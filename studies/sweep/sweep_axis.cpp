@@ -2,8 +2,7 @@
 #include "studies/sweep/sweep_axis.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/number_parsing.hpp"
-#include "core/text/split_text.hpp"
+#include "core/text/parsing.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/scene.hpp"

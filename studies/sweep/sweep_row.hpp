@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a sweep finds: one row a solve, and the table of them.
 //
-// Peaks are normalised as in core/peaks.hpp, dimensions in m. What does not exist (the peaks of an infeasible
-// row) is absent, never a NaN.
+// Peaks are normalised as in core/motion.hpp, dimensions in m. What does not exist (the peaks of an
+// infeasible row) is absent, never a NaN.
 #pragma once
 
-#include "core/counting_nlp.hpp"
+#include "core/nlp.hpp"
 #include "core/units.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"

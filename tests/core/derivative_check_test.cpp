@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/derivative_check.hpp"
-
-#include "core/counting_nlp.hpp"
 #include "core/errors.hpp"
+#include "core/nlp.hpp"
 #include "solvers/test_problems.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/licenses.hpp"
+#include "core/version.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The largest value along a motion: inside a piece, at its ends, of constants and where pieces meet.
-#include "core/numbers/sampled_maximum.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/numbers/scalar_search.hpp"
-
-#include "core/numbers/quadrature.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/numbers/polynomial.hpp"
 
 #include <gtest/gtest.h>
 

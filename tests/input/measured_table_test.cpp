@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tables of measured motions: columns by their names, faults with their lines, and scenes that stand alone.
 #include "core/errors.hpp"
-#include "input/measured/measured_reader.hpp"
+#include "input/scene_parts.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/cam_formulas.hpp"
 

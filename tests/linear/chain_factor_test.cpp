@@ -2,7 +2,6 @@
 #include "linear/chain_factor.hpp"
 
 #include "core/errors.hpp"
-#include "linear/chain_order.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <Eigen/Dense>

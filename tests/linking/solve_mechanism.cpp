@@ -3,9 +3,9 @@
 // below) and none of the others; the linker's map is then looked at.
 //
 // Prints how often the cam was evaluated. Exit 0: solved, and by formulas of the wanted kind alone.
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <cstdio>
@@ -18,7 +18,7 @@
 #include "profiles/inverse/inverse_mechanism.hpp"
 #define FORMULAS inverse_mechanism
 #elif defined(KIND_spatial)
-#include "profiles/spatial/spatial_mechanism.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
 #define FORMULAS spatial_mechanism
 #else
 #define FORMULAS disk_formulas

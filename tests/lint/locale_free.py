@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """locale_free.py ROOT: no number is read or written by a function that obeys the locale of the process (1.5 would
-be 1, or written 1,5). core/text/number_parsing.hpp reads, fmt writes. Not in tests/, benchmarks/
+be 1, or written 1,5). core/text/parsing.hpp reads, fmt writes. Not in tests/, benchmarks/
 and examples: programs that set no locale."""
 
 import pathlib
@@ -17,7 +17,7 @@ LOCALISED = re.compile(r"\{:[^{}]*L\}")
 
 def faults_of(path, text):
     code = re.sub(r"//[^\n]*", "", text)
-    for what, words in ((READING, "reads a number by the locale: use core/text/number_parsing.hpp"),
+    for what, words in ((READING, "reads a number by the locale: use core/text/parsing.hpp"),
                         (WRITING, "writes a number by the locale: use fmt"),
                         (LOCALISED, "writes a number by the locale: no 'L' in a format")):
         for match in what.finditer(code):

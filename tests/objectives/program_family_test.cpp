@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From the segments of a program to the stretches of its motions: where breakpoints fall.
-#include "objectives/program_family.hpp"
+#include "objectives/scene_model.hpp"
 
 #include <gtest/gtest.h>
 

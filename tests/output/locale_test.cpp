@@ -3,7 +3,7 @@
 // solves and writes is the same to the last byte.
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/certificate_json.hpp"

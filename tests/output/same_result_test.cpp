@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A result depends on the scene and its seed, not on what the process did before: the same scene again, in a
 // heap of another shape and with other leftovers in it, gives every digit again.
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/json/result_json.hpp"
 #include "studies/solve/solve.hpp"

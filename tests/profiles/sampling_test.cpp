@@ -3,7 +3,7 @@
 #include "profiles/sampling.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "test_turn.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -3,7 +3,7 @@
 #include "scene/scene.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 
 #include <gtest/gtest.h>
 

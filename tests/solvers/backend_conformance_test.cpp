@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One suite over every backend of the registry. A backend that this build leaves out is skipped by name.
-#include "core/counting_nlp.hpp"
-#include "core/derivative_check.hpp"
 #include "core/errors.hpp"
+#include "core/nlp.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/test_problems.hpp"
 #include "tests/support/refusal.hpp"

@@ -3,7 +3,7 @@
 // backends say of it.
 #include "benchmarks/outside/camshape.hpp"
 
-#include "core/derivative_check.hpp"
+#include "core/nlp.hpp"
 #include "solvers/registry.hpp"
 
 #include <gtest/gtest.h>

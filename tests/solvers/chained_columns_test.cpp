@@ -2,8 +2,8 @@
 // The problem with chained columns is the same problem: values, derivatives, optimum, multipliers.
 #include "solvers/chained_columns.hpp"
 
-#include "core/derivative_check.hpp"
 #include "core/errors.hpp"
+#include "core/nlp.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/test_problems.hpp"
 #include "tests/support/refusal.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt::testing_support {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability/table/scene_text.hpp"
 
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "scene/written_limits.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability/table/stability_report.hpp"
-#include "core/text/number_parsing.hpp"
+#include "core/text/parsing.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
 

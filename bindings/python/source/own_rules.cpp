@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bindings/python/source/own_rules.hpp"
+#include "bindings/python/source/parts.hpp"
 
 #include <fmt/format.h>
 

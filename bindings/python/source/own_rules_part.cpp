@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Numbers with partials, which functions of Python are called with, and the check of what they give.
-#include "bindings/python/source/own_rules.hpp"
 #include "bindings/python/source/parts.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What was found: the class Solution of Python.
-#include "bindings/python/source/columns.hpp"
 #include "bindings/python/source/parts.hpp"
 #include "output/page/page_html.hpp"
 #include "output/report/result_folder.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sweeps from Python: the rows of the command line's sweep, solved by threads of this process.
 #include "bindings/python/source/parts.hpp"
-#include "bindings/python/source/read_scene.hpp"
-#include "bindings/python/source/watch.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/words/study_text.hpp"
 #include "studies/pareto/sweep_front.hpp"
@@ -19,7 +17,6 @@
 #include <condition_variable>
 #include <exception>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <pybind11/numpy.h>

@@ -3,7 +3,7 @@
 // enclosure of the rule lies below the floor, if that of its slope excludes 0, or if that of its second
 // derivative is positive; it has at most one if that is negative. Otherwise it is bisected. After many
 // bisections value and slope are also enclosed by mean-value forms.
-#include "objectives/rules/maxima/piece_maxima.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
-#include "objectives/rules/maxima/piece_maxima.hpp"
 #include "splines/extrema.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 namespace camopt {

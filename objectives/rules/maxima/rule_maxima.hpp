@@ -7,10 +7,16 @@
 // found to round-off, with denser samples where a cubic approximates the rule poorly.
 #pragma once
 
+#include "core/numbers/extremum.hpp"
 #include "objectives/rules/model.hpp"
+#include "objectives/rules/point_rule.hpp"
+#include "splines/motion_chain.hpp"
 
 #include <Eigen/Core>
 
+#include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace camopt {
@@ -35,3 +41,57 @@ struct MaximaAlong {
 [[nodiscard]] Extremum largest_of(const std::vector<Extremum>& maxima);
 
 }  // namespace camopt
+
+namespace camopt::piece_maxima {
+
+// The parts of rule_maxima.cpp: maxima of a rule inside one piece of a motion. Private.
+
+/// One rule along one motion.
+struct Subject {
+    const PointRule& rule;
+    const Motion& motion;
+    const Eigen::VectorXd& q;
+
+    [[nodiscard]] double value(double x, Side side) const {
+        return rule.evaluate(motion.at(x, side), q).value;
+    }
+};
+
+struct Stretch {
+    double begin = 0.0, end = 0.0;
+};
+
+/// Effort limit for the pieces of one rule together. A motion far outside everything deliverable has
+/// thousands of maxima within round-off, which must not take seconds.
+struct Effort {
+    int enclosures = 0;   ///< remaining stretches
+    int evaluations = 0;  ///< remaining samples and roots of the slope
+
+    /// Many times the need of motions that satisfy, or nearly satisfy, their limits.
+    [[nodiscard]] static Effort of(std::size_t pieces);
+};
+
+/// Where the slope decreases through zero between `left` (> 0) and `right` (< 0).
+[[nodiscard]] double root_of_slope(const std::function<double(double x)>& slope, const Stretch& between,
+                                   const std::array<double, 2>& slopes);
+
+/// Both ends from inside and the maxima between, ascending: by samples, refined where a cubic through them
+/// does not approximate the rule. Not an enclosure. `least_samples`: of the slope, at least; all of them are
+/// evaluated, and each maximum is one of the samples, once the effort limit is reached.
+[[nodiscard]] std::vector<Extremum> sampled(const Subject& subject, const Stretch& piece, int least_samples,
+                                            Effort& effort);
+
+/// A piece on which y is the polynomial `y` of x − begin, or that of a part of a chain whose shape has
+/// enclosures.
+struct SmoothPiece {
+    Stretch piece;
+    Eigen::VectorXd y;
+    const ChainPart* part = nullptr;  ///< then `y` is empty
+};
+/// Every maximum inside the piece above `floor`, ascending, by enclosures of the rule, its slope and its
+/// second derivative: none is missed, each value is accurate to `accuracy`. Nullopt if the rule cannot be
+/// enclosed within the effort limit.
+[[nodiscard]] std::optional<std::vector<Extremum>> enclosed(const Subject& subject, const SmoothPiece& piece,
+                                                            double floor, double accuracy, Effort& effort);
+
+}  // namespace camopt::piece_maxima

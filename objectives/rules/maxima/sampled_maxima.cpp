@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Maxima of a rule on one piece by samples of its value and slope. Between two samples the cubic Hermite
 // interpolant replaces the rule; where it fails at the middle, the stretch is bisected.
-#include "objectives/rules/maxima/piece_maxima.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include "output/drawing/dxf/cam_dxf.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/scalar_search.hpp"
-#include "core/whole_turn.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/units.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
 
 #include <algorithm>

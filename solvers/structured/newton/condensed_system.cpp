@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/structured/newton/condensed_system.hpp"
-
-#include "solvers/structured/nlp_measures.hpp"
+#include "solvers/structured/linearized_problem.hpp"
+#include "solvers/structured/newton/newton_step.hpp"
 
 #include <algorithm>
 #include <cmath>

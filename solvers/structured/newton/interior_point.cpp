@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/interior_point.hpp"
 
+#include "solvers/structured/linearized_problem.hpp"
 #include "solvers/structured/newton/newton_step.hpp"
 #include "solvers/structured/newton/path_reduction.hpp"
-#include "solvers/structured/nlp_measures.hpp"
 
 #include <cstddef>
 #include <utility>

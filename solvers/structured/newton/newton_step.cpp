@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/newton/newton_step.hpp"
 
-#include "solvers/structured/nlp_measures.hpp"
+#include "solvers/structured/linearized_problem.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 // The variables follow by back-substitution. Only long trees are worth it: their sums are dense.
 #pragma once
 
-#include "solvers/structured/convex_model.hpp"
+#include "solvers/structured/interior_point.hpp"
 
 #include <Eigen/Core>
 

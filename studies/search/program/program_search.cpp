@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/program/program_search.hpp"
 
-#include "solvers/certificate/forget_proof.hpp"
+#include "solvers/certificate/certificate.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/text/number_parsing.hpp"
-
 #include "core/errors.hpp"
+#include "core/text/parsing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Laws with unequal parts against the symmetric law they come from: peaks, joint, continuity, refusals.
 #include "core/errors.hpp"
-#include "motions/laws/asymmetric_law.hpp"
 #include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/law_catalogue.hpp"
 

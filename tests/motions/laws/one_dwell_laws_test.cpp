@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The one-dwell laws against closed forms of their peaks, their conditions at the top, and their limits.
-#include "motions/laws/one_dwell_laws.hpp"
-
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "tests/support/refusal.hpp"

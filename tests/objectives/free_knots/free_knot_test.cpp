@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Free breakpoints: the form is the spline it says, its derivatives are those of the rows.
-#include "core/derivative_check.hpp"
+#include "core/nlp.hpp"
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "solvers/exchange/exchange.hpp"
 
 #include <gtest/gtest.h>

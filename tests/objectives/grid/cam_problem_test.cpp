@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid/cam_problem.hpp"
 
-#include "objectives/grid/curve_bounds.hpp"
 #include "objectives/scene_model.hpp"
+#include "splines/curve.hpp"
 #include "splines/extrema.hpp"
 
 #include <gtest/gtest.h>

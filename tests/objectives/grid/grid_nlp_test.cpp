@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Every term of the grid problem, both orders of derivative, against central differences.
-#include "objectives/grid/grid_nlp.hpp"
-
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/scene_model.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/grid/tied_problem.hpp"
-
+#include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "splines/extrema.hpp"
 

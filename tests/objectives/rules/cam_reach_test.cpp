@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // That the follower reaches the cam at rest is a row on the dimensions: exactly where their ranges do not
 // keep it anyhow, and kept exactly by cams that can be built.
-#include "objectives/rules/cam_reach.hpp"
-
 #include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
+#include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // One generic test for every limit of a cam: partials, and the shape (linear, convex) it claims.
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "tests/objectives/rules/plane_check.hpp"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
 #include "profiles/remote/remote_cam.hpp"
-#include "profiles/spatial/spatial_mechanism.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
 #include "tests/objectives/rules/plane_check.hpp"
 
 #include <gtest/gtest.h>

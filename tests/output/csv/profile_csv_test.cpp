@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/studies/cam_samples.hpp"
 

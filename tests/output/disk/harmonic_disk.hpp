@@ -3,7 +3,7 @@
 #pragma once
 
 #include "output/drawing/profile_shape.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 
 #include <cmath>
 #include <numbers>

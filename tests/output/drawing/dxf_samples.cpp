@@ -5,7 +5,7 @@
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "tests/studies/cam_samples.hpp"
 
 #include <cstdio>

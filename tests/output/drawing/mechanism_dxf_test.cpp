@@ -2,7 +2,7 @@
 // The drawings of remote and inverse cams, read back by the tests' own small reader and held against exact
 // points between their knots.
 #include "core/errors.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/report/result_folder.hpp"

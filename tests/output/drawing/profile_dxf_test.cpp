@@ -2,7 +2,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "tests/output/drawing/dxf_text.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/support/refusal.hpp"

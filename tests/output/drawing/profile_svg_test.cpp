@@ -2,7 +2,7 @@
 #include "core/units.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/drawing/cam_svg.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "studies/delivered/cam_summary.hpp"
 #include "tests/studies/cam_samples.hpp"

@@ -2,7 +2,7 @@
 // result.json of scenes with a cam, of programs, and of scenes that have no motion.
 #include "core/text/text_file.hpp"
 #include "output/json/result_json.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "tests/output/sample_solution.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "output/csv/motion_csv.hpp"
 #include "output/page/page_html.hpp"
 #include "output/view/shown_units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Writing a result folder evaluates each point of the cam once.
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/page/page_html.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "scene/cam_flanks.hpp"
-#include "scene/roller_guide.hpp"
-#include "scene/scene_faults.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/temporary_folder.hpp"
 

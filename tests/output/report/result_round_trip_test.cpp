@@ -3,7 +3,7 @@
 // was changed afterwards is refused.
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files and words of cams that drive both ways: tables of both sides, layers, remarks, what is refused.
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_export.hpp"
@@ -8,8 +8,7 @@
 #include "output/report/cam_files.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "output/words/solution_text.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/disk_sides.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"

@@ -3,12 +3,12 @@
 // reported: a row that is missing anywhere fails here, a new one is tested without an edit.
 #include "scene/limit_table.hpp"
 
-#include "core/numbers/range.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/key_words.hpp"
 #include "output/words/solution_text.hpp"
+#include "scene/key_row.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"

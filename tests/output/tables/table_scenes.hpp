@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/errors.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

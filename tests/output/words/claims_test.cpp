@@ -4,7 +4,7 @@
 #include "core/units.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Both sides of grooved and conjugate cams against positions of their rollers alone, and their quantities'
 // partials against differences.
-#include "profiles/disk/disk_sides.hpp"
-
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "tests/profiles/test_turn.hpp"
 
 #include <Eigen/Geometry>

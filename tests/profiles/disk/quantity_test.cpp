@@ -2,7 +2,7 @@
 // Quantities against the points, and their partials against fourth-order central differences, at random
 // states.
 #include "core/errors.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "tests/profiles/test_turn.hpp"
 
 #include <gtest/gtest.h>

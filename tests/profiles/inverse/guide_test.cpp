@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Guides: the reference shapes, psi and its derivatives against differences and against the paper's own
 // formulas of lines and circles, pieces that do not make a guide.
+#include "profiles/inverse/guide.hpp"
+
 #include "core/errors.hpp"
-#include "profiles/inverse/guide_points.hpp"
 #include "reference_machine.hpp"
 #include "tests/support/refusal.hpp"
 

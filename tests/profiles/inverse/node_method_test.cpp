@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The paper's approximate method: what converges with the number of nodes, and what does not.
-#include "profiles/inverse/node_method.hpp"
-
 #include "core/errors.hpp"
+#include "profiles/inverse/paper_guide.hpp"
 #include "reference_machine.hpp"
 #include "tests/support/refusal.hpp"
 

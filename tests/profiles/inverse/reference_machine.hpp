@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/units.hpp"
-#include "profiles/inverse/g1_guide.hpp"
-#include "profiles/inverse/inverse_feeder.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
+#include "profiles/inverse/paper_guide.hpp"
 
 namespace camopt::test {
 

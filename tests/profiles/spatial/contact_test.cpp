@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The flanks by envelope and by relative velocity, the pressure angle by its definition, contact lines,
 // grids.
-#include "profiles/spatial/contact.hpp"
-
 #include "core/errors.hpp"
+#include "profiles/spatial/spatial_analysis.hpp"
 #include "reference_cams.hpp"
-#include "scene/flank_grid.hpp"
+#include "scene/cam_flanks.hpp"
 #include "situations.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -3,7 +3,7 @@
 // every station, their partials by every number are those of differences, and the stations that do not bind
 // the pressure angle never have the largest one.
 #include "core/errors.hpp"
-#include "profiles/spatial/spatial_mechanism.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "situations.hpp"
 #include "tests/support/refusal.hpp"

@@ -8,7 +8,7 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
-#include "scene/flank_grid.hpp"
+#include "scene/cam_flanks.hpp"
 #include "tests/profiles/test_turn.hpp"
 
 #include <cmath>

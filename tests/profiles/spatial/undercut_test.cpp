@@ -2,7 +2,7 @@
 // The undercut function by its four definitions, and what it says: below the critical radius the flank's
 // normal never flips and the cutter takes nothing away, above it both happen.
 #include "core/errors.hpp"
-#include "profiles/spatial/interference.hpp"
+#include "profiles/spatial/spatial_analysis.hpp"
 #include "situations.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/soak/run/outcome.hpp"
 
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "studies/solve/solve.hpp"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exchange, repair, proof and verdict on a problem whose answer is known in closed form.
-#include "solvers/exchange/continuous_solve.hpp"
-
-#include "solvers/certificate/duality.hpp"
-#include "solvers/exchange/elastic.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "tests/solvers/exchange/disc_problem.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Nonlinear rows and problems that are not convex: known answers, Ipopt's answers, optimality conditions,
 // proofs, and every way to stop.
-#include "core/derivative_check.hpp"
 #include "core/errors.hpp"
-#include "solvers/certificate/duality.hpp"
+#include "core/nlp.hpp"
+#include "solvers/certificate/certificate.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "tests/solvers/structured/structured_curved_problems.hpp"

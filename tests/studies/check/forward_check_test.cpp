@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/check/point_curve.hpp"
 #include "tests/studies/cam_samples.hpp"

@@ -3,7 +3,7 @@
 // itself is found.
 #include "studies/check/scene_check.hpp"
 
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 

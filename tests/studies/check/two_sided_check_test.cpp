@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finished grooves and conjugate disks, by their points alone; and points that were spoiled.
 #include "core/units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/disk_sides.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/support/refusal.hpp"

@@ -4,7 +4,7 @@
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/laws/law_motion.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 

@@ -3,7 +3,7 @@
 #include "studies/compare/needed_base.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
 #include <gtest/gtest.h>

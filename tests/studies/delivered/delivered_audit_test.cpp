@@ -3,7 +3,7 @@
 // condition, every limit, whatever way the motion was found.
 #include "studies/delivered/delivered_audit.hpp"
 
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_conditions.hpp"
 #include "studies/solve/solve.hpp"

@@ -3,7 +3,7 @@
 // forces, figures, the forward check and the bounds of its size.
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/compare/needed_base.hpp"
 #include "studies/delivered/cam_summary.hpp"

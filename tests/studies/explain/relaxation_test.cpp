@@ -3,7 +3,7 @@
 // limits that give way together, and the time it may take.
 #include "studies/explain/relaxation.hpp"
 
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/finer_spline.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a user is told to change comes in time, in the order of its usefulness, and does make the scene
 // feasible: every change is written into the scene file as it is printed, and the file is solved.
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/view/key_words.hpp"
 #include "output/words/solution_text.hpp"

@@ -4,7 +4,7 @@
 #include "studies/inverse/inverse_forward.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/inverse/guide_points.hpp"
+#include "profiles/inverse/guide.hpp"
 #include "profiles/inverse/reference_machine.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -2,7 +2,7 @@
 // The optimised scene of an inverse cam, rebuilt from the delivered motion alone: rocker, pin and body from
 // positions with own formulas, the guide's tangent and curvature by differences.
 #include "core/units.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "studies/inverse/inverse_forward.hpp"

@@ -4,7 +4,7 @@
 // formulas that the optimizer saw.
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/papers/tappet_shedding.hpp"

@@ -2,7 +2,7 @@
 #include "studies/pareto/pareto_front.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 

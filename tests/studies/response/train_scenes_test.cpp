@@ -7,7 +7,7 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/response/train_figures.hpp"
-#include "objectives/rules/whole_motion_rule.hpp"
+#include "objectives/rules/point_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/json/json_text.hpp"

@@ -2,7 +2,7 @@
 // Hertz pressure and torque speak of a follower that touches its cam: limits on them make the cam regular,
 // and what is reported of a cam that cannot be touched is not a number. Pressure angles where the follower
 // rests.
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_report.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cam in the loop: proved optima and smallest cams of docs/theory/pressure_angle.md, flat faces, what is
 // left out.
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"

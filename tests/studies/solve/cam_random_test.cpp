@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random roller cams whose undercut limit is not convex: what is delivered satisfies every limit, nearly all
 // of it is proved, and more starts find nothing below what is proved.
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "solvers/certificate/box_proof.hpp"
 #include "studies/search/solve_without_explaining.hpp"
 #include "studies/solve/solve.hpp"

@@ -2,7 +2,7 @@
 // Limits set from C++ with nothing but their number: reported with key, unit and value all the same.
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"

@@ -3,7 +3,7 @@
 // |s'| β / |h|, |s''| β² / |h|, |s'''| β³ / |h| with that segment's own angle β and displacement h, the
 // lift where h is 0 or free. Everything is recomputed from the published knots and control points alone.
 #include "core/errors.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/solve/solve.hpp"

@@ -2,7 +2,7 @@
 // Whole turns: several spline segments optimized together, dwells and laws kept, joints as smooth as
 // promised.
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 

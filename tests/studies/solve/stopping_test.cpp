@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Time limits, iteration limits and Ctrl-C: the best feasible point so far is kept and labelled.
-#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 

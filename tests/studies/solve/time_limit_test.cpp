@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // solver.max_seconds is the time of everything: search, proof, tie-break, explanation.
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"

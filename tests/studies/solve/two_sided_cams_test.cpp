@@ -2,10 +2,9 @@
 // The example scenes with two sides: every limit, looked at again at many cam angles on either side by the
 // points alone, and what is reported beside it.
 #include "core/units.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/disk_sides.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A cam that cannot be built (an arm that does not reach) is never delivered under a verdict.
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/search/solve_without_explaining.hpp"
 #include "tests/studies/cam_scenes.hpp"

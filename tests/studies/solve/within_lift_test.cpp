@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // motion.within_lift and motion.monotone: a stroke stays between its ends, at no cost; strokes of very
 // unequal angles are proved; a free displacement is measured by the lift.
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"

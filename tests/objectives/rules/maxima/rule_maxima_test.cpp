@@ -3,14 +3,12 @@
 // hold what the formulas give.
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
-#include "core/numbers/range_along.hpp"
+#include "core/numbers/enclosures.hpp"
 #include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/maxima/piece_maxima.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/quantity_along.hpp"
+#include "profiles/disk/disk_cam.hpp"
 
 #include <gtest/gtest.h>
 
