@@ -5,7 +5,6 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/version.hpp"
-#include "output/plc/plc_format.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 #include "studies/sweep/sweep_run.hpp"
@@ -52,8 +51,7 @@ const char* examples =
     "a sweep was "
     "interrupted.\n";
 
-// Fewer do not make a cam; more than a file of some hundred megabytes holds is a slip of the keyboard.
-constexpr int least_points = 16, most_points = 1'000'000;
+constexpr int most_points = 1'000'000;  // more is a slip of the keyboard: some hundred megabytes
 
 struct Words {
     SolveRequest solve;
@@ -70,32 +68,8 @@ struct Words {
     SweepMergeRequest sweep_merge;
 };
 
-void add_settings(CLI::App& command, std::vector<std::string>& settings) {
-    command
-        .add_option("--set", settings,
-                    "Replace one key of the scene: KEY=VALUE, for example spline.segments=24")
-        ->type_name("KEY=VALUE");
-}
-
 void add_scene(CLI::App& command, std::string& scene) {
     command.add_option("SCENE", scene, "Scene file (TOML)")->type_name("");
-}
-
-/// How a command that solves may depart from the scene.
-template <class Request>
-void add_solving(CLI::App& command, Request& request) {
-    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
-        ->type_name("NAME");
-    add_settings(command, request.settings);
-}
-
-void add_units(CLI::App& command, std::string& units) {
-    command
-        .add_option("--units", units,
-                    "Lengths in reports: mm or in; default: as the scene is written. Data files keep "
-                    "the units in their columns")
-        ->type_name("UNIT")
-        ->check(one_of({name_of(LengthUnit::millimetre), name_of(LengthUnit::inch)}));
 }
 
 CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
@@ -165,190 +139,12 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
     return command;
 }
 
-/// Roughing, direction, ways in and out, words for the control.
-void add_milling(CLI::App& command, CLI::Option& nc, ExportRequest& request) {
-    const auto optional_number = [&](const char* name, std::optional<double>& target, const char* what) {
-        command.add_option(name, target, what)->type_name("NUMBER")->needs(&nc);
-    };
-    const auto whole = [&](const char* name, std::optional<int>& target, const char* what) {
-        command.add_option(name, target, what)->type_name("N")->needs(&nc);
-    };
-    const auto choice = [&](const char* name, std::string& target, const std::vector<std::string>& allowed,
-                            const char* what) {
-        command.add_option(name, target, what)->type_name("NAME")->needs(&nc)->check(CLI::IsMember(allowed));
-    };
-    optional_number("--rough-step-over-mm", request.rough_step_over_mm,
-                    "Largest distance between two roughing passes; default: half the cutter's diameter");
-    optional_number("--rough-step-down-mm", request.rough_step_down_mm,
-                    "Largest depth of a roughing layer; default: half the cutter's diameter");
-    optional_number(
-        "--finish-allowance-mm", request.finish_allowance_mm,
-        "What roughing leaves for the finishing pass, in addition to --stock-mm; default: 0.3, in a "
-        "groove at most the clearance of the cutter");
-    command
-        .add_flag("--full-depth", request.full_depth,
-                  "No roughing: the finishing pass cuts the full depth, and the program warns of the slot")
-        ->needs(&nc);
-    choice("--direction", request.direction, {"climb", "conventional"},
-           "climb or conventional; default: climb; a cutter as large as a drum's roller cuts both");
-    choice(
-        "--spindle", request.spindle, {"clockwise", "counterclockwise"},
-        "Direction of rotation, seen from the spindle: clockwise (M3, the default) or counterclockwise (M4)");
-    choice("--compensation", request.compensation, {"none", "control"},
-           "none (the default): the program is the path of the cutter's centre; control: of a plane cam, the "
-           "contour with G41 or G42 and D");
-    whole("--compensation-register", request.compensation_register,
-          "D of G41 and G42; default: the tool's number, or 1");
-    whole("--tool-number", request.tool_number,
-          "Calls the tool (T, M6); default: no tool call, and the program notes this");
-    optional_number(
-        "--lead-mm", request.lead_mm,
-        "Radius of the quarter circles into and out of a plane cam's contour; of a closed groove the "
-        "length of the move to its flank; default: the cutter's radius");
-    command
-        .add_option("--ramp-deg", request.ramp_deg,
-                    "Ramp angle of the cutter along a drum's groove; 90: straight")
-        ->type_name("NUMBER")
-        ->needs(&nc)
-        ->capture_default_str();
-}
-
-void add_nc(CLI::App& command, ExportRequest& request) {
-    CLI::Option* const nc =
-        command.add_flag("--nc", request.nc,
-                         "Write the NC program, cam.nc, and what its check found; a program that "
-                         "fails the check is not written, exit code 1");
-    command.add_option("--post", request.post, "Post-processor (TOML, docs/nc.md); default: a generic one")
-        ->type_name("FILE")
-        ->needs(nc);
-    const auto number = [&](const char* name, double& target, const char* what) {
-        command.add_option(name, target, what)->type_name("NUMBER")->needs(nc)->capture_default_str();
-    };
-    command
-        .add_option("--cutter-mm", request.cutter_mm,
-                    "Diameter of the cutter; default: the roller's, for plane cams 16")
-        ->type_name("NUMBER")
-        ->needs(nc);
-    const auto optional_number = [&](const char* name, std::optional<double>& target, const char* what) {
-        command.add_option(name, target, what)->type_name("NUMBER")->needs(nc);
-    };
-    optional_number("--blank-diameter-mm", request.blank_diameter_mm,
-                    "Diameter of the blank; default: the cam's and the allowance on either side");
-    optional_number("--blank-from-mm", request.blank_from_mm,
-                    "Where the blank begins along the cam's axis, from the origin; default: where the cam "
-                    "does, drums less the allowance");
-    optional_number("--blank-to-mm", request.blank_to_mm, "Where the blank ends, likewise");
-    number("--blank-allowance-mm", request.blank_allowance_mm,
-           "Allowance of the blank over the cam where its size is not given: around it, for drums also at "
-           "the ends");
-    number("--clearance-mm", request.clearance_mm,
-           "Height of the plane of rapids above the blank, at any angle of the table");
-    number("--safe-mm", request.safe_mm, "Least distance of rapids from the blank; closer moves are feeds");
-    number("--gouge-mm", request.gouge_mm,
-           "A program that enters the finished cam deeper (apart from chords and printed digits) is refused");
-    number("--stock-mm", request.stock_mm, "Left on the flanks for the next pass");
-    number("--z-offset-mm", request.z_offset_mm, "Subtracted from Z on a machine with five axes");
-    number("--chord-mm", request.chord_mm,
-           "Largest deviation of the cutter from its path between two blocks");
-    number("--feed-mm-min", request.feed_mm_min, "Feed of the cutter's tip in the cam");
-    number("--rotary-deg-s", request.rotary_deg_s, "Largest speed of a rotary axis; 0: no limit");
-    number("--spindle-rpm", request.spindle_rpm,
-           "Spindle speed; 0: none is written, and the program notes this");
-    add_milling(command, *nc, request);
-}
-
 CLI::App& add_report(CLI::App& program, ReportRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "report", "Write report.html and report.md of a result folder again; nothing is solved");
     command.add_option("DIR", request.folder, "The folder that `camopt solve SCENE --out DIR` wrote")
         ->type_name("")
         ->required();
-    return command;
-}
-
-CLI::App& add_export(CLI::App& program, ExportRequest& request) {
-    CLI::App& command = *program.add_subcommand("export",
-                                                "Write the cam of a scene, which is solved, or of a result "
-                                                "folder, which is used as it is, for CAD, CAM "
-                                                "and machine");
-    command
-        .add_option("WHAT", request.scene,
-                    "Scene file (TOML), or the folder that `camopt solve SCENE --out DIR` wrote: nothing is "
-                    "solved again")
-        ->type_name("");
-    command.add_option("--out", request.out, "Write the files here")->type_name("DIR")->required();
-    CLI::Option* const csv =
-        command.add_flag("--csv", request.csv,
-                         "table.csv: the motion evenly by cam angle, with or without a cam; and points of "
-                         "the cam: profile.csv, "
-                         "guide.csv, of three-dimensional cams flanks.csv, both flanks with normals");
-    command.add_option("--step-deg", request.step_deg, "Step of table.csv; --points is for the rest then")
-        ->type_name("NUMBER")
-        ->needs(csv);
-    command
-        .add_option(
-            "--columns", request.columns,
-            "Columns of table.csv between commas, for example theta_deg,s_mm,v_mm_s,a_m_s2; default: angle, "
-            "displacement, velocity, acceleration, jerk and, of plane cams, the pressure angle")
-        ->type_name("COLUMNS")
-        ->needs(csv);
-    constexpr int most_digits = 17;
-    command
-        .add_option("--digits", request.digits,
-                    "Significant digits in table.csv; default: as many as read back to the same number")
-        ->type_name("N")
-        ->check(CLI::Range(1, most_digits))
-        ->needs(csv);
-    command
-        .add_option(
-            "--plc", request.plc,
-            fmt::format("Electronic cam for a controller, read back and judged, and plc.json: {}; several "
-                        "between commas",
-                        fmt::join(plc_format_keys(), ", ")))
-        ->type_name("FORMAT")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(one_of(plc_format_keys()));
-    command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
-    command
-        .add_option("--drawing", request.sheet,
-                    "drawing.svg, drawing.pdf, drawing.dxf: the workshop drawing of a plane cam, to scale on "
-                    "A4 or A3, "
-                    "with what [drawing] says")
-        ->type_name("FORMAT")
-        ->check(one_of(drawing_formats()));
-    command.add_flag("--step", request.step,
-                     "Solid of a plane cam, cam.step; both flanks of a three-dimensional cam as B-spline "
-                     "surfaces, flanks.step");
-    command.add_flag("--stl", request.stl,
-                     "Solids: cam.stl of a plane cam; groove.stl and, of an indexing cam, cam.stl");
-    command.add_flag("--obj", request.obj, "cam.obj: three-dimensional cams for viewing");
-    command.add_flag("--picture", request.picture,
-                     "cam.svg: a shaded picture; of plane cams profile.svg, mechanism.svg or guide.svg");
-    constexpr int most_sections = 1000, most_angles = 100'000;
-    command.add_option("--sections", request.sections, "Points of a flank along the roller; default: 9")
-        ->type_name("N")
-        ->check(CLI::Range(2, most_sections));
-    command
-        .add_option("--points", request.points,
-                    "Points over one revolution: of table.csv (default 361), of a cam's points (as many as "
-                    "it needs), of "
-                    "an electronic cam (the joints of the motion)")
-        ->type_name("N")
-        ->check(CLI::Range(least_points, most_angles));
-    command
-        .add_option("--thickness-mm", request.thickness_mm,
-                    "Thickness of a plane cam; default: drawing.thickness_mm, else 20")
-        ->type_name("NUMBER")
-        ->check(CLI::PositiveNumber);
-    command
-        .add_option("--bore-mm", request.bore_mm,
-                    "Diameter of a plane cam's bore; default: drawing.bore_mm, else no bore")
-        ->type_name("NUMBER")
-        ->check(CLI::PositiveNumber);
-    add_nc(command, request);
-    add_solving(command, request);
-    add_units(command, request.units);
     return command;
 }
 

@@ -29,6 +29,24 @@ void refuse_empty_values(const CLI::App& program);
 /// For CLI::Option::check: one of these words, else an error with what was probably meant.
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
 
+// Options that several commands share.
+
+void add_settings(CLI::App& command, std::vector<std::string>& settings);
+void add_units(CLI::App& command, std::string& units);
+/// How a command that solves may depart from the scene.
+template <class Request>
+void add_solving(CLI::App& command, Request& request) {
+    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
+        ->type_name("NAME");
+    add_settings(command, request.settings);
+}
+
+/// Fewer do not make a cam.
+inline constexpr int least_points = 16;
+
+/// The command export.
+CLI::App& add_export(CLI::App& program, ExportRequest& request);
+
 // What could stand where the cursor is: `camopt __complete WORD …`, which the completions of bash, zsh and
 // fish beside this file ask. The last word is the one being typed, empty where none is begun.
 //
