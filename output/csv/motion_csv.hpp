@@ -3,18 +3,16 @@
 // is infinite or does not exist stays empty.
 //
 //   motion.csv   361 uniform cam angles over the motion, every breakpoint, and the peaks. Where the jerk
-//   jumps
-//                the angle stands in two rows: first as seen from the left, then from the right
+//                jumps the angle stands in two rows: as seen from the left, then from the right
 //   profile.csv  one side of a cam, one row a point. Radii are signed, > 0 convex. Of the loads the force
-//                along the normal and the Hertz pressure are empty where the follower cannot touch the cam as
-//                designed (studies/delivered/follower_loads.hpp). Cam frame of
+//                along the normal and the Hertz pressure are empty where the follower cannot touch the cam
+//                as designed (studies/delivered/follower_loads.hpp). Cam frame of
 //                output/drawing/profile_shape.hpp
 //   guide.csv    both walls of a guide in the frame of the body (origin: its pivot; x axis: through the
-//   roller
-//                where the body stands at angle 0): theta_deg, s_mm (the feeder's), middle_x_mm, middle_y_mm
-//                (the roller's centre), left_x_mm, left_y_mm, right_x_mm, right_y_mm (the walls, seen
-//                outwards), pressure_angle_deg, middle_radius_mm (> 0: bent to the left), regularity_left,
-//                regularity_right
+//                roller where the body stands at angle 0): theta_deg, s_mm (the feeder's), middle_x_mm,
+//                middle_y_mm (the roller's centre), left_x_mm, left_y_mm, right_x_mm, right_y_mm (the
+//                walls, seen outwards), pressure_angle_deg, middle_radius_mm (> 0: bent to the left),
+//                regularity_left, regularity_right
 //   table.csv    motion and plane cam at evenly spaced cam angles with the columns one asks for
 #pragma once
 

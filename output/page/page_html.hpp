@@ -6,14 +6,12 @@
 //   page          "report"
 //   camopt, title
 //   verdict       key (of Verdict, or "open": not proved yet), tone ("good", "fair", "bad", "open"),
-//   headline,
-//                 sentences[]
+//                 headline, sentences[]
 //   figures[]     name, value: what stands first, as texts
 //   reference     null without a law to compare with; title, sentences[]
-//   angle         unit, from, to, values[]: cam angles of all curves and poses, ascending. They are the rows
-//   of
-//                 motion.csv, two where the jerk jumps (seen from the left, then from the right), and after
-//                 the motion those of the dwell that closes the cam
+//   angle         unit, from, to, values[]: cam angles of all curves and poses, ascending. They are the
+//                 rows of motion.csv, two where the jerk jumps (seen from the left, then from the right),
+//                 and after the motion those of the dwell that closes the cam
 //   curves[]      by cam angle:
 //     key, group ("motion", "cam", "forces"), title, symbol, unit, values[] (null: nothing to say there)
 //     beside        null, or unit and factor: value · factor is the same by the cam angle
@@ -26,10 +24,12 @@
 //   breakpoints[] cam angles
 //   drawing       null, or a plane cam and its mechanism in the frame that stands still:
 //     unit, rotation (+1 counterclockwise), center[x, y]
-//     outlines[]    name, closed, pitch (it is the path of a roller's centre), points[x, y, …] in the cam
-//     frame circles[]     name, radius about the centre turned[]      by angle: degrees by which the cam
-//     frame has turned contact[]     by angle: x, y parts[]       kind ("link", "circle", "pivot", "guide",
-//     "face"), name, radius, count (of points) and
+//     outlines[]    name, closed, pitch (it is the path of a roller's centre), points[x, y, …] in the
+//                   cam frame
+//     circles[]     name, radius about the centre
+//     turned[]      by angle: degrees by which the cam frame has turned
+//     contact[]     by angle: x, y
+//     parts[]       kind ("link", "circle", "pivot", "guide", "face"), name, radius, count (of points) and
 //                   points[x, y, …] by angle; a part that never moves has one set of points
 //   solid         null, or a three-dimensional cam (needs WebGL):
 //     unit, rotation, parts[] (name, closed, vertices[x, y, z, …], triangles[…]), roller (radius, length),
