@@ -11,8 +11,6 @@
 
 namespace camopt {
 
-[[nodiscard]] std::string result_json(const Solution& solution, const RunOrigin& origin = {});
-
 // Where a result comes from, so that the run can be repeated from its folder.
 
 struct RunOrigin {
@@ -22,5 +20,7 @@ struct RunOrigin {
     /// folder cannot be read back.
     std::string scene_text = {};
 };
+
+[[nodiscard]] std::string result_json(const Solution& solution, const RunOrigin& origin = {});
 
 }  // namespace camopt

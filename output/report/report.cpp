@@ -37,7 +37,7 @@ std::string pictures_of(const Solution& solution) {
     return "`camopt export` writes its flanks as points, surfaces and a solid, and the NC program.\n";
 }
 
-std::string table_text(const ViewTable& one) {
+std::string section_text(const ViewTable& one) {
     return markdown_text(one.table) + (one.note.empty() ? "" : "\n" + one.note + "\n");
 }
 
@@ -85,7 +85,7 @@ std::string infeasible_section(const Solution& solution, const std::vector<ViewT
     if (remarks.empty()) return {};
     std::string text = fmt::format("\n## {}\n\n{}", title_of_infeasible(solution), list_of(remarks));
     const auto changes = std::ranges::find(tables, "changes", &ViewTable::key);
-    return changes == tables.end() ? text : text + "\n" + table_text(*changes);
+    return changes == tables.end() ? text : text + "\n" + section_text(*changes);
 }
 
 std::string asked(const Scene& scene) {
@@ -170,7 +170,7 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     const std::vector<ViewTable> tables = result_tables(solution);
     const auto section = [&](std::string_view key) {
         const auto found = std::ranges::find(tables, key, &ViewTable::key);
-        return found == tables.end() ? "" : fmt::format("\n## {}\n\n{}", found->title, table_text(*found));
+        return found == tables.end() ? "" : fmt::format("\n## {}\n\n{}", found->title, section_text(*found));
     };
     std::string text =
         fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : printable(solution.scene.title));
