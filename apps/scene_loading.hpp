@@ -15,7 +15,7 @@ namespace camopt::apps {
 [[nodiscard]] std::vector<std::string> with_solver(std::vector<std::string> settings,
                                                    const std::string& solver);
 
-/// Throws InputError for whatever is wrong with the file or the settings (KEY=VALUE).
+/// Throws InputError for anything wrong with the file or the settings (KEY=VALUE).
 [[nodiscard]] Scene load_scene(const std::string& file, const std::vector<std::string>& settings);
 
 /// The same with the text of the scene as read: settings are worked into it (input::scene_with_overrides).

@@ -120,7 +120,7 @@ void RequestStream::get_local_ip_and_port(std::string& ip, int& port) const {
 constexpr const char* loopback = "127.0.0.1";
 constexpr const char* nothing_runs = "default-src 'none'; frame-ancestors 'none'";
 
-/// What the library would do in a thread of its own is done at once: it only takes a connection on.
+/// What the library would do in its own thread is done at once: it only takes a connection on.
 class AtOnce final : public httplib::TaskQueue {
  public:
     void enqueue(std::function<void()> work) override { work(); }
@@ -128,7 +128,7 @@ class AtOnce final : public httplib::TaskQueue {
 };
 
 /// Serves one request a connection. What follows the head of a refused request is never read, so no second
-/// one could hide in it; and no thread waits on a connection nobody uses.
+/// one could hide in it; and no thread waits on a connection no one uses.
 class LoopbackServer final : public httplib::Server {
  public:
     explicit LoopbackServer(const StudioServerOptions& options)

@@ -219,7 +219,7 @@ struct StudioSession::State {
             pages.front()->sequence = opening;
         }
         while (pages.size() > limits.pages) {
-            ++pages.back()->newest;  // what it still solves is for nobody
+            ++pages.back()->newest;  // what it still solves is for no one
             pages.pop_back();
         }
         return pages.front();

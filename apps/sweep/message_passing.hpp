@@ -48,7 +48,7 @@ using StartMessagePassing = MessagePassing* (*)();
 /// What mpirun says in the environment of every process it starts.
 struct RankLaunch {
     int rank = 0;
-    int size = 1;  ///< 1: nobody else, as without mpirun
+    int size = 1;  ///< 1: no one else, as without mpirun
 };
 
 /// Reads the environment of OpenMPI's mpirun and, for others, of the process managers PMI and PMIx.

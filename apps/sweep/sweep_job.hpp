@@ -108,10 +108,10 @@ class WorkFolder {
 
 // camopt sweep under mpirun: one sweep by all ranks, into one folder that they share.
 
-/// Rank 0 checks the rows, makes the folder, hands out the missing chunks one by one to whoever is free, and
-/// writes the table; every rank solves with --workers workers, 1 where it is not said, and writes what it
-/// finished. What the other ranks return is success. Throws InputError as a sweep without MPI does, from rank
-/// 0.
+/// Rank 0 checks the rows, makes the folder, hands out the missing chunks one by one to the rank or worker
+/// that is free, and writes the table; every rank solves with --workers workers, 1 where it is not said, and
+/// writes what it finished. What the other ranks return is success. Throws InputError as a sweep without MPI
+/// does, from rank 0.
 [[nodiscard]] ExitCode sweep_across_ranks(const SweepRequest& request, const RankLaunch& launch);
 
 }  // namespace camopt::apps

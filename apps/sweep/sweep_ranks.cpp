@@ -32,7 +32,7 @@ class RankCrew {
     /// Forks the leader, which waits for `tell`({begin}).
     RankCrew(const SweepRequest& request, int rank);
 
-    /// What rank 0 says to this rank: begin, chunk, no_more, stop. After stop nobody is left.
+    /// What rank 0 says to this rank: begin, chunk, no_more, stop. After stop no one is left.
     void tell(const RankMessage& message);
     /// What the leader says: asks, done, gone, wrong_input, error; waits at most so long. After `gone`,
     /// `wrong_input` and `error` nothing comes any more.

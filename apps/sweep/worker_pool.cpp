@@ -172,7 +172,7 @@ bool send_packet(int line, const void* data, std::size_t size) {
     return sent == static_cast<ssize_t>(size);
 }
 
-/// The number of bytes; 0 where nobody is there any more.
+/// The number of bytes; 0 where no one is there any more.
 std::size_t receive_packet(int line, void* data, std::size_t size) {
     ssize_t received = -1;
     do {
@@ -204,7 +204,7 @@ std::size_t receive_packet(int line, void* data, std::size_t size) {
 
 void become_worker(pid_t parent) {
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);
-    // Between fork and this call the parent may have died: then nobody would tell.
+    // Between fork and this call the parent may have died: then no one would tell.
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(0);
 }
 

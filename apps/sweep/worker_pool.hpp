@@ -15,7 +15,7 @@
 
 namespace camopt::apps {
 
-/// Units that come while the pool runs, from whoever hands them out to several pools.
+/// Units that come while the pool runs, from the code that hands them out to several pools.
 struct UnitSource {
     int line = -1;                               ///< a file descriptor, readable where an answer has come
     std::function<void()> ask;                   ///< one more unit is wanted
@@ -23,7 +23,7 @@ struct UnitSource {
 };
 
 struct PoolTask {
-    std::vector<int> units;            ///< handed out in this order, each to whoever is free
+    std::vector<int> units;            ///< handed out in this order, each to the rank or worker that is free
     std::optional<UnitSource> source;  ///< of further ones
     int workers = 1;                   ///< >= 1; never more than there are units
 
@@ -67,9 +67,9 @@ struct WorkerDuty {
     std::function<void(int line)> life;
 };
 
-/// In the worker: the next number that it was given; none: nobody is there any more.
+/// In the worker: the next number that it was given; none: no one is there any more.
 [[nodiscard]] std::optional<int> receive_number(int line);
-/// In the worker. Ends it where nobody is there any more.
+/// In the worker. Ends it where no one is there any more.
 void send_message(int line, const WorkerMessage& message);
 
 class WorkerProcess {

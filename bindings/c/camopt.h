@@ -27,7 +27,7 @@
 //
 // Units. x = cam angle / rise angle, y = displacement / lift; ' is d/dx; peaks are those of y', y'', y''' and
 // have no units. Everything else says its unit in its name, or has one beside it. A number that does not
-// exist is NaN. Text is UTF-8, with a decimal point whatever the locale.
+// exist is NaN. Text is UTF-8, with a decimal point regardless of the locale.
 #ifndef CAMOPT_H
 #define CAMOPT_H
 
@@ -147,7 +147,7 @@ typedef struct camopt_progress {
     int round;         ///< of the exchange of cam angles, from 1; 0: not known
     double incumbent;  ///< objective of the best motion so far
     double bound;      ///< that no motion can pass, proved so far
-    double violation;  ///< of the incumbent, relative to each limit; <= 0: all are kept
+    double violation;  ///< of the incumbent, relative to each limit; <= 0: all are satisfied
 } camopt_progress;
 
 typedef void (*camopt_progress_callback)(const camopt_progress* progress, void* user);
@@ -166,7 +166,7 @@ typedef struct camopt_solve_options {
 } camopt_solve_options;
 
 /// Finds the best motion of the scene. options: may be NULL. What came out is the solution's verdict, not an
-/// error: there is a solution also where nothing feasible exists (it says what would help), and where the
+/// error: there is a solution also where nothing feasible exists (it has suggested changes), and where the
 /// search was cancelled (with the best motion so far; without a motion where nothing had been found). Errors:
 /// INPUT, UNAVAILABLE (a solver that this build leaves out), CALLBACK, MEMORY.
 CAMOPT_C_API camopt_error camopt_solve(const camopt_scene* scene, const camopt_solve_options* options,
@@ -181,8 +181,8 @@ typedef enum camopt_verdict {
     CAMOPT_OPTIMAL = 0,   ///< proved: no motion of this spline space is better by more than the gap asked for
     CAMOPT_LOCAL = 1,     ///< no better motion near it; not proved to be the global optimum
     CAMOPT_FEASIBLE = 2,  ///< satisfies every limit
-    CAMOPT_INFEASIBLE = 3,  ///< no motion keeps the limits
-    CAMOPT_FAILED = 4       ///< nothing was found that keeps the limits, and nothing is proved
+    CAMOPT_INFEASIBLE = 3,  ///< no motion satisfies the limits
+    CAMOPT_FAILED = 4       ///< nothing was found that satisfies the limits, and nothing is proved
 } camopt_verdict;
 
 /// "optimal" of CAMOPT_OPTIMAL; "unknown" of what is none. Static.
@@ -200,7 +200,7 @@ typedef struct camopt_summary {
     double lower_bound;  ///< proved: no motion of the spline space is below
     double gap;          ///< (objective - lower_bound) / max(1, |objective|)
     double any_curve;    ///< the limit that no curve of any kind can pass
-    double violation;    ///< largest of any limit between samples too, relative; <= 0: all are kept
+    double violation;    ///< largest of any limit between samples too, relative; <= 0: all are satisfied
     double begin, end;   ///< x of the motion's ends
     double rise_deg;     ///< cam angle of one unit of x
     double lift;         ///< of one unit of y: mm, or deg where lift_is_angle
@@ -264,7 +264,7 @@ CAMOPT_C_API camopt_error camopt_constraint_count(const camopt_solution* solutio
 CAMOPT_C_API camopt_error camopt_constraint_at(const camopt_solution* solution, size_t index,
                                                camopt_constraint* constraint);
 
-/// What would help where the verdict is infeasible: the least change of one number, the most useful first.
+/// Suggested changes where the verdict is infeasible: the least change of one number, the most useful first.
 typedef struct camopt_relaxation {
     size_t size;
     const char* key;  ///< given, needed and solved are in its unit
@@ -345,7 +345,7 @@ typedef struct camopt_profile_point {
     double regularity;          ///< <= 0: undercut
 } camopt_profile_point;
 
-/// Places along the contact, each with a profile of its own: 1 of plane cams, heights and flanks of spatial
+/// Places along the contact, each with its own profile: 1 of plane cams, heights and flanks of spatial
 /// ones. ABSENT without a cam.
 CAMOPT_C_API camopt_error camopt_station_count(const camopt_solution* solution, size_t* count);
 /// "left wall", "100 % of the roller, flank -"; "" of plane cams. station: from 0; ARGUMENT beyond them.

@@ -49,7 +49,7 @@ inline constexpr double absent_number = std::numeric_limits<double>::quiet_NaN()
 template <class Struct>
 inline constexpr std::size_t first_size = sizeof(Struct);
 
-/// Throws Failure where size is smaller than any version of the struct had it, as where nobody has set it.
+/// Throws Failure where size is smaller than any version of the struct had it, as where no one has set it.
 void check_size(std::size_t size, std::size_t least, const char* name);
 
 /// Copies `value` into what the caller has of it; `size` of the target becomes the number of bytes filled.

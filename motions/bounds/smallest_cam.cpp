@@ -42,7 +42,7 @@ double helping_offset(const CamStroke& stroke) {
     return stroke.stroke == Stroke::rise ? stroke.offset : -stroke.offset;
 }
 
-/// The cam angle of the steepest stroke, whatever the rest says.
+/// The cam angle of the steepest stroke, regardless of the pressure angle at rest.
 double steepest_angle(const CamStroke& stroke, double prime_coordinate, double tangent) {
     const double slope = helping_offset(stroke) + tangent * prime_coordinate;
     if (!(slope > 0.0)) return std::numeric_limits<double>::infinity();

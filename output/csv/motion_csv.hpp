@@ -56,12 +56,12 @@ struct UniformTable {
     bool whole_turn = false;
     double last_step_deg = 0.0;  ///< less than the step where that does not divide the angle
 
-    /// "361 rows over the whole turn, 0 to 360 deg"
+    /// "361 rows over one revolution, 0 to 360 deg"
     [[nodiscard]] std::string words() const;
 };
 
 /// table.csv. The angle of row i is i times the step (end · i / (rows − 1) for a number of rows): no sum, so
-/// it does not drift, and the last row stands at the end exactly. The table goes over the whole turn where
+/// it does not drift, and the last row stands at the end exactly. The table goes over one revolution where
 /// the motion closes (RR with its dwell, a closed program), else to the end of the motion. At a breakpoint a
 /// value is that of the side after it, at the end that before. Throws InputError for a column that does not
 /// exist or that this solution does not have, naming those it has; for a step that is not in (0, end], and

@@ -56,7 +56,7 @@ double deviation_of(const PlaneCurve& curve, const Pair& pair, int samples) {
     return worst;
 }
 
-/// How far the curve strays from the point where it seems to stand still.
+/// How far the curve moves from the point where it seems to stand still.
 double deviation_from(const PlaneCurve& curve, const Pair& pair) {
     double worst = 0.0;
     for (int i = 1; i < fit_samples; ++i) {

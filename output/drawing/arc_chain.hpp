@@ -33,7 +33,7 @@ struct ArcVertex {
 
 struct ArcChainOptions {
     double tolerance = 1e-6;             ///< m, > 0: the largest deviation wanted
-    double longest_step = 0.5235987756;  ///< of the parameter, > 0: a pair of arcs reaches no farther
+    double longest_step = 0.5235987756;  ///< of the parameter, > 0: a pair of arcs reaches no further
 
     void validate() const;  ///< throws InputError
 };

@@ -176,7 +176,7 @@ class MechanismPage {
                 for (const Vector2d& point : shape.points) on.circle(point, on.px(4.5), "joint");
                 return;
             case MechanismShape::Kind::face:
-                return;  // a disk cam's, which has a picture of its own
+                return;  // a disk cam's, which has its own picture
             case MechanismShape::Kind::circle:
                 return on.circle(shape.points.front(), shape.radius, "roller");
             case MechanismShape::Kind::pivot:

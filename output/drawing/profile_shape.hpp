@@ -61,7 +61,7 @@ struct ProfileShape {
     return vector.head<2>();
 }
 
-/// The other side as a shape of its own; the shape must have one.
+/// The other side as its own shape; the shape must have one.
 [[nodiscard]] ProfileShape other_side(const ProfileShape& shape);
 
 /// Of the disk that a groove is cut into, m: the greatest of its outer flank and the wall; none: no groove.
@@ -71,7 +71,7 @@ struct ProfileShape {
 /// circle. Keeps what the shape keeps.
 [[nodiscard]] std::vector<ProfileShape> made_pieces(const ProfileShape& shape);
 
-/// Closed where the motion takes a whole turn and its end meets its begin.
+/// Closed where the motion takes one revolution and its end meets its begin.
 [[nodiscard]] ProfileShape profile_shape(const std::shared_ptr<const CamPoints>& points);
 [[nodiscard]] inline ProfileShape profile_shape(const DrivenMechanism& cam, const MotionChain& motion,
                                                 const MotionScale& scale) {

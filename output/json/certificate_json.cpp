@@ -12,7 +12,7 @@ namespace camopt {
 
 namespace {
 
-/// What is not said is as in a RowOrigin of its own: no remark, the side above x, one side.
+/// What is not said is as in its own RowOrigin: no remark, the side above x, one side.
 Json origin_json(const RowOrigin& origin) {
     Json json = {{"rule", origin.rule}, {"limit", origin.limit}};
     if (!origin.remark.empty()) json["remark"] = origin.remark;

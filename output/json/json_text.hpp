@@ -59,7 +59,7 @@ using Json = nlohmann::ordered_json;
 /// The figures of the delivered cam; null where there is none.
 [[nodiscard]] Json cam_json(const Solution& solution);
 
-// The verdict of a solve, alike in every file that holds one.
+// The verdict of a solve, the same in every file that holds one.
 
 /// {lower, gap, proof}: what the objective is proved to be no less than, and how.
 [[nodiscard]] Json bound_json(const Certificate& certificate);

@@ -104,7 +104,7 @@ struct CheckedProgram {
     [[nodiscard]] std::string fault() const;
 };
 
-/// Throws InputError for whatever is not valid. A program with a fault is returned with it.
+/// Throws InputError for anything that is not valid. A program with a fault is returned with it.
 [[nodiscard]] CheckedProgram checked_program(const Machine& machine, const PostProcessor& post, NcWork work);
 
 /// Reads program.program.text again and finds everything anew. Throws InputError for a text that cannot be

@@ -4,7 +4,7 @@
 //   centre = programmed path + side · radius · left normal          side +1: G41, −1: G42
 // The first block under compensation, a line, ends beside its programmed end. Around outer corners the cutter
 // rolls about the corner, at inner ones the two offsets meet. The block with G40, a line, goes from the
-// compensated end to its programmed one. Controls that mitre outer corners instead keep farther off by at
+// compensated end to its programmed one. Controls that mitre outer corners instead keep further off by at
 // most radius · (1 / cos(turn / 2) − 1): never nearer to the cam. Plane of X and Y, m.
 #pragma once
 
@@ -64,7 +64,8 @@ struct CutterInBlank {
 /// Axis values at `share` (0 … 1) of the way from `from` to the move's end.
 [[nodiscard]] Eigen::VectorXd values_along(const Eigen::VectorXd& from, const NcMove& move, double share);
 
-/// How far X, Y and Z go, m: no point between two shares a and b is farther from another than |b − a| of it.
+/// How far X, Y and Z go, m: no point between two shares a and b is further from the other than |b − a| of
+/// it.
 [[nodiscard]] double linear_length(const Eigen::VectorXd& from, const NcMove& move);
 
 }  // namespace camopt

@@ -2,7 +2,7 @@
 // The verifier's second half: the cutter along every move of the printed text, rapids too, without a gap.
 //
 //   rapids   never come nearer to the blank than `least_distance`. A control may run each axis of a rapid at
-//            a speed of its own, so not the straight way is looked at but every value of every axis between
+//            its own speed, so not the straight way is looked at but every value of every axis between
 //            the two ends. As long as an axis has no value yet, only what holds for any value counts.
 //   feeds    never enter the finished cam by more than `most_depth`; all axes in proportion, arcs round
 //            (path/cutter_compensation.hpp). A pass that roughs must leave its stock: there the cutter is

@@ -111,7 +111,7 @@ class PostTable {
         if (!node->is_table()) refuse(*node, key, "a table");
         return node->as_table();
     }
-    /// Throws for keys that nobody read.
+    /// Throws for keys that no one read.
     void finish() const {
         for (const auto& [key, node] : table_)
             if (std::find(known_.begin(), known_.end(), key.str()) == known_.end())

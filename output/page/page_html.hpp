@@ -91,7 +91,7 @@ struct PageDataOptions {
 [[nodiscard]] std::string page_laws(const View& view, std::span<const std::string> keys);
 
 // A page as one HTML file that loads nothing from anywhere: styles, scripts and data stand in it. Its policy
-// (Content-Security-Policy) lets it load nothing either, whatever the data says.
+// (Content-Security-Policy) lets it load nothing either, regardless of the data.
 
 struct PageHtml {
     std::string title;

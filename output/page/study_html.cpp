@@ -102,8 +102,8 @@ std::string comparison_html(const Comparison& comparison, const RunOrigin& origi
                       row.is_optimum() ? "good"
                       : row.feasible   ? ""
                                        : "bad");
-        // A law that does not keep the limits, or has an infinite peak that weighs, is nothing to measure by:
-        // its scene is the one it was tried on.
+        // A law that does not satisfy the limits, or has an infinite peak that weighs, is nothing to measure
+        // by: its scene is the one it was tried on.
         const bool measures = !row.is_optimum() && row.feasible && std::isfinite(row.objective);
         settings.push_back(measures
                                ? std::vector<std::string>{fmt::format("objective.reference=\"{}\"", row.key)}

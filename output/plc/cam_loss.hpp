@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far an electronic cam is from the motion it stands for: over the whole turn, not at samples.
+// How far an electronic cam is from the motion it stands for: over one revolution, not at samples.
 //
 // On a stretch where the motion is a polynomial the difference is one, and its greatest magnitude is found
 // from the sign changes of its derivative: exact but for rounding. On a stretch of a law it is searched for

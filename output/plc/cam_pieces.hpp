@@ -16,7 +16,7 @@
 
 namespace camopt {
 
-// A delivered motion as an electronic cam sees it: the slave over the master, the whole turn, dwells too.
+// A delivered motion as an electronic cam sees it: the slave over the master, one revolution, dwells too.
 //
 // Master θ in degrees from 0; slave s in mm, of a swinging output in degrees; derivatives by the degree:
 // dʳs/dθʳ in mm/degʳ (deg/degʳ). At a joint each side has its own value.
@@ -25,7 +25,7 @@ class MasterCurve {
     /// turn: Solution::whole_turn.
     MasterCurve(MotionChain turn, const MotionSpec& motion);
 
-    [[nodiscard]] double end() const { return breakpoints_.back(); }  ///< deg; a whole turn is 360 exactly
+    [[nodiscard]] double end() const { return breakpoints_.back(); }  ///< deg; one revolution is 360 exactly
     /// Ascending, deg, from 0 to the end.
     [[nodiscard]] const std::vector<double>& breakpoints() const { return breakpoints_; }
 

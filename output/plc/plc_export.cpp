@@ -41,7 +41,7 @@ ShownLoss shown_loss(const Solution& solution, const MasterCurve& curve, std::si
     return {figure_not_exceeded(std::abs(unit.per_normalised) * normalised), unit.name};
 }
 
-/// One line of ASCII, whatever the title holds: an editor of a controller may know no other letters.
+/// One line of ASCII, regardless of the title: an editor of a controller may know no other letters.
 std::string plain_line(const std::string& text) {
     std::string line;
     for (std::size_t i = 0; i < text.size(); ++i) {

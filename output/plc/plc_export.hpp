@@ -2,7 +2,7 @@
 // The delivered motion as electronic cams: the files, what reading them back as the controllers do found, and
 // plc.json, which says it for programs.
 //
-// lossless: over the whole turn s stays within 1e-12 of the lift, and s', s'', s''' within 1e-9 of their
+// lossless: over one revolution s stays within 1e-12 of the lift, and s', s'', s''' within 1e-9 of their
 // peaks (they magnify the rounding of s).
 //
 // plc.json: { "camopt", "scene", "master": {"unit", "end"}, "slave": {"unit", "lift", "travel", "closes"},

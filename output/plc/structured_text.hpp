@@ -37,7 +37,7 @@ struct StElements {
 /// element whose field is assigned twice.
 [[nodiscard]] StElements read_assignments(std::string_view text);
 
-/// Throws InputError where the text is no number. The decimal sign is a point, whatever the locale.
+/// Throws InputError where the text is no number. The decimal sign is a point, regardless of the locale.
 [[nodiscard]] double number_of(std::string_view text);
 [[nodiscard]] float real_of(std::string_view text);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of a delivered plane cam, of whatever kind, as texts: its points, its pictures, its drawing. A
+// The files of a delivered plane cam, of any kind, as texts: its points, its pictures, its drawing. A
 // new kind of plane cam is a row of cam_files.cpp.
 //
 //   disk     profile.csv, profile.svg, profile_diagrams.svg, profile.dxf; with forces forces.svg

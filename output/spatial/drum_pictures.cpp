@@ -205,7 +205,7 @@ std::string developed_svg(const Drum& drum) {
     const auto axis_point = [&](std::size_t k, double part) {
         return grid.feet[k] + part * drum.cam.roller_length * grid.directions[k];
     };
-    // The end of the roller that is farther out.
+    // The outer end of the roller.
     const auto radius_of = [&](double part) {
         double sum = 0.0;
         for (std::size_t k = 0; k < count; ++k) sum += axis_point(k, part).head<2>().norm();

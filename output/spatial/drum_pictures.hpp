@@ -20,7 +20,7 @@ struct Solution;
 inline constexpr const char* drum_picture = "drum.svg";
 inline constexpr const char* developed_picture = "developed.svg";
 
-/// A drum with its motion over the whole turn.
+/// A drum with its motion over one revolution.
 struct Drum {
     const Solution& solution;
     const CamFlanks& cam;

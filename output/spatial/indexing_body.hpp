@@ -85,7 +85,7 @@ struct IndexingBodyOptions {
     void validate() const;  ///< throws InputError
 };
 
-/// motion: one whole turn over which s grows by the pitch of the rollers. Throws InputError for another, and
+/// motion: one revolution over which s grows by the pitch of the rollers. Throws InputError for another, and
 /// for rollers that do not leave the cam by its ends.
 [[nodiscard]] TriangleMesh indexing_body(const CamFlanks& cam, const FollowerMotion& motion,
                                          const IndexingBodyOptions& options = {});

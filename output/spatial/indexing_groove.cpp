@@ -24,7 +24,7 @@ constexpr double most_turns = 3.0;                   // of the way through the b
 constexpr double most_swing = 80.0 * units::degree;  // of the follower where the roller leaves
 constexpr double wall = 1.25, way_beyond = 0.05;     // of the roller's radius: see the header
 constexpr int halvings = 30, outside_samples = 90;
-// Where else the roller is looked for, and how far it must reach to count.
+// Where else the roller is searched for, and how far it must reach to count.
 constexpr double window_step = 2.0 * units::degree, least_way = 1e-7, near_roller = 1e-3;
 constexpr int window_steps = 30, most_rounds = 12, sections = 20;
 

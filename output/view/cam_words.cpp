@@ -131,7 +131,7 @@ bool is_told(const FigureRow<CamSummary>& row, const CamReport& cam) {
     return row.unit != &Units::number || !cam.cam.formulas->undercut_words().empty();
 }
 
-/// Both sides lean alike: what is common stands above.
+/// Both sides lean equally: what is common stands above.
 bool leans_alike(const CamSummary& summary) {
     return summary.sides.front().pressure_angle.value == summary.sides.back().pressure_angle.value;
 }

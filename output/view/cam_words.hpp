@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cam of a solution in words, of whatever kind: dimensions and figures, in the units of shown_units.hpp.
+// The cam of a solution in words, of any kind: dimensions and figures, in the units of shown_units.hpp.
 #pragma once
 
 #include "output/view/number_text.hpp"

@@ -9,8 +9,8 @@
 // deg/s³ these), and beside it by the cam angle in mm/rad, mm/rad², mm/rad³
 // (swinging: deg/deg …). Without a speed it stands by the cam angle only. Where the scene is written in
 // inches (Scene::length_unit) in, in/s, in/s², in/s³ and in/rad take their places. Angles are in degrees,
-// forces in N and N m, pressures in MPa, whatever the lengths are in. Files keep the units that their columns
-// say: mm (file_units).
+// forces in N and N m, pressures in MPa, in inches too. Files keep the units that
+// their columns say: mm (file_units).
 #pragma once
 
 #include "core/units.hpp"
@@ -76,7 +76,7 @@ struct ShownUnits {
 /// The same of a motion alone.
 [[nodiscard]] ShownUnits shown_units(const MotionSpec& motion, LengthUnit length = LengthUnit::millimetre);
 
-/// Of files whose names say mm, whatever the scene is written in.
+/// Of files whose columns and keys say mm, also for a scene written in inches.
 [[nodiscard]] inline ShownUnits file_units(const Scene& scene) {
     return shown_units(scene.motion);
 }

@@ -23,7 +23,7 @@ constexpr double worth_naming = 0.02;  // of a limit's heaviest row: lighter row
 constexpr std::size_t most_stretches = 3;
 constexpr int short_angle_digits = 3;
 
-/// Where a limit bites.
+/// Where a limit is active.
 struct ConflictStretch {
     double begin = 0.0, end = 0.0, weight = 0.0;  ///< x
 };

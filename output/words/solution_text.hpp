@@ -49,7 +49,7 @@ namespace camopt {
 
 // Why a scene has no motion, and what would have to change, in the user's words.
 
-/// "The pressure angle limit at 23.4 deg fights the cam radius limit at 12 deg: no spline of 12 cubic
+/// "The pressure angle limit at 23.4 deg conflicts with the cam radius limit at 12 deg: no spline of 12 cubic
 /// segments satisfies all limits." Which limits the proof rests on, heaviest first, and where; "cannot be
 /// kept" is said of those that are impossible by themselves, and of "any motion" only where that is proved of
 /// every motion. Empty where nothing is known of it.

@@ -36,7 +36,7 @@ std::string verdict_line(const std::vector<SweepRow>& rows) {
 
 std::string front_line(const SweepTable& table) {
     const auto count = std::ranges::count_if(table.rows, &SweepRow::on_front);
-    // Where no weight varies every row is a front of its own.
+    // Where no weight varies every row is its own front.
     if (count == 0 || std::ranges::none_of(table.columns.keys, is_weight_key)) return {};
     return fmt::format("  Pareto front: {} row{}, weighing {}\n", count, count == 1 ? "" : "s",
                        fmt::join(table.columns.criteria, ", "));

@@ -50,7 +50,7 @@ namespace camopt {
 /// "pressure angle 36.2 deg, 6.2 above 30".
 [[nodiscard]] std::string broken_words(const LimitOutcome& outcome);
 
-/// One entry a broken limit, the heaviest (by the scale of the limit) first.
+/// One entry a violated limit, the heaviest (by the scale of the limit) first.
 [[nodiscard]] std::vector<std::string> broken_limits(const ComparisonRow& row);
 
 /// "base mm" or "base in", and the radius in it; "none" where none helps; empty where the scene limits no

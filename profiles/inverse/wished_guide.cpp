@@ -13,7 +13,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int grid = 2000;  // places between two joints where peaks are looked for
+constexpr int grid = 2000;  // places between two joints where peaks are searched
 
 double rise_begin(const FeederWish& wish) {
     return time_at(wish.stroke, wish.from);

@@ -8,8 +8,8 @@
 // them, between two lines that point to the pivot. The objective of the motion (camopt::solve) is thereby
 // that of the guide. Where both strokes have a constant acceleration from and to rest at the same place, the
 // return is the forward motion run backwards, faster: its velocities are larger by sqrt(a_r/a_f), its
-// accelerations by a_r/a_f, whatever the guide. Then the best guide of one stroke is the best of both.
-// Lengths m, angles rad, time s.
+// accelerations by a_r/a_f, regardless of the guide. Then the best guide of one stroke is the best of
+// both. Lengths m, angles rad, time s.
 #pragma once
 
 #include "core/motion.hpp"

@@ -106,7 +106,7 @@ py::object motion_picture(const SolvedScene& solved) {
     return py::str(motion_svg(of(solved)));
 }
 
-/// As an image of its own: the styles of two pictures in one page would meet.
+/// As its own image: the styles of two pictures in one page would meet.
 std::string image(const std::string& svg) {
     const py::object encoded = py::module_::import("base64").attr("b64encode")(py::bytes(svg));
     return fmt::format("<img style=\"max-width:100%\" src=\"data:image/svg+xml;base64,{}\">",

@@ -96,7 +96,7 @@ class Crew {
         };
     }
 
-    /// In a handler: ends the sweep with the exception at hand, the first of them.
+    /// In a handler: ends the sweep with the current exception, the first of them.
     void fail() {
         const std::lock_guard lock(mutex_);
         if (!failure_) failure_ = std::current_exception();

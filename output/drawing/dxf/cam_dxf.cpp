@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 
 constexpr double closing = 1e-9;  // of the largest radius: ends this close are one point
 constexpr int reversal_bisections = 60;
-constexpr int sign_samples = 3600;  // in which the reversals of an undercut outline are looked for
+constexpr int sign_samples = 3600;  // in which the reversals of an undercut outline are searched for
 
 /// The mechanism's cam at any x of the motion.
 class Outline {
