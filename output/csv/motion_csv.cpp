@@ -176,7 +176,7 @@ UniformTable uniform_table(const View& view, const UniformTableOptions& options)
         const double x = last ? motion.end() : place_on(breakpoints, theta / view.units.degrees_per_x);
         TableRow row{theta, motion.at(x, side)};
         row.motion.x = x;
-        if (plane) row.cam = &view.delivered.cam->at(row.motion, side, 0);
+        if (plane) row.cam = &view.delivered.cam->at(row.motion, 0);
         if (loads) row.loads = loads(row.motion, *row.cam);
         for (std::size_t i = 0; i < columns.size(); ++i)
             table.text += (i == 0 ? "" : ",") + cell_text(columns[i]->value(spec, row), options.digits);

@@ -125,7 +125,7 @@ Delivered sample_delivered(const Solution& solution) {
     const int stations = solution.cam->cam.formulas->stations();
     for (DeliveredRow& row : all.rows) {
         for (int station = 0; station < stations; ++station)
-            row.cam.push_back(all.cam->at(row.motion, row.side, station));
+            row.cam.push_back(all.cam->at(row.motion, station));
         if (loads) row.loads = loads(row.motion, row.cam.front());
     }
     return all;

@@ -32,19 +32,18 @@ MotionPoint CamPoints::motion_at(double x) const {
 }
 
 const MechanismPoint& CamPoints::at(double x, int station) const {
-    const MotionPoint point = motion_at(x);
-    return at(point, point.x < motion_.end() ? Side::right : Side::left, station);
+    return at(motion_at(x), station);
 }
 
-const MechanismPoint& CamPoints::at(const MotionPoint& motion, Side side, int station) const {
-    const auto [found, is_new] = points_.try_emplace({motion.x, side, station});
+const MechanismPoint& CamPoints::at(const MotionPoint& motion, int station) const {
+    const auto [found, is_new] = points_.try_emplace(
+        {scale_.unit_angle * motion.x, motion.derivative[1], motion.derivative[2], station});
     if (is_new) found->second = mechanism_point(cam_, motion, scale_, station);
     return found->second;
 }
 
 std::size_t CamPoints::PlaceHash::operator()(const Place& place) const {
-    const auto [x, side, station] = place;
-    return std::hash<double>()(x) * 4 + (side == Side::left ? 2 : 0) + static_cast<std::size_t>(station);
+    return std::hash<double>()(std::get<0>(place)) + static_cast<std::size_t>(std::get<3>(place));
 }
 
 }  // namespace camopt

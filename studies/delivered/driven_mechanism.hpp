@@ -41,11 +41,12 @@ class CamPoints {
     /// x beyond the motion: its end. The side after a breakpoint, at the end that before.
     [[nodiscard]] MotionPoint motion_at(double x) const;
     [[nodiscard]] const MechanismPoint& at(double x, int station = 0) const;
-    /// `motion`: of this motion at `x`, seen from that side.
-    [[nodiscard]] const MechanismPoint& at(const MotionPoint& motion, Side side, int station) const;
+    /// `motion`: of this motion, from either side.
+    [[nodiscard]] const MechanismPoint& at(const MotionPoint& motion, int station) const;
 
  private:
-    using Place = std::tuple<double, Side, int>;
+    /// θ, y', y'', station: a point does not depend on more.
+    using Place = std::tuple<double, double, double, int>;
     struct PlaceHash {
         std::size_t operator()(const Place& place) const;
     };

@@ -37,7 +37,8 @@ Solution sample(FollowerType follower) {
     Solution solution = test::cam_solution();
     solution.motion = std::make_shared<MotionChain>(test::turn_motion("modified_sine"));
     solution.scene.motion.type = MotionType::program;
-    solution.scene.motion.segments = {{.angle = test::sample_scale(follower).unit_angle}};
+    solution.scene.motion.segments.resize(1);
+    solution.scene.motion.segments[0].angle = test::sample_scale(follower).unit_angle;
     solution.scene.motion.lift = test::sample_scale(follower).lift;
     solution.scene.motion.lift_is_angle = is_oscillating(follower);
     solution.cam->cam = disk_mechanism(test::sample_cam(follower));
