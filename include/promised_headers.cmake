@@ -237,7 +237,7 @@ is a value: copies share their motions, which are constant.]]
   studies/delivered/solution.hpp)
 camopt_promise(solve [[
 A scene goes in; the best motion comes out, with its exact peaks, the cam and the proof: solve(scene,
-control).
+control). plan(scene) says what solve() will do, without a solve.
 
 Throws InputError for a wrong scene, UnavailableError for a backend this build leaves out. Every numerical
 outcome is a Verdict. Threads may solve at once, the same scene too; Ipopt's turns are taken one after

@@ -13,8 +13,7 @@
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/laws/law_motion.hpp"
-#include "studies/search/program/solve_free_angles.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 

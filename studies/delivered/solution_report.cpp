@@ -165,6 +165,16 @@ void report_delivered(Solution& solution, MotionAndCam delivered) {
     judge_activity(solution);
 }
 
+void add_to_design(Solution& solution, std::vector<std::string> names, std::span<const double> values) {
+    DesignReport& design = solution.design;
+    Eigen::VectorXd all(static_cast<Eigen::Index>(values.size()) + design.values.size());
+    all << Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())),
+        design.values;
+    names.insert(names.end(), design.names.begin(), design.names.end());
+    design.names = std::move(names);
+    design.values = std::move(all);
+}
+
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
     const CamModel& model = problem.model();
     const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));

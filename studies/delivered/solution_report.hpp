@@ -13,6 +13,9 @@ namespace camopt {
 /// report_delivered of the optimizer's x, and the design.
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x);
 
+/// Numbers that were searched too are entries of the design like any other, before the others.
+void add_to_design(Solution& solution, std::vector<std::string> names, std::span<const double> values);
+
 /// What a solve delivers: all that is reported of the motion and its cam follows from it and the scene. Of a
 /// DRD or RR scene one spline, of a program one part a segment.
 struct MotionAndCam {

@@ -8,8 +8,7 @@
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/finer_spline.hpp"
 #include "studies/explain/value_search.hpp"
-#include "studies/search/solve_from_starts.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/explain/adjustment.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/independent_cam.hpp"
 

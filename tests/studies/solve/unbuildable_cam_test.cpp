@@ -3,7 +3,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/program/solve_free_angles.hpp"
+#include "studies/search/free_angles.hpp"
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/motion/set_points.hpp"
+#include "solvers/certificate/forget_proof.hpp"
+#include "studies/delivered/solution_report.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
+#include <string>
 
 namespace camopt {
 
@@ -25,12 +30,21 @@ constexpr int most_angle_moves = 400;
 constexpr int random_angles = 24;
 // Of a turn: a box narrower than this has nothing left to gain but rounding.
 constexpr double narrowest_box = 1e-12;
+// Part of the gap that a box may keep when it is closed.
+constexpr double closing_part_of_gap = 0.5;
+constexpr double step_growth = 2.0, step_shrink = 0.25;
+// Two ranges are one freedom: no step forth or back helps. Of more, a step along two at once might.
+constexpr std::size_t one_freedom = 2;
 
 /// Angles of the segments with a range.
 using Angles = std::vector<double>;
 
-struct AngleBox : ProvedBox {
+/// What is proved of a box of angles.
+struct AngleBox {
     Angles least, most;
+    double bound = 0.0;  ///< no cost is negative
+    bool infeasible = false;
+    std::shared_ptr<const DualityProof> proof = {};  ///< of the bound, or that nothing is feasible
 };
 
 bool rests_at_joint(const ProgramSegment& neighbour, bool at_its_end) {
@@ -46,31 +60,13 @@ bool is_normalised(const SetPoint& point) {
     return point.units.place.empty() && point.units.velocity.empty() && point.units.acceleration.empty();
 }
 
-/// Whether the least objective can only fall where an angle grows (solve_free_angles.hpp).
-bool falls_with_angles(const Scene& scene) {
-    if (scene.cam || !scene.own_terms.empty() || !scene.own_limits.empty()) return false;
-    // A mean over the turn weighs segments by their angles.
-    for (const CostTerm& term : cost_terms())
-        if (term.kind == CostTerm::Kind::rms && term.weight_in(scene.objective) > 0.0) return false;
-    const std::vector<ProgramSegment>& segments = scene.motion.segments;
-    const std::size_t count = segments.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (segments[i].kind != SegmentKind::spline) continue;
-        if (!std::ranges::all_of(segments[i].via, is_normalised)) return false;
-        if (!rests_at_joint(segments[(i + count - 1) % count], true) ||
-            !rests_at_joint(segments[(i + 1) % count], false))
-            return false;
-    }
-    return true;
-}
-
-class AngleSearch : public ProgramSearch {
+class AngleSearch {
  public:
-    AngleSearch(const Scene& scene, const SolveGiven& solve_given, const SolveControl& control)
-        : ProgramSearch(
-              scene, solve_given, control,
-              {"angles", "structured, the largest angles of each box", Reason::free_angles, two_ranges}),
-          falls_(falls_with_angles(scene)) {
+    AngleSearch(const Scene& scene, const SolvePlan& plan, const SolveControl& control)
+        : scene_(scene),
+          plan_(plan),
+          control_(control),
+          allowed_(std::min(plan.seconds, control.deadline.seconds_left())) {
         for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
             const ProgramSegment& segment = scene.motion.segments[i];
             if (!segment.angle_range) {
@@ -85,8 +81,8 @@ class AngleSearch : public ProgramSearch {
     }
 
     void run() {
-        try_angles(given_, time_for_boxes);
-        if (falls_) bound_boxes();
+        try_angles(given_, plan_.bounding_boxes);
+        if (plan_.proof == ProofKind::boxes) bound_boxes();
         if (!found() && !proved()) try_at_random();
         if (!proved() && found()) move_angles();
     }
@@ -94,19 +90,27 @@ class AngleSearch : public ProgramSearch {
     [[nodiscard]] Solution deliver();
 
  private:
-    // Two ranges are one freedom: no step forth or back helps. Of more, a step along two at once might.
-    static constexpr std::size_t two_ranges = 2;
-
+    [[nodiscard]] bool found() const { return best_.motion != nullptr; }
+    [[nodiscard]] double objective() const {
+        if (!found()) return infinity;
+        return best_.certificate.objective;
+    }
+    /// Seconds of a part of the time that are left.
+    [[nodiscard]] double left(double part) const { return part * allowed_ - watch_.seconds(); }
+    [[nodiscard]] bool out_of_time(double part);
+    /// A box of this bound holds nothing better worth the search.
+    [[nodiscard]] bool is_closed(const AngleBox& box) const {
+        return box.infeasible || box.bound >= objective() - closing_part_of_gap * scene_.solver.wanted_gap() *
+                                                                std::max(1.0, objective());
+    }
     [[nodiscard]] bool proved() const {
         return !boxes_.empty() &&
                std::ranges::all_of(boxes_, [&](const AngleBox& box) { return is_closed(box); });
     }
-    [[nodiscard]] bool counts(const Solution& solution) const override {
-        return solution.certificate.verdict != Verdict::failed;
-    }
 
     [[nodiscard]] std::vector<double> all_angles(const Angles& angles) const;
-    [[nodiscard]] Scene given(const Values& angles) const override;
+    [[nodiscard]] Scene given(const Angles& angles) const;
+    [[nodiscard]] Scene quick(const Angles& angles, double seconds) const;
     [[nodiscard]] bool narrow(AngleBox& box) const;
     [[nodiscard]] Angles inside(const AngleBox& box) const;
     bool try_angles(const Angles& angles, double part_of_time);
@@ -115,18 +119,36 @@ class AngleSearch : public ProgramSearch {
     void bound_boxes();
     void try_at_random();
     void move_angles();
+    [[nodiscard]] Solution best_solved() const;
     [[nodiscard]] std::string words(const AngleBox& box, std::size_t k) const;
-    void judge_boxes(Solution& solution) const;
-    void tell(Solution& solution) const;
+    void judge(Solution& solution) const;
+    void take_proofs(Solution& solution) const;
+    void report(Solution& solution) const;
 
-    bool falls_;
+    const Scene& scene_;
+    const SolvePlan& plan_;
+    const SolveControl& control_;
+    Stopwatch watch_;
+    double allowed_;
     double fixed_ = 0.0;                 ///< rad, of the segments without a range
     std::vector<std::size_t> searched_;  ///< the others
     AngleBox whole_;
     Angles given_;
+    Solution best_;
+    Angles best_angles_;
+    std::vector<Angles> tried_;
     std::vector<AngleBox> boxes_;  ///< together they hold everything
     int bounded_ = 0;
+    bool timed_out_ = false, settled_ = false;
 };
+
+bool AngleSearch::out_of_time(double part) {
+    if (control_.stopped()) return true;
+    const bool in_vain = !found() && control_.in_vain.passed();
+    if (!in_vain && left(part) > 0.0) return false;
+    timed_out_ = true;
+    return true;
+}
 
 std::vector<double> AngleSearch::all_angles(const Angles& angles) const {
     std::vector<double> all;
@@ -166,14 +188,34 @@ Angles AngleSearch::inside(const AngleBox& box) const {
     return angles;
 }
 
-Scene AngleSearch::given(const Values& angles) const {
+Scene AngleSearch::given(const Angles& angles) const {
     Scene scene = with_segment_angles(scene_, all_angles(angles));
     for (ProgramSegment& segment : scene.motion.segments) segment.angle_range.reset();
     return scene;
 }
 
+/// The scene for these angles, as fast as it goes: the search itself breaks no ties.
+Scene AngleSearch::quick(const Angles& angles, double seconds) const {
+    Scene scene = given(angles);
+    scene.objective.tie_break = TieBreak::none;
+    scene.solver.name = "auto";
+    scene.solver.options.clear();
+    scene.spline.design = DesignKind::automatic;
+    scene.solver.max_seconds = seconds;
+    return scene;
+}
+
+/// Whether angles that were not tried yet are the best so far.
 bool AngleSearch::try_angles(const Angles& angles, double part_of_time) {
-    if (!try_values(angles, part_of_time)) return false;
+    if (std::ranges::find(tried_, angles) != tried_.end()) return false;
+    tried_.push_back(angles);
+    const double seconds = left(part_of_time);
+    if (seconds <= 0.0) return false;
+    Solution solution = solve_planned(quick(angles, seconds), control_);
+    const bool better = solution.motion && solution.certificate.objective < objective();
+    if (!better || solution.certificate.verdict == Verdict::failed) return false;
+    best_ = std::move(solution);
+    best_angles_ = angles;
     if (control_.progress) {
         const std::string line =
             fmt::format("{} sets of angles, objective {:.9g}", tried_.size(), objective());
@@ -186,9 +228,9 @@ bool AngleSearch::try_angles(const Angles& angles, double part_of_time) {
 
 void AngleSearch::bound(AngleBox& box) {
     ++bounded_;
-    const double seconds = left(time_for_boxes);
+    const double seconds = left(plan_.bounding_boxes);
     if (seconds <= 0.0) return;
-    Certificate certificate = solve_given_(quick(box.most, seconds)).certificate;
+    Certificate certificate = solve_planned(quick(box.most, seconds), control_).certificate;
     if (certificate.verdict == Verdict::infeasible && certificate.proof) {
         box.infeasible = true;
         box.proof = std::make_shared<DualityProof>(std::move(*certificate.proof));
@@ -218,7 +260,7 @@ void AngleSearch::bound_boxes() {
     if (!narrow(all)) return;
     bound(all);
     boxes_.push_back(std::move(all));
-    while (bounded_ < most_boxes && !proved() && !out_of_time(time_for_boxes)) {
+    while (bounded_ < most_boxes && !proved() && !out_of_time(plan_.bounding_boxes)) {
         const auto next = std::ranges::min_element(boxes_, [&](const AngleBox& one, const AngleBox& other) {
             if (is_closed(one) != is_closed(other)) return !is_closed(one);
             return one.bound < other.bound;
@@ -227,8 +269,8 @@ void AngleSearch::bound_boxes() {
         if (parts.empty()) return;
         boxes_.erase(next);
         for (AngleBox& part : parts) {
-            if (!out_of_time(time_for_boxes)) {
-                try_angles(inside(part), time_for_boxes);
+            if (!out_of_time(plan_.bounding_boxes)) {
+                try_angles(inside(part), plan_.bounding_boxes);
                 if (!is_closed(part)) bound(part);
             }
             boxes_.push_back(std::move(part));
@@ -238,7 +280,7 @@ void AngleSearch::bound_boxes() {
 
 void AngleSearch::try_at_random() {
     std::mt19937 engine(scene_.solver.seed);
-    for (int k = 0; k < random_angles && !found() && !out_of_time(time_for_boxes); ++k) {
+    for (int k = 0; k < random_angles && !found() && !out_of_time(plan_.bounding_boxes); ++k) {
         // A box around random corners holds angles that add up, or is passed over.
         AngleBox box = whole_;
         for (std::size_t i = 0; i < box.least.size(); ++i) {
@@ -246,7 +288,7 @@ void AngleSearch::try_at_random() {
             const double cut = box.least[i] + part * (box.most[i] - box.least[i]);
             (engine() % 2 == 0 ? box.least : box.most)[i] = cut;
         }
-        if (narrow(box)) try_angles(inside(box), time_for_boxes);
+        if (narrow(box)) try_angles(inside(box), plan_.bounding_boxes);
     }
 }
 
@@ -259,16 +301,16 @@ void AngleSearch::move_angles() {
         for (std::size_t from = 0; from < searched_.size() && !helped; ++from) {
             for (std::size_t to = 0; to < searched_.size() && !helped; ++to) {
                 const double passed = std::min(
-                    {step, best_values_[from] - whole_.least[from], whole_.most[to] - best_values_[to]});
+                    {step, best_angles_[from] - whole_.least[from], whole_.most[to] - best_angles_[to]});
                 if (from == to || passed < last_angle_step * units::turn) continue;
-                if (++moves > most_angle_moves || out_of_time(time_for_moves)) return;
-                Angles angles = best_values_;
+                if (++moves > most_angle_moves || out_of_time(plan_.moving_angles)) return;
+                Angles angles = best_angles_;
                 angles[from] -= passed;
                 angles[to] += passed;
-                helped = try_angles(angles, time_for_moves);
+                helped = try_angles(angles, plan_.moving_angles);
             }
         }
-        step = next_step(step, helped);
+        step *= helped ? step_growth : step_shrink;
     }
     settled_ = true;
 }
@@ -278,53 +320,119 @@ std::string AngleSearch::words(const AngleBox& box, std::size_t k) const {
                        box.least[k] / units::degree, searched_[k], box.most[k] / units::degree);
 }
 
-void AngleSearch::judge_boxes(Solution& solution) const {
-    std::vector<CaseProof> proofs;
+/// What is proved of the boxes, which together hold everything.
+void AngleSearch::take_proofs(Solution& solution) const {
+    Certificate& certificate = solution.certificate;
+    forget_proof(certificate);
+    certificate.cases.clear();
+    solution.solver.proof_source.clear();
+    const bool complete = !boxes_.empty() && std::ranges::all_of(boxes_, [](const AngleBox& box) {
+        return box.proof != nullptr;
+    });
+    if (!complete) return;
+    solution.solver.proof_source = "structured, the largest angles of each box";
+    const bool one = boxes_.size() == 1;  // it settles the whole
+    certificate.proof_kind = one ? ProofKind::duality : ProofKind::boxes;
+    const bool nothing = std::ranges::all_of(boxes_, &AngleBox::infeasible);
+    if (one || (nothing && !solution.motion)) certificate.proof = *boxes_.front().proof;
+    double bound = infinity;
     for (const AngleBox& box : boxes_) {
+        if (!box.infeasible) bound = std::min(bound, box.bound);
+        if (one) continue;
         std::vector<std::string> region;
         for (std::size_t k = 0; k < searched_.size(); ++k) region.push_back(words(box, k));
-        proofs.push_back({std::move(region), box.bound, box.infeasible, box.proof});
+        certificate.cases.push_back({std::move(region), box.bound, box.infeasible, box.proof});
     }
-    judge(solution, std::move(proofs), timed_out_);
+    if (!solution.motion) {
+        if (nothing) certificate.verdict = Verdict::infeasible;
+        return;
+    }
+    certificate.lower_bound = bound;
+    certificate.gap = relative_gap(certificate.objective, bound);
 }
 
-/// Angles in rad, so that they come back as they are.
-void AngleSearch::tell(Solution& solution) const {
-    solution.notes.push_back(fmt::format("searched angles: {} boxes bounded, {} sets of angles tried{}",
-                                         bounded_, tried_.size(),
-                                         falls_ ? "" : "; no bound over angles is known for such a scene"));
-    note_time(solution);
+/// From a verdict for given angles to one for all.
+void AngleSearch::judge(Solution& solution) const {
+    Certificate& certificate = solution.certificate;
+    const Verdict for_given = certificate.verdict;
+    certificate.verdict = Verdict::failed;
+    take_proofs(solution);
+    if (!solution.motion) {
+        certificate.reason = certificate.verdict == Verdict::infeasible ? Reason::limits_contradict
+                             : control_.stopped()                       ? Reason::interrupted
+                             : timed_out_                               ? Reason::time_limit
+                                                                        : Reason::no_feasible_point;
+        return;
+    }
+    certificate.verdict = for_given;
+    if (for_given == Verdict::failed || for_given == Verdict::infeasible) return;
+    const bool optimal = certificate.gap && *certificate.gap <= scene_.solver.wanted_gap();
+    const bool local = settled_ && best_angles_.size() == one_freedom && for_given <= Verdict::local;
+    certificate.verdict = optimal ? Verdict::optimal : local ? Verdict::local : Verdict::feasible;
+    certificate.reason = optimal ? Reason::none : local ? Reason::stationary : Reason::free_angles;
+    if (!optimal && control_.stopped()) certificate.reason = Reason::interrupted;
+    if (!optimal && timed_out_) certificate.reason = Reason::time_limit;
+}
+
+/// Angles are entries of the design like any other, in rad, so that they come back as they are.
+void AngleSearch::report(Solution& solution) const {
+    solution.notes.push_back(fmt::format(
+        "searched angles: {} boxes bounded, {} sets of angles tried{}", bounded_, tried_.size(),
+        plan_.proof == ProofKind::boxes ? "" : "; no bound over angles is known for such a scene"));
+    if (timed_out_)
+        solution.notes.emplace_back(
+            "the search for angles reached its time limit: the result depends on the machine");
     if (!solution.motion) return;
     std::vector<std::string> names;
     for (const std::size_t segment : searched_)
         names.push_back(fmt::format("motion.segments[{}].angle_rad", segment));
-    add_to_design(solution, std::move(names));
+    add_to_design(solution, std::move(names), best_angles_);
+}
+
+/// The best motion, solved as the scene asks where that is no worse. There is one.
+Solution AngleSearch::best_solved() const {
+    Scene scene = given(best_angles_);
+    scene.solver.max_seconds = std::max(left(1.0), allowed_ * (1.0 - plan_.moving_angles));
+    Solution last = solve_planned(scene, control_);
+    const double allowance = scene_.solver.wanted_gap() * std::max(1.0, objective());
+    const bool no_worse = last.motion && last.certificate.objective <= objective() + allowance;
+    return no_worse ? last : best_;
 }
 
 Solution AngleSearch::deliver() {
-    const Angles& angles = found() ? best_values_ : given_;
+    const Angles& angles = found() ? best_angles_ : given_;
     // Where there is no motion, the conflict of the given angles is told.
-    Solution solution = found() ? best_solved() : solve_given_(given(angles));
+    Solution solution = found() ? best_solved() : solve_planned(given(angles), control_);
     solution.scene = with_segment_angles(scene_, all_angles(angles));
     solution.seconds_solve = solution.seconds_total = watch_.seconds();
     solution.solver.convex = false;
     for (std::string& note : solution.notes) note = "for these angles: " + note;
-    judge_boxes(solution);
-    tell(solution);
+    judge(solution);
+    report(solution);
     return solution;
 }
 
 }  // namespace
 
-Scene with_segment_angles(const Scene& scene, const std::vector<double>& angles) {
-    Scene changed = scene;
-    for (std::size_t i = 0; i < angles.size(); ++i) changed.motion.segments[i].angle = angles[i];
-    keep_written(changed, scene.motion);
-    return changed;
+bool bounds_by_angles(const Scene& scene) {
+    if (scene.cam || !scene.own_terms.empty() || !scene.own_limits.empty()) return false;
+    // A mean over the turn weighs segments by their angles.
+    for (const CostTerm& term : cost_terms())
+        if (term.kind == CostTerm::Kind::rms && term.weight_in(scene.objective) > 0.0) return false;
+    const std::vector<ProgramSegment>& segments = scene.motion.segments;
+    const std::size_t count = segments.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (segments[i].kind != SegmentKind::spline) continue;
+        if (!std::ranges::all_of(segments[i].via, is_normalised)) return false;
+        if (!rests_at_joint(segments[(i + count - 1) % count], true) ||
+            !rests_at_joint(segments[(i + 1) % count], false))
+            return false;
+    }
+    return true;
 }
 
-Solution solve_free_angles(const Scene& scene, const SolveGiven& solve_given, const SolveControl& control) {
-    AngleSearch search(scene, solve_given, control);
+Solution solve_free_angles(const Scene& scene, const SolvePlan& plan, const SolveControl& control) {
+    AngleSearch search(scene, plan, control);
     search.run();
     return search.deliver();
 }

@@ -10,23 +10,16 @@
 // that does so most is split into two cases, it rises or it falls; together they hold everything.
 #pragma once
 
-#include "objectives/strokes.hpp"
 #include "studies/delivered/solution.hpp"
-
-#include <functional>
 
 namespace camopt {
 
 /// Whether the motion leaves the range of a stroke by more than the scene's tolerance.
 [[nodiscard]] bool leaves_its_strokes(const Solution& solution);
 
-/// The ordinary solve of a scene with these rules of its strokes.
-using SolveHeld = std::function<Solution(const HeldStrokes&)>;
-
-/// With rules for every stroke. Optimal within solver.gap of the least bound of all cases, infeasible where
-/// every case is.
-[[nodiscard]] Solution solve_held_strokes(const Scene& scene, const SolveHeld& solve,
-                                          const SolveControl& control);
+/// With rules for every stroke of a scene whose objective is near one. Optimal within solver.gap of the least
+/// bound of all cases, infeasible where every case is.
+[[nodiscard]] Solution solve_held_strokes(const Scene& scene, const SolveControl& control);
 
 /// Gives a solution the bound of a relaxation where that is the better one, and the verdict that follows.
 void take_bound_of_relaxation(Solution& solution, const Solution& relaxed);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/solve_held_strokes.hpp"
+#include "studies/search/held_strokes.hpp"
 
 #include "objectives/scene_model.hpp"
 #include "solvers/certificate/forget_proof.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 
@@ -31,8 +32,8 @@ struct Case {
 
 class DirectionSearch {
  public:
-    DirectionSearch(const Scene& scene, const SolveHeld& solve, const SolveControl& control)
-        : scene_(scene), solve_(solve), control_(control), family_(scene_family(scene, DesignKind::states)) {
+    DirectionSearch(const Scene& scene, const SolveControl& control)
+        : scene_(scene), control_(control), family_(scene_family(scene, DesignKind::states)) {
         for (const StrokeRange& stroke : strokes_of(scene, family_))
             if (stroke.is_free()) members_.push_back(stroke.member);
     }
@@ -56,7 +57,6 @@ class DirectionSearch {
 
  private:
     const Scene& scene_;
-    const SolveHeld& solve_;
     const SolveControl& control_;
     MotionFamily family_;
     std::vector<std::string> members_;  ///< of the free strokes
@@ -65,7 +65,7 @@ class DirectionSearch {
 
     [[nodiscard]] Case solved(std::vector<StrokeDirection> directions, const Case* whole) {
         ++solves_;
-        Case part{directions, solve_({true, directions})};
+        Case part{directions, solve_with_strokes(scene_, {true, directions}, control_)};
         const Certificate& certificate = part.solution.certificate;
         if (whole != nullptr) {
             part.bound = whole->bound;
@@ -181,15 +181,15 @@ class DirectionSearch {
 
 bool leaves_its_strokes(const Solution& solution) {
     const Scene& scene = solution.scene;
-    if ((!scene.motion.within_lift && !scene.motion.monotone) || !solution.motion) return false;
+    if (!solution.motion) return false;
     const std::vector<double> excursions =
         excursions_of(scene, scene_family(scene, DesignKind::states), *solution.motion);
     return std::ranges::any_of(excursions,
                                [&](double excursion) { return excursion > scene.solver.tolerance; });
 }
 
-Solution solve_held_strokes(const Scene& scene, const SolveHeld& solve, const SolveControl& control) {
-    return DirectionSearch(scene, solve, control).run();
+Solution solve_held_strokes(const Scene& scene, const SolveControl& control) {
+    return DirectionSearch(scene, control).run();
 }
 
 void take_bound_of_relaxation(Solution& solution, const Solution& relaxed) {

@@ -7,10 +7,14 @@
 // bound: within `solver.gap` of it the verdict is optimal, else local.
 #pragma once
 
-#include "studies/delivered/solution.hpp"
+#include "studies/search/planned_solve.hpp"
 
 namespace camopt {
 
-[[nodiscard]] Solution solve_free_knots(const Scene& scene, const SolveControl& control);
+[[nodiscard]] Solution solve_free_knots(const PlannedRun& run);
+
+/// Where the best breakpoints make a motion that leaves its lift: the best one on them that does not.
+[[nodiscard]] Solution solve_held_on_breakpoints(const Scene& scene, const Solution& first,
+                                                 const SolveControl& control);
 
 }  // namespace camopt

@@ -15,19 +15,17 @@
 // another by steps that shrink until none helps: local with two ranges, feasible with more.
 #pragma once
 
-#include "studies/search/program/program_search.hpp"
-
-#include <vector>
+#include "studies/delivered/solution.hpp"
+#include "studies/search/plan.hpp"
 
 namespace camopt {
 
-/// The scene with these angles: what was written in units, and limits in time, say what they said before. The
-/// ranges stay.
-[[nodiscard]] Scene with_segment_angles(const Scene& scene, const std::vector<double>& angles);
+/// Whether the least objective can only fall where an angle grows: boxes of angles can be bounded.
+[[nodiscard]] bool bounds_by_angles(const Scene& scene);
 
-/// solve_given: of scenes without ranges, whose angles need not add up to a turn. The solution's scene has
-/// the angles that were found.
-[[nodiscard]] Solution solve_free_angles(const Scene& scene, const SolveGiven& solve_given,
+/// Each set of angles is a scene without ranges, solved by its own plan; its angles need not add up to a
+/// turn. The solution's scene has the angles that were found.
+[[nodiscard]] Solution solve_free_angles(const Scene& scene, const SolvePlan& plan,
                                          const SolveControl& control);
 
 }  // namespace camopt
