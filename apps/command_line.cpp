@@ -11,7 +11,7 @@
 #include "core/version.hpp"
 #include "output/plc/plc_format.hpp"
 #include "scene/cost_table.hpp"
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include "input/keys/scene_keys.hpp"
 #include "output/csv/uniform_csv.hpp"
 #include "output/plc/plc_format.hpp"
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 
 #include <algorithm>
 #include <string_view>

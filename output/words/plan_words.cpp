@@ -75,8 +75,8 @@ std::vector<std::string> plan_lines(const SolvePlan& plan) {
     if (!plan.relaxations.empty() || plan.breakpoints > 0) lines.push_back("Steps: " + starts_sentence(plan));
     if (plan.strokes_first_free)
         lines.emplace_back(
-            "Strokes: first without the rules of motion.within_lift and motion.monotone, which are added only "
-            "if the motion leaves the range of a stroke");
+            "Strokes: rules of motion.within_lift and motion.monotone are added if the motion leaves a "
+            "range");
     if (!plan.next_solver.empty())
         lines.push_back(fmt::format("Without a proof: {} is tried next", plan.next_solver));
     if (plan.cost_scale != 1.0)

@@ -10,7 +10,7 @@
 #include "splines/curve.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/delivered/cam_summary.hpp"
-#include "studies/delivered/enclosed_limits.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 
 #include <Eigen/Core>
 

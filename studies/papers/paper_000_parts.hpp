@@ -4,7 +4,7 @@
 
 #include "profiles/inverse/g1_guide.hpp"
 #include "profiles/inverse/inverse_feeder.hpp"
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 
 #include <array>
 #include <span>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/free_angles.hpp"
-
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "scene/cost_table.hpp"
@@ -8,6 +6,7 @@
 #include "solvers/certificate/forget_proof.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/search/planned_solve.hpp"
+#include "studies/search/solve_steps.hpp"
 
 #include <fmt/format.h>
 

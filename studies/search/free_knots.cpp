@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/free_knots.hpp"
-
 #include "objectives/scene_model.hpp"
 #include "solvers/certificate/forget_proof.hpp"
 #include "solvers/counting_solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/search/free_knot_descent.hpp"
+#include "studies/search/solve_steps.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/held_strokes.hpp"
-
 #include "objectives/scene_model.hpp"
 #include "solvers/certificate/forget_proof.hpp"
 #include "studies/search/planned_solve.hpp"
+#include "studies/search/solve_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -34,8 +33,12 @@ class DirectionSearch {
  public:
     DirectionSearch(const Scene& scene, const SolveControl& control)
         : scene_(scene), control_(control), family_(scene_family(scene, DesignKind::states)) {
-        for (const StrokeRange& stroke : strokes_of(scene, family_))
-            if (stroke.is_free()) members_.push_back(stroke.member);
+        const std::vector<StrokeRange> strokes = strokes_of(scene, family_);
+        for (std::size_t k = 0; k < strokes.size(); ++k) {
+            if (!strokes[k].is_free()) continue;
+            free_.push_back(k);
+            members_.push_back(strokes[k].member);
+        }
     }
 
     [[nodiscard]] Solution run() {
@@ -59,7 +62,8 @@ class DirectionSearch {
     const Scene& scene_;
     const SolveControl& control_;
     MotionFamily family_;
-    std::vector<std::string> members_;  ///< of the free strokes
+    std::vector<std::size_t> free_;     ///< the strokes whose displacement is free
+    std::vector<std::string> members_;  ///< their names
     std::vector<Case> cases_;           ///< together they hold everything
     int solves_ = 0;
 
@@ -76,23 +80,14 @@ class DirectionSearch {
         if (certificate.proof && (better || part.infeasible()))
             part.proof = std::make_shared<DualityProof>(*certificate.proof);
         if (!part.solution.motion) return part;
-        const std::vector<double> excursions = free_excursions(*part.solution.motion);
+        const std::vector<double> excursions = excursions_of(scene_, family_, *part.solution.motion);
         double worst = scene_.solver.tolerance;
-        for (std::size_t k = 0; k < excursions.size(); ++k) {
-            if (directions[k] != StrokeDirection::open || excursions[k] <= worst) continue;
-            worst = excursions[k];
+        for (std::size_t k = 0; k < free_.size(); ++k) {
+            if (directions[k] != StrokeDirection::open || excursions[free_[k]] <= worst) continue;
+            worst = excursions[free_[k]];
             part.leaves = static_cast<int>(k);
         }
         return part;
-    }
-
-    [[nodiscard]] std::vector<double> free_excursions(const MotionChain& motion) const {
-        const std::vector<double> all = excursions_of(scene_, family_, motion);
-        const std::vector<StrokeRange> strokes = strokes_of(scene_, family_);
-        std::vector<double> free;
-        for (std::size_t k = 0; k < all.size(); ++k)
-            if (strokes[k].is_free()) free.push_back(all[k]);
-        return free;
     }
 
     [[nodiscard]] double best_objective() const {

@@ -8,8 +8,8 @@
 #include "solvers/registry.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/measured/measured_fit.hpp"
-#include "studies/search/free_angles.hpp"
 #include "studies/search/planned_solve.hpp"
+#include "studies/search/solve_steps.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,12 +9,9 @@
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"
-#include "studies/search/free_angles.hpp"
-#include "studies/search/free_knots.hpp"
-#include "studies/search/held_strokes.hpp"
 #include "studies/search/settled_scene.hpp"
+#include "studies/search/solve_steps.hpp"
 #include "studies/search/start_search.hpp"
-#include "studies/search/tie_break.hpp"
 
 #include <fmt/format.h>
 

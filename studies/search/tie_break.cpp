@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/tie_break.hpp"
-
 #include "objectives/grid/tied_problem.hpp"
 #include "solvers/exchange/continuous_solve.hpp"
 #include "solvers/structured/structured_solver.hpp"
+#include "studies/search/solve_steps.hpp"
 
 #include <algorithm>
 #include <array>

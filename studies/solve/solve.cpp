@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/solve/solve.hpp"
 
-#include "studies/explain/relaxation.hpp"
+#include "studies/explain/adjustment.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>

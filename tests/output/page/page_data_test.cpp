@@ -7,9 +7,9 @@
 #include "output/csv/motion_csv.hpp"
 #include "output/words/shown_units.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
-#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
+#include "studies/delivered/solution_report.hpp"
 #include "tests/output/sample_solution.hpp"
 
 #include <gtest/gtest.h>

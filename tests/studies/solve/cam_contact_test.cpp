@@ -3,7 +3,6 @@
 // and what is reported of a cam that cannot be touched is not a number. Pressure angles where the follower
 // rests.
 #include "profiles/disk/disk_mechanism.hpp"
-#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/explain/adjustment.hpp"
