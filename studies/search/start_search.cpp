@@ -124,21 +124,6 @@ Eigen::VectorXd padded(const Eigen::VectorXd& multipliers, int rows) {
     return all;
 }
 
-void judge_search(ContinuousResult& result, const StartSearch& search, const SolveControl& control) {
-    const Candidate& found = search.best().found;
-    Certificate& certificate = result.certificate;
-    certificate.objective = found.objective;
-    certificate.worst_violation = found.violation;
-    if (found.x.size() == 0) return;
-    result.x = found.x;
-    const Nlp& grid = search.problem().grid();
-    const int rows = grid.shape().constraints();
-    const double own = stationarity_of(grid, found.x, padded(search.best().multipliers, rows), active_row);
-    const double fitted =
-        stationarity_of(grid, found.x, fitted_multipliers(grid, found.x, active_row, control), active_row);
-    certificate.stationarity = std::isfinite(own) ? std::min(own, fitted) : fitted;
-}
-
 /// The entries whose motion is nearest to another one, of the same space written otherwise.
 Eigen::VectorXd same_motion(const MotionFamily& family, const MotionChain& motion) {
     std::vector<AffineRow> rows;
@@ -160,97 +145,6 @@ Eigen::VectorXd same_motion(const MotionFamily& family, const MotionChain& motio
             matrix(static_cast<Eigen::Index>(i), rows[i].columns[k]) = rows[i].weights[k];
     const Eigen::Map<const Eigen::VectorXd> right(values.data(), matrix.rows());
     return matrix.completeOrthogonalDecomposition().solve(right);
-}
-
-/// What bounding over boxes needs beside the search.
-struct BoxSearch {
-    const PosedScene& posed;
-    const JudgeOptions& judge;
-    const SolveControl& control;
-    std::optional<CamModel> model = {};
-    std::optional<BoxBound> bound = {};
-
-    [[nodiscard]] bool is_settled(double objective) const {
-        if (!bound) return false;
-        return bound->infeasible || relative_gap(objective, bound->bound) <= judge.gap;
-    }
-    /// Of the motion at hand; infinity: none.
-    void run(double objective, int parts) {
-        if (control.ending()) return;
-        if (!model)  // written in few variables
-            model = scene_model(posed.scene(), DesignKind::coefficients, posed.reference, posed.strokes);
-        BoxBoundOptions options;
-        options.gap = box_part_of_gap * judge.gap;
-        options.most_parts = parts;
-        const bool in_vain = !std::isfinite(objective);
-        bound = bound_over_boxes(*model, objective, options,
-                                 in_vain ? control.sooner(control.in_vain.seconds_left()) : control);
-    }
-    /// Its own motion, which breaks limits, as a point of another form of the problem.
-    [[nodiscard]] Eigen::VectorXd start(const CamProblem& problem) const {
-        if (!bound || bound->x.size() == 0) return {};
-        const CamProblem own(*model);
-        Eigen::VectorXd x = problem.start();
-        const MotionFamily& family = problem.model().design;
-        x.head(family.size()) =
-            same_motion(family, own.motion(bound->x)).cwiseQuotient(design_scales(problem.model()));
-        const auto parameters = static_cast<Eigen::Index>(problem.model().parameters.size());
-        if (own.model().parameters.size() == problem.model().parameters.size())
-            x.tail(parameters) = bound->x.tail(parameters);
-        return problem.completed(x);
-    }
-};
-
-/// Searches and bounds in turn: two starts, a bound by one part, a start from the bound's own motion, the
-/// other starts, and the boxes halved. Ends where bound and motion meet.
-void search_and_bound(StartSearch& search, BoxSearch& boxes, const SolvePlan& plan,
-                      const Eigen::VectorXd& relaxed) {
-    const auto objective = [&]() -> double {
-        if (!search.found()) return infinity;
-        return search.best().found.objective;
-    };
-    const auto is_settled = [&] { return boxes.is_settled(objective()); };
-    const auto start_from_bound = [&] {
-        const Eigen::VectorXd own = boxes.start(search.problem());
-        if (own.size() > 0 && own.allFinite()) search.run_from(own);
-    };
-    const int first = std::min(plan.starts, starts_before_bound);
-    search.run(0, first, plan.seed, relaxed);
-    boxes.run(objective(), parts_between_starts);
-    if (is_settled()) return;
-    double bounded = objective();
-    start_from_bound();
-    if (is_settled()) return;
-    search.run(first, plan.starts, plan.seed, relaxed);
-    if (!boxes.bound) return;
-    for (int round = 0; round < most_bound_rounds && !is_settled(); ++round) {
-        if (round > 0 && objective() == bounded) return;
-        bounded = objective();
-        boxes.run(bounded, most_parts);
-        if (!boxes.bound || is_settled()) return;
-        start_from_bound();
-    }
-}
-
-/// The bound over boxes where it says more than the one at hand.
-void take_box_bound(ContinuousResult& result, const BoxSearch& boxes) {
-    Certificate& certificate = result.certificate;
-    if (!boxes.bound) return;
-    if (boxes.bound->infeasible) {
-        certificate.verdict = Verdict::infeasible;
-        certificate.reason = Reason::limits_contradict;
-        certificate.lower_bound.reset();
-        certificate.gap.reset();
-    } else {
-        const double bound = std::min(boxes.bound->bound, certificate.objective);
-        if (!std::isfinite(bound) || (certificate.lower_bound && *certificate.lower_bound >= bound)) return;
-        certificate.lower_bound = bound;
-        certificate.gap = relative_gap(certificate.objective, bound);
-    }
-    certificate.proof.reset();
-    certificate.proof_kind = ProofKind::boxes;
-    certificate.box_proof = boxes.bound->proof;
-    result.proof_source = "boxes";
 }
 
 /// What a relaxation gives. `settled`: the answer of the whole already.
@@ -283,14 +177,13 @@ class GeneralSolve {
             return all;
         }
         StartSearch search(CamProblem(model_), solver_, exchange_, judge_, control_);
-        BoxSearch boxes{posed_, judge_, control_};
         if (plan_.proof == ProofKind::boxes)
-            search_and_bound(search, boxes, plan_, relaxed.result.x);
+            search_and_bound(search, relaxed.result.x);
         else
             search.run(0, plan_.starts, plan_.seed, relaxed.result.x);
         take_search(all, search);
         take_bound(all.result, relaxed);
-        take_box_bound(all.result, boxes);
+        take_box_bound(all.result);
         Certificate& certificate = all.result.certificate;
         if (certificate.verdict != Verdict::infeasible)
             settle_verdict(certificate, all.result.exchange.termination, judge_);
@@ -309,6 +202,8 @@ class GeneralSolve {
     ExchangeOptions exchange_;
     JudgeOptions judge_;
     SolveControl control_;
+    std::optional<CamModel> box_model_ = {};  ///< written in few variables
+    std::optional<BoxBound> bound_ = {};      ///< over boxes
 
     /// One search from what the last one found; false: that is of another motion, or it ends outside the
     /// limits.
@@ -362,10 +257,77 @@ class GeneralSolve {
         return relaxed;
     }
 
+    /// Searches and bounds in turn: two starts, a bound by one part, a start from the bound's own motion, the
+    /// other starts, and the boxes halved. Ends where bound and motion meet.
+    void search_and_bound(StartSearch& search, const Eigen::VectorXd& relaxed) {
+        const int first = std::min(plan_.starts, starts_before_bound);
+        search.run(0, first, plan_.seed, relaxed);
+        bound_boxes(search, parts_between_starts);
+        if (is_settled(search)) return;
+        double bounded = objective_of(search);
+        start_from_bound(search);
+        if (is_settled(search)) return;
+        search.run(first, plan_.starts, plan_.seed, relaxed);
+        for (int round = 0; bound_ && round < most_bound_rounds && !is_settled(search); ++round) {
+            if (round > 0 && objective_of(search) == bounded) return;
+            bounded = objective_of(search);
+            bound_boxes(search, most_parts);
+            if (is_settled(search)) return;
+            start_from_bound(search);
+        }
+    }
+
+    [[nodiscard]] static double objective_of(const StartSearch& search) {
+        if (!search.found()) return infinity;
+        return search.best().found.objective;
+    }
+    [[nodiscard]] bool is_settled(const StartSearch& search) const {
+        if (!bound_) return false;
+        return bound_->infeasible || relative_gap(objective_of(search), bound_->bound) <= judge_.gap;
+    }
+    void bound_boxes(const StartSearch& search, int parts) {
+        if (control_.ending()) return;
+        if (!box_model_)
+            box_model_ =
+                scene_model(posed_.scene(), DesignKind::coefficients, posed_.reference, posed_.strokes);
+        BoxBoundOptions options;
+        options.gap = box_part_of_gap * judge_.gap;
+        options.most_parts = parts;
+        bound_ =
+            bound_over_boxes(*box_model_, objective_of(search), options,
+                             search.found() ? control_ : control_.sooner(control_.in_vain.seconds_left()));
+    }
+    /// From the bound's own motion, which breaks limits, as a point of another form of the problem.
+    void start_from_bound(StartSearch& search) const {
+        if (!bound_ || bound_->x.size() == 0) return;
+        const CamProblem own(*box_model_);
+        const CamProblem& problem = search.problem();
+        Eigen::VectorXd x = problem.start();
+        const MotionFamily& family = problem.model().design;
+        x.head(family.size()) =
+            same_motion(family, own.motion(bound_->x)).cwiseQuotient(design_scales(problem.model()));
+        const auto parameters = static_cast<Eigen::Index>(problem.model().parameters.size());
+        if (own.model().parameters.size() == problem.model().parameters.size())
+            x.tail(parameters) = bound_->x.tail(parameters);
+        x = problem.completed(x);
+        if (x.allFinite()) search.run_from(x);
+    }
+
     void take_search(StartsResult& all, const StartSearch& search) const {
         all.starts = search.ran();
         all.result.exchange = search.totals();
-        judge_search(all.result, search, control_);
+        const Candidate& found = search.best().found;
+        Certificate& certificate = all.result.certificate;
+        certificate.objective = found.objective;
+        certificate.worst_violation = found.violation;
+        if (found.x.size() == 0) return;
+        all.result.x = found.x;
+        const Nlp& grid = search.problem().grid();
+        const Eigen::VectorXd multipliers = padded(search.best().multipliers, grid.shape().constraints());
+        const double own = stationarity_of(grid, found.x, multipliers, active_row);
+        const double fitted = stationarity_of(
+            grid, found.x, fitted_multipliers(grid, found.x, active_row, control_), active_row);
+        certificate.stationarity = std::isfinite(own) ? std::min(own, fitted) : fitted;
     }
 
     void take_bound(ContinuousResult& result, Relaxed& relaxed) const {
@@ -377,6 +339,28 @@ class GeneralSolve {
         result.certificate.proof_kind = bound.proof_kind;
         result.proof_source = "structured, convex relaxation";
         settle_passed_bound(result, *relaxed.problem, exchange_, judge_, control_);
+    }
+
+    /// The bound over boxes where it says more than the one at hand.
+    void take_box_bound(ContinuousResult& result) const {
+        if (!bound_) return;
+        Certificate& certificate = result.certificate;
+        if (bound_->infeasible) {
+            certificate.verdict = Verdict::infeasible;
+            certificate.reason = Reason::limits_contradict;
+            certificate.lower_bound.reset();
+            certificate.gap.reset();
+        } else {
+            const double bound = std::min(bound_->bound, certificate.objective);
+            if (!std::isfinite(bound) || (certificate.lower_bound && *certificate.lower_bound >= bound))
+                return;
+            certificate.lower_bound = bound;
+            certificate.gap = relative_gap(certificate.objective, bound);
+        }
+        certificate.proof.reset();
+        certificate.proof_kind = ProofKind::boxes;
+        certificate.box_proof = bound_->proof;
+        result.proof_source = "boxes";
     }
 };
 
