@@ -6,7 +6,7 @@
 #include "core/errors.hpp"
 #include "core/version.hpp"
 #include "scene/cost_table.hpp"
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "input/keys/scene_keys.hpp"
 #include "output/plc/plc_format.hpp"
 #include "output/view/columns.hpp"
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 
 #include <string_view>
 #include <vector>

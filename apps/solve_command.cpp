@@ -9,6 +9,7 @@
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/number_text.hpp"
+#include "output/words/plan_words.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/check/scene_check.hpp"
@@ -96,46 +97,6 @@ std::string limits_text(const std::vector<LimitShape>& limits) {
     return text;
 }
 
-/// How it will be solved, and what can come of it.
-std::string plan_text(const Scene& scene, const SceneCheck& check) {
-    const BackendChoice& choice = check.choice;
-    const std::string by = fmt::format("by {} ({}), design vector: {}, at most {} s", choice.solver,
-                                       choice.reason.empty() ? "named in the scene" : "chosen",
-                                       name_of(choice.design), short_text(scene.solver.max_seconds));
-    if (!check.contradictions.empty())
-        return by + "; its conditions contradict each other: the verdict is infeasible, proved";
-    if (check.free_breakpoints)
-        return fmt::format(
-            "{}, first on the given breakpoints, then by {} start{} that move them; the verdict can be "
-            "optimal "
-            "where the limit of any curve is reached, else local or feasible; infeasibility is "
-            "not proved",
-            by, check.starts, check.starts == 1 ? "" : "s");
-    if (check.searched_angles > 0)
-        return fmt::format(
-            "{}, for every tried division of the revolution between {} segments; the verdict is optimal or "
-            "infeasible where nothing but limits in time knows the angles, else {}",
-            by, check.searched_angles, check.searched_angles == 2 ? "local or feasible" : "feasible");
-    if (check.free_displacements > 0 && check.convex)
-        return fmt::format(
-            "{}, the {} free displacement{} among the variables; where a stroke of them leaves its range, "
-            "one "
-            "solve for each direction it may take; the expected verdict is optimal or infeasible",
-            by, check.free_displacements, check.free_displacements == 1 ? "" : "s");
-    if (check.starts > 1 || !check.convex)
-        return fmt::format(
-            "{}, a convex relaxation first, then the best of {} start{}; the verdict is optimal or "
-            "infeasible "
-            "where the relaxation or a bound over boxes settles it, else local or feasible with its bound",
-            by, check.starts, check.starts == 1 ? "" : "s");
-    if (choice.reason.empty() && choice.solver != "structured")
-        return fmt::format(
-            "{}; the verdict can be optimal or infeasible, both with a proof; where {} fails, "
-            "feasible",
-            by, choice.solver);
-    return by + "; the expected verdict is optimal or infeasible, both with a proof";
-}
-
 std::string derivative_line(const DerivativeError& error) {
     const std::string where = error.where.empty() ? "" : " (worst at " + error.where + ")";
     if (error.wrong == 0)
@@ -184,8 +145,8 @@ ExitCode check_command(const CheckRequest& request) {
     std::string text = fmt::format("{}: the scene is valid\n", request.scene);
     for (const std::string& line : scene_lines(scene)) text += wrapped_text(line, "  ", line_width);
     text += fmt::format("  problem: {} variables, {} rows on the first grid, {}\n", check.variables,
-                        check.rows, check.convex ? "convex: an optimum is global" : "not convex");
-    text += wrapped_text("Solved: " + plan_text(scene, check), "  ", line_width);
+                        check.rows, check.plan.convex ? "convex: an optimum is global" : "not convex");
+    for (const std::string& line : plan_lines(check.plan)) text += wrapped_text(line, "  ", line_width);
     if (scene.cam) text += limits_text(check.limits);
     for (const DerivativeError& error : check.derivatives) text += derivative_line(error);
     for (const std::string& condition : check.redundant)

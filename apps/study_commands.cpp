@@ -16,7 +16,7 @@
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 #include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 

@@ -8,7 +8,7 @@
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -23,8 +23,7 @@ endmacro()
 camopt_promise(adjustments [[
 What a user could change about a scene without a motion, one number at a time, and the search for the
 least change of each (explain(solution, control); solve() does it already where it finds nothing).]]
-  studies/explain/adjustment.hpp
-  studies/explain/relaxation.hpp)
+  studies/explain/adjustment.hpp)
 camopt_promise(any_curve_limit [[
 The limit that no curve can pass: any_curve_limit(input) is the least wV V + wA A + wJ J over all motions
 of bounded jerk, regardless of their shape. Peaks without units. Errors: InputError for weights that are
@@ -53,8 +52,7 @@ are without units. Nothing throws.]]
 camopt_promise(comparison [[
 Every classical law on one scene beside the optimum: what each loses, which limits it breaks, how large
 its cam would have to be. Units as in Solution; infinite peaks are infinite. Throws as solve() does.]]
-  studies/compare/comparison.hpp
-  studies/compare/needed_base.hpp)
+  studies/compare/comparison.hpp)
 camopt_promise(continuous_problem [[
 The problem behind the grid: constraints that hold at every cam angle. Derive from ContinuousProblem to
 have a problem of your own solved by exchange (grid, true maxima, new rows) and judged. One belongs to one
@@ -166,7 +164,7 @@ Cost terms and limits of your own, for Scene::own_terms and Scene::own_limits: a
   scene/own_rule.hpp)
 camopt_promise(papers [[
 The papers behind camopt computed again: their tables and figures beside the numbers found here.]]
-  studies/papers/paper_catalogue.hpp)
+  studies/papers/papers.hpp)
 camopt_promise(pareto_front [[
 The trade-off of two figures of a scene, traced by limits instead of weights: min p + ε q subject to q <=
 cap. Also the front over the rows of a sweep.]]
@@ -229,7 +227,7 @@ is a value: copies share their motions, which are constant.]]
   studies/delivered/solution.hpp)
 camopt_promise(solve [[
 A scene goes in; the best motion comes out, with its exact peaks, the cam and the proof: solve(scene,
-control).
+control). plan(scene) says what solve() will do, without a solve.
 
 Throws InputError for a wrong scene, UnavailableError for a backend this build leaves out. Every numerical
 outcome is a Verdict. Threads may solve at once, the same scene too; Ipopt's turns are taken one after

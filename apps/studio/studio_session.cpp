@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "output/page/page_html.hpp"
 #include "studies/delivered/solution.hpp"
-#include "studies/search/solve_sequence.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
@@ -156,7 +156,7 @@ struct Page {
     std::string name;
     std::atomic<unsigned long> newest{0};
     std::mutex turn;
-    SolveSequence sequence{GridMemory(neighbour_growth)};
+    KnownSolutions known{.most_growth = neighbour_growth};
     std::string proved_text;         ///< the scene that was proved last; empty: none
     std::optional<Solution> proved;  ///< of it
 
@@ -205,8 +205,8 @@ struct StudioSession::State {
     StudioLimits limits;
     std::atomic<bool> stopping{false};
     std::mutex mutex;
-    std::list<std::shared_ptr<Page>> pages;               ///< the one heard of last in front
-    SolveSequence opening{GridMemory(neighbour_growth)};  ///< of the scene that pages open with
+    std::list<std::shared_ptr<Page>> pages;                   ///< the one heard of last in front
+    KnownSolutions opening{.most_growth = neighbour_growth};  ///< of the scene that pages open with
 
     std::shared_ptr<Page> page_named(const std::string& name) {
         const std::lock_guard lock(mutex);
@@ -216,7 +216,7 @@ struct StudioSession::State {
         } else {
             pages.push_front(std::make_shared<Page>());
             pages.front()->name = name;
-            pages.front()->sequence = opening;
+            pages.front()->known = opening;
         }
         while (pages.size() > limits.pages) {
             ++pages.back()->newest;  // what it still solves is for no one
@@ -256,9 +256,9 @@ struct StudioSession::State {
     static Solution solved(const Scene& scene, AnswerStage stage, Page& page, const SolveControl& control) {
         switch (stage) {
             case AnswerStage::curve:
-                return page.sequence.look(scene, control);
+                return solve_without_explaining(scene, control, &page.known, {.look = true});
             case AnswerStage::proof:
-                return page.sequence.solve(scene, control);
+                return solve_without_explaining(scene, control, &page.known);
             case AnswerStage::rest:
                 break;
         }
@@ -270,11 +270,11 @@ struct StudioSession::State {
         const StudioScene given = studio_scene(scene, RequestJson::object(), "scene");
         const auto ending = [this] { return stopping.load(); };
         const SolveControl solving = control(given.scene, limits.solve_seconds, ending);
-        SolveSequence sequence{GridMemory(neighbour_growth)};
-        Solution solution = sequence.solve(given.scene, solving);
+        KnownSolutions known{.most_growth = neighbour_growth};
+        Solution solution = solve_without_explaining(given.scene, solving, &known);
         {
             const std::lock_guard lock(mutex);
-            opening = std::move(sequence);
+            opening = std::move(known);
         }
         const bool to_explain = !solution.motion || solution.certificate.verdict == Verdict::infeasible;
         if (to_explain) solution = camopt::solve(given.scene, solving);

@@ -14,7 +14,7 @@
 #include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "objectives/scene_model.hpp"
 #include "solvers/exchange/exchange.hpp"
 #include "solvers/registry.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "core/errors.hpp"
 #include "solvers/registry.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 

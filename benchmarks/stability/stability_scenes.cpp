@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 

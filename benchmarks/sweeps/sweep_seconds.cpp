@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sweep_seconds FOLDER: 1,000 weights of a DRD cubic of 32 segments in one process: warm-started along the
-// sweep (studies/search/solve_sequence.hpp, each chunk of 25 starts cold), each cold, and each cold with
+// sweep (studies/search/planned_solve.hpp, each chunk of 25 starts cold), each cold, and each cold with
 // Ipopt.
 //
 // Writes FOLDER/sweep_seconds.csv, a line a way: passes over all rows, their median seconds, rows that are
@@ -13,8 +13,7 @@
 #include "benchmarks/parts/solver_variants.hpp"
 #include "core/text/text_file.hpp"
 #include "output/csv/csv_line.hpp"
-#include "studies/search/solve_sequence.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
@@ -62,12 +61,11 @@ std::vector<Scene> scenes_of(const std::string& solver) {
 void one_pass(Way& way, const std::vector<Scene>& scenes) {
     way.objectives.clear();
     way.not_optimal = 0;
-    SolveSequence sequence;
+    KnownSolutions known;
     const Clock::time_point begin = Clock::now();
     for (int row = 0; row < rows; ++row) {
-        if (row % default_chunk_size == 0) sequence = SolveSequence();
-        const Solution solution =
-            way.warm ? sequence.solve(scenes[row], {}) : solve_without_explaining(scenes[row], {});
+        if (row % default_chunk_size == 0) known = {};
+        const Solution solution = solve_without_explaining(scenes[row], {}, way.warm ? &known : nullptr);
         way.objectives.push_back(solution.certificate.objective);
         if (solution.certificate.verdict != Verdict::optimal) ++way.not_optimal;
     }

@@ -8,6 +8,7 @@
 #include "scene/cost_table.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
+#include "studies/search/plan.hpp"
 
 #include <optional>
 #include <string_view>
@@ -120,6 +121,34 @@ Json design_json(const Solution& solution) {
             {"values", numbers_json(solution.design.values)}};
 }
 
+/// What was planned before anything was solved (studies/search/plan.hpp).
+Json plan_json(const SolvePlan& plan) {
+    Json starts = Json::array();
+    for (int k = 0; !plan.relaxations.empty() && k < plan.starts; ++k) {
+        const char* const kind = name_of(start_kind(plan.from_measured, k));
+        if (starts.empty() || starts.back() != kind) starts.push_back(kind);
+    }
+    return {{"searched",
+             {{"angles", plan.angles},
+              {"displacements", plan.displacements},
+              {"breakpoints", plan.breakpoints},
+              {"dimensions", plan.dimensions}}},
+            {"solver", plan.solver},
+            {"next_solver", plan.next_solver.empty() ? Json(nullptr) : Json(plan.next_solver)},
+            {"design", name_of(plan.design)},
+            {"convex", plan.convex},
+            {"starts", plan.starts},
+            {"start_kinds", std::move(starts)},
+            {"seed", plan.seed},
+            {"strokes_first_free", plan.strokes_first_free},
+            {"relaxations", plan.relaxations.size()},
+            {"cost_scale", number_json(plan.cost_scale)},
+            {"tie_break", plan.tie_break},
+            {"proof", name_of(plan.proof)},
+            {"max_seconds", number_json(plan.seconds)},
+            {"explain_seconds", number_json(plan.explain_seconds)}};
+}
+
 Json solver_json(const SolverReport& solver) {
     return {{"name", solver.name},
             {"termination", name_of(solver.termination)},
@@ -205,6 +234,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["design"] = design_json(solution);
     json["dimensions"] = dimensions_json(solution);
     json["cam"] = cam_json(solution);
+    if (solution.plan) json["plan"] = plan_json(*solution.plan);
     json["solver"] = solver_json(solution.solver);
     json["evaluations"] = evaluations_json(solution.evaluations);
     json["seconds"] = {{"total", number_json(solution.seconds_total)},

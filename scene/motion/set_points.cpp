@@ -211,4 +211,11 @@ void keep_written(Scene& changed, const MotionSpec& before) {
             limit->normalised *= before.lift / now.lift * std::pow(pace, row.order());
 }
 
+Scene with_segment_angles(const Scene& scene, const std::vector<double>& angles) {
+    Scene changed = scene;
+    for (std::size_t i = 0; i < angles.size(); ++i) changed.motion.segments[i].angle = angles[i];
+    keep_written(changed, scene.motion);
+    return changed;
+}
+
 }  // namespace camopt

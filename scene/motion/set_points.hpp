@@ -82,4 +82,7 @@ void keep_written(MotionSpec& changed, const MotionSpec& before);
 /// before.
 void keep_written(Scene& changed, const MotionSpec& before);
 
+/// The scene with these angles of its segments, everything else as it is written. Ranges of angles stay.
+[[nodiscard]] Scene with_segment_angles(const Scene& scene, const std::vector<double>& angles);
+
 }  // namespace camopt

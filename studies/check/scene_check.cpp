@@ -7,7 +7,7 @@
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/measured/measured_fit.hpp"
-#include "studies/search/solve_from_starts.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 
@@ -250,31 +250,22 @@ SceneCheck check_scene(const Scene& scene) {
     const Scene complete = with_written_limits(scene);
     validate(complete);
     SceneCheck check;
-    check.choice = choose_backend(complete);
-    (void)make_solver(check.choice.solver);
-    check_native_options(check.choice.solver, complete.solver.options);
-    CamProblem problem(scene_model(complete, check.choice.design, reference_peaks(complete)));
+    const PosedScene posed(complete);
+    check.plan = plan_of(posed, {.explain = true});
+    (void)make_solver(check.plan.solver);
+    check_native_options(check.plan.solver, complete.solver.options);
+    if (complete.measured) (void)measured_report(complete, posed.given_reference);  // throws: too few rows
+    const CamProblem problem(posed.model);
     for (const ConditionConflict& conflict : problem.model().design.redundant())
         check.redundant.push_back(conflict.condition);
     for (const ConditionConflict& conflict : problem.model().design.contradictions())
         check.contradictions.push_back(conflict.condition);
     std::optional<FreeKnotProblem> free;  // what the search over breakpoints sees
-    if (complete.spline.free_knots) free.emplace(complete, reference_peaks(complete));
+    if (check.plan.breakpoints > 0) free.emplace(posed.scene(), posed.reference);
     const ContinuousProblem& solved = free ? static_cast<const ContinuousProblem&>(*free) : problem;
     const NlpShape& shape = solved.grid().shape();
     check.variables = shape.variables();
     check.rows = shape.constraints();
-    check.free_displacements =
-        static_cast<int>(free_displacements(complete, problem.model().design).joints.size());
-    check.searched_angles =
-        static_cast<int>(std::ranges::count_if(complete.motion.segments, [](const ProgramSegment& segment) {
-            return segment.angle_range.has_value();
-        }));
-    check.convex = shape.convex && check.searched_angles == 0;
-    if (complete.measured)
-        (void)measured_report(complete, reference_peaks(complete));  // throws: too few rows
-    check.free_breakpoints = free.has_value();
-    if (free || needs_starts(problem.model())) check.starts = complete.solver.starts.value_or(default_starts);
     check.limits = limit_shapes(problem.model());
     check.derivatives = derivative_errors(solved.grid(), check_point(solved));
     check.derivatives_agree =

@@ -6,7 +6,7 @@
 #include "core/nlp.hpp"
 #include "objectives/rules/point_rule.hpp"
 #include "scene/scene.hpp"
-#include "studies/solve/solve.hpp"
+#include "studies/search/plan.hpp"
 
 #include <Eigen/Core>
 
@@ -36,13 +36,8 @@ struct LimitShape {
 };
 
 struct SceneCheck {
-    BackendChoice choice;
-    int variables = 0, rows = 0;  ///< of the first grid
-    bool convex = false;
-    int starts = 1;  ///< searches that solve() makes at most; 1: the problem needs no more
-    bool free_breakpoints = false;
-    int free_displacements = 0;      ///< of a program: levels that the solve chooses
-    int searched_angles = 0;         ///< of a program: segments with a range for their angle
+    SolvePlan plan;
+    int variables = 0, rows = 0;     ///< of the first grid
     std::vector<LimitShape> limits;  ///< each once, with the worst of its parts, in the scene's order
     std::vector<DerivativeError> derivatives;
     bool derivatives_agree = false;

@@ -4,7 +4,7 @@
 #include "core/numbers/extremum.hpp"
 #include "objectives/scene_model.hpp"
 #include "studies/pareto/sweep_front.hpp"
-#include "studies/search/solve_sequence.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <Eigen/LU>
 
@@ -49,7 +49,7 @@ class LossFinder {
 
  private:
     /// The scene with these weights; none where it has no motion or was stopped.
-    [[nodiscard]] std::optional<Solution> solve(const Scene& scene, SolveSequence& sequence);
+    [[nodiscard]] std::optional<Solution> solve(const Scene& scene, KnownSolutions& known);
     /// The best shares for all cuts. In shares u_i = w_i · (law's peak i over its reference) the law's
     /// objective is 1.
     [[nodiscard]] GameValue best_shares(const PeakTriple& law) const;
@@ -57,15 +57,15 @@ class LossFinder {
     const Scene& scene_;
     const PeakTriple& reference_;
     const SolveControl& control_;
-    SolveSequence weighted_, capped_;
+    KnownSolutions weighted_, capped_;
     std::vector<PeakTriple> cuts_;  ///< peaks of motions over the references: they serve every law
     int solves_ = 0;
 };
 
-std::optional<Solution> LossFinder::solve(const Scene& scene, SolveSequence& sequence) {
+std::optional<Solution> LossFinder::solve(const Scene& scene, KnownSolutions& known) {
     if (control_.stopped()) return {};
     ++solves_;
-    Solution solution = sequence.solve(scene, control_);
+    Solution solution = solve_without_explaining(scene, control_, &known);
     const Verdict verdict = solution.certificate.verdict;
     const bool feasible =
         verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;

@@ -6,7 +6,6 @@
 #include "solvers/certificate/certificate.hpp"
 #include "splines/curve.hpp"
 #include "splines/extrema.hpp"
-#include "studies/delivered/delivered_conditions.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "studies/delivered/delivered_conditions.hpp"
-
 #include "objectives/scene_model.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_audit.hpp"

@@ -24,6 +24,10 @@ namespace camopt {
 /// favourable end.
 [[nodiscard]] std::vector<std::string> kept_by_no_motion(const Scene& scene);
 
+/// The limit that no curve can pass, for the objective of a scene; reference: what the peaks are divided by.
+/// None for programs, and where the objective holds more than peaks. Some milliseconds.
+[[nodiscard]] std::optional<LimitCurve> limit_curve(const Scene& scene, const Peaks& reference);
+
 /// The caps on peaks cannot be kept together by any motion.
 [[nodiscard]] bool no_motion_keeps_all_caps(const Scene& scene);
 

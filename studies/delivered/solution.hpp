@@ -10,7 +10,7 @@
 #include "splines/curve.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/delivered/cam_summary.hpp"
-#include "studies/delivered/enclosed_limits.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 
 #include <Eigen/Core>
 
@@ -210,8 +210,11 @@ struct LimitCurve {  ///< the lower bound for every curve (motions/bounds/any_cu
     std::optional<double> velocity, acceleration, jerk;  ///< none: not attained (infinite)
 };
 
+struct SolvePlan;  // studies/search/plan.hpp
+
 struct Solution {
     Scene scene;
+    std::shared_ptr<const SolvePlan> plan;  ///< what was executed; none for a result that was read
     Certificate certificate;
     /// The delivered motion; none where nothing feasible was found.
     std::shared_ptr<const MotionChain> motion;

@@ -13,6 +13,9 @@ namespace camopt {
 /// report_delivered of the optimizer's x, and the design.
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x);
 
+/// Numbers that were searched too are entries of the design like any other, before the others.
+void add_to_design(Solution& solution, std::vector<std::string> names, std::span<const double> values);
+
 /// What a solve delivers: all that is reported of the motion and its cam follows from it and the scene. Of a
 /// DRD or RR scene one spline, of a program one part a segment.
 struct MotionAndCam {
@@ -28,5 +31,15 @@ void report_delivered(Solution& solution, MotionAndCam delivered);
 
 /// Which limits fight and where, from the rows of the proof of infeasibility.
 void report_conflict(Solution& solution);
+
+// What is reported of a cam of any kind: figures, and the scene's limits on it.
+
+/// The scene's cam with these dimensions (in the order of scene.cam), driven by
+/// the motion: its figures, and the smallest any motion would allow where that is known. Throws InputError
+/// where its formulas are missing.
+[[nodiscard]] CamReport cam_report(const Scene& scene, std::vector<double> dimensions, const Motion& motion);
+
+/// Every limit of the scene on the cam, as written and as kept by that cam.
+[[nodiscard]] std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& report);
 
 }  // namespace camopt

@@ -6,8 +6,8 @@
 #include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/search/rest_conflict.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
+#include "studies/search/settled_scene.hpp"
 
 namespace camopt {
 
@@ -48,19 +48,17 @@ double least_violation(const CamModel& model, double tolerance, const Budget& bu
 }
 
 /// The scene as it is solved to answer: what decides which of its motions is best plays no part.
-Solution answer(Scene scene, const Budget& budget, GridMemory* memory = nullptr) {
+Solution answer(Scene scene, const Budget& budget, const PlanOptions& options = {}) {
     scene.solver.name = "auto";
     scene.solver.options.clear();
     scene.objective.tie_break = TieBreak::none;
-    return solve_without_explaining(scene, budget.control(), memory);
+    return solve_without_explaining(scene, budget.control(), nullptr, options);
 }
 
 /// The motion of a search that leaves its proof out, audited. The solve that the user would start begins with
 /// the same search.
 Solution search(const Scene& scene, const Budget& budget) {
-    GridMemory memory;
-    memory.only_looks = true;
-    Solution solution = answer(scene, budget, &memory);
+    Solution solution = answer(scene, budget, {.look = true});
     audit_delivered(solution);
     const Verdict verdict = solution.certificate.verdict;
     if (verdict == Verdict::infeasible || verdict == Verdict::failed) solution.motion.reset();

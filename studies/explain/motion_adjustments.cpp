@@ -4,7 +4,6 @@
 #include "core/units.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
-#include "studies/search/program/solve_free_angles.hpp"
 
 #include <fmt/format.h>
 

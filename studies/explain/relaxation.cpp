@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "studies/explain/relaxation.hpp"
-
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/explain/adjustment.hpp"
-#include "studies/explain/finer_spline.hpp"
 #include "studies/explain/value_search.hpp"
-#include "studies/search/solve_from_starts.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,6 @@
 #include "scene/scene.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
-#include "studies/search/program/solve_free_angles.hpp"
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/barrel_optima.hpp"
-
 #include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
@@ -9,6 +7,7 @@
 #include "profiles/spatial/spatial_spec.hpp"
 #include "scene/cam_flanks.hpp"
 #include "studies/delivered/delivered.hpp"
+#include "studies/papers/spatial_tables.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 

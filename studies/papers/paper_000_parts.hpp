@@ -4,7 +4,7 @@
 
 #include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/paper_guide.hpp"
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 
 #include <array>
 #include <span>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "studies/papers/barrel_optima.hpp"
 #include "studies/papers/papers.hpp"
 #include "studies/papers/spatial_tables.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"

@@ -2,10 +2,31 @@
 // The papers that are computed again: one function a paper.
 #pragma once
 
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/delivered/solution.hpp"
+#include "studies/papers/paper_report.hpp"
 #include "studies/papers/reference_table.hpp"
 
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
 namespace camopt {
+
+/// Hears in words of each part that is done, for progress; may be empty.
+using PaperProgress = std::function<void(const std::string&)>;
+
+struct PaperInfo {
+    std::string_view id;     ///< "004"
+    std::string_view title;  ///< one line for people
+    PaperReport (*report)(const SolveControl& control, const PaperProgress& finished);
+};
+
+/// In the order of their ids.
+[[nodiscard]] std::span<const PaperInfo> paper_catalogue();
+
+/// Throws InputError naming the known ids.
+[[nodiscard]] const PaperInfo& find_paper(std::string_view id);
 
 // J.-H. Shin, Y.-H. Choi, C.-S. Rho, "Kinematic Analysis and Simulation of an Automatic Feeding Mechanism
 // Subjected by a Curvilinear Inverse Cam (I)": Table 1 and Figs. 9 and 10 beside ours with the misprints, the

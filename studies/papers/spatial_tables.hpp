@@ -4,7 +4,7 @@
 
 #include "profiles/spatial/spatial_cam.hpp"
 #include "scene/cam_flanks.hpp"
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 
 #include <string>
 #include <vector>
@@ -41,5 +41,18 @@ struct Rise {
 /// Both flanks unrolled: along the cam's axis over the angle around it, at both ends of the roller.
 [[nodiscard]] PaperFigure unrolled_figure(const Example& example, const std::string& key,
                                           const std::string& title);
+
+// What the barrel cam of paper 002 gains by an optimised motion: the pressure
+// angle at the same distance of the axes, and the smallest distance for a pressure angle.
+
+struct BarrelOptima {
+    PaperTable table;
+    PaperFigure figure;  ///< pressure angle at the roller's tip, both motions
+    std::vector<std::string> faults;
+};
+
+/// Two solves, some seconds each; as scenes/barrel_paper_cup.toml and scenes/barrel_smallest.toml.
+[[nodiscard]] BarrelOptima barrel_optima(const Example& example, const SolveControl& control,
+                                         const PaperProgress& finished);
 
 }  // namespace camopt::spatial_tables

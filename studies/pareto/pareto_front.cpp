@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/pareto/front_chain.hpp"
-#include "studies/search/solve_sequence.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 
@@ -59,7 +59,7 @@ class Tracer {
     const FrontRequest& request_;
     const SolveControl& control_;
     const std::function<void(const FrontPoint&)>& finished_;
-    SolveSequence sequence_;
+    KnownSolutions known_;
     std::vector<FrontPoint> points_;
     std::array<int, 2> ends_{-1, -1};
     bool stopped_ = false;
@@ -101,7 +101,7 @@ std::optional<int> Tracer::solve(int minimized, const std::optional<double>& cap
     point.number = static_cast<int>(points_.size());
     point.minimized = minimized;
     point.cap = cap;
-    point.solution = sequence_.solve(scene_with(minimized, cap), control_);
+    point.solution = solve_without_explaining(scene_with(minimized, cap), control_, &known_);
     point.solution.certificate.proof.reset();
     if (control_.stopped()) {  // what it came to then is an accident
         stopped_ = true;

@@ -9,7 +9,7 @@
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/scene.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 

@@ -6,10 +6,10 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
+#include "scene/motion/set_points.hpp"
+#include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"
-#include "studies/search/limit_curve.hpp"
-#include "studies/search/program/solve_free_angles.hpp"
 
 #include <fmt/format.h>
 

@@ -19,6 +19,8 @@ class CostScale {
 
     /// Nothing to do: solve the scene itself.
     [[nodiscard]] bool is_idle() const { return idle_; }
+    /// Objective of the scene / objective of scaled(): a power of two.
+    [[nodiscard]] double factor() const { return factor_; }
     /// What to solve in its place.
     [[nodiscard]] const Scene& scaled() const { return scaled_; }
     /// The solution of scaled() becomes that of the scene. The gap is the larger one of the scene's own and
@@ -30,7 +32,7 @@ class CostScale {
     void scale_weights(const Peaks& reference);
 
     Scene scaled_;
-    double factor_ = 1.0;  ///< objective of the scene / objective of scaled()
+    double factor_ = 1.0;
     bool idle_ = true;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/free_knot_descent.hpp"
 
+#include "core/nlp.hpp"
 #include "solvers/exchange/exchange.hpp"
-#include "studies/search/free_knot_step.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +19,91 @@ constexpr double first_radius = 0.25, largest_radius = 1.0, least_radius = 1e-9,
 constexpr double taken = 1e-4, good = 0.75, poor = 0.25;
 // Steps in a row that gain next to nothing.
 constexpr int most_idle = 3;
+
+/// ∇f + Jᵀ multipliers at x.
+Eigen::VectorXd lagrangian_slope(const Nlp& problem, const Eigen::VectorXd& x,
+                                 const Eigen::VectorXd& multipliers) {
+    const SparsityPattern& pattern = problem.shape().jacobian;
+    std::vector<double> values(static_cast<std::size_t>(pattern.size()));
+    problem.jacobian(x, values);
+    Eigen::VectorXd slope(x.size());
+    problem.gradient(x, slope);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        slope[pattern.columns[k]] += values[k] * multipliers[pattern.rows[k]];
+    }
+    return slope;
+}
+
+/// One step of the breakpoints, d: a convex quadratic program around the motion x.
+class StepProgram final : public Nlp {
+ public:
+    /// min ∇fᵀd + ½ d_tᵀ B d_t over the rows of `base` linearized at x; d_t are the entries from `first` on
+    /// that B has, within ±radius.
+    StepProgram(const Nlp& base, const Eigen::VectorXd& x, Eigen::Index first, const Eigen::MatrixXd& bfgs,
+                double radius)
+        : base_(base), first_(first), bfgs_(bfgs), gradient_(x.size()) {
+        const NlpShape& shape = base.shape();
+        Eigen::VectorXd rows(shape.constraints());
+        base.constraints(x, rows);
+        base.gradient(x, gradient_);
+        jacobian_.resize(static_cast<std::size_t>(shape.jacobian.size()));
+        base.jacobian(x, jacobian_);
+        shape_.x_lower = shape.x_lower - x;
+        shape_.x_upper = shape.x_upper - x;
+        for (Eigen::Index j = first; j < first + bfgs.rows(); ++j) {
+            shape_.x_lower[j] = std::min(0.0, std::max(shape_.x_lower[j], -radius));
+            shape_.x_upper[j] = std::max(0.0, std::min(shape_.x_upper[j], radius));
+        }
+        shape_.g_lower = shape.g_lower - rows;
+        shape_.g_upper = shape.g_upper - rows;
+        shape_.rows = shape.rows;
+        for (RowKind& row : shape_.rows) row.linear = true;
+        shape_.jacobian = shape.jacobian;
+        shape_.convex = shape_.quadratic_cost = true;
+        shape_.linear_cost = bfgs.isZero();
+        if (shape_.linear_cost) return;
+        for (Eigen::Index a = 0; a < bfgs.rows(); ++a) {
+            for (Eigen::Index b = 0; b <= a; ++b) {
+                shape_.hessian.rows.push_back(static_cast<int>(first + a));
+                shape_.hessian.columns.push_back(static_cast<int>(first + b));
+            }
+        }
+    }
+
+    [[nodiscard]] double cost(const ConstVectorRef& d) const override {
+        const auto moved = d.segment(first_, bfgs_.rows());
+        return gradient_.dot(d) + 0.5 * moved.dot(bfgs_ * moved);
+    }
+    void gradient(const ConstVectorRef& d, VectorRef out) const override {
+        out = gradient_;
+        out.segment(first_, bfgs_.rows()) += bfgs_ * d.segment(first_, bfgs_.rows());
+    }
+    void constraints(const ConstVectorRef& d, VectorRef out) const override {
+        out.setZero();
+        for (std::size_t k = 0; k < jacobian_.size(); ++k) {
+            out[shape_.jacobian.rows[k]] += jacobian_[k] * d[shape_.jacobian.columns[k]];
+        }
+    }
+    void jacobian(const ConstVectorRef&, std::span<double> out) const override {
+        std::ranges::copy(jacobian_, out.begin());
+    }
+    void hessian(const ConstVectorRef&, double sigma, const ConstVectorRef&,
+                 std::span<double> out) const override {
+        for (std::size_t k = 0; k < out.size(); ++k) {
+            out[k] = sigma * bfgs_(shape_.hessian.rows[k] - first_, shape_.hessian.columns[k] - first_);
+        }
+    }
+    [[nodiscard]] std::string variable_name(int index) const override { return base_.variable_name(index); }
+    [[nodiscard]] std::string row_name(int index) const override { return base_.row_name(index); }
+    [[nodiscard]] RowOrigin row_origin(int index) const override { return base_.row_origin(index); }
+
+ private:
+    const Nlp& base_;
+    Eigen::Index first_;
+    const Eigen::MatrixXd& bfgs_;
+    Eigen::VectorXd gradient_;
+    std::vector<double> jacobian_;
+};
 
 class Descent {
  public:
@@ -89,11 +174,12 @@ class Descent {
         ++result_.steps;
         const Eigen::VectorXd here = result_.found.x;
         see_peaks(here);
-        const FreeKnotStep model(problem_.grid(), here, first(), breakpoints(), bfgs_, radius_);
+        const StepProgram model(problem_.grid(), here, first(), bfgs_, radius_);
         BackendOptions options;
         options.tolerance = options_.exchange.backend.tolerance;
         options.max_seconds = options_.exchange.backend.max_seconds;
-        const BackendResult ran = model.solve(solver_, options, control_);
+        const BackendResult ran =
+            solver_.minimize(model, Eigen::VectorXd::Zero(here.size()), options, control_);
         result_.iterations += ran.iterations;
         ++result_.rounds;
         if (control_.ending()) return;  // half a step promises nothing
@@ -101,7 +187,7 @@ class Descent {
             radius_ *= 0.25;
             return;
         }
-        const double promised = model.gain(ran.x);
+        const double promised = -model.cost(ran.x);
         const Eigen::VectorXd move = ran.x.segment(first(), breakpoints());
         const Candidate found = best_motion(here + ran.x);
         // A short step promises little more than rounding.

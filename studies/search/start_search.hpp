@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Searches of a problem that is not convex, one after the other from seeded starts, on one grid that keeps
-// what each of them added. One that comes next to the best motion of those before it ends there, where its
-// solver asks (SolveControl::known): it would find the same minimum again.
+// Problems that are not convex: a convex relaxation first, then a search from several starts.
+//
+// The relaxation leaves out every rule that is not known to be convex. Where its optimum keeps those rules
+// too, it is the optimum of the whole, proved. Where it has no motion at all, neither has the whole.
+// Otherwise its bound stands beside the best of the seeded starts (StartKind), and where neither settles it
+// the best motion is bounded over boxes (studies/bound/box_bound.hpp).
+//
+// The searches run one after the other on one grid that keeps what each of them added. One that comes next to
+// the best motion of those before it ends there, where its solver asks (SolveControl::known): it would find
+// the same minimum again.
 #pragma once
 
 #include "objectives/grid/cam_problem.hpp"
 #include "solvers/exchange/exchange.hpp"
+#include "studies/search/planned_solve.hpp"
 
 namespace camopt {
 
@@ -27,8 +35,7 @@ class StartSearch {
           judge_(judge),
           control_(control) {}
 
-    /// Starts of these numbers: a motion that the scene brings (CamModel::start_design), `relaxed` where it
-    /// is not empty, the smoothest motion, random ones.
+    /// Starts of these numbers (start_kind()); relaxed: empty if there is none.
     void run(int first, int end, unsigned seed, const Eigen::VectorXd& relaxed);
     void run_from(const Eigen::VectorXd& start);
     /// Of a neighbouring problem's motion: to its end, wherever that lies.
@@ -60,5 +67,14 @@ class StartSearch {
     ExchangeResult totals_;
     int ran_ = 0;
 };
+
+struct StartsResult {
+    ContinuousResult result;
+    int starts = 0;  ///< searches that ran; 0 where the relaxation settled everything
+};
+
+/// model: that of the run.
+[[nodiscard]] StartsResult solve_from_starts(const PlannedRun& run, const CamModel& model,
+                                             const Solver& solver);
 
 }  // namespace camopt

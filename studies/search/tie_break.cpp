@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/tie_break.hpp"
-
 #include "objectives/grid/cam_problem.hpp"
 #include "scene/cost_table.hpp"
 #include "solvers/structured/structured_solver.hpp"
+#include "studies/search/solve_steps.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,9 +14,6 @@
 namespace camopt {
 
 namespace {
-
-// Of the scene's tolerance, and the tightest that double precision carries.
-constexpr double cone_tolerance = 1e-2, least_tolerance = 1e-12;
 
 // Weights of the tie-break, tried until the objective stays within the tolerance of its optimum.
 constexpr std::array<double, 4> tie_break_weights = {1e-4, 1e-5, 1e-6, 1e-7};
@@ -34,25 +30,6 @@ double relative_to(double objective) {
 
 // A weight whose first round costs this many times what the tie-break may spend is too large.
 constexpr double clearly_too_much = 10.0;
-
-}  // namespace
-
-ExchangeOptions exchange_options(const Scene& scene) {
-    ExchangeOptions options;
-    options.tolerance = scene.solver.tolerance;
-    options.backend.tolerance = scene.solver.tolerance;
-    options.backend.max_seconds = scene.solver.max_seconds;
-    options.backend.native = scene.solver.options;
-    // A point just outside is drawn to one well inside, which costs its violation times their distance;
-    // tangents of a cone always leave it just outside, and a few more of them cost little.
-    if (scene.limits.residual) {
-        options.tolerance = std::max(cone_tolerance * options.tolerance, least_tolerance);
-        options.backend.tolerance = options.tolerance;
-    }
-    return options;
-}
-
-namespace {
 
 /// The optimum of the tied problem; none where its first round already costs more than is worth going on.
 std::optional<Candidate> smoother_optimum(const CamProblem& problem, TiedProblem& tied, Candidate start,
@@ -74,8 +51,11 @@ std::optional<Candidate> smoother_optimum(const CamProblem& problem, TiedProblem
 
 }  // namespace
 
-void break_tie(CamProblem& problem, const Scene& scene, ContinuousResult& result, const SolveControl& control,
-               GridMemory* memory) {
+void break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result) {
+    if (!run.plan.tie_break || result.certificate.verdict != Verdict::optimal) return;
+    const Scene& scene = run.posed.scene();
+    // Neighbours of a convex problem need the grid of the optimum alone, unless they are only looked at.
+    const bool keeps = run.plan.look || !run.plan.convex;
     const double objective = result.certificate.objective;
     const double allowance = scene.solver.tolerance * relative_to(objective);
     const double violation = std::max(scene.solver.tolerance, result.certificate.worst_violation);
@@ -83,22 +63,21 @@ void break_tie(CamProblem& problem, const Scene& scene, ContinuousResult& result
     options.backend.native.clear();
     options.backend.tolerance = options.tolerance = tie_break_accuracy * scene.solver.tolerance;
     const Candidate start{result.x, objective, result.certificate.worst_violation};
-    const bool looks = memory != nullptr && memory->only_looks;
     TiedProblem tied(problem, tie_break_weights.front());
     const std::vector<PathPoint>& path = result.exchange.last.path;
     for (const double weight : tie_break_weights) {
-        if (looks && weight > memory->tie_break_weight.value_or(weight)) continue;
+        if (run.plan.look && weight > run.known.tie_break_weight.value_or(weight)) continue;
         tied.set_weight(weight);
         if (const PathPoint* place = point_before(path, energy_room * weight)) options.backend.near = *place;
         const std::optional<Candidate> smoother = smoother_optimum(
-            problem, tied, start, options, objective + clearly_too_much * allowance, control);
-        if (memory != nullptr) memory->keep(problem);
-        if (control.ending()) return;
+            problem, tied, start, options, objective + clearly_too_much * allowance, run.control);
+        if (keeps) run.known.keep(problem);
+        if (run.control.ending()) return;
         if (!smoother) continue;
         if (smoother->x.size() == 0) return;
         const Candidate delivered = pulled_inside(problem, *smoother, result.inside);
         if (delivered.objective > objective + allowance || delivered.violation > violation) continue;
-        if (memory != nullptr) memory->tie_break_weight = weight;
+        if (keeps) run.known.tie_break_weight = weight;
         // What is proved of the motion before must be proved of this one too.
         if (relative_gap(delivered.objective, *result.certificate.lower_bound) > scene.solver.wanted_gap())
             continue;
@@ -110,12 +89,6 @@ void break_tie(CamProblem& problem, const Scene& scene, ContinuousResult& result
         certificate.gap = relative_gap(delivered.objective, *certificate.lower_bound);
         return;
     }
-}
-
-bool wants_tie_break(const Scene& scene, const Certificate& certificate) {
-    // A root-mean-square term makes the optimum unique by itself.
-    return certificate.verdict == Verdict::optimal && scene.objective.tie_break != TieBreak::none &&
-           !weighs_any(scene.objective, CostTerm::Kind::rms);
 }
 
 }  // namespace camopt

@@ -1,34 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "studies/solve/solve.hpp"
 
-#include "studies/explain/relaxation.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/explain/adjustment.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 
 namespace camopt {
 
-namespace {
-
-// Part of the time after which starts that found nothing within the limits end: the rest is for explaining
-// it.
-constexpr double searched_in_vain = 0.6;
-
-}  // namespace
-
 Solution solve(const Scene& scene, const SolveControl& control) {
     const Stopwatch watch;
-    SolveControl timed = control.sooner(scene.solver.max_seconds);
-    timed.in_vain = timed.deadline.sooner(searched_in_vain * timed.deadline.seconds_left());
-    Solution solution = solve_without_explaining(scene, timed);
+    const SolveControl timed = control.sooner(scene.solver.max_seconds);
+    Solution solution = solve_without_explaining(scene, timed, nullptr, {.explain = true});
     const Certificate& certificate = solution.certificate;
     const bool to_explain =
         certificate.verdict == Verdict::infeasible || certificate.reason == Reason::no_feasible_point ||
         (certificate.verdict == Verdict::failed && certificate.reason == Reason::time_limit);
-    if (to_explain && !timed.ending()) {  // a stopped search must not pass for "nothing helps"
-        timed.in_vain = {};
+    if (to_explain && !timed.ending())  // a stopped search must not pass for "nothing helps"
         explain(solution, timed);
-    }
     // Not after an interruption, which the verdict or the explanation names, nor by the explanation's own
     // limit.
     const bool cut = solution.explanation && !solution.explanation->own_limit && timed.deadline.was_felt() &&

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "studies/delivered/solution.hpp"
-#include "studies/search/backend_choice.hpp"
+#include "studies/search/plan.hpp"
 
 namespace camopt {
 

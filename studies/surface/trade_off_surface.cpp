@@ -5,7 +5,7 @@
 #include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/pareto/sweep_front.hpp"
-#include "studies/search/solve_sequence.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
 #include <fmt/format.h>
@@ -90,7 +90,7 @@ class SurfaceSearch {
     const SolveControl& control_;
     std::vector<SweepRow> known_;
     const std::function<void(const TradeOffSurface&)>& finished_;
-    SolveSequence sequence_;
+    KnownSolutions solved_before_;
     TradeOffSurface surface_;
     std::vector<Eigen::Vector3d> points_;  ///< p of each row
 };
@@ -98,7 +98,7 @@ class SurfaceSearch {
 SweepRow SurfaceSearch::solve(const Eigen::Vector3d& weights) {
     const int number = static_cast<int>(surface_.table.rows.size());
     const Scene scene = weighted(scene_, weights);
-    return sweep_row(number, triple_of(weights), sequence_.solve(scene, control_));
+    return sweep_row(number, triple_of(weights), solve_without_explaining(scene, control_, &solved_before_));
 }
 
 bool SurfaceSearch::has_motion_and_bound(const SweepRow& row) {

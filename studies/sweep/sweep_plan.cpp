@@ -71,7 +71,7 @@ void check_solve(const Scene& scene, CheckedLaws& checked) {
     if (reference.numeric || checked.emplace(reference.law, weighed_figures(scene.objective)).second)
         (void)reference_peaks(scene);
     if (scene.solver.name == "auto" && scene.solver.options.empty()) return;  // there is always one
-    const std::string solver = choose_backend(scene).solver;
+    const std::string solver = scene.solver.name == "auto" ? plan(scene).solver : scene.solver.name;
     (void)make_solver(solver);
     check_native_options(solver, scene.solver.options);
 }

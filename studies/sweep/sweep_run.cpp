@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/sweep_run.hpp"
 
-#include "studies/search/solve_sequence.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 
@@ -78,14 +78,15 @@ SweepRow failed_row(int number, std::span<const double> settings, std::string_vi
 std::vector<SweepRow> solve_chunk(SweepScenes& scenes, RowRange rows, const SolveControl& control,
                                   const std::function<void(const SweepRow&)>& row_done) {
     std::vector<SweepRow> solved;
-    std::optional<SolveSequence> sequence(std::in_place);
+    KnownSolutions known;
     for (int number = rows.begin; number < rows.end && !control.stopped(); ++number) {
         const std::span<const double> settings = scenes.plan().row(number);
         try {
-            solved.push_back(sweep_row(number, settings, sequence->solve(scenes.scene(number), control)));
+            solved.push_back(
+                sweep_row(number, settings, solve_without_explaining(scenes.scene(number), control, &known)));
         } catch (const std::exception& error) {
             solved.push_back(failed_row(number, settings, fmt::format("error: {}", error.what())));
-            sequence.emplace();
+            known = {};
         }
         if (row_done) row_done(solved.back());
     }
@@ -96,12 +97,12 @@ std::vector<SweptScene> sweep(const Scene& scene, std::span<const double> values
                               const SolveControl& control,
                               const std::function<void(const SweptScene&)>& solved) {
     std::vector<SweptScene> rows;
-    SolveSequence sequence;
+    KnownSolutions known;
     for (const double value : values) {
         if (control.ending()) break;
         Scene one = scene;
         set(one, value);
-        SweptScene row{value, sequence.solve(one, control)};
+        SweptScene row{value, solve_without_explaining(one, control, &known)};
         if (control.stopped()) break;  // perhaps stopped halfway
         rows.push_back(std::move(row));
         if (solved) solved(rows.back());

@@ -2,9 +2,9 @@
 // Solving the rows of a sweep, chunk by chunk.
 //
 // The unit of work is a chunk: so many rows in a row, fixed by their numbers alone. Each chunk starts cold
-// and solves its rows in order, every one from what the row before found (studies/search/solve_sequence.hpp).
-// So a row's result depends on the plan and the size of the chunks, and on nothing else: not on who solves
-// which chunk, nor when.
+// and solves its rows in order, every one from what the row before found
+// (studies/search/known_solutions.hpp). So a row's result depends on the plan and the size of the chunks, and
+// on nothing else: not on who solves which chunk, nor when.
 #pragma once
 
 #include "solvers/solver.hpp"

@@ -122,6 +122,25 @@ TEST(Program, SettingsReplaceKeysOfTheScene) {
     expect_refused("solve " + scene("drd_cubic_12") + " --set spline.segmets=8", "--set spline.segmets=8");
 }
 
+TEST(Program, ResultHoldsThePlan) {
+    const auto solved = [](const std::string& name) {
+        return json::parse(run_camopt("solve " + scene(name) + " --json").output);
+    };
+    for (const std::string name : {"drd_cubic_12", "cam_smallest", "cam_undercut"}) {
+        const json result = solved(name);
+        const json &planned = result["plan"], &solver = result["solver"];
+        EXPECT_EQ(planned["convex"], solver["convex"]) << name;
+        EXPECT_LE(solver["starts"], planned["starts"]) << name;
+        EXPECT_EQ(planned["design"], result["design"]["kind"]) << name;
+        const bool settled = solver["starts"] == 0;  // by the relaxation, which has a solver of its own
+        EXPECT_EQ(solver["name"], settled ? json("structured") : planned["solver"]) << name;
+        EXPECT_EQ(planned["start_kinds"].empty(), planned["convex"].get<bool>()) << name;
+        const std::string check = run_camopt("check " + scene(name)).output;
+        EXPECT_NE(check.find("Solved: by " + planned["solver"].get<std::string>()), std::string::npos)
+            << name;
+    }
+}
+
 TEST(Program, ASolverIsChosenByName) {
     const json result =
         json::parse(run_camopt("solve " + scene("drd_cubic_12") + " --solver structured --json").output);
@@ -245,12 +264,12 @@ TEST(Program, CheckSaysWhatTheSceneIs) {
     expect_words(checked(scene("cam_smallest")),
                  {"translating roller", "base radius free from", "prime radius free from",
                   "Limits: ", "pressure angle <= "});
-    expect_words(checked(scene("barrel_smallest")),
-                 {"barrel cam", "Limits: ", "not convex", "a convex relaxation first"});
+    expect_words(checked(scene("barrel_smallest")), {"barrel cam", "Limits: ", "not convex",
+                                                     "a convex relaxation first", "dimension of the cam"});
     expect_words(checked(scene("cam_drdrd")),
                  {"a program of", "Segments: ", "spline 100 deg to 0 mm (0 of the lift)"});
     expect_words(checked(scene("cam_forces")), {"Forces: mass ", "contact force"});
-    expect_words(checked(scene("drd_free_knots")), {"its breakpoints free", "that move them"});
+    expect_words(checked(scene("drd_free_knots")), {"its breakpoints free", "6 breakpoints", "moves them"});
     expect_words(
         checked(scene("drd_cubic_12") +
                 " --set motion.speed_rpm=300 --set limits.velocity=1.8 "
@@ -258,8 +277,9 @@ TEST(Program, CheckSaysWhatTheSceneIs) {
         {"Motion: rise between two dwells, lift 10 mm, rise 120 deg, at 300 rpm",
          "Spline: degree 3, 12 uniform segments", "Limits: velocity <= 1.8 (normalised)",
          "0.4 × velocity + 0.4 × acceleration + 0.2 × jerk", "velocity 1.76, acceleration 5.53, jerk 69",
-         "Solved: by structured (chosen), design vector: states, at most 5 s; the expected verdict is "
-         "optimal or infeasible, both with a proof"});
+         "Searched: the motion Solved: by structured (chosen), design vector: states, at most 5 s",
+         "Ties: of equal optima the smoothest motion",
+         "Expected verdict: optimal or infeasible, both with a proof"});
 }
 
 TEST(Program, ListsWhatItKnows) {

@@ -13,7 +13,7 @@
 #include "output/report/result_folder.hpp"
 #include "scene/scene.hpp"
 #include "studies/papers/papers.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "tests/output/temporary_folder.hpp"
 

@@ -3,7 +3,7 @@
 #include "bindings/python/source/parts.hpp"
 #include "output/chart/studies/study_svg.hpp"
 #include "output/json/study_json.hpp"
-#include "studies/search/solve_sequence.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 
@@ -45,13 +45,13 @@ class Sequence {
         if (!turn)
             throw InputError("this Solver is solving in another thread; allowed: one thread at a time");
         return watched(given, std::move(progress), [this](const Scene& scene, const SolveControl& control) {
-            return sequence_.solve(scene, control);
+            return solve_without_explaining(scene, control, &known_);
         });
     }
 
  private:
     std::mutex busy_;
-    SolveSequence sequence_;
+    KnownSolutions known_;
 };
 
 ReadScene read_of(std::string text, std::string source, std::vector<std::string> settings,

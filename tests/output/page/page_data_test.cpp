@@ -6,9 +6,9 @@
 #include "output/page/page_html.hpp"
 #include "output/view/shown_units.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
+#include "studies/delivered/solution_report.hpp"
 #include "tests/output/sample_solution.hpp"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "input/loading/load_scene.hpp"
 #include "objectives/scene_model.hpp"
 #include "studies/bound/bounder.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 

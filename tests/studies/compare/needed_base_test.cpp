@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The smallest base radius for a given motion, against closed forms of the follower on the cam's axis.
-#include "studies/compare/needed_base.hpp"
-
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "studies/compare/comparison.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 
 #include "profiles/disk/disk_cam.hpp"
 #include "splines/extrema.hpp"
-#include "studies/delivered/delivered_conditions.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/independent_spline.hpp"
 #include "tests/studies/scenes_for_tests.hpp"

@@ -3,7 +3,7 @@
 // its scene, evaluated independently on 20,000 angles and closer about the worst. The limits are set near
 // what the motion without them reaches, so that many of them bite, among them where the cam would undercut.
 #include "profiles/disk/disk_cam.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/independent_cam.hpp"
 

@@ -5,7 +5,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/compare/needed_base.hpp"
+#include "studies/compare/comparison.hpp"
 #include "studies/delivered/cam_summary.hpp"
 #include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Limits along all of a delivered motion: which are verified and which are not, and what passes a limit
 // between the places that figures come from.
-#include "studies/delivered/enclosed_limits.hpp"
-
 #include "input/loading/load_scene.hpp"
 #include "studies/delivered/delivered_audit.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The parts of an explanation: values told on the side that does, finer splines, what no motion can keep,
 // limits that give way together, and the time it may take.
-#include "studies/explain/relaxation.hpp"
-
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/explain/adjustment.hpp"
-#include "studies/explain/finer_spline.hpp"
 #include "studies/explain/value_search.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"

@@ -8,7 +8,7 @@
 #include "input/scene_reader.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/papers/tappet_shedding.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/counting_clock.hpp"
 #include "tests/support/refusal.hpp"

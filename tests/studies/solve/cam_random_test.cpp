@@ -3,7 +3,7 @@
 // of it is proved, and more starts find nothing below what is proved.
 #include "profiles/disk/disk_cam.hpp"
 #include "solvers/certificate/box_proof.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/support/long_run.hpp"

@@ -2,7 +2,6 @@
 // Angles of a program that are searched: proved by boxes where the least objective only falls with an angle.
 #include "motions/laws/law_catalogue.hpp"
 #include "scene/motion/set_points.hpp"
-#include "studies/search/program/solve_free_angles.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A picture before its proof: near the answer, by less work, and without a claim.
-#include "studies/search/solve_sequence.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 
@@ -18,11 +18,15 @@ Scene torque_scene(double velocity) {
     return scene;
 }
 
+Solution look(const Scene& scene, KnownSolutions& known) {
+    return solve_without_explaining(scene, {}, &known, {.look = true});
+}
+
 TEST(LookTest, SearchContinuesFromLastMotion) {
-    SolveSequence sequence;
-    const Solution first = sequence.solve(torque_scene(0.4), {});
+    KnownSolutions known;
+    const Solution first = solve_without_explaining(torque_scene(0.4), {}, &known);
     ASSERT_GE(first.solver.starts, 2);
-    const Solution seen = sequence.look(torque_scene(0.42), {});
+    const Solution seen = look(torque_scene(0.42), known);
     EXPECT_EQ(seen.solver.starts, 1);
     EXPECT_FALSE(seen.certificate.lower_bound.has_value());
     EXPECT_NE(seen.certificate.verdict, Verdict::optimal);
@@ -32,20 +36,20 @@ TEST(LookTest, SearchContinuesFromLastMotion) {
 }
 
 TEST(LookTest, SolvesCompletelyWithoutLastMotion) {
-    SolveSequence sequence;
-    const Solution seen = sequence.look(torque_scene(0.4), {});
+    KnownSolutions known;
+    const Solution seen = look(torque_scene(0.4), known);
     EXPECT_EQ(seen.solver.starts, default_starts);
     Scene other = torque_scene(0.4);
     other.spline.segments = 14;
-    EXPECT_EQ(sequence.look(other, {}).solver.starts, default_starts) << "another spline is no neighbour";
+    EXPECT_EQ(look(other, known).solver.starts, default_starts) << "another spline is no neighbour";
 }
 
 TEST(LookTest, ConvexSceneIsSolvedAndTied) {
-    SolveSequence sequence;
+    KnownSolutions known;
     Scene scene = testing_support::paper_objective(MotionType::drd, 3, 16);
     for (const double velocity : {0.4, 0.45}) {
         scene.objective.velocity = velocity;
-        const Solution seen = sequence.look(scene, {});
+        const Solution seen = look(scene, known);
         const Solution whole = solve(scene);
         EXPECT_EQ(seen.certificate.verdict, Verdict::optimal);
         EXPECT_NEAR(seen.certificate.objective, whole.certificate.objective, 1e-8);
@@ -56,10 +60,10 @@ TEST(LookTest, ConvexSceneIsSolvedAndTied) {
 }
 
 TEST(LookTest, SolveAfterLookIsUnchanged) {
-    SolveSequence sequence;
-    (void)sequence.solve(torque_scene(0.4), {});
-    (void)sequence.look(torque_scene(0.41), {});
-    const Solution after = sequence.solve(torque_scene(0.42), {});
+    KnownSolutions known;
+    (void)solve_without_explaining(torque_scene(0.4), {}, &known);
+    (void)look(torque_scene(0.41), known);
+    const Solution after = solve_without_explaining(torque_scene(0.42), {}, &known);
     const Solution cold = solve(torque_scene(0.42));
     EXPECT_EQ(after.solver.starts, cold.solver.starts);
     EXPECT_EQ(after.certificate.verdict, cold.certificate.verdict);

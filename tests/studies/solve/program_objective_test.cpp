@@ -229,11 +229,11 @@ TEST(ProgramObjective, CamProgramScalesWithLift) {
 
 TEST(ProgramObjective, ACheckCountsTheFreeDisplacements) {
     const SceneCheck one = check_scene(program({spline(60), spline(80, 1.0), dwell(30)}, false));
-    EXPECT_EQ(one.free_displacements, 1);
-    EXPECT_TRUE(one.convex);
+    EXPECT_EQ(one.plan.displacements, 1);
+    EXPECT_TRUE(one.plan.convex);
     const SceneCheck none = check_scene(program({spline(60, 0.5), spline(80, 1.0), dwell(30)}, false));
-    EXPECT_EQ(none.free_displacements, 0);
-    EXPECT_TRUE(none.convex);
+    EXPECT_EQ(none.plan.displacements, 0);
+    EXPECT_TRUE(none.plan.convex);
 }
 
 /// Its control points are one number; the derivatives of its pieces were the rounding of that number.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The same scene said in another way has the same answer: another design vector, all weights times a factor,
 // time reversed. Random scenes, many of them with limits that leave no room.
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>

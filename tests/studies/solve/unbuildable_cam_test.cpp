@@ -2,7 +2,7 @@
 // A cam that cannot be built (an arm that does not reach) is never delivered under a verdict.
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
 #include <gtest/gtest.h>

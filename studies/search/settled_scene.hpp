@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A limit that is broken where every motion of the scene rests: at a displacement the scene itself gives,
-// with s' = 0. No search can help there, and none is needed to say so.
+// What is infeasible before anything is searched, and its proof: conditions on the motion that cannot be met
+// together, and a limit that is violated where every motion of the scene rests, at a displacement the scene
+// itself gives, with s' = 0.
 #pragma once
 
 #include "objectives/rules/model.hpp"
+#include "splines/motion_family.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {
+
+/// Notes the conditions that follow from others.
+void report_redundant(Solution& solution, const MotionFamily& family);
+
+/// Sets verdict, proof and notes of a family that has contradictions.
+void report_contradictions(Solution& solution, const MotionFamily& family);
 
 struct RestConflict {
     std::string key;  ///< of the limit

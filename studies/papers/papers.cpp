@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/paper_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 
 #include "core/errors.hpp"
-#include "studies/papers/papers.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/solve_held_strokes.hpp"
-
 #include "objectives/scene_model.hpp"
 #include "solvers/certificate/certificate.hpp"
+#include "studies/search/planned_solve.hpp"
+#include "studies/search/solve_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -31,10 +31,14 @@ struct Case {
 
 class DirectionSearch {
  public:
-    DirectionSearch(const Scene& scene, const SolveHeld& solve, const SolveControl& control)
-        : scene_(scene), solve_(solve), control_(control), family_(scene_family(scene, DesignKind::states)) {
-        for (const StrokeRange& stroke : strokes_of(scene, family_))
-            if (stroke.is_free()) members_.push_back(stroke.member);
+    DirectionSearch(const Scene& scene, const SolveControl& control)
+        : scene_(scene), control_(control), family_(scene_family(scene, DesignKind::states)) {
+        const std::vector<StrokeRange> strokes = strokes_of(scene, family_);
+        for (std::size_t k = 0; k < strokes.size(); ++k) {
+            if (!strokes[k].is_free()) continue;
+            free_.push_back(k);
+            members_.push_back(strokes[k].member);
+        }
     }
 
     [[nodiscard]] Solution run() {
@@ -56,16 +60,16 @@ class DirectionSearch {
 
  private:
     const Scene& scene_;
-    const SolveHeld& solve_;
     const SolveControl& control_;
     MotionFamily family_;
-    std::vector<std::string> members_;  ///< of the free strokes
+    std::vector<std::size_t> free_;     ///< the strokes whose displacement is free
+    std::vector<std::string> members_;  ///< their names
     std::vector<Case> cases_;           ///< together they hold everything
     int solves_ = 0;
 
     [[nodiscard]] Case solved(std::vector<StrokeDirection> directions, const Case* whole) {
         ++solves_;
-        Case part{directions, solve_({true, directions})};
+        Case part{directions, solve_with_strokes(scene_, {true, directions}, control_)};
         const Certificate& certificate = part.solution.certificate;
         if (whole != nullptr) {
             part.bound = whole->bound;
@@ -76,23 +80,14 @@ class DirectionSearch {
         if (certificate.proof && (better || part.infeasible()))
             part.proof = std::make_shared<DualityProof>(*certificate.proof);
         if (!part.solution.motion) return part;
-        const std::vector<double> excursions = free_excursions(*part.solution.motion);
+        const std::vector<double> excursions = excursions_of(scene_, family_, *part.solution.motion);
         double worst = scene_.solver.tolerance;
-        for (std::size_t k = 0; k < excursions.size(); ++k) {
-            if (directions[k] != StrokeDirection::open || excursions[k] <= worst) continue;
-            worst = excursions[k];
+        for (std::size_t k = 0; k < free_.size(); ++k) {
+            if (directions[k] != StrokeDirection::open || excursions[free_[k]] <= worst) continue;
+            worst = excursions[free_[k]];
             part.leaves = static_cast<int>(k);
         }
         return part;
-    }
-
-    [[nodiscard]] std::vector<double> free_excursions(const MotionChain& motion) const {
-        const std::vector<double> all = excursions_of(scene_, family_, motion);
-        const std::vector<StrokeRange> strokes = strokes_of(scene_, family_);
-        std::vector<double> free;
-        for (std::size_t k = 0; k < all.size(); ++k)
-            if (strokes[k].is_free()) free.push_back(all[k]);
-        return free;
     }
 
     [[nodiscard]] double best_objective() const {
@@ -181,15 +176,15 @@ class DirectionSearch {
 
 bool leaves_its_strokes(const Solution& solution) {
     const Scene& scene = solution.scene;
-    if ((!scene.motion.within_lift && !scene.motion.monotone) || !solution.motion) return false;
+    if (!solution.motion) return false;
     const std::vector<double> excursions =
         excursions_of(scene, scene_family(scene, DesignKind::states), *solution.motion);
     return std::ranges::any_of(excursions,
                                [&](double excursion) { return excursion > scene.solver.tolerance; });
 }
 
-Solution solve_held_strokes(const Scene& scene, const SolveHeld& solve, const SolveControl& control) {
-    return DirectionSearch(scene, solve, control).run();
+Solution solve_held_strokes(const Scene& scene, const SolveControl& control) {
+    return DirectionSearch(scene, control).run();
 }
 
 void take_bound_of_relaxation(Solution& solution, const Solution& relaxed) {

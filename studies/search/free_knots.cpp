@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "studies/search/solve_free_knots.hpp"
-
 #include "objectives/scene_model.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
-#include "studies/search/backend_choice.hpp"
+#include "studies/delivered/solution_report.hpp"
 #include "studies/search/free_knot_descent.hpp"
-#include "studies/search/solve_without_explaining.hpp"
-#include "studies/search/tie_break.hpp"
+#include "studies/search/solve_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -58,8 +55,8 @@ struct FreeKnotSearch {
     EvaluationCounts evaluations;
 };
 
-FreeKnotSearch search_breakpoints(const Scene& scene, const Solution& start, const SolveControl& control) {
-    const Peaks reference = reference_peaks(scene);
+FreeKnotSearch search_breakpoints(const PlannedRun& run, const Solution& start, const SolveControl& control) {
+    const Scene& scene = run.posed.scene();
     const CountingSolver solver(make_structured_solver());
     FreeKnotOptions options;
     options.exchange = exchange_options(scene);
@@ -70,16 +67,15 @@ FreeKnotSearch search_breakpoints(const Scene& scene, const Solution& start, con
         options.enough = limit + nothing_left * scene.solver.wanted_gap() * std::max(1.0, limit);
     }
     FreeKnotSearch search;
-    const int starts = scene.solver.starts.value_or(default_starts);
-    for (int k = 0; k < starts; ++k) {
+    for (int k = 0; k < run.plan.starts; ++k) {
         if (const std::optional<Termination> ending = control.ending()) {
             search.best.termination = *ending;
             break;
         }
         const std::vector<double> points =
             k == 0 ? start_breakpoints(scene)
-                   : random_breakpoints(scene, scene.solver.seed + static_cast<unsigned>(k));
-        FreeKnotProblem problem(with_breakpoints(scene, points), reference);
+                   : random_breakpoints(scene, run.plan.seed + static_cast<unsigned>(k));
+        FreeKnotProblem problem(with_breakpoints(scene, points), run.posed.reference);
         FreeKnotResult result = descend(problem, problem.start(), solver, options, control);
         ++search.starts;
         search.steps += result.steps;
@@ -151,28 +147,22 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
 void report_breakpoints(Solution& solution) {
     if (!solution.curve) return;
     const std::vector<double>& points = solution.curve->space().breakpoints();
-    const auto count = static_cast<Eigen::Index>(points.size()) - 2;
-    Eigen::VectorXd values(count + solution.design.values.size());
     std::vector<std::string> names;
-    for (Eigen::Index k = 0; k < count; ++k) {
-        names.push_back(fmt::format("x[{}]", k + 1));
-        values[k] = points[static_cast<std::size_t>(k) + 1];
-    }
-    values.tail(solution.design.values.size()) = solution.design.values;
-    names.insert(names.end(), solution.design.names.begin(), solution.design.names.end());
-    solution.design.names = std::move(names);
-    solution.design.values = std::move(values);
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) names.push_back(fmt::format("x[{}]", k));
+    add_to_design(solution, std::move(names), std::span(points).subspan(1, points.size() - 2));
 }
 
 }  // namespace
 
-Solution solve_free_knots(const Scene& scene, const SolveControl& control) {
+Solution solve_free_knots(const PlannedRun& run) {
+    const Scene& scene = run.posed.scene();
+    const SolveControl& control = run.control;
     const Stopwatch watch;
     Solution solution = solve_without_explaining(with_breakpoints(scene, start_breakpoints(scene)), control);
     double at_start = infinity;
     if (is_delivered(solution)) at_start = solution.certificate.objective;
     const double searching = control.deadline.seconds_left() - kept_for_last * watch.seconds();
-    FreeKnotSearch search = search_breakpoints(scene, solution, control.sooner(searching));
+    FreeKnotSearch search = search_breakpoints(run, solution, control.sooner(searching));
     const bool found = search.best.found.x.size() > 0 &&
                        search.best.found.violation <= scene.solver.tolerance &&
                        search.best.found.objective < at_start;
@@ -202,6 +192,20 @@ Solution solve_free_knots(const Scene& scene, const SolveControl& control) {
     report_breakpoints(solution);
     solution.seconds_total = solution.seconds_solve = watch.seconds();
     return solution;
+}
+
+Solution solve_held_on_breakpoints(const Scene& scene, const Solution& first, const SolveControl& control) {
+    const Scene fixed = with_breakpoints(scene, first.curve->space().breakpoints());
+    Solution held = solve_with_strokes(fixed, {.held = true}, control);
+    held.scene = scene;
+    if (held.certificate.verdict == Verdict::infeasible) held.certificate.verdict = Verdict::failed;
+    if (held.certificate.verdict == Verdict::failed) held.certificate.reason = Reason::no_feasible_point;
+    if (held.certificate.verdict == Verdict::optimal) {
+        held.certificate.verdict = Verdict::feasible;  // of these breakpoints alone
+        held.certificate.reason = Reason::converged;
+    }
+    forget_proof(held.certificate);
+    return held;
 }
 
 }  // namespace camopt

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "studies/search/planned_solve.hpp"
+
+#include "objectives/grid/cam_problem.hpp"
+#include "scene/written_limits.hpp"
+#include "solvers/solver.hpp"
+#include "solvers/registry.hpp"
+#include "studies/delivered/delivered_audit.hpp"
+#include "studies/delivered/smallest_of_any_motion.hpp"
+#include "studies/delivered/solution_report.hpp"
+#include "studies/measured/measured_fit.hpp"
+#include "studies/search/settled_scene.hpp"
+#include "studies/search/solve_steps.hpp"
+#include "studies/search/start_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+// A proof that comes at all comes within these; where doubles end, more of either only take time.
+constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
+
+/// Problems whose numbers are hard: another backend tries from the same grid. It counts if it proves more.
+void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProblem& problem,
+                     ContinuousResult& result, Solution& solution) {
+    const Verdict verdict = result.certificate.verdict;
+    const bool proved = verdict == Verdict::optimal || verdict == Verdict::infeasible;
+    if (run.plan.next_solver.empty() || proved || run.control.ending()) return;
+    ExchangeOptions exchange = exchange_options(solution.scene);
+    exchange.backend.native.clear();  // they belong to the first backend
+    exchange.backend.max_iterations = std::min(exchange.backend.max_iterations, most_iterations_of_next);
+    exchange.most_rounds = std::min(exchange.most_rounds, most_rounds_of_next);
+    ContinuousResult other =
+        solve_continuous(problem, *make_solver(run.plan.next_solver), exchange, judge, run.control);
+    solution.notes.push_back(fmt::format("{} ended without a proof ({}); {} was tried next", run.plan.solver,
+                                         name_of(result.certificate.reason), run.plan.next_solver));
+    if (other.certificate.verdict >= verdict) return;
+    result = std::move(other);
+    solution.solver.name = run.plan.next_solver;
+}
+
+ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamProblem& problem,
+                              Solution& solution) {
+    const JudgeOptions judge{solution.scene.solver.tolerance, solution.scene.solver.wanted_gap()};
+    ContinuousResult result =
+        solve_continuous(problem, solver, exchange_options(solution.scene), judge, run.control);
+    try_next_solver(run, judge, problem, result, solution);
+    run.known.keep(problem);
+    break_tie(run, problem, result);
+    return result;
+}
+
+ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamProblem& problem,
+                               Solution& solution) {
+    StartsResult all = solve_from_starts(run, problem.model(), solver);
+    solution.solver.convex = false;
+    solution.solver.starts = all.starts;
+    if (all.starts > 0 && all.starts < run.plan.starts && run.control.stopped())
+        solution.notes.push_back(
+            fmt::format("interrupted in the search: {} of {} starts were run", all.starts, run.plan.starts));
+    if (all.starts > 0) return std::move(all.result);
+    solution.solver.name = "structured";  // the relaxation settled it
+    if (all.result.certificate.verdict != Verdict::optimal) return std::move(all.result);
+    break_tie(run, problem, all.result);
+    solution.notes.emplace_back(
+        "the limits that are not convex are inactive: the optimum without them satisfies them, so it is the "
+        "optimum of the whole");
+    return std::move(all.result);
+}
+
+void report_result(Solution& solution, const CamProblem& problem, ContinuousResult result) {
+    solution.certificate = std::move(result.certificate);
+    solution.solver.termination = result.exchange.termination;
+    solution.solver.native_status = result.exchange.last.native_status;
+    solution.solver.iterations = result.exchange.iterations;
+    solution.solver.exchange_rounds = result.exchange.rounds;
+    solution.solver.proof_source = result.proof_source;
+    if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
+    if (result.x.size() > 0) report_motion(solution, problem, result.x);
+    if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
+}
+
+}  // namespace
+
+Solution solve_motion(const PlannedRun& run) {
+    const Stopwatch watch;
+    Solution solution;
+    solution.scene = run.posed.scene();
+    solution.reference_peaks = run.posed.reference;
+    solution.any_curve_limit = limit_curve(solution.scene, run.posed.reference);
+    solution.solver.name = run.plan.solver;
+    solution.solver.choice = run.plan.reason;
+    solution.design.kind = run.plan.design;
+    CountingSolver solver(make_solver(run.plan.solver));
+    check_native_options(run.plan.solver, solution.scene.solver.options);
+    CamProblem problem = run.known.problem(std::move(run.posed.model));
+    report_redundant(solution, problem.model().design);
+    if (run.plan.contradiction) {
+        report_contradictions(solution, problem.model().design);
+    } else if (!report_rest_conflict(solution, problem.model())) {
+        const Stopwatch solve_watch;
+        ContinuousResult result = run.plan.relaxations.empty()
+                                      ? solve_convex(run, solver, problem, solution)
+                                      : solve_general(run, solver, problem, solution);
+        solution.seconds_solve = solve_watch.seconds();
+        solution.evaluations = solver.counts();
+        report_result(solution, problem, std::move(result));
+    }
+    solution.seconds_total = watch.seconds();
+    return solution;
+}
+
+Solution solve_with_strokes(const Scene& scene, const HeldStrokes& strokes, const SolveControl& control) {
+    PosedScene posed(scene, strokes);
+    KnownSolutions none;
+    return solve_motion({posed, plan_of(posed), control, none});
+}
+
+Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSolutions* known,
+                       const PlanOptions& options) {
+    PosedScene posed(scene);
+    const auto plan = std::make_shared<const SolvePlan>(plan_of(posed, options));
+    SolveControl timed = control;
+    if (plan->searching < 1.0)
+        timed.in_vain = control.deadline.sooner(plan->searching * control.deadline.seconds_left());
+    KnownSolutions none;
+    const PlannedRun run{posed, *plan, timed, known != nullptr ? *known : none};
+    Solution solution;
+    if (plan->angles > 0) {
+        solution = solve_free_angles(scene, *plan, timed);  // each set of them by its own plan
+    } else {
+        solution = plan->breakpoints > 0 ? solve_free_knots(run) : solve_motion(run);
+        if (plan->strokes_first_free && leaves_its_strokes(solution)) {
+            Solution held = plan->breakpoints > 0 ? solve_held_on_breakpoints(posed.scene(), solution, timed)
+                                                  : solve_held_strokes(posed.scene(), timed);
+            take_bound_of_relaxation(held, solution);
+            solution = std::move(held);
+        }
+        posed.restore(solution);
+    }
+    solution.plan = plan;
+    return solution;
+}
+
+namespace {
+
+Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSolutions* known,
+                         const PlanOptions& options) {
+    std::optional<MeasuredReport> measured;
+    if (scene.measured) measured = measured_report(scene, reference_peaks(scene));
+    Solution solution = solve_planned(scene, timed, known, options);
+    if (measured) {
+        measured->started = began_from_measured(solution);
+        solution.measured = std::move(measured);
+    }
+    if (!options.look) audit_delivered(solution);
+    return solution;
+}
+
+/// Where conditions nearly contradict, the smoothest of the optima may be one that doubles do not hold though
+/// they hold the first that was found: that one is delivered then.
+std::optional<Solution> without_tie_break(const Scene& scene, const Solution& solution,
+                                          const SolveControl& timed, bool explain) {
+    const bool held = !is_no_motion(solution.certificate.reason);
+    if (held || scene.objective.tie_break == TieBreak::none || timed.ending()) return std::nullopt;
+    Scene plain = scene;
+    plain.objective.tie_break = TieBreak::none;
+    Solution first = solve_and_audit(plain, timed, nullptr, {.explain = explain});
+    if (!first.motion || first.certificate.verdict == Verdict::failed) return std::nullopt;
+    first.scene.objective.tie_break = scene.objective.tie_break;
+    first.notes.emplace_back(
+        "no tie-break: double precision cannot represent the smoothest of the optima; this is another "
+        "optimum");
+    return first;
+}
+
+/// What the clock ended depends on the machine: that must be told.
+void note_time_limit(Solution& solution) {
+    const std::string note = fmt::format(
+        "the time (solver.max_seconds = {:g}) ran out: the result depends on the machine, "
+        "and more time may change the result",
+        solution.scene.solver.max_seconds);
+    if (std::ranges::find(solution.notes, note) == solution.notes.end()) solution.notes.push_back(note);
+}
+
+}  // namespace
+
+Solution solve_without_explaining(const Scene& given, const SolveControl& control, KnownSolutions* known,
+                                  const PlanOptions& options) {
+    const Scene scene = with_written_limits(given);
+    validate(scene);
+    const SolveControl timed = control.sooner(scene.solver.max_seconds);
+    Solution solution = solve_and_audit(scene, timed, known, options);
+    if (std::optional<Solution> first = without_tie_break(scene, solution, timed, options.explain))
+        solution = std::move(*first);
+    if (timed.deadline.was_felt()) note_time_limit(solution);
+    return solution;
+}
+
+}  // namespace camopt
