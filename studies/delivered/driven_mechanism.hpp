@@ -58,7 +58,6 @@ class CamPoints {
     mutable std::unordered_map<Place, MechanismPoint, PlaceHash> points_;
 };
 
-
 // A second look at every limit on the cam of a delivered motion: not at points, but along every stretch of
 // it.
 

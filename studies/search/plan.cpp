@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/plan.hpp"
 
-#include "objectives/scene_model.hpp"
 #include "objectives/free_knots/free_knot_problem.hpp"
+#include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"

@@ -3,8 +3,8 @@
 
 #include "objectives/grid/cam_problem.hpp"
 #include "scene/written_limits.hpp"
-#include "solvers/solver.hpp"
 #include "solvers/registry.hpp"
+#include "solvers/solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"

@@ -5,6 +5,7 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/bound/box_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"
+
 #include <Eigen/QR>
 
 #include <algorithm>
