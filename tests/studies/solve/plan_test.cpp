@@ -4,7 +4,7 @@
 #include "studies/search/plan.hpp"
 
 #include "core/errors.hpp"
-#include "input/loading/known_names.hpp"
+#include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
