@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace camopt {
+namespace camopt::box_bound {
 
 // A part of all motions: boxes of their states at finitely many cam angles and of the parameters, and the
 // linear program that lies under the problem over these boxes.
@@ -155,4 +155,4 @@ class Bounder {
     std::map<std::pair<int, int>, int> linear_steps_;
 };
 
-}  // namespace camopt
+}  // namespace camopt::box_bound
