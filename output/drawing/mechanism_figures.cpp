@@ -2,7 +2,7 @@
 #include "output/drawing/mechanism_figures.hpp"
 
 #include "core/units.hpp"
-#include "output/chart/placed_texts.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"

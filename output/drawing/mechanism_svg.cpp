@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "core/whole_turn.hpp"
-#include "output/chart/placed_texts.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"

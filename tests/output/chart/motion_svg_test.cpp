@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
-#include "output/chart/axis_ticks.hpp"
 #include "output/chart/curve_chart.hpp"
+#include "output/chart/plot_frame.hpp"
 #include "output/report/report.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/peak_comparison.hpp"
