@@ -6,7 +6,6 @@
 #include "core/errors.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
-#include "output/chart/reference_table/reference_table_svg.hpp"
 #include "output/chart/studies/study_svg.hpp"
 #include "output/csv/study_csv.hpp"
 #include "output/json/study_json.hpp"

@@ -8,7 +8,6 @@
 // Values that are not finite break a line. Nothing throws.
 #pragma once
 
-#include "output/chart/axis_ticks.hpp"
 #include "output/chart/plot_frame.hpp"
 
 #include <cmath>

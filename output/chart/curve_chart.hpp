@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Curves of a view over the cam angle: one panel each, stacked, with limits dotted, the reference law dashed,
-// the measured motion, extremes and set points marked. One renderer for motion.svg, profile_diagrams.svg,
-// pressure_angle.svg, curvature.svg and forces.svg.
+// the measured motion, extremes and set points marked: motion.svg, profile_diagrams.svg, pressure_angle.svg,
+// curvature.svg and forces.svg.
 #pragma once
 
 #include "output/view/view.hpp"
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace camopt {
-
-struct CurveChart {
-    std::string title;
-    std::vector<std::string> lines = {};  ///< below the title
-    bool legend = false;
-    bool closed = true;                     ///< over the whole cam, not only over its motion
-    std::vector<const Curve*> panels = {};  ///< of the view
-};
-
-[[nodiscard]] std::string curve_chart_svg(const View& view, const CurveChart& chart);
-
-/// The curves of a group ("motion", "cam", "forces") whose keys begin with `key`; in their order.
-[[nodiscard]] std::vector<const Curve*> curves_of(const View& view, std::string_view group,
-                                                  std::string_view key = {});
 
 /// motion.svg: displacement, velocity, acceleration and jerk, the verdict below the title. Throws InputError
 /// where the solution has no motion.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/plot_frame.hpp"
 
+#include "output/view/number_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,99 +14,114 @@ namespace camopt {
 
 namespace {
 
-constexpr double decade_rounding = 1e-9;  // a power of ten on the end of the axis is inside
+constexpr double rounding = 1e-9;  // relative to the step: a tick on the end of the axis is inside
 
-std::string raised(int exponent) {
+std::vector<double> multiples(double step, double lower, double upper) {
+    std::vector<double> ticks;
+    const long first = std::lround(std::ceil(lower / step - rounding));
+    const long last = std::lround(std::floor(upper / step + rounding));
+    for (long k = first; k <= last; ++k) ticks.push_back(static_cast<double>(k) * step);
+    return ticks;
+}
+
+double round_step(double least) {
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= least * (1.0 - rounding)) return factor * power;
+    return 10.0 * power;
+}
+
+/// "10⁻⁹".
+std::string power_words(int exponent) {
     static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "⁻" : "";
+    if (exponent == 0 || exponent == 1) return exponent == 0 ? "1" : "10";
+    std::string text = exponent < 0 ? "10⁻" : "10";
     for (const char digit : std::to_string(std::abs(exponent)))
         text += digits[static_cast<std::size_t>(digit - '0')];
     return text;
 }
 
-std::string power_words(int exponent) {
-    if (exponent == 0) return "1";
-    return "10" + (exponent == 1 ? std::string{} : raised(exponent));
-}
-
-constexpr std::size_t most_pieces = 1500;  // more than a picture of 1000 px can show
-constexpr double points_over_all = 360;    // points a curve gets at least, spread over its pieces by length
-
-std::vector<double> drawn_breakpoints(const Motion& motion) {
-    std::vector<double> all = motion.breakpoints();
-    if (all.size() <= most_pieces) return all;
-    std::vector<double> some;
-    for (std::size_t i = 0; i <= most_pieces; ++i) some.push_back(all[i * (all.size() - 1) / most_pieces]);
-    return some;
-}
-
-/// Calls back with the points of each piece: both ends seen from inside.
-void for_each_piece(const Motion& motion, const std::function<void(const std::vector<MotionPoint>&)>& use) {
-    const std::vector<double> breakpoints = drawn_breakpoints(motion);
-    const double length = motion.end() - motion.begin();
-    std::vector<MotionPoint> points;
-    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-        const double left = breakpoints[i], right = breakpoints[i + 1];
-        const int steps = std::max(2, static_cast<int>(std::ceil(points_over_all * (right - left) / length)));
-        points.clear();
-        points.push_back(motion.at(left, Side::right));
-        for (int k = 1; k < steps; ++k) points.push_back(motion.at(left + (right - left) * k / steps));
-        points.push_back(motion.at(right, Side::left));
-        use(points);
-    }
-}
-
-/// A piece whose jerk is constant needs its ends only.
-bool is_constant(const std::vector<MotionPoint>& points, std::size_t order) {
-    const double first = points.front().derivative[order];
-    return std::all_of(points.begin(), points.end(), [&](const MotionPoint& point) {
-        return std::abs(point.derivative[order] - first) <= 1e-9 * std::abs(first);
-    });
-}
-
-class PathWriter {
- public:
-    PathWriter(const PlotMap& map, std::size_t order) : map_(map), order_(order) {}
-
-    void piece(const std::vector<MotionPoint>& points) {
-        const std::size_t stride = order_ == 3 && is_constant(points, order_) ? points.size() - 1 : 1;
-        for (std::size_t k = 0; k < points.size(); k += stride) {
-            const bool smooth = k > 0 && order_ < 3;
-            if (!std::isfinite(points[k].derivative[order_]))
-                pen_down_ = false;
-            else if (pen_down_ && smooth && std::isfinite(points[k - 1].derivative[order_ + 1]) &&
-                     std::isfinite(points[k].derivative[order_ + 1]))
-                curve_to(points[k - 1], points[k]);
-            else
-                line_to(points[k]);
-        }
-    }
-    [[nodiscard]] const std::string& data() const { return data_; }
-
- private:
-    [[nodiscard]] std::string place(double x, double value) const {
-        return svg_number(map_.horizontal(x)) + " " + svg_number(map_.vertical(value));
-    }
-    void line_to(const MotionPoint& point) {
-        data_ += pen_down_ ? 'L' : 'M';
-        data_ += place(point.x, point.derivative[order_]);
-        pen_down_ = true;
-    }
-    void curve_to(const MotionPoint& from, const MotionPoint& to) {
-        const double third = (to.x - from.x) / 3.0;
-        data_ += fmt::format(
-            "C{} {} {}", place(from.x + third, from.derivative[order_] + third * from.derivative[order_ + 1]),
-            place(to.x - third, to.derivative[order_] - third * to.derivative[order_ + 1]),
-            place(to.x, to.derivative[order_]));
-    }
-
-    const PlotMap& map_;
-    std::size_t order_;
-    std::string data_;
-    bool pen_down_ = false;
-};
+constexpr double tick_font = 11, tick_gap = 7, title_ascent = 12;  // px
 
 }  // namespace
+
+std::vector<double> round_ticks(double lower, double upper, int wanted) {
+    if (!(upper > lower) || !std::isfinite(upper - lower)) return {};
+    return multiples(round_step((upper - lower) / wanted), lower, upper);
+}
+
+std::vector<PlotTick> labelled_ticks(double lower, double upper, int wanted) {
+    std::vector<PlotTick> ticks;
+    const double step = round_step((upper - lower) / wanted);
+    for (const double value : round_ticks(lower, upper, wanted))
+        ticks.push_back({value, tick_text(value, step)});
+    return ticks;
+}
+
+std::vector<double> degree_ticks(double lower, double upper, int wanted) {
+    if (!(upper > lower) || !std::isfinite(upper - lower)) return {};
+    const double least = (upper - lower) / wanted;
+    for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0})
+        if (least > 0.5 && step >= least) return multiples(step, lower, upper);
+    return multiples(round_step(least), lower, upper);
+}
+
+std::string tick_text(double value, double step) {
+    const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + rounding)));
+    const bool plain = decimals <= 4 && std::abs(value) < 1e6;
+    // Neighbours differ in their last digit also where they are long: 1.60960, 1.60961.
+    const double size = std::abs(value) < step ? step : std::abs(value);
+    const int digits = std::max(
+        3, 1 + static_cast<int>(std::floor(std::log10(size)) - std::floor(std::log10(step) + rounding)));
+    if (!plain) return power_text(value, digits);
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (text.front() == '-') text.replace(0, 1, "−");
+    return text;
+}
+
+void ValueRange::add(double value) {
+    if (!std::isfinite(value)) return;
+    lower = started ? std::min(lower, value) : value;
+    upper = started ? std::max(upper, value) : value;
+    started = true;
+}
+
+ValueRange ValueRange::padded(double part) const {
+    constexpr double least_width =
+        1e-3;  // of the values: what differs by less is level, not a curve of rounding
+    const double size = std::max(std::abs(lower), std::abs(upper));
+    const double width = std::max(upper - lower, least_width * (size > 0.0 ? size : 1.0));
+    const double middle = 0.5 * (lower + upper);
+    return {middle - (0.5 + part) * width, middle + (0.5 + part) * width, started};
+}
+
+bool ValueRange::spans_factors() const {
+    constexpr double large_factor = 6.0;
+    return !empty() && lower > 0.0 && upper > large_factor * lower;
+}
+
+PlotAxis axis_over(const ValueRange& range, bool logarithmic) {
+    constexpr double room = 0.05;
+    if (!logarithmic) {
+        const ValueRange wide = range.padded(room);
+        return {wide.lower, wide.upper};
+    }
+    const double factor = std::pow(range.upper / range.lower, room);
+    return {range.lower / factor, range.upper * factor, 0.0, 1.0, true};
+}
+
+std::vector<PlotTick> labelled_ticks(const PlotAxis& axis, int wanted) {
+    if (!axis.logarithmic) return labelled_ticks(axis.lower, axis.upper, wanted);
+    constexpr double few = 3.0, many = 8.0;
+    const double decades = std::log10(axis.upper / axis.lower);
+    if (decades > few) return decade_ticks(axis.lower, axis.upper, decades > many ? 2 : 1);
+    std::vector<PlotTick> ticks;
+    for (double power = std::pow(10.0, std::floor(std::log10(axis.lower))); power <= axis.upper;
+         power *= 10.0)
+        for (const double digit : {1.0, 2.0, 5.0})
+            if (axis.holds(digit * power)) ticks.push_back({digit * power, short_text(digit * power, 5)});
+    return ticks;
+}
 
 double PlotAxis::place(double value) const {
     const double part =
@@ -128,32 +145,26 @@ void draw_plot_frame(SvgCanvas& canvas, const PlotFrame& frame) {
     if (!frame.horizontal_title.empty())
         canvas.text(0.5 * (across.begin + across.end), up.begin + 36, frame.horizontal_title, "axis-title");
     if (!frame.vertical_title.empty())
-        canvas.text(across.begin - 52, 0.5 * (up.begin + up.end), frame.vertical_title, "axis-title", 90.0);
+        canvas.text(across.begin - room_before(frame) + title_ascent, 0.5 * (up.begin + up.end),
+                    frame.vertical_title, "axis-title", 90.0);
+}
+
+double room_before(const PlotFrame& frame) {
+    constexpr double least = 64;  // so that panels above one another mostly begin at one place
+    double widest = 0.0;
+    for (const PlotTick& tick : frame.vertical_ticks)
+        widest = std::max(widest, text_width(tick.words, tick_font));
+    return std::max(least, widest + tick_gap + 6 + title_ascent);
 }
 
 std::vector<PlotTick> decade_ticks(double lower, double upper, int stride) {
     std::vector<PlotTick> ticks;
-    const int first = static_cast<int>(std::ceil(std::log10(lower) - decade_rounding));
-    const int last = static_cast<int>(std::floor(std::log10(upper) + decade_rounding));
+    const int first = static_cast<int>(std::ceil(std::log10(lower) - rounding));
+    const int last = static_cast<int>(std::floor(std::log10(upper) + rounding));
     for (int exponent = first; exponent <= last; ++exponent)
         ticks.push_back(
             {std::pow(10.0, exponent), exponent % stride == 0 ? power_words(exponent) : std::string{}});
     return ticks;
-}
-
-std::string curve_path(const Motion& motion, int order, const PlotMap& map) {
-    PathWriter writer(map, static_cast<std::size_t>(order));
-    for_each_piece(motion, [&](const std::vector<MotionPoint>& points) { writer.piece(points); });
-    return writer.data();
-}
-
-ValueRange value_range(const Motion& motion, int order) {
-    ValueRange range;
-    range.add(0.0);
-    for_each_piece(motion, [&](const std::vector<MotionPoint>& points) {
-        for (const MotionPoint& point : points) range.add(point.derivative[static_cast<std::size_t>(order)]);
-    });
-    return range;
 }
 
 }  // namespace camopt

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/chart/placed_texts.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/drawing/cam_svg.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/view/cam_words.hpp"

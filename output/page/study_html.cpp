@@ -2,7 +2,6 @@
 #include "output/page/study_html.hpp"
 
 #include "core/units.hpp"
-#include "output/chart/sweep/sweep_quantities.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/view/number_text.hpp"

@@ -2,7 +2,7 @@
 #include "output/spatial/drum_pictures.hpp"
 
 #include "core/units.hpp"
-#include "output/chart/placed_texts.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/flank_surfaces.hpp"

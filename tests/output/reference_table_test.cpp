@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference table's texts, against a small table made by hand: one row proved, one failed, one infinite
 // jerk.
-#include "output/chart/reference_table/reference_table_svg.hpp"
+#include "output/chart/studies/study_svg.hpp"
 #include "output/csv/study_csv.hpp"
 #include "output/json/study_json.hpp"
 #include "output/words/study_text.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/placed_texts.hpp"
+#include "output/chart/chart.hpp"
 #include "output/chart/studies/study_svg.hpp"
-#include "output/chart/sweep/sweep_quantities.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
@@ -9,16 +8,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace camopt {
 
 namespace {
-
-constexpr double margin = 40, top = 118, main_left = 100, main_width = 560, main_height = 470;
-constexpr double law_size = 10.5, law_column = 228, diamond = 3.0;  // of the laws' numbers, names, marks
-constexpr double side_left = 780, side_width = 400, side_height = 190, page_width = 1220;
 
 /// How a goal is shown: its name, and what its value in the front (normalised, m) is multiplied by. With a
 /// speed a peak of one rise or return stands in its unit; a program's is of its segments, each by its own
@@ -71,139 +67,91 @@ std::optional<double> law_value(const Peaks& peaks, const FrontGoal& goal) {
     return cost_term(*figure).measured.of(peaks);
 }
 
-struct LawMark {
-    double x = 0.0, y = 0.0;
-    std::string title;
-};
+/// A value along the front: a line through all points that are drawn, dots at those of the result.
+ChartPanel panel_along(const ParetoPicture& picture, const std::string& title,
+                       const std::function<double(const FrontPoint&)>& value) {
+    ChartPanel panel{.width = 400, .height = 190, .by_factors = true};
+    panel.frame.horizontal_title = goal_title(picture, 0);
+    panel.frame.vertical_title = title;
+    ChartSeries line{Look::line, "row-line"}, dots{Look::dot, "row-dot"};
+    for (const FrontPoint& point : picture.front.points) {
+        if (!is_drawn(point)) continue;
+        const double x = shown(picture, point, 0), y = value(point);
+        line.points.push_back({x, y});
+        if (point.place >= 0 || !picture.front.complete)
+            dots.points.push_back(
+                {x, y, fmt::format("{}r{}", point.end == FrontEnd::cut_off ? "off " : "", point.number)});
+    }
+    panel.series = {std::move(line), std::move(dots)};
+    return panel;
+}
 
-std::vector<LawMark> law_marks(const ParetoPicture& picture) {
-    std::vector<LawMark> marks;
-    if (picture.laws == nullptr || picture.front.request.keep_weights) return marks;
+/// The bound of all curves at the points of the front. Beyond the last break of its shape it runs to
+/// infinity.
+ChartSeries bound_series(const ParetoPicture& picture) {
+    ChartSeries bound{.css = "limit-line", .compared = true};
+    for (const FrontPoint& point : picture.front.points)
+        if (const auto at = any_curve_point(picture.front, point); at && is_drawn(point))
+            bound.points.push_back(
+                {goal_axis(picture, 0).factor * (*at)[0], goal_axis(picture, 1).factor * (*at)[1]});
+    std::ranges::sort(bound.points, {}, [](const ChartPoint& point) { return std::pair(point.x, point.y); });
+    return bound;
+}
+
+/// Diamonds, labelled with the titles of the laws, from left to right.
+ChartSeries law_series(const ParetoPicture& picture) {
+    ChartSeries laws{
+        .look = Look::diamond, .css = "law", .label_css = "law-number", .font = 10.5, .compared = true};
+    if (picture.laws == nullptr || picture.front.request.keep_weights) return laws;
     for (const ComparisonRow& row : picture.laws->rows) {
         if (row.is_optimum() || !row.misfit.empty()) continue;
         const auto x = law_value(row.peaks, picture.front.request.goals[0]);
         const auto y = law_value(row.peaks, picture.front.request.goals[1]);
         if (x && y && std::isfinite(*x) && std::isfinite(*y))
-            marks.push_back(
-                {goal_axis(picture, 0).factor * *x, goal_axis(picture, 1).factor * *y, row.title});
+            laws.points.push_back(
+                {goal_axis(picture, 0).factor * *x, goal_axis(picture, 1).factor * *y, "", row.title});
     }
-    return marks;
+    std::ranges::stable_sort(laws.points, {}, &ChartPoint::x);
+    return laws;
 }
 
-PlotFrame frame_of(const ValueRange& x, const ValueRange& y, const PanelFrame& place) {
-    PlotFrame frame;
-    frame.horizontal = axis_over(x, place.left, place.left + place.width);
-    frame.vertical = axis_over(y, place.top + place.height, place.top);
-    frame.horizontal_ticks = labelled_ticks(frame.horizontal, 6);
-    frame.vertical_ticks = labelled_ticks(frame.vertical, 6);
-    return frame;
-}
-
-using Points = std::vector<std::array<double, 2>>;
-
-void draw_polyline(SvgCanvas& canvas, const PlotFrame& frame, const Points& points, const char* look) {
-    std::string path;
-    for (const auto& [x, y] : points)
-        path += fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(frame.horizontal.place(x)),
-                            svg_number(frame.vertical.place(y)));
-    if (points.size() > 1) canvas.path(path, look);
-}
-
-/// Numbered diamonds, and their names below the other panels.
-void draw_law_marks(SvgCanvas& canvas, const PlotFrame& frame, std::vector<LawMark> marks) {
-    std::erase_if(marks, [&](const LawMark& mark) {
-        return !frame.horizontal.holds(mark.x) || !frame.vertical.holds(mark.y);
+/// The table of the laws within the axes; their labels become its numbers.
+ChartPanel number_laws(ChartPanel& panel) {
+    ChartPanel names{.place = ChartPanel::Place::below, .columns = {{}, {}}, .row_height = 17};
+    std::vector<ChartPoint>& laws = panel.series[1].points;
+    std::erase_if(laws, [&](const ChartPoint& law) {
+        return !panel.frame.horizontal.holds(law.x) || !panel.frame.vertical.holds(law.y);
     });
-    std::ranges::stable_sort(marks, {}, &LawMark::x);
-    PlacedTexts numbers(frame.horizontal.begin, frame.vertical.end, frame.horizontal.end,
-                        frame.vertical.begin);
-    for (const LawMark& mark : marks)
-        numbers.keep_free(frame.horizontal.place(mark.x), frame.vertical.place(mark.y), diamond);
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        const LawMark& mark = marks[i];
-        const double x = frame.horizontal.place(mark.x), y = frame.vertical.place(mark.y);
-        canvas.path(fmt::format("M{0} {1}l4 4l-4 4l-4 -4Z", svg_number(x), svg_number(y - 4)), "law");
+    for (ChartColumn& column : names.columns) column.side = TextSide::start;
+    for (std::size_t i = 0; i < laws.size(); ++i) {
         const std::string number = std::to_string(i + 1);
-        numbers.draw(canvas, number, places_around(x, y, text_width(number, law_size), law_size),
-                     "law-number", law_size);
-        const std::size_t rows = (marks.size() + 1) / 2;
-        canvas.text(side_left - 20 + law_column * static_cast<double>(i / rows),
-                    top + side_height + 70 + 17.0 * static_cast<double>(i % rows),
-                    fmt::format("{}  {}", i + 1, mark.title), "law-number");
+        names.columns[2 * i < laws.size() ? 0 : 1].cells.push_back(
+            {number + "  " + std::exchange(laws[i].label, number), "law-number"});
     }
+    return names;
 }
 
-void draw_front(SvgCanvas& canvas, const ParetoPicture& picture) {
-    const ParetoFront& front = picture.front;
-    Points all, limit;
-    ValueRange x, y;
-    for (const FrontPoint& point : front.points) {
-        if (!is_drawn(point)) continue;
-        all.push_back({shown(picture, point, 0), shown(picture, point, 1)});
-        x.add(all.back()[0]);
-        y.add(all.back()[1]);
-        if (const auto bound = any_curve_point(front, point))
-            limit.push_back(
-                {goal_axis(picture, 0).factor * (*bound)[0], goal_axis(picture, 1).factor * (*bound)[1]});
+std::vector<ChartPanel> panels_of(const ParetoPicture& picture) {
+    const auto& goals = picture.front.request.goals;
+    ChartPanel main = panel_along(picture, goal_title(picture, 1),
+                                  [&](const FrontPoint& point) { return shown(picture, point, 1); });
+    if (main.series.front().points.empty()) return {};
+    main.width = 560;
+    main.height = 470;
+    main.series.insert(main.series.begin(), {bound_series(picture), law_series(picture)});
+    set_axes(main);
+    ChartPanel names = number_laws(main);
+    std::vector<ChartPanel> panels = {std::move(main)};
+    for (const FrontFigure figure : {FrontFigure::jerk, FrontFigure::acceleration, FrontFigure::velocity}) {
+        if (std::ranges::find(goals, FrontGoal(figure)) != goals.end() || panels.size() == 3) continue;
+        const GoalAxis axis = figure_axis(picture.scene, cost_term(figure));
+        panels.push_back(panel_along(picture, axis.title, [&](const FrontPoint& point) {
+            return axis.factor * value_of(point.solution, FrontGoal(figure));
+        }));
+        panels.back().place = panels.size() == 2 ? ChartPanel::Place::right : ChartPanel::Place::below;
     }
-    if (all.empty()) return;
-    // Beyond the last break of its shape the limit runs to infinity: what leaves the picture is not drawn.
-    for (const auto& [across, up] : limit) {
-        if (up <= y.upper) x.add(across);
-        if (across <= x.upper) y.add(std::min(up, y.upper));
-    }
-    std::vector<LawMark> marks = law_marks(picture);
-    for (const LawMark& mark : marks) {
-        if (mark.x > x.upper + 0.35 * (x.upper - x.lower) || mark.y > 1.05 * y.upper) continue;
-        x.add(mark.x);
-        y.add(mark.y);
-    }
-    PlotFrame frame = frame_of(x, y, {main_left, top, main_width, main_height});
-    frame.horizontal_title = goal_title(picture, 0);
-    frame.vertical_title = goal_title(picture, 1);
-    draw_plot_frame(canvas, frame);
-    std::erase_if(limit, [&](const auto& point) {
-        return !frame.horizontal.holds(point[0]) || !frame.vertical.holds(point[1]);
-    });
-    std::ranges::sort(limit);
-    draw_polyline(canvas, frame, limit, "limit-line");
-    draw_polyline(canvas, frame, all, "row-line");
-    draw_law_marks(canvas, frame, std::move(marks));
-    for (const FrontPoint& point : front.points) {
-        if (!is_drawn(point) || (point.place < 0 && front.complete)) continue;
-        canvas.circle(
-            frame.horizontal.place(shown(picture, point, 0)), frame.vertical.place(shown(picture, point, 1)),
-            4.0,
-            fmt::format("{} r{}", point.end == FrontEnd::cut_off ? "row-dot off" : "row-dot", point.number));
-    }
-}
-
-/// A figure that is no goal, along the front.
-void draw_other(SvgCanvas& canvas, const ParetoPicture& picture, FrontFigure figure, double panel_top) {
-    const ParetoFront& front = picture.front;
-    const GoalAxis axis = figure_axis(picture.scene, cost_term(figure));
-    const auto value = [&](const FrontPoint& point) {
-        return axis.factor * value_of(point.solution, FrontGoal(figure));
-    };
-    Points all;
-    ValueRange x, y;
-    for (const FrontPoint& point : front.points) {
-        if (!is_drawn(point)) continue;
-        all.push_back({shown(picture, point, 0), value(point)});
-        x.add(all.back()[0]);
-        y.add(all.back()[1]);
-    }
-    if (all.empty()) return;
-    PlotFrame frame = frame_of(x, y, {side_left, panel_top, side_width, side_height});
-    frame.horizontal_title = goal_title(picture, 0);
-    frame.vertical_title = axis.title;
-    draw_plot_frame(canvas, frame);
-    draw_polyline(canvas, frame, all, "row-line");
-    for (const FrontPoint& point : front.points) {
-        if (!is_drawn(point) || (point.place < 0 && front.complete)) continue;
-        canvas.circle(frame.horizontal.place(shown(picture, point, 0)), frame.vertical.place(value(point)),
-                      3.0, fmt::format("row-dot r{}", point.number));
-    }
+    if (!names.columns.front().cells.empty()) panels.push_back(std::move(names));
+    return panels;
 }
 
 std::string count_sentence(const ParetoFront& front) {
@@ -249,29 +197,13 @@ std::string end_sentence(const ParetoPicture& picture) {
 }  // namespace
 
 std::string pareto_svg(const ParetoPicture& picture) {
-    const ParetoFront& front = picture.front;
-    const std::string title =
-        fmt::format("{}: {} against {}", picture.scene.title.empty() ? "Front" : picture.scene.title,
-                    goal_title(picture, 0), goal_title(picture, 1));
-    const double height = top + main_height + 64;
-    SvgCanvas canvas(page_width, height, sweep_panel_style(), title);
-    canvas.rectangle(0, 0, page_width, height, "page");
-    canvas.text(margin, 38, title, "title");
-    canvas.text(margin, 61, count_sentence(front), "subtitle");
-    canvas.text(margin, 80,
-                end_sentence(picture) + " Dashed: lower bound for every curve. Diamonds: classical laws.",
-                "subtitle");
-    draw_front(canvas, picture);
-    double side_top = top;
-    int panels = 0;
-    for (const FrontFigure figure : {FrontFigure::jerk, FrontFigure::acceleration, FrontFigure::velocity}) {
-        const auto& goals = front.request.goals;
-        if (std::ranges::find(goals, FrontGoal(figure)) != goals.end() || panels == 2) continue;
-        draw_other(canvas, picture, figure, side_top);
-        side_top += main_height - side_height;
-        ++panels;
-    }
-    return canvas.finish();
+    return chart_svg(
+        {fmt::format("{}: {} against {}", picture.scene.title.empty() ? "Front" : picture.scene.title,
+                     goal_title(picture, 0), goal_title(picture, 1)),
+         {count_sentence(picture.front),
+          end_sentence(picture) + " Dashed: lower bound for every curve. Diamonds: classical laws."},
+         {},
+         panels_of(picture)});
 }
 
 std::string pareto_text(const ParetoPicture& picture) {

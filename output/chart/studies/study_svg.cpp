@@ -2,9 +2,10 @@
 #include "output/chart/studies/study_svg.hpp"
 
 #include "core/units.hpp"
-#include "output/chart/axis_ticks.hpp"
-#include "output/chart/plot_frame.hpp"
-#include "output/chart/svg_canvas.hpp"
+#include "output/chart/chart.hpp"
+#include "output/words/study_text.hpp"
+#include "output/view/number_text.hpp"
+#include "output/words/solution_text.hpp"
 
 #include <fmt/format.h>
 
@@ -13,133 +14,12 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <string_view>
+#include <utility>
 
 namespace camopt {
 
 namespace {
-
-// Layout, px.
-constexpr double page_width = 900, left = 84, right = 876, top = 64, bottom = 500, margin_below = 60;
-constexpr double least_height = 160;  // of a plot
-constexpr double legend_row = 20, legend_column = 264;
-constexpr int legend_columns = 3;
-constexpr int colours = 8;
-constexpr double padding = 0.04;  // of the range, around the values
-
-const char* page_style =
-    ".title{font-size:16px;font-weight:600;fill:#111}.key{font-size:12px;fill:#333}"
-    ".l0,.l1,.l2,.l3,.l4,.l5,.l6,.l7{fill:none;stroke-width:1.8;stroke-linejoin:round}"
-    ".l0{stroke:#0b6bb5}.l1{stroke:#d1495b}.l2{stroke:#2a9d5c}.l3{stroke:#8d5fc4}"
-    ".l4{stroke:#c98a10}.l5{stroke:#19a3a3}.l6{stroke:#7a5a44}.l7{stroke:#666}.p0{fill:#0b6bb5}"
-    ".p1{fill:#d1495b}.p2{fill:#2a9d5c}.p3{fill:#8d5fc4}.p4{fill:#c98a10}.p5{fill:#19a3a3}"
-    ".p6{fill:#7a5a44}.p7{fill:#666}";
-
-struct Range {
-    double lower = std::numeric_limits<double>::infinity(), upper = -lower;
-
-    void take(double value) {
-        lower = std::min(lower, value);
-        upper = std::max(upper, value);
-    }
-};
-
-bool shown(double value, bool logarithmic) {
-    return std::isfinite(value) && (!logarithmic || value > 0.0);
-}
-
-/// The values' range with air around it; [0, 1] where there is no value.
-Range padded(Range range, bool logarithmic) {
-    if (!(range.lower <= range.upper)) return {0.0 + (logarithmic ? 0.1 : 0.0), 1.0};
-    if (logarithmic) {
-        range.lower = std::pow(10.0, std::floor(std::log10(range.lower)));
-        range.upper = std::pow(10.0, std::ceil(std::log10(range.upper) + 1e-9));
-        return range;
-    }
-    double air = padding * (range.upper - range.lower);
-    if (!(air > 0.0)) air = range.lower == 0.0 ? 1.0 : 0.1 * std::abs(range.lower);
-    return {range.lower - air, range.upper + air};
-}
-
-/// The bottom of a plot on which one unit is as long on both axes. A wide shape gets a lower plot; where that
-/// is not enough, or the shape is high, the range that is too narrow is widened.
-double equalised_bottom(Range& across, Range& up) {
-    const double unit = (across.upper - across.lower) / (right - left);
-    const double wanted = (up.upper - up.lower) / unit;
-    const double height = std::clamp(wanted, least_height, bottom - top);
-    const auto widen = [](Range& range, double size) {
-        const double middle = 0.5 * (range.lower + range.upper);
-        range = {middle - 0.5 * size, middle + 0.5 * size};
-    };
-    if (wanted <= height)
-        widen(up, unit * height);
-    else
-        widen(across, (up.upper - up.lower) / height * (right - left));
-    return top + height;
-}
-
-std::vector<PlotTick> ticks_of(const Range& range, bool logarithmic, int wanted) {
-    if (logarithmic) {
-        const double decades = std::log10(range.upper / range.lower);
-        return decade_ticks(range.lower, range.upper, decades > 8.0 ? 2 : 1);
-    }
-    return labelled_ticks(range.lower, range.upper, wanted);
-}
-
-PlotFrame frame_of(const PaperFigure& figure) {
-    Range across, up;
-    for (const PaperSeries& series : figure.series) {
-        for (std::size_t i = 0; i < series.x.size() && i < series.y.size(); ++i) {
-            if (!shown(series.x[i], figure.logarithmic) || !shown(series.y[i], figure.logarithmic)) continue;
-            across.take(series.x[i]);
-            up.take(series.y[i]);
-        }
-    }
-    across = padded(across, figure.logarithmic);
-    up = padded(up, figure.logarithmic);
-    const double plot_bottom = figure.equal_scales ? equalised_bottom(across, up) : bottom;
-    PlotFrame frame;
-    frame.horizontal = {across.lower, across.upper, left, right, figure.logarithmic};
-    frame.vertical = {up.lower, up.upper, plot_bottom, top, figure.logarithmic};
-    frame.horizontal_ticks = ticks_of(across, figure.logarithmic, 10);
-    frame.vertical_ticks = ticks_of(up, figure.logarithmic, plot_bottom - top < 300 ? 4 : 8);
-    frame.horizontal_title = figure.x_title;
-    frame.vertical_title = figure.y_title;
-    return frame;
-}
-
-void draw_series(SvgCanvas& canvas, const PlotFrame& frame, const PaperFigure& figure, std::size_t index) {
-    const PaperSeries& series = figure.series[index];
-    const std::string colour = std::to_string(index % colours);
-    std::string path;
-    bool pen_down = false;
-    for (std::size_t i = 0; i < series.x.size() && i < series.y.size(); ++i) {
-        if (!shown(series.x[i], figure.logarithmic) || !shown(series.y[i], figure.logarithmic)) {
-            pen_down = false;
-            continue;
-        }
-        const double x = frame.horizontal.place(series.x[i]), y = frame.vertical.place(series.y[i]);
-        if (series.markers) canvas.circle(x, y, 3.2, "p" + colour);
-        path += fmt::format("{}{} {}", pen_down ? 'L' : 'M', svg_number(x), svg_number(y));
-        pen_down = true;
-    }
-    if (!series.markers && !path.empty()) canvas.path(path, "l" + colour);
-}
-
-void draw_legend(SvgCanvas& canvas, const PaperFigure& figure, double plot_bottom) {
-    for (std::size_t i = 0; i < figure.series.size(); ++i) {
-        const std::string colour = std::to_string(i % colours);
-        const double x = left + legend_column * static_cast<double>(i % legend_columns);
-        const std::size_t row = i / legend_columns;
-        const double y = plot_bottom + margin_below + legend_row * static_cast<double>(row);
-        if (figure.series[i].markers)
-            canvas.circle(x + 12, y - 4, 3.2, "p" + colour);
-        else
-            canvas.line(x, y - 4, x + 24, y - 4, "l" + colour);
-        canvas.text(x + 30, y, figure.series[i].title, "key");
-    }
-}
 
 // Beside optimum, static optimum and reference law: those most drives offer.
 constexpr std::array<std::string_view, 3> shown_laws = {"modified_sine", "polynomial_345", "cycloidal"};
@@ -149,61 +29,135 @@ bool is_shown(const TrainStudy& study, const std::string& key) {
            std::ranges::find(shown_laws, key) != shown_laws.end();
 }
 
+/// One series a motion that is shown.
 PaperFigure over_speed(const TrainStudy& study, const char* title, const char* unit,
                        const std::function<double(const TrainRow&)>& value) {
-    PaperFigure figure;
-    figure.title = title;
-    figure.x_title = "speed of the cam, rpm";
-    figure.y_title = unit;
+    PaperFigure figure{"", title, "speed of the cam, rpm", unit, {}};
     const std::size_t count = study.speeds.size();
     for (std::size_t i = 0; i < study.motions.size(); ++i) {
         if (!is_shown(study, study.motions[i].first)) continue;
-        PaperSeries series;
-        series.title = study.motions[i].second;
-        for (std::size_t k = 0; k < count; ++k) {
-            const TrainRow& row = study.rows[i * count + k];
-            series.x.push_back(row.speed / units::revolution_per_minute);
-            series.y.push_back(value(row));
+        PaperSeries& series = figure.series.emplace_back(PaperSeries{study.motions[i].second, {}, {}});
+        for (std::size_t k = i * count; k < (i + 1) * count; ++k) {
+            series.x.push_back(study.rows[k].speed / units::revolution_per_minute);
+            series.y.push_back(value(study.rows[k]));
         }
-        figure.series.push_back(std::move(series));
     }
     return figure;
 }
 
 PaperFigure over_angle(const TrainStudy& study, const std::string& title, const char* unit,
                        const std::function<double(const TrainInstant&)>& value) {
-    PaperFigure figure;
-    figure.title = title;
-    figure.x_title = "cam angle from the beginning of the rise, deg";
-    figure.y_title = unit;
+    PaperFigure figure{"", title, "cam angle from the beginning of the rise, deg", unit, {}};
     for (const TrainHistory& history : study.histories) {
-        PaperSeries series;
         const auto named =
             std::ranges::find(study.motions, history.motion, &std::pair<std::string, std::string>::first);
-        series.title = named->second;
+        PaperSeries& series = figure.series.emplace_back(PaperSeries{named->second, {}, {}});
         for (const TrainInstant& instant : history.instants) {
             series.x.push_back(instant.x * study.scene.motion.unit_angle() / units::degree);
             series.y.push_back(value(instant));
         }
-        figure.series.push_back(std::move(series));
     }
     return figure;
+}
+
+// A bar ends here at the latest, in units of the least finite objective: one bad law must not flatten the
+// rest.
+constexpr double longest_bar = 3.0;
+constexpr std::size_t most_letters = 52;  // of a remark
+constexpr double row_height = 24;         // px
+
+std::string shortened(const std::string& words) {
+    if (words.size() <= most_letters) return words;
+    std::size_t end = words.rfind(' ', most_letters - 1);
+    if (end == std::string::npos) end = most_letters - 1;
+    return words.substr(0, end) + " …";
+}
+
+std::string remark_of(const ComparisonRow& row) {
+    const std::vector<std::string> broken = broken_limits(row);
+    if (broken.empty()) return {};
+    const std::string more = broken.size() > 1 ? fmt::format("; {} more", broken.size() - 1) : "";
+    return shortened(broken.front()) + more;
+}
+
+/// One bar a row; why there is none in words.
+ChartPanel bar_panel(const Comparison& comparison) {
+    const bool limits =
+        std::ranges::any_of(comparison.rows, [](const auto& row) { return !row.limits.empty(); });
+    ChartSeries optimum{Look::bar, "optimum-bar", {}, 0.0, "optimum"},
+        laws{Look::bar, "law-bar", {}, 0.0, limits ? "law, satisfies every limit" : "law"},
+        broken{Look::bar, "broken-bar", {}, 0.0, limits ? "law, violates a limit (the worst is named)" : ""};
+    ChartSeries line{Look::line, "optimum-line"};
+    ChartSeries words{Look::label, "", {}, 0.0, "", "remark", LabelSide::beside};
+    ChartPanel panel{.place = ChartPanel::Place::right, .width = 330, .row_height = row_height};
+    panel.frame.horizontal_title = "objective";
+    double least = infinity, most = 0.0, last = 0.0;
+    for (const ComparisonRow& row : comparison.rows) {
+        const double y = -0.5 - panel.rows++;
+        if (!row.misfit.empty() || !std::isfinite(row.objective)) {
+            words.points.push_back({0.0, y, "", row.misfit.empty() ? "∞" : "left out: " + row.misfit});
+            continue;
+        }
+        (!row.feasible ? broken : row.is_optimum() ? optimum : laws).points.push_back({row.objective, y});
+        if (row.is_optimum()) line.points.push_back({row.objective, y + 0.5});
+        least = std::min(least, row.objective);
+        most = std::max(most, row.objective);
+        last = y - 0.5;
+    }
+    if (!line.points.empty()) line.points.push_back({line.points.front().x, last});
+    if (!(most > 0.0)) most = 1.0;
+    panel.frame.horizontal = {0.0, 1.04 * (least > 0.0 ? std::min(most, longest_bar * least) : most)};
+    panel.series = {std::move(optimum), std::move(laws), std::move(broken), std::move(line),
+                    std::move(words)};
+    return panel;
+}
+
+/// The table left of the bars, and that right of them.
+std::array<ChartPanel, 2> tables_of(const Comparison& comparison) {
+    std::array<ChartPanel, 2> tables;
+    const auto add = [&](std::size_t table, const std::string& head,
+                         const std::function<std::string(const ComparisonRow&)>& words) {
+        ChartColumn column{head};
+        for (const ComparisonRow& row : comparison.rows)
+            column.cells.push_back(
+                {row.misfit.empty() || table == 0 ? words(row) : "", row.is_optimum() ? "value best"
+                                                                     : row.feasible   ? "value"
+                                                                                      : "value faint"});
+        tables[table].columns.push_back(std::move(column));
+    };
+    add(0, "", row_title);
+    add(1, "objective", [](const ComparisonRow& row) { return fixed_text(row.objective, 4); });
+    add(1, "loss", loss_words);
+    for (const PhysicalPeak& peak : physical_peaks(comparison))
+        add(1, peak.title, [&](const ComparisonRow& row) { return peak.text(row); });
+    add(1, "V", [](const ComparisonRow& row) { return fixed_text(row.peaks.velocity.value, 3); });
+    add(1, "A", [](const ComparisonRow& row) { return fixed_text(row.peaks.acceleration.value, 3); });
+    add(1, "J", [](const ComparisonRow& row) { return fixed_text(row.peaks.jerk.value, 2); });
+    if (has_bases(comparison))
+        add(1, base_title(comparison), [&](const ComparisonRow& row) { return base_words(comparison, row); });
+    ChartColumn remarks{"", TextSide::start};
+    for (const ComparisonRow& row : comparison.rows) remarks.cells.push_back({remark_of(row), "remark"});
+    tables[1].columns.push_back(std::move(remarks));
+    tables[1].place = ChartPanel::Place::right;
+    for (ChartPanel& table : tables) table.row_height = row_height;
+    return tables;
 }
 
 }  // namespace
 
 std::string paper_figure_svg(const PaperFigure& figure) {
-    const std::size_t legend_rows = (figure.series.size() + legend_columns - 1) / legend_columns;
-    const PlotFrame frame = frame_of(figure);
-    const double page_height =
-        frame.vertical.begin + margin_below + legend_row * static_cast<double>(legend_rows) + 4;
-    SvgCanvas canvas(page_width, page_height, page_style, figure.title);
-    canvas.rectangle(0, 0, page_width, page_height, "page");
-    canvas.text(left, 34, figure.title, "title");
-    draw_plot_frame(canvas, frame);
-    for (std::size_t i = 0; i < figure.series.size(); ++i) draw_series(canvas, frame, figure, i);
-    draw_legend(canvas, figure, frame.vertical.begin);
-    return canvas.finish();
+    ChartPanel panel{.width = 752, .height = 436, .equal_scales = figure.equal_scales};
+    panel.frame.horizontal_title = figure.x_title;
+    panel.frame.vertical_title = figure.y_title;
+    panel.frame.horizontal.logarithmic = panel.frame.vertical.logarithmic = figure.logarithmic;
+    for (const PaperSeries& series : figure.series) {
+        const Look look = series.markers ? Look::dot : Look::line;
+        ChartSeries drawn{look, palette_class(look, panel.series.size()), {}, 3.2, series.title};
+        for (std::size_t i = 0; i < series.x.size() && i < series.y.size(); ++i)
+            drawn.points.push_back({series.x[i], series.y[i]});
+        panel.series.push_back(std::move(drawn));
+    }
+    return chart_svg({figure.title, {}, {}, {std::move(panel)}});
 }
 
 std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainStudy& study) {
@@ -238,6 +192,16 @@ std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainSt
     add("force.svg", over_angle(study, "Force of the train on the cam" + at, angle ? "N m" : "N",
                                 [](const TrainInstant& one) { return one.force; }));
     return pictures;
+}
+
+std::string comparison_svg(const Comparison& comparison) {
+    const Solution& solution = comparison.optimum;
+    auto [names, numbers] = tables_of(comparison);
+    return chart_svg({solution.scene.title.empty() ? "Comparison of laws" : solution.scene.title,
+                      {verdict_sentence(solution), comparison_sentence(comparison),
+                       "Objective = " + objective_words(comparison)},
+                      {},
+                      {std::move(names), bar_panel(comparison), std::move(numbers)}});
 }
 
 }  // namespace camopt

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A figure of a paper's report as a picture: curves or points over two axes, with a legend.
+// The pictures of studies: each fills a Chart (output/chart/chart.hpp) from its study. Nothing throws.
 #pragma once
 
 #include "studies/compare/comparison.hpp"
 #include "studies/papers/paper_report.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/pareto/pareto_front.hpp"
 #include "studies/response/train_study.hpp"
 
@@ -13,23 +14,26 @@
 
 namespace camopt {
 
+/// A figure of a paper's report: curves or points over two axes, with a legend.
 [[nodiscard]] std::string paper_figure_svg(const PaperFigure& figure);
 
-// An elastic follower train as pictures: the response over the speed, and what happens over time at one
-// speed.
-
-/// File names and pictures: residual and acceleration over the speed, deflection and force over the cam
-/// angle.
+/// An elastic follower train: the response over the speed, and what happens over time at one speed. File
+/// names and pictures: residual and acceleration over the speed, deflection and force over the cam angle.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainStudy& study);
 
-// A comparison as a picture: one bar a law, sorted by the objective, with its peaks and its loss.
-//
-// Solid bars satisfy every limit; hatched ones break some, and the heaviest is named. Bars far longer than
-// the optimum's are cut. Nothing throws.
+/// A comparison: one bar a law, sorted by the objective, with its peaks and its loss. Solid bars satisfy
+/// every limit; hatched ones violate some, and the worst is named. Bars far longer than the optimum's are
+/// cut.
 [[nodiscard]] std::string comparison_svg(const Comparison& comparison);
 
-// pareto.svg: a front of two goals, the laws beside it, the limit that no curve can pass, and
-// what the other peaks come to along it. pareto_text: the same in a few lines for people.
+/// The reference table: objective against the number of segments with the paper's values and the bound of all
+/// curves; acceleration and jerk of the best 12 segments and of the modified sine; peaks of the classical
+/// laws relative to the modified sine. Normalised. Rows that are not proved optimal are named in red; a part
+/// without values is left out.
+[[nodiscard]] std::string reference_table_svg(const ReferenceTable& table);
+
+/// pareto.svg: a front of two goals, the laws beside it, the bound of all curves, and what the other peaks
+/// come to along it. pareto_text: the same in a few lines.
 struct ParetoPicture {
     const ParetoFront& front;
     const Scene& scene;

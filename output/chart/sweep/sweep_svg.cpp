@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/sweep/sweep_svg.hpp"
 
-#include "output/chart/placed_texts.hpp"
+#include "core/units.hpp"
+#include "output/chart/chart.hpp"
 #include "output/chart/plot_frame.hpp"
-#include "output/chart/sweep/sweep_quantities.hpp"
 #include "output/view/number_text.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
@@ -12,18 +12,50 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace camopt {
 
 namespace {
 
-// Layout, px.
-constexpr double margin = 40, page_width = 1240, head_height = 104;
-constexpr double triangle_width = 270, triangle_height = 300;
-constexpr double plane_width = 310, plane_height = 270;
-constexpr double panel_width = 500, panel_height = 210, map_height = 300;
+constexpr std::array<const char*, 3> peak_weights = {"objective.velocity", "objective.acceleration",
+                                                     "objective.jerk"};
 
-const std::array<PlanePeaks, 3> planes = {{{0, 1, 2}, {1, 2, 0}, {0, 2, 1}}};
+SweepQuantity figure_quantity(SweepFigure figure, const std::string& symbol) {
+    const std::string name = words_of(name_of(figure));
+    return {symbol.empty() ? name : name + " " + symbol, symbol.empty() ? name : symbol,
+            [figure](const SweepRow& row) { return row.figure(figure); }};
+}
+
+SweepQuantity dimension_quantity(DimensionIndex dimension, LengthUnit unit) {
+    const std::string title = fmt::format("{} ({})", words_of(name_of(dimension)), name_of(unit));
+    return {title, title, [dimension, unit](const SweepRow& row) -> std::optional<double> {
+                const std::optional<double>& metres = row.dimension(dimension);
+                return metres ? std::optional(*metres / metres_of(unit)) : std::nullopt;
+            }};
+}
+
+/// None of a row that is not feasible.
+std::optional<double> shown_value(const SweepQuantity& quantity, const SweepRow& row) {
+    return row.is_feasible() ? quantity.value(row) : std::nullopt;
+}
+
+ColourScale scale_of(const SweepTable& table, const SweepQuantity& quantity, std::string title = "") {
+    ColourScale scale{std::move(title), {}};
+    for (const SweepRow& row : table.rows)
+        if (const std::optional<double> value = shown_value(quantity, row)) scale.range.add(*value);
+    return scale;
+}
+
+/// "failed r12": how a row without a motion is drawn.
+std::string empty_class(const SweepRow& row) {
+    return fmt::format("{} r{}", row.verdict == Verdict::failed ? "failed" : "shut", row.number);
+}
+
+std::string cell_class(const ColourScale& scale, const SweepQuantity& quantity, const SweepRow& row) {
+    const std::optional<double> value = shown_value(quantity, row);
+    return value ? fmt::format("cell {} r{}", scale.colour(*value), row.number) : empty_class(row);
+}
 
 std::string count_sentence(const SweepTable& table) {
     const auto count = [&](auto test) { return std::ranges::count_if(table.rows, test); };
@@ -39,258 +71,286 @@ std::string count_sentence(const SweepTable& table) {
     return text + fmt::format("; {} on the Pareto front", front);
 }
 
-double height_of_planes(const SweepPicture& picture) {
-    double height = plane_height + 100;
-    if (picture.losses != nullptr && !picture.losses->laws.empty())
-        height += law_table_height(*picture.losses) + 30;
-    return height;
-}
-
-void draw_planes(SvgCanvas& canvas, const SweepPicture& picture, double top) {
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        const double left = margin + 56 + (plane_width + 94) * static_cast<double>(i);
-        draw_plane(canvas, {left, top + 40, plane_width, plane_height}, picture, planes[i]);
-    }
-    if (picture.losses != nullptr && !picture.losses->laws.empty())
-        draw_law_table(canvas, margin, top + plane_height + 116, *picture.losses);
-}
-
-void draw_triangles(SvgCanvas& canvas, const SweepPicture& picture, double top) {
-    std::vector<SweepQuantity> quantities = {objective_quantity()};
-    for (SweepQuantity& peak : peak_quantities()) quantities.push_back(std::move(peak));
-    for (std::size_t i = 0; i < quantities.size(); ++i) {
-        const double left = margin + (triangle_width + 27) * static_cast<double>(i);
-        draw_weight_triangle(canvas, {left, top, triangle_width, triangle_height}, picture.table,
-                             quantities[i]);
-    }
-}
-
-double panel_rows(std::size_t panels) {
-    return static_cast<double>((panels + 1) / 2);
-}
-
-void draw_panels(SvgCanvas& canvas, const SweepPicture& picture, double top, int key) {
-    const std::vector<SweepQuantity> quantities = drawn_quantities(picture.table);
-    const bool map = is_map(picture.table);
-    const double height = map ? map_height : panel_height;
-    for (std::size_t i = 0; i < quantities.size(); ++i) {
-        const PanelFrame place{margin + 60 + (panel_width + 110) * static_cast<double>(i % 2),
-                               top + 30 + (height + 80) * static_cast<double>(i / 2), panel_width, height};
-        if (map)
-            draw_map(canvas, place, picture.table, quantities[i]);
-        else
-            draw_lines(canvas, place, picture.table, quantities[i], key);
-    }
-}
-
-void draw_head(SvgCanvas& canvas, const SweepPicture& picture, const std::string& title) {
-    canvas.text(margin, 38, title, "title");
-    canvas.text(margin, 61, count_sentence(picture.table), "subtitle");
-    const bool weights = is_weight_sweep(picture.table);
-    const std::string words =
-        weights ? "Triangles: the weight of a peak grows towards its corner. Planes: colour marks the "
-                  "Pareto front, grey dots lie off it, diamonds are the laws of the table."
-                : "Shaded: proved infeasible. Red with a cross: failed. Dashed: the lower bound for every "
-                  "curve. Rings: rows off the Pareto front.";
-    canvas.text(margin, 80, words, "subtitle");
-}
-
-// The triangle of weights and the planes of two peaks: the trade-off of a weight sweep.
-constexpr double bar_room = 40;  // px below a triangle
-constexpr double law_number_size = 10.5, diamond = 3.0;
-
-/// Shares of V, A, J in the weights of a row; none where they are all 0.
-std::optional<std::array<double, 3>> shares_of(const SweepTable& table, const SweepRow& row) {
-    static constexpr std::array<const char*, 3> names = {"objective.velocity", "objective.acceleration",
-                                                         "objective.jerk"};
+/// Shares of V, A, J in the weights of a row; NaN where they are all 0.
+std::array<double, 3> shares_of(const SweepTable& table, const SweepRow& row) {
     std::array<double, 3> shares{};
-    double sum = 0.0;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto key = std::ranges::find(table.columns.keys, names[i]);
-        if (key == table.columns.keys.end()) return {};
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const auto key = std::ranges::find(table.columns.keys, peak_weights[i]);
         shares[i] = row.settings[static_cast<std::size_t>(key - table.columns.keys.begin())];
-        sum += shares[i];
     }
-    if (!(sum > 0.0)) return {};
+    const double sum = shares[0] + shares[1] + shares[2];
     for (double& share : shares) share /= sum;
     return shares;
 }
 
-struct Triangle {
-    double left, bottom, side;
-    [[nodiscard]] std::array<double, 2> place(const std::array<double, 3>& shares) const {
-        return {left + side * (shares[1] + 0.5 * shares[2]),
-                bottom - side * 0.5 * std::sqrt(3.0) * shares[2]};
-    }
-};
-
-/// Half the distance of lattice neighbours, if the rows were a lattice of the whole triangle.
-double dot_radius(const SweepTable& table, double side) {
+/// A quantity over the triangle of the weights of V (left), A (right) and J (top).
+ChartPanel triangle_panel(const SweepTable& table, const SweepQuantity& quantity) {
+    const double high = 0.5 * std::sqrt(3.0);
+    // Half the distance of lattice neighbours, if the rows were a lattice of the whole triangle.
     const double divisions = 0.5 * (std::sqrt(8.0 * static_cast<double>(table.rows.size()) + 1.0) - 3.0);
-    return std::clamp(0.5 * side / std::max(divisions, 1.0), 1.2, 11.0);
+    const double radius = 0.5 / std::max(divisions, 10.0);
+    ChartPanel panel{
+        .width = 270, .height = 270, .caption = quantity.title, .drawn_axes = false, .equal_scales = true};
+    panel.frame.horizontal = {-0.06, 1.06};
+    panel.frame.vertical = {-0.16, high + 0.06};
+    panel.colours = scale_of(table, quantity);
+    ChartSeries discs{Look::disc, "", {}, radius};
+    for (const SweepRow& row : table.rows) {
+        const auto [v, a, j] = shares_of(table, row);
+        discs.points.push_back({a + 0.5 * j, high * j, cell_class(*panel.colours, quantity, row)});
+    }
+    panel.series = {{Look::line, "frame", {{0, 0}, {1, 0}, {0.5, high}, {0, 0}}}, std::move(discs)};
+    ChartSeries corners{Look::label,      "", {{0, -radius, "", "V"}, {1, -radius, "", "A"}}, 0, "", "corner",
+                        LabelSide::below, 14},
+        top{Look::label, "", {{0.5 + radius, high, "", "J"}}, 0, "", "corner", LabelSide::beside, 14};
+    panel.series.push_back(std::move(corners));
+    panel.series.push_back(std::move(top));
+    return panel;
+}
+
+/// Laws as diamonds, numbered as in their table.
+void add_laws(ChartPanel& panel, const LawLosses& losses, std::size_t across, std::size_t up) {
+    ChartSeries laws{
+        .look = Look::diamond, .css = "law", .label_css = "law-number", .font = 10.5, .compared = true};
+    for (const LawLoss& law : losses.laws)
+        laws.points.push_back({law.peaks[across], law.peaks[up], "", std::to_string(laws.points.size() + 1)});
+    panel.series.push_back(std::move(laws));
+    set_axes(panel);
+    const PlotAxis &x = panel.frame.horizontal, &y = panel.frame.vertical;
+    std::string outside;
+    for (const ChartPoint& law : panel.series.back().points)
+        if (!x.holds(law.x) || !y.holds(law.y))
+            outside += (outside.empty() ? "outside: laws " : ", ") + law.label;
+    panel.series.insert(panel.series.begin(),
+                        {Look::label, "", {{x.upper, y.upper, "", outside}}, 0, "", "law-number"});
+}
+
+/// Two peaks against one another, the third as colour: numbers of V, A, J.
+ChartPanel plane_panel(const SweepPicture& picture, std::size_t across, std::size_t up, std::size_t colour) {
+    const std::vector<SweepQuantity> all = drawn_quantities(picture.table);
+    const SweepQuantity &x = all[across + 1], &y = all[up + 1], &third = all[colour + 1];
+    ChartPanel panel{.place = across == 0 && up == 1 ? ChartPanel::Place::new_row : ChartPanel::Place::right,
+                     .width = 310,
+                     .height = 270,
+                     .caption = fmt::format("{}–{}", x.symbol, y.symbol),
+                     .by_factors = true};
+    panel.colours = scale_of(picture.table, third, third.symbol);
+    panel.frame.horizontal_title = x.title;
+    panel.frame.vertical_title = y.title;
+    ChartSeries off{Look::dot, "off-front", {}, 2.2}, front{Look::dot, "dot", {}, 3.6};
+    for (const SweepRow& row : picture.table.rows) {
+        const auto h = shown_value(x, row), v = shown_value(y, row), c = shown_value(third, row);
+        if (!h || !v || !c) continue;
+        const std::string number = fmt::format("r{}", row.number);
+        if (row.on_front)
+            front.points.push_back({*h, *v, panel.colours->colour(*c) + " " + number});
+        else
+            off.points.push_back({*h, *v, number});
+    }
+    panel.series = {std::move(off), std::move(front)};  // the front lies on top
+    if (picture.losses != nullptr) add_laws(panel, *picture.losses, across, up);
+    return panel;
+}
+
+std::string percent_words(const std::optional<double>& percent) {
+    return percent ? change_text(100.0 + *percent, 100.0) : "–";
+}
+
+/// Where the classical laws lie above the trade-off, one line a law: a table, the least losses as bars, and a
+/// table beside them.
+void add_law_table(Chart& chart, const LawLosses& losses) {
+    ChartPanel left{.caption = "Laws above the trade-off"},
+        bars{.place = ChartPanel::Place::right, .width = 110, .drawn_axes = false},
+        right{.place = ChartPanel::Place::right};
+    const auto add = [&](ChartPanel& table, const std::string& head, const auto& words) {
+        const TextSide side = head.empty() || head.starts_with("law") ? TextSide::start : TextSide::end;
+        ChartColumn column{head, side};
+        for (const LawLoss& law : losses.laws)
+            column.cells.push_back(
+                {words(law), side == TextSide::start && !law.feasible ? "value faint" : "value"});
+        table.columns.push_back(std::move(column));
+    };
+    const bool all_feasible = std::ranges::all_of(losses.laws, &LawLoss::feasible);
+    int number = 0;
+    add(left, "", [&](const LawLoss&) { return std::to_string(++number); });
+    add(left, all_feasible ? "law" : "law (* violates a limit)",
+        [](const LawLoss& law) { return law.title + (law.feasible ? "" : " *"); });
+    add(left, "V", [](const LawLoss& law) { return fixed_text(law.peaks[0], 3); });
+    add(left, "A", [](const LawLoss& law) { return fixed_text(law.peaks[1], 3); });
+    add(left, "J", [](const LawLoss& law) { return fixed_text(law.peaks[2], 2); });
+    add(left, "loss at the\nscene’s weights",
+        [](const LawLoss& law) { return percent_words(law.loss_percent); });
+    add(left, "least loss over\nall weights",
+        [](const LawLoss& law) { return law.closest ? percent_words(law.closest->loss_percent) : "–"; });
+    bars.frame.horizontal.upper = 1e-6;
+    ChartSeries& least = bars.series.emplace_back(ChartSeries{Look::bar, "law-bar"});
+    for (const LawLoss& law : losses.laws) {
+        const double loss = law.closest ? std::max(law.closest->loss_percent, 0.0) : 0.0;
+        least.points.push_back({loss, -0.5 - bars.rows++});
+        bars.frame.horizontal.upper = std::max(bars.frame.horizontal.upper, loss);
+    }
+    add(right, "at the weights\nV / A / J", [](const LawLoss& law) {
+        if (!law.closest) return std::string{};
+        const PeakTriple& w = law.closest->weights;
+        return fmt::format("{:.2f} / {:.2f} / {:.2f}", w[0], w[1], w[2]);
+    });
+    for (std::size_t peak = 0; peak < 3; ++peak)
+        add(right, fmt::format("{} alone can\ndecrease by", "VAJ"[peak]), [&](const LawLoss& law) {
+            return law.least[peak] ? change_text(*law.least[peak], law.peaks[peak]) : "–";
+        });
+    for (ChartPanel* panel : {&left, &bars, &right}) chart.panels.push_back(std::move(*panel));
+}
+
+double key_value(const SweepRow& row, int key) {
+    return key < 0 ? static_cast<double>(row.number) : row.settings[static_cast<std::size_t>(key)];
+}
+
+std::vector<const SweepRow*> sorted_rows(const SweepTable& table, int key) {
+    std::vector<const SweepRow*> rows;
+    for (const SweepRow& row : table.rows) rows.push_back(&row);
+    std::ranges::stable_sort(rows, {}, [&](const SweepRow* row) { return key_value(*row, key); });
+    return rows;
+}
+
+/// Ascending, positive, and about evenly spaced only in their logarithms.
+bool wants_logarithm(const std::vector<const SweepRow*>& rows, int key) {
+    if (rows.size() < 3) return false;
+    const double first = key_value(*rows.front(), key), last = key_value(*rows.back(), key);
+    const double middle = key_value(*rows[rows.size() / 2], key);
+    return first > 0.0 && last > 20.0 * first && middle < 0.2 * last;
+}
+
+/// A quantity over one key (or over the row number where key < 0).
+ChartPanel lines_panel(const SweepTable& table, const SweepQuantity& quantity, int key) {
+    const std::vector<const SweepRow*> rows = sorted_rows(table, key);
+    ChartPanel panel{.height = 210};
+    ChartSeries bound{Look::line, "limit-line"}, line{Look::line, "row-line"},
+        dots{Look::dot, "row-dot", {}, 3.0};
+    for (const SweepRow* row : rows) {
+        const double x = key_value(*row, key), none = std::numeric_limits<double>::quiet_NaN();
+        const std::optional<double> value = shown_value(quantity, *row);
+        line.points.push_back({x, value.value_or(none)});
+        if (value)
+            dots.points.push_back(
+                {x, *value, fmt::format("{}r{}", row->on_front ? "" : "off ", row->number)});
+        if (quantity.symbol == "f")
+            bound.points.push_back({x, row->is_feasible() ? row->any_curve_limit.value_or(none) : none});
+    }
+    panel.series = {std::move(bound), std::move(line), std::move(dots)};
+    panel.frame.horizontal.logarithmic = wants_logarithm(rows, key);
+    panel.frame.horizontal_title = key < 0 ? "row" : table.columns.keys[static_cast<std::size_t>(key)];
+    set_axes(panel);
+    const PlotAxis& axis = panel.frame.horizontal;
+    const auto between = [&](std::size_t i) {  // as it is seen: the middle of two neighbours
+        if (i == 0 || i == rows.size()) return i == 0 ? axis.lower : axis.upper;
+        const double before = key_value(*rows[i - 1], key), after = key_value(*rows[i], key);
+        return axis.logarithmic ? std::sqrt(before * after) : 0.5 * (before + after);
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!rows[i]->is_feasible())
+            panel.series.push_back({Look::band, empty_class(*rows[i]), {{between(i)}, {between(i + 1)}}});
+    return panel;
+}
+
+std::vector<double> values_of(const SweepTable& table, int key) {
+    std::vector<double> values;
+    for (const SweepRow& row : table.rows) values.push_back(key_value(row, key));
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
+/// The two keys of the plan take every pair of their values once.
+bool is_map(const SweepTable& table) {
+    if (table.columns.keys.size() != 2) return false;
+    const std::size_t x = values_of(table, 0).size(), y = values_of(table, 1).size();
+    return x > 1 && y > 1 && x * y == table.rows.size();
+}
+
+/// A value at each of the places 0, 1, 2 … of an axis; of many only some.
+std::vector<PlotTick> place_ticks(const std::vector<double>& values) {
+    std::vector<PlotTick> ticks;
+    const std::size_t stride = values.size() <= 8 ? 1 : values.size() / 6 + 1;
+    for (std::size_t i = 0; i < values.size(); i += stride)
+        ticks.push_back({static_cast<double>(i), short_text(values[i], 4)});
+    return ticks;
+}
+
+/// A quantity over two keys that form a grid.
+ChartPanel map_panel(const SweepTable& table, const SweepQuantity& quantity) {
+    const std::vector<double> xs = values_of(table, 1), ys = values_of(table, 0);
+    ChartPanel panel{.height = 300, .colours = scale_of(table, quantity)};
+    panel.frame = {{-0.5, static_cast<double>(xs.size()) - 0.5},
+                   {-0.5, static_cast<double>(ys.size()) - 0.5},
+                   place_ticks(xs),
+                   place_ticks(ys),
+                   table.columns.keys[1],
+                   table.columns.keys[0]};
+    ChartSeries cells{Look::cell, "", {}, 0.5};
+    const auto place = [](const std::vector<double>& values, double value) {
+        return static_cast<double>(std::ranges::lower_bound(values, value) - values.begin());
+    };
+    for (const SweepRow& row : table.rows)
+        cells.points.push_back({place(xs, row.settings[1]), place(ys, row.settings[0]),
+                                cell_class(*panel.colours, quantity, row)});
+    panel.series = {std::move(cells)};
+    return panel;
 }
 
 }  // namespace
 
-std::string sweep_panel_style() {
-    return ".panel-title{font-size:14px;font-weight:600;fill:#222}"
-           ".corner{font-size:13px;font-weight:600;fill:#333;text-anchor:middle}.law-bar{fill:#8c8c8c}"
-           ".value.tight{font-size:9px}.law{fill:#fff;stroke:#111;stroke-width:1.3}.law-number{font-size:10."
-           "5px;fill:#111}"
-           ".law-number.right{text-anchor:end}.dot{stroke:#222;stroke-width:.4}.off-front{fill:#c4c4c4}"
-           ".shut{fill:#e4e4e4}.failed{fill:#f4c7c3}.cross{fill:none;stroke:#b3261e;stroke-width:2}"
-           ".row-line{fill:none;stroke:#0072b2;stroke-width:1.8}.row-dot{fill:#0072b2;stroke:#0072b2}"
-           ".row-dot.off{fill:#fff}"
-           ".limit-line{fill:none;stroke:#555;stroke-width:1.3;stroke-dasharray:5 4}" +
-           colour_scale_style();
-}
-
-std::string row_class(const char* kind, const std::string& colour, const SweepRow& row) {
-    return fmt::format("{} {}{}r{}", kind, colour, colour.empty() ? "" : " ", row.number);
+std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
+    std::vector<SweepQuantity> quantities = {
+        {"objective", "f", [](const SweepRow& row) { return row.objective; }},
+        figure_quantity(SweepFigure::velocity, "V"),
+        figure_quantity(SweepFigure::acceleration, "A"),
+        figure_quantity(SweepFigure::jerk, "J")};
+    for (const CostTerm& term : cost_terms()) {
+        if (term.kind == CostTerm::Kind::peak) continue;
+        if (std::ranges::find(table.columns.criteria, term.name()) != table.columns.criteria.end())
+            quantities.push_back(figure_quantity(term.figure, ""));
+    }
+    for (const DimensionIndex dimension : table.columns.dimensions)
+        quantities.push_back(dimension_quantity(dimension, table.columns.length_unit));
+    return quantities;
 }
 
 bool is_weight_sweep(const SweepTable& table) {
     const std::vector<std::string>& keys = table.columns.keys;
-    const auto has = [&](const char* key) { return std::ranges::find(keys, key) != keys.end(); };
     return std::ranges::all_of(keys, [](const std::string& key) { return is_weight_key(key); }) &&
-           has("objective.velocity") && has("objective.acceleration") && has("objective.jerk");
+           std::ranges::all_of(peak_weights,
+                               [&](const char* key) { return std::ranges::find(keys, key) != keys.end(); });
 }
 
 std::string sweep_svg(const SweepPicture& picture) {
-    const bool weights = is_weight_sweep(picture.table);
-    const bool lines = picture.table.columns.keys.size() == 1 || is_map(picture.table);
-    const bool map = is_map(picture.table);
-    double height = head_height;
-    if (weights) height += triangle_height + 30;
-    if (weights || !lines) height += height_of_planes(picture);
-    if (!weights)
-        height +=
-            panel_rows(drawn_quantities(picture.table).size()) * ((map ? map_height : panel_height) + 80) +
-            30;
-    const std::string title = picture.scene.title.empty() ? "Sweep" : picture.scene.title;
-    SvgCanvas canvas(page_width, height, sweep_panel_style(), title);
-    canvas.rectangle(0, 0, page_width, height, "page");
-    draw_head(canvas, picture, title);
-    double top = head_height;
-    if (weights) {
-        draw_triangles(canvas, picture, top);
-        top += triangle_height + 30;
+    const SweepTable& table = picture.table;
+    const bool weights = is_weight_sweep(table), map = is_map(table), lines = table.columns.keys.size() == 1;
+    Chart chart{
+        picture.scene.title.empty() ? "Sweep" : picture.scene.title,
+        {count_sentence(table),
+         weights ? "Triangles: the weight of a peak grows towards its corner. Planes: colour marks the "
+                   "Pareto front, grey dots lie off it, diamonds are the laws of the table."
+                 : "Shaded: proved infeasible. Red with a cross: failed. Dashed: the lower bound for every "
+                   "curve. Rings: rows off the Pareto front."}};
+    const std::vector<SweepQuantity> quantities = drawn_quantities(table);
+    for (std::size_t i = 0; weights && i < 4; ++i) {
+        chart.panels.push_back(triangle_panel(table, quantities[i]));
+        if (i > 0) chart.panels.back().place = ChartPanel::Place::right;
     }
-    if (weights || !lines) {
-        draw_planes(canvas, picture, top);
-        top += height_of_planes(picture);
+    if (weights || (!lines && !map)) {
+        for (const auto& [across, up, colour] : {std::array<std::size_t, 3>{0, 1, 2}, {1, 2, 0}, {0, 2, 1}})
+            if (!scale_of(table, quantities[across + 1]).range.empty())
+                chart.panels.push_back(plane_panel(picture, across, up, colour));
+        if (picture.losses != nullptr && !picture.losses->laws.empty()) add_law_table(chart, *picture.losses);
     }
-    if (!weights) draw_panels(canvas, picture, top, lines ? 0 : -1);
-    return canvas.finish();
-}
-
-void draw_weight_triangle(SvgCanvas& canvas, const PanelFrame& place, const SweepTable& table,
-                          const SweepQuantity& quantity) {
-    const double side = std::min(place.width, (place.height - bar_room - 36) * 2.0 / std::sqrt(3.0));
-    const Triangle triangle{place.left + 0.5 * (place.width - side), place.top + place.height - bar_room - 18,
-                            side};
-    const ValueRange range = range_of(table.rows, quantity);
-    const ColourScale scale{range.lower, range.upper, spans_factors(range)};
-    canvas.text(place.left, place.top + 4, quantity.title, "panel-title");
-    const auto a = triangle.place({1, 0, 0}), b = triangle.place({0, 1, 0}), c = triangle.place({0, 0, 1});
-    canvas.path(fmt::format("M{} {}L{} {}L{} {}Z", svg_number(a[0]), svg_number(a[1]), svg_number(b[0]),
-                            svg_number(b[1]), svg_number(c[0]), svg_number(c[1])),
-                "frame");
-    const double radius = dot_radius(table, side);
-    for (const SweepRow& row : table.rows) {
-        const auto shares = shares_of(table, row);
-        if (!shares) continue;
-        const auto at = triangle.place(*shares);
-        const std::optional<double> value = quantity.value(row);
-        if (row.is_feasible() && value)
-            canvas.circle(at[0], at[1], radius, row_class("cell", scale.colour(*value), row));
-        else
-            canvas.circle(at[0], at[1], radius,
-                          row_class(row.verdict == Verdict::failed ? "failed" : "shut", "", row));
+    for (std::size_t i = 0; !weights && i < quantities.size(); ++i) {
+        ChartPanel& panel = chart.panels.emplace_back(
+            map ? map_panel(table, quantities[i]) : lines_panel(table, quantities[i], lines ? 0 : -1));
+        panel.width = 500;
+        panel.caption = quantities[i].title;
+        if (i % 2 == 1) panel.place = ChartPanel::Place::right;
     }
-    canvas.text(a[0] - 4, a[1] + radius + 14, "V", "corner");
-    canvas.text(b[0] + 4, b[1] + radius + 14, "A", "corner");
-    canvas.text(c[0] + radius + 10, c[1] + 4, "J", "corner");
-    if (!range.empty())
-        draw_colour_bar(canvas, scale, triangle.left + 0.2 * side, place.top + place.height - 24, 0.6 * side);
-}
-
-namespace {
-
-/// Where the laws do not stretch the picture of the rows too much.
-ValueRange plane_range(const SweepPicture& picture, std::size_t peak) {
-    const ValueRange rows = range_of(picture.table.rows, peak_quantities()[peak]);
-    ValueRange range = rows;
-    if (picture.losses != nullptr && !rows.empty()) {
-        for (const LawLoss& law : picture.losses->laws)
-            range.add(std::clamp(law.peaks[peak], 0.5 * rows.lower, 1.25 * rows.upper));
-    }
-    return range;
-}
-
-void draw_laws(SvgCanvas& canvas, const PlotFrame& frame, const LawLosses& losses, const PlanePeaks& peaks) {
-    const auto place_of = [&](const LawLoss& law) -> std::optional<std::array<double, 2>> {
-        const double across = law.peaks[peaks.across], up = law.peaks[peaks.up];
-        if (!frame.horizontal.holds(across) || !frame.vertical.holds(up)) return {};
-        return std::array{frame.horizontal.place(across), frame.vertical.place(up)};
-    };
-    PlacedTexts numbers(frame.horizontal.begin, frame.vertical.end, frame.horizontal.end,
-                        frame.vertical.begin);
-    std::string outside;
-    for (std::size_t i = 0; i < losses.laws.size(); ++i)
-        if (!place_of(losses.laws[i])) outside += fmt::format("{}{}", outside.empty() ? "" : ", ", i + 1);
-    if (!outside.empty()) {
-        const std::string words = "outside: laws " + outside;
-        const std::array place = {TextPlace{frame.horizontal.end - 6 - text_width(words, law_number_size),
-                                            frame.vertical.end + 15}};
-        numbers.draw(canvas, words, place, "law-number", law_number_size);
-    }
-    for (const LawLoss& law : losses.laws)
-        if (const auto at = place_of(law)) numbers.keep_free((*at)[0], (*at)[1], diamond);
-    for (std::size_t i = 0; i < losses.laws.size(); ++i) {
-        const auto at = place_of(losses.laws[i]);
-        if (!at) continue;
-        const auto [x, y] = *at;
-        canvas.path(fmt::format("M{0} {1}l4 4l-4 4l-4 -4Z", svg_number(x), svg_number(y - 4)), "law");
-        const std::string number = std::to_string(i + 1);
-        numbers.draw(canvas, number,
-                     places_around(x, y, text_width(number, law_number_size), law_number_size), "law-number",
-                     law_number_size);
-    }
-}
-
-}  // namespace
-
-void draw_plane(SvgCanvas& canvas, const PanelFrame& place, const SweepPicture& picture,
-                const PlanePeaks& peaks) {
-    const std::array<SweepQuantity, 3> all = peak_quantities();
-    const SweepQuantity &across = all[peaks.across], &up = all[peaks.up], &third = all[peaks.colour];
-    const ValueRange x = plane_range(picture, peaks.across), y = plane_range(picture, peaks.up);
-    if (x.empty() || y.empty()) return;
-    PlotFrame frame;
-    frame.horizontal = axis_over(x, place.left, place.left + place.width);
-    frame.vertical = axis_over(y, place.top + place.height, place.top);
-    frame.horizontal_ticks = labelled_ticks(frame.horizontal, 6);
-    frame.vertical_ticks = labelled_ticks(frame.vertical, 6);
-    frame.horizontal_title = across.title;
-    frame.vertical_title = up.title;
-    draw_plot_frame(canvas, frame);
-    const ValueRange colours = range_of(picture.table.rows, third);
-    const ColourScale scale{colours.lower, colours.upper, spans_factors(colours)};
-    for (const bool front : {false, true}) {  // the front lies on top
-        for (const SweepRow& row : picture.table.rows) {
-            if (!row.is_feasible() || row.on_front != front) continue;
-            const auto h = across.value(row), v = up.value(row), c = third.value(row);
-            if (!h || !v || !c) continue;
-            canvas.circle(frame.horizontal.place(*h), frame.vertical.place(*v), front ? 3.6 : 2.2,
-                          front ? row_class("dot", scale.colour(*c), row) : row_class("off-front", "", row));
-        }
-    }
-    if (picture.losses != nullptr) draw_laws(canvas, frame, *picture.losses, peaks);
-    canvas.text(place.left, place.top - 20, fmt::format("{}–{}", across.symbol, up.symbol), "panel-title");
-    canvas.text(place.left + place.width - 166, place.top - 16, "colour: " + third.symbol,
-                "bar-number right");
-    draw_colour_bar(canvas, scale, place.left + place.width - 150, place.top - 26, 150);
+    return chart_svg(std::move(chart));
 }
 
 }  // namespace camopt

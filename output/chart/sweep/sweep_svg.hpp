@@ -12,7 +12,10 @@
 #include "studies/compare/law_losses.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace camopt {
 
@@ -26,5 +29,16 @@ struct SweepPicture {
 
 /// The table of rows that a picture belongs to has no more than one motion's own weights: V, A and J.
 [[nodiscard]] bool is_weight_sweep(const SweepTable& table);
+
+// The figures of rows that are drawn and tabulated. Private to output/.
+
+struct SweepQuantity {
+    std::string title;   ///< "velocity V", "base radius (mm)"
+    std::string symbol;  ///< "V"
+    std::function<std::optional<double>(const SweepRow&)> value;
+};
+
+/// The objective, V, A, J, every other figure with a weight, and the variable dimensions.
+[[nodiscard]] std::vector<SweepQuantity> drawn_quantities(const SweepTable& table);
 
 }  // namespace camopt
