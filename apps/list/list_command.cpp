@@ -7,9 +7,9 @@
 #include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "output/view/columns.hpp"
 #include "output/json/json_text.hpp"
 #include "output/plc/plc_format.hpp"
+#include "output/view/columns.hpp"
 #include "output/view/number_text.hpp"
 #include "solvers/registry.hpp"
 

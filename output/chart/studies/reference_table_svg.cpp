@@ -2,8 +2,8 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "output/chart/chart.hpp"
 #include "output/chart/studies/study_svg.hpp"
-#include "output/words/study_text.hpp"
 #include "output/view/number_text.hpp"
+#include "output/words/study_text.hpp"
 
 #include <fmt/format.h>
 

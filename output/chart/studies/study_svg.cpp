@@ -3,9 +3,10 @@
 
 #include "core/units.hpp"
 #include "output/chart/chart.hpp"
-#include "output/words/study_text.hpp"
 #include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/study_text.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ PaperFigure over_speed(const TrainStudy& study, const char* title, const char* u
         if (!is_shown(study, study.motions[i].first)) continue;
         PaperSeries& series = figure.series.emplace_back(PaperSeries{study.motions[i].second, {}, {}});
         for (std::size_t k = i * count; k < (i + 1) * count; ++k) {
-            series.x.push_back(study.rows[k].speed / units::revolution_per_minute);
+            series.x.push_back(rpm_shown.of(study.rows[k].speed));
             series.y.push_back(value(study.rows[k]));
         }
     }
@@ -53,7 +54,7 @@ PaperFigure over_angle(const TrainStudy& study, const std::string& title, const 
             std::ranges::find(study.motions, history.motion, &std::pair<std::string, std::string>::first);
         PaperSeries& series = figure.series.emplace_back(PaperSeries{named->second, {}, {}});
         for (const TrainInstant& instant : history.instants) {
-            series.x.push_back(instant.x * study.scene.motion.unit_angle() / units::degree);
+            series.x.push_back(degrees_shown.of(instant.x * study.scene.motion.unit_angle()));
             series.y.push_back(value(instant));
         }
     }
@@ -163,7 +164,7 @@ std::string paper_figure_svg(const PaperFigure& figure) {
 std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainStudy& study) {
     const MotionSpec& motion = study.scene.motion;
     const bool angle = motion.lift_is_angle;
-    const double amplitude = angle ? motion.lift / (1e-3 * units::degree) : motion.lift / 1e-6;
+    const double amplitude = angle ? 1e3 * degrees_shown.of(motion.lift) : motion.lift / 1e-6;
     const char* const amplitude_unit = angle ? "mdeg" : "µm";
     const char* const acceleration_unit = angle ? "rad/s²" : "m/s²";
     const auto physical = [&](double value, double speed) {
@@ -180,8 +181,7 @@ std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainSt
         over_speed(study, "Largest acceleration of the output during the rise", acceleration_unit,
                    [&](const TrainRow& row) { return physical(row.peak_acceleration, row.speed); }));
     if (study.histories.empty()) return pictures;
-    const std::string at =
-        fmt::format(" at {:.6g} rpm", study.histories.front().speed / units::revolution_per_minute);
+    const std::string at = fmt::format(" at {:.6g} rpm", rpm_shown.of(study.histories.front().speed));
     const double speed = study.histories.front().speed;
     add("deflection.svg",
         over_angle(study, "Output minus cam path" + at, amplitude_unit,
