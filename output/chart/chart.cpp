@@ -23,7 +23,6 @@ constexpr double title_font = 20, line_font = 13, caption_font = 14, value_font 
 constexpr double least_drawn = 0.3;  // a step of a line shorter than this is not drawn
 constexpr double sample_width = 28, bar_height = 14, colour_bar_width = 150, colour_bar_height = 8;
 constexpr double least_equal_height = 160;
-constexpr std::size_t most_avoided = 1000;  // marks of a series that labels keep off
 
 // Viridis (S. van der Walt, N. Smith, CC0) at sixteen even places.
 constexpr int colour_steps = 16;
@@ -186,13 +185,12 @@ void draw_point(Plot& plot, const ChartSeries& series, const ChartPoint& point) 
         draw_mark(plot.canvas, Look::dot, {x, y}, std::clamp(across, 1.2, 11.0), css);
     } else if (series.look != Look::label) {
         draw_mark(plot.canvas, series.look, {x, y}, series.size, css);
-        if (series.look != Look::tick && series.points.size() <= most_avoided)
-            plot.labels.keep_free(x, y, series.size - 1.0);
+        if (!point.label.empty()) plot.labels.keep_free(x, y, series.size - 1.0);
     }
 }
 
 void draw_series(Plot& plot, const ChartSeries& series) {
-    if (series.points.empty()) return;
+    if (series.points.empty() || (series.look == Look::line && series.css.empty())) return;
     if (series.look == Look::line) return draw_line(plot, series);
     if (series.look == Look::band)
         return draw_box(plot, {plot.x(series.points.front().x), plot.top},
@@ -206,8 +204,8 @@ void draw_labels(Plot& plot) {
     std::string drawn;
     for (const ChartSeries& series : plot.panel.series)
         for (const ChartPoint& point : series.points) {
-            const bool line = series.look == Look::line;
-            if (point.label.empty() || (line && point.label == drawn) || !plot.holds(point)) continue;
+            const bool line = series.look == Look::line, named = line && !series.css.empty();
+            if (point.label.empty() || (named && point.label == drawn) || !plot.holds(point)) continue;
             const double x = plot.x(point.x), y = plot.y(point.y);
             const std::vector<TextPlace> places =
                 line ? places_along(x, plot.x(series.points.back().x), y, series.side == LabelSide::above)
@@ -305,8 +303,7 @@ void draw_table(SvgCanvas& canvas, const ChartPanel& table, double left, double 
 /// Axes, and the height of the frame, so that one unit is as long on both: what is too narrow is widened.
 void equalise(ChartPanel& panel) {
     PlotAxis &across = panel.frame.horizontal, &up = panel.frame.vertical;
-    const double unit = (across.upper - across.lower) / panel.width;
-    const double wanted = (up.upper - up.lower) / unit;
+    const double unit = (across.upper - across.lower) / panel.width, wanted = (up.upper - up.lower) / unit;
     const double height = std::clamp(wanted, least_equal_height, panel.height);
     const auto widen = [](PlotAxis& axis, double size) {
         const double middle = 0.5 * (axis.lower + axis.upper);

@@ -21,8 +21,9 @@ namespace camopt {
 /// and cells of a class that begins with "failed" have a cross.
 enum class Look { line, dot, disc, square, diamond, cell, tick, rule, bar, band, label };
 
-/// Labels stand beside their points where there is room, else further away; that of a line's first point
-/// anywhere along it; of lines with one label in sequence one has it.
+/// A label stands beside its point where there is room, else further away; that of a line's first point
+/// anywhere along it. Of lines in sequence with one label one has it. A line without a class shows only its
+/// label.
 struct ChartPoint {
     double x = 0.0, y = 0.0;
     std::string css = {};  ///< besides that of its series

@@ -90,17 +90,23 @@ void add_limits(ChartPanel& panel, const Curve& curve) {
 void add_bounds(ChartPanel& panel, const View& view, bool first) {
     const double low = panel.frame.vertical.lower;
     ChartSeries rules{Look::rule, "segment", {}, 7.0, view.segments.empty() ? "" : "segments"},
-        titles{Look::label, "", {}, 4.0, "", "segment-label", LabelSide::above},
         ticks{Look::tick, "breakpoint", {}, 2.5, fmt::format("breakpoints ({})", view.breakpoints.size())};
     const PlotAxis across{panel.frame.horizontal.lower, panel.frame.horizontal.upper, 0.0, panel_width};
     for (const auto& [from, to, title] : view.segments) {
         if (from > across.lower) rules.points.push_back({from, low});
-        if (first && text_width(title, titles.font) < across.place(to) - across.place(from))
-            titles.points.push_back({0.5 * (from + to), low, "", title});
+        if (first && text_width(title, 12.0) < across.place(to) - across.place(from))
+            panel.series.push_back({Look::line,
+                                    "",
+                                    {{from, low, "", title}, {to, low}},
+                                    4.0,
+                                    "",
+                                    "segment-label",
+                                    LabelSide::above});
     }
     if (view.breakpoints.size() <= most_breakpoints)
         for (const double at : view.breakpoints) ticks.points.push_back({at, low});
-    for (ChartSeries* series : {&rules, &titles, &ticks}) panel.series.push_back(std::move(*series));
+    panel.series.push_back(std::move(rules));
+    panel.series.push_back(std::move(ticks));
 }
 
 ChartPanel panel_of(const View& view, const Curve& curve, std::size_t rows, bool first) {

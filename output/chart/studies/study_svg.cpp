@@ -81,7 +81,7 @@ std::string remark_of(const ComparisonRow& row) {
     return shortened(broken.front()) + more;
 }
 
-/// One bar a row; why there is none in words.
+/// One bar a row that has a finite objective.
 ChartPanel bar_panel(const Comparison& comparison) {
     const bool limits =
         std::ranges::any_of(comparison.rows, [](const auto& row) { return !row.limits.empty(); });
@@ -96,7 +96,7 @@ ChartPanel bar_panel(const Comparison& comparison) {
     for (const ComparisonRow& row : comparison.rows) {
         const double y = -0.5 - panel.rows++;
         if (!row.misfit.empty() || !std::isfinite(row.objective)) {
-            words.points.push_back({0.0, y, "", row.misfit.empty() ? "∞" : "left out: " + row.misfit});
+            if (row.misfit.empty()) words.points.push_back({0.0, y, "", "∞"});
             continue;
         }
         (!row.feasible ? broken : row.is_optimum() ? optimum : laws).points.push_back({row.objective, y});
@@ -137,7 +137,8 @@ std::array<ChartPanel, 2> tables_of(const Comparison& comparison) {
     if (has_bases(comparison))
         add(1, base_title(comparison), [&](const ComparisonRow& row) { return base_words(comparison, row); });
     ChartColumn remarks{"", TextSide::start};
-    for (const ComparisonRow& row : comparison.rows) remarks.cells.push_back({remark_of(row), "remark"});
+    for (const ComparisonRow& row : comparison.rows)
+        remarks.cells.push_back({row.misfit.empty() ? remark_of(row) : "left out: " + row.misfit, "remark"});
     tables[1].columns.push_back(std::move(remarks));
     tables[1].place = ChartPanel::Place::right;
     for (ChartPanel& table : tables) table.row_height = row_height;
