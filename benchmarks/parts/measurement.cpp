@@ -17,14 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-ExchangeOptions exchange_options(const Scene& scene) {
-    ExchangeOptions options;
-    options.tolerance = scene.solver.tolerance;
-    options.backend.tolerance = scene.solver.tolerance;
-    options.backend.max_seconds = scene.solver.max_seconds;
-    return options;
-}
-
 /// One exchange on a fresh problem; the problem is made before the watch starts.
 double seconds_of_one_run(const Scene& scene) {
     CamProblem problem(scene_model(scene, scene.spline.design, reference_peaks(scene)));
