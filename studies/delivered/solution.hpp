@@ -214,7 +214,8 @@ struct SolvePlan;  // studies/search/plan.hpp
 
 struct Solution {
     Scene scene;
-    std::shared_ptr<const SolvePlan> plan;  ///< what was executed; none for a result that was read
+    std::shared_ptr<const SolvePlan>
+        plan;  ///< what was executed; of a result that was read: what this build would execute
     Certificate certificate;
     /// The delivered motion; none where nothing feasible was found.
     std::shared_ptr<const MotionChain> motion;

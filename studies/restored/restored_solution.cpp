@@ -10,11 +10,13 @@
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"
+#include "studies/search/plan.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace camopt {
@@ -180,6 +182,7 @@ Solution restored_solution(const Scene& scene, const ResultRecord& record) {
     Solution solution;
     solution.scene = scene;
     solution.reference_peaks = reference_peaks(scene);
+    solution.plan = std::make_shared<const SolvePlan>(plan(scene, {.explain = true}));
     if (searches_angles(scene)) solution.scene = with_found_angles(scene, record);
     if (scene.measured) solution.measured = measured_report(scene, solution.reference_peaks);
     report_delivered(solution, delivered_of(solution.scene, record));
