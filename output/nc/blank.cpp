@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "output/nc/cutter_location.hpp"
+#include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 #include "output/nc/cutter_location.hpp"
 
 #include "core/errors.hpp"
+#include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>
 

@@ -9,10 +9,7 @@
 // stays. Source: Gu, Shin, Kang, Chang, equations (11)–(15). Lengths m, frame of ToolPose.
 #pragma once
 
-#include "core/errors.hpp"
-
 #include <Eigen/Core>
-#include <fmt/format.h>
 
 #include <functional>
 
@@ -77,20 +74,5 @@ struct PlaneCutter {
 
 /// Throws InputError for a cutter that is not valid.
 [[nodiscard]] ToolPath plane_cutter_path(PlaneContour contour, const PlaneCutter& cutter);
-
-// Private to output/nc: options that must hold, refused in one form of words.
-
-/// "blank: its upper end must lie above its lower end, found -5 mm"
-struct Requirement {
-    const char* subject = "";
-    const char* unit = "";  ///< " mm"
-    double unit_value = 1.0;
-
-    /// Throws InputError where it does not hold.
-    void operator()(bool holds, const char* what, double found) const {
-        if (holds) return;
-        throw InputError(fmt::format("{}: {}, found {:g}{}", subject, what, found / unit_value, unit));
-    }
-};
 
 }  // namespace camopt

@@ -6,6 +6,7 @@
 #include "output/nc/cutter_compensation.hpp"
 #include "output/nc/cutter_location.hpp"
 #include "output/nc/nc_writer.hpp"
+#include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>
 
