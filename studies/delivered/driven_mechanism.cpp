@@ -39,9 +39,10 @@ const MechanismPoint& CamPoints::at(double x, int station) const {
 }
 
 const MechanismPoint& CamPoints::at(const MotionPoint& motion, int station) const {
-    const auto [found, is_new] = points_.try_emplace(
-        {scale_.unit_angle * motion.x, motion.derivative[1], motion.derivative[2], station});
-    if (is_new) found->second = mechanism_point(cam_, motion, scale_, station);
+    const double theta = scale_.unit_angle * motion.x;
+    const FollowerState state = state_of(motion, scale_);
+    const auto [found, is_new] = points_.try_emplace({theta, state.velocity, state.acceleration, station});
+    if (is_new) found->second = cam_.formulas->point(theta, {cam_.dimensions, state, theta}, station);
     return found->second;
 }
 

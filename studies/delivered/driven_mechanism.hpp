@@ -47,7 +47,7 @@ class CamPoints {
     [[nodiscard]] const MechanismPoint& at(const MotionPoint& motion, int station) const;
 
  private:
-    /// θ, y', y'', station: a point does not depend on more.
+    /// θ, s', s'', station: along one motion a point does not depend on more.
     using Place = std::tuple<double, double, double, int>;
     struct PlaceHash {
         std::size_t operator()(const Place& place) const;
