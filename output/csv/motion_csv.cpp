@@ -177,7 +177,7 @@ UniformTable uniform_table(const View& view, const UniformTableOptions& options)
         TableRow row{theta, motion.at(x, side)};
         row.motion.x = x;
         if (plane) row.cam = &view.delivered.cam->at(row.motion, 0);
-        if (loads) row.loads = loads(row.motion, *row.cam);
+        if (loads) row.loads = loads(row.motion, *view.delivered.cam);
         for (std::size_t i = 0; i < columns.size(); ++i)
             table.text += (i == 0 ? "" : ",") + cell_text(columns[i]->value(spec, row), options.digits);
         table.text += "\n";

@@ -126,7 +126,7 @@ Delivered sample_delivered(const Solution& solution) {
     for (DeliveredRow& row : all.rows) {
         for (int station = 0; station < stations; ++station)
             row.cam.push_back(all.cam->at(row.motion, station));
-        if (loads) row.loads = loads(row.motion, row.cam.front());
+        if (loads) row.loads = loads(row.motion, *all.cam);
     }
     return all;
 }
@@ -145,7 +145,7 @@ std::vector<DeliveredRow> profile_rows(const Solution& solution, const Delivered
         row.motion = cam.motion_at(x);
         row.cam = {at(x)};
         if (!loads) continue;
-        row.loads = loads(row.motion, row.cam.front());
+        row.loads = loads(row.motion, cam);
         if (row.loads->side == station || solution.cam->summary.no_contact) continue;
         row.loads->normal_force = 0.0;
         if (row.loads->hertz_pressure) row.loads->hertz_pressure = 0.0;

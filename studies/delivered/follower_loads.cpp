@@ -48,16 +48,15 @@ bool has_hertz_pressure(const CamMechanism& cam, const ForceSpec& forces) {
 }
 
 FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double speed,
-                             const FollowerState& state, const MechanismPoint& point) {
+                             const FollowerState& state,
+                             const std::function<MechanismPoint(int side)>& point_of) {
     FollowerLoads loads;
     loads.force = forces.force(speed, state.s, state.acceleration);
     loads.torque = loads.force * state.velocity;
     loads.side = carrying_side(*cam.formulas, loads.force);
     loads.normal_force = normal_force(cam, state, loads.force, loads.side);
     if (!has_hertz_pressure(*cam.formulas, forces)) return loads;
-    const MechanismPoint touched =
-        loads.side == 0 ? point : cam.formulas->point(point.theta, {cam.dimensions, state}, loads.side);
-    loads.hertz_pressure = hertz_pressure(cam, forces, touched, loads.normal_force, loads.side);
+    loads.hertz_pressure = hertz_pressure(cam, forces, point_of(loads.side), loads.normal_force, loads.side);
     return loads;
 }
 
@@ -66,9 +65,10 @@ LoadsAt delivered_loads(const Solution& solution) {
     if (!solution.cam->cam.formulas->is_direct()) return {};
     const MotionScale scale = motion_scale(solution.scene);
     const double speed = solution.scene.motion.speed.value();
-    return [&solution, scale, speed](const MotionPoint& motion, const MechanismPoint& point) {
+    return [&solution, scale, speed](const MotionPoint& motion, const CamPoints& cam) {
         FollowerLoads loads =
-            follower_loads(solution.cam->cam, *solution.scene.forces, speed, state_of(motion, scale), point);
+            follower_loads(solution.cam->cam, *solution.scene.forces, speed, state_of(motion, scale),
+                           [&](int side) { return cam.at(motion, side); });
         if (!solution.cam->summary.no_contact) return loads;
         loads.normal_force = infinity;
         loads.hertz_pressure.reset();

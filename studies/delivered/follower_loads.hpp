@@ -18,6 +18,7 @@
 
 namespace camopt {
 
+class CamPoints;
 struct Solution;
 
 /// F / lever; on side 1 −F / lever. Of a cam that drives both ways < 0 where the other side carries.
@@ -40,12 +41,13 @@ struct FollowerLoads {
     int side = 0;  ///< which carries
 };
 
-/// point: of side 0.
+/// point_of: the cam there, by side.
 [[nodiscard]] FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double speed,
-                                           const FollowerState& state, const MechanismPoint& point);
+                                           const FollowerState& state,
+                                           const std::function<MechanismPoint(int side)>& point_of);
 
-/// Of the motion (normalised) and the cam at one angle.
-using LoadsAt = std::function<FollowerLoads(const MotionPoint& motion, const MechanismPoint& cam)>;
+/// Of the motion (normalised) at one angle; the points are those of the cam along it.
+using LoadsAt = std::function<FollowerLoads(const MotionPoint& motion, const CamPoints& cam)>;
 
 /// Along a delivered cam: what does not exist, where the cam cannot touch its follower, is not finite. None
 /// where the scene has no forces, or the cam is not direct. The solution must live as long.
