@@ -69,7 +69,7 @@ void add_marks(ChartPanel& panel, const Curve& curve) {
 }
 
 void add_limits(ChartPanel& panel, const Curve& curve) {
-    ChartSeries outside{Look::label, "", {}, 4.0, "", "limit-label"};
+    ChartSeries outside{Look::label, "", {}, 4.0, "", "limit-label", LabelSide::below};
     for (const CurveLimit& limit : curve.limits) {
         if (panel.frame.vertical.holds(limit.at))
             panel.series.push_back({Look::line,
