@@ -80,7 +80,7 @@ namespace camopt::apps {
 
 // What a request may take of this machine.
 struct StudioLimits {
-    double solve_seconds = 10.0;     ///< wall time of a solve, whatever solver.max_seconds of the scene says
+    double solve_seconds = 10.0;     ///< wall time of a solve, instead of the scene's solver.max_seconds
     double download_seconds = 60.0;  ///< of a solve whose file is asked for
     std::size_t pages = 8;           ///< open at the same time; the one not heard of for longest is forgotten
     std::size_t settings = 200;      ///< of a request

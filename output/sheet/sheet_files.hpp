@@ -16,7 +16,7 @@ namespace camopt {
 [[nodiscard]] std::string sheet_svg(const Sheet& sheet);
 
 // A sheet as PDF, one page of its size, lines and letters as such (the font is embedded). Made by cairo where
-// this build has it: the same lines and words as the SVG, whatever fonts the reader has.
+// this build has it: the same lines and words as the SVG, regardless of the reader's fonts.
 
 /// False in a build without cairo.
 [[nodiscard]] bool pdf_available();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the paper on inverse cams has of its own: its guide of lines and arcs, and its approximate method.
+// Of the paper on inverse cams alone: its guide of lines and arcs, and its approximate method.
 #pragma once
 
 #include "profiles/inverse/guide.hpp"

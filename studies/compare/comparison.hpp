@@ -34,7 +34,7 @@ struct NeededBase {
     std::string broken;            ///< then a limit that stays broken: its key, or why no cam can be built
 };
 
-/// cam: that of the scene. Of its own base radius only the steps depend. Throws InputError for a cam whose
+/// cam: that of the scene. Only the steps depend on its base radius. Throws InputError for a cam whose
 /// base radius is no dimension (CamMechanism::base_radius_index), and for a limit the follower cannot have.
 [[nodiscard]] NeededBase needed_base(const Scene& scene, const DrivenMechanism& cam, const Motion& motion);
 

@@ -63,7 +63,7 @@ void audit_delivered(Solution& solution);
 
 // Whether a delivered motion meets what its scene demands exactly: its ends and joints, the top of a rise and
 // return, displacements of a program, exact points, symmetry, ends without jerk. From the motion alone,
-// whatever the optimizer built in or eliminated.
+// regardless of what the optimizer built in or eliminated.
 
 /// A condition, and by how much the motion misses it.
 struct ConditionMiss {

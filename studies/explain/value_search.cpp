@@ -288,7 +288,7 @@ FinerSpline finer_spline(const Scene& scene, const Budget& budget) {
                 result.finest = 0;
                 return result;
             }
-            if (budget.spent()) break;  // what the clock ended was not tried in vain
+            if (budget.spent()) break;  // what the clock ended does not count as tried
         }
         fails = n;
         result.finest = n;

@@ -48,7 +48,7 @@ namespace camopt {
 
 struct FinerSpline {
     std::optional<Relaxation> row;  ///< key spline.segments: the fewest that were solved; of given
-                                    ///< breakpoints spline.breakpoints: every interval cut alike
+                                    ///< breakpoints spline.breakpoints: every interval cut into equal parts
     int finest = 0;                 ///< without a row: the most that were tried; 0: the time did not reach
 };
 

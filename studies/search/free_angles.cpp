@@ -25,7 +25,7 @@ constexpr int most_boxes = 400;
 // Of a turn: the first step of a move, and the last one that must not help.
 constexpr double first_angle_step = 1.0 / 64.0, last_angle_step = 1e-8;
 constexpr int most_angle_moves = 400;
-// Angles tried at random where those at hand allow no motion.
+// Angles tried at random where the current ones allow no motion.
 constexpr int random_angles = 24;
 // Of a turn: a box narrower than this has nothing left to gain but rounding.
 constexpr double narrowest_box = 1e-12;

@@ -126,7 +126,7 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
     plan.from_measured = model.start_design.size() > 0;
     plan.seed = scene.solver.seed;
     plan.look = options.look;
-    // A root-mean-square term makes the optimum unique by itself.
+    // A root-mean-square term alone makes the optimum unique.
     plan.tie_break =
         scene.objective.tie_break != TieBreak::none && !weighs_any(scene.objective, CostTerm::Kind::rms);
     plan.proof = planned_proof(plan, posed, general);

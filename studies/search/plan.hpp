@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plan of a solve: what is searched and by which solver, from which starts, with which relaxations,
 // tie-break and proof, and how the time is shared. plan() solves nothing; planned_solve.cpp executes a plan
-// and takes from it whatever can be decided before the first result.
+// and takes from it all that can be decided before the first result.
 #pragma once
 
 #include "scene/scene.hpp"

@@ -232,7 +232,7 @@ class GeneralSolve {
             const bool unproved = !next.settled && !next.result.certificate.lower_bound;
             if (!relaxed.problem || !unproved)
                 relaxed = std::move(next);
-            else if (next.result.x.size() > 0)  // keep the bound at hand, start from the better motion
+            else if (next.result.x.size() > 0)  // keep the current bound, start from the better motion
                 relaxed.result.x = next.result.x;
         }
         return relaxed;
@@ -340,7 +340,7 @@ class GeneralSolve {
         settle_passed_bound(result, *relaxed.problem, exchange_, judge_, control_);
     }
 
-    /// The bound over boxes where it says more than the one at hand.
+    /// The bound over boxes where it says more than the current one.
     void take_box_bound(ContinuousResult& result) const {
         if (!bound_) return;
         Certificate& certificate = result.certificate;

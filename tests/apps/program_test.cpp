@@ -132,7 +132,7 @@ TEST(Program, ResultHoldsThePlan) {
         EXPECT_EQ(planned["convex"], solver["convex"]) << name;
         EXPECT_LE(solver["starts"], planned["starts"]) << name;
         EXPECT_EQ(planned["design"], result["design"]["kind"]) << name;
-        const bool settled = solver["starts"] == 0;  // by the relaxation, which has a solver of its own
+        const bool settled = solver["starts"] == 0;  // by the relaxation, which has its own solver
         EXPECT_EQ(solver["name"], settled ? json("structured") : planned["solver"]) << name;
         EXPECT_EQ(planned["start_kinds"].empty(), planned["convex"].get<bool>()) << name;
         const std::string check = run_camopt("check " + scene(name)).output;
