@@ -90,6 +90,16 @@ FollowerState state_of(const MotionPoint& point, const MotionScale& scale) {
             rate / scale.unit_angle * point.derivative[2]};
 }
 
+MotionPoint motion_at(const Motion& motion, double x) {
+    return motion.at(x, x < motion.end() ? Side::right : Side::left);
+}
+
+MechanismPoint mechanism_point(const DrivenMechanism& mechanism, const MotionPoint& motion,
+                               const MotionScale& scale, int station) {
+    const double theta = scale.unit_angle * motion.x;
+    return mechanism.formulas->point(theta, {mechanism.dimensions, state_of(motion, scale), theta}, station);
+}
+
 std::vector<double> even_places(const std::vector<double>& breakpoints, int count) {
     if (count < 2) throw InputError(fmt::format("count: found {}; allowed: at least 2", count));
     const double begin = breakpoints.front(), length = breakpoints.back() - begin;
@@ -117,9 +127,7 @@ std::vector<MechanismPoint> sampled_profile(const DrivenMechanism& cam, const Mo
                                             const MotionScale& scale, const ProfileSampling& sampling,
                                             int station) {
     const CamPointAt at = [&](double x) {
-        const double theta = scale.unit_angle * x;
-        const MotionPoint point = motion.at(x, x < motion.end() ? Side::right : Side::left);
-        return cam.formulas->point(theta, {cam.dimensions, state_of(point, scale), theta}, station);
+        return mechanism_point(cam, motion_at(motion, x), scale, station);
     };
     std::vector<MechanismPoint> points;
     for (const double x : profile_places(at, motion.breakpoints(), scale.unit_angle, sampling))

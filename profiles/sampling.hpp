@@ -19,6 +19,13 @@ struct MotionScale {
 
 [[nodiscard]] FollowerState state_of(const MotionPoint& point, const MotionScale& scale);
 
+/// At a breakpoint the side after it, at the end that before.
+[[nodiscard]] MotionPoint motion_at(const Motion& motion, double x);
+
+/// A point of a cam along a motion.
+[[nodiscard]] MechanismPoint mechanism_point(const DrivenMechanism& mechanism, const MotionPoint& motion,
+                                             const MotionScale& scale, int station = 0);
+
 /// About `count` angles, uniformly from the first breakpoint to the last, and the breakpoints, ascending;
 /// where both coincide the breakpoint is kept. Throws InputError for fewer than 2.
 [[nodiscard]] std::vector<double> even_places(const std::vector<double>& breakpoints, int count);

@@ -16,12 +16,7 @@
 //   table.csv    motion and plane cam at evenly spaced cam angles with the columns one asks for
 #pragma once
 
-#include "core/motion.hpp"
 #include "output/view/view.hpp"
-#include "scene/scene.hpp"
-#include "studies/delivered/delivered.hpp"
-#include "studies/delivered/driven_mechanism.hpp"
-#include "studies/delivered/follower_loads.hpp"
 
 #include <optional>
 #include <string>

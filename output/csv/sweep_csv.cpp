@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "core/text/parsing.hpp"
-#include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/view/shown_units.hpp"
 #include "studies/sweep/sweep_run.hpp"

@@ -2,7 +2,6 @@
 #include "output/disk/disk_export.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/disk/disk_solid.hpp"
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/nc/milling/plane_passes.hpp"

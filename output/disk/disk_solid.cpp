@@ -2,7 +2,6 @@
 #include "output/disk/disk_solid.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "output/sheet/sheet_painter.hpp"

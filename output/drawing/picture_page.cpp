@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/picture_page.hpp"
 
-#include "core/units.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"

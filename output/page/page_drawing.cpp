@@ -128,8 +128,7 @@ Json outline(const PlaneCourse& course, int station, std::string_view name, bool
     const MotionChain& motion = *course.view.delivered.whole;
     std::vector<const Vector3d*> places;
     for (const double x : even_places(motion.breakpoints(), outline_points)) {
-        const MechanismPoint& point =
-            cam.at(motion.at(x, x < motion.end() ? Side::right : Side::left), station);
+        const MechanismPoint& point = cam.at(motion_at(motion, x), station);
         places.push_back(pitch ? &point.pitch : &point.contact);
         append(points, course.length, places.back()->head<2>());
     }

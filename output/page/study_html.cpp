@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/page/study_html.hpp"
 
-#include "core/units.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/view/number_text.hpp"

@@ -94,12 +94,6 @@ std::string asked(const Scene& scene) {
     return text;
 }
 
-std::string any_curve_line(const Scene& scene) {
-    const std::string left_out = left_out_of_any_curve(scene);
-    return "Least objective of any curve, spline or not" +
-           (left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
-}
-
 std::string verdict_section(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     std::string text = fmt::format("\n## Verdict\n\n**{}**\n\n", verdict_sentence(solution));
@@ -116,7 +110,8 @@ std::string verdict_section(const Solution& solution) {
              *certificate.lower_bound, 10);
     if (certificate.gap) line("Relative gap between them", *certificate.gap, 3);
     if (solution.any_curve_limit)
-        line(any_curve_line(solution.scene), solution.any_curve_limit->objective, 10);
+        line("Least objective of any curve, spline or not" + left_out_of_any_curve(solution.scene),
+             solution.any_curve_limit->objective, 10);
     if (certificate.stationarity) line("Stationarity residual", *certificate.stationarity, 3);
     return text;
 }

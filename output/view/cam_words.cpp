@@ -148,16 +148,15 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
         std::optional<double> number;
         if (!dimension.value.is_variable()) number = dimension.value.low;
         if (solution.cam) number = solution.cam->cam.dimensions[i];
-        const ShownUnits files = file_units(solution.scene);
-        if (number) number = (dimension.is_angle ? files.angle : files.length).of(*number);
+        if (number) number = (dimension.is_angle ? degrees_shown : millimetres_shown).of(*number);
         all.push_back({dimension.name, dimension.is_angle, number});
     }
     if (cam->formulas()->is_direct()) all.push_back({"prime_radius", false, prime_radius(all)});
-    const ShownUnits shown = shown_units(solution.scene), files = file_units(solution.scene);
+    const ShownUnit length = shown_units(solution.scene).length;
     for (DimensionValue& one : all)
         one.text = !one.shown     ? "free"
-                   : one.is_angle ? shown.angle.text(*one.shown * files.angle.size)
-                                  : shown.length.text(*one.shown * files.length.size);
+                   : one.is_angle ? degrees_shown.text(*one.shown * degrees_shown.size)
+                                  : length.text(*one.shown * millimetres_shown.size);
     return all;
 }
 

@@ -67,7 +67,7 @@ inline constexpr int angle_digits = 5;
 
 /// The cam angle of x, degrees, without the unit.
 [[nodiscard]] inline std::string degrees_at(const Solution& solution, double x) {
-    return short_text(shown_units(solution.scene.motion).degrees_per_x * x, angle_digits);
+    return short_text(degrees_shown.of(x * solution.scene.motion.unit_angle()), angle_digits);
 }
 
 }  // namespace camopt

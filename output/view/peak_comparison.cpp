@@ -89,13 +89,11 @@ std::string left_out_of_any_curve(const Scene& scene) {
     const bool cam = limits_cam(scene.limits) || (scene.cam && scene.cam->face_half_width);
     std::string text = cam ? "limits of the cam" : "";
     if (!placed_points(scene.motion).empty()) text += text.empty() ? "via points" : " and via points";
-    return text;
+    return text.empty() ? text : fmt::format(" ({} left out)", text);
 }
 
 std::string any_curve_title(const Scene& scene) {
-    const std::string left_out = left_out_of_any_curve(scene);
-    return left_out.empty() ? "limit of any curve"
-                            : fmt::format("limit of any curve ({} left out)", left_out);
+    return "limit of any curve" + left_out_of_any_curve(scene);
 }
 
 std::string reference_title(const ReferenceMotion& reference) {

@@ -78,8 +78,8 @@ struct PeakRow {
 [[nodiscard]] std::vector<PeakRow> peak_comparison(const Solution& solution,
                                                    const ReferenceMotion& reference);
 
-/// What the scene demands and the limit of any curve does not know: "limits of the cam", "limits of the cam
-/// and via points". Empty: it knows all.
+/// What the scene demands and the limit of any curve does not know: " (limits of the cam left out)", "
+/// (limits of the cam and via points left out)". Empty: it knows all.
 [[nodiscard]] std::string left_out_of_any_curve(const Scene& scene);
 
 /// "limit of any curve", and what it leaves out.

@@ -35,10 +35,6 @@ std::string place_text(double displacement, double lift) {
 
 constexpr int set_point_digits = 9;  // enough to see that it is met
 
-std::string with_unit(double value, const std::string& unit, int digits) {
-    return short_text(value, digits) + (unit.empty() ? "" : " " + unit);
-}
-
 /// What "verified" says, and what is not.
 std::string verification_words(const std::vector<ConstraintReport>& limits) {
     const auto verified = [](const ConstraintReport& row) { return row.verified; };
@@ -71,18 +67,15 @@ TextTable dimension_table(const Solution& solution) {
 
 constexpr const char* peak_note =
     "Peaks are exact, not sampled. Normalised: by lift and rise angle, of a program by each spline segment's "
-    "own "
-    "angle and displacement; those of the whole motion include the law segments.";
+    "own angle and displacement; those of the whole motion include the law segments.";
 
 /// What stands in the column of the curve of least objective; empty where there is none.
 std::string any_curve_note(const Solution& solution) {
     if (!solution.any_curve_limit || !solution.segments.empty()) return {};
-    const std::string left_out = left_out_of_any_curve(solution.scene);
     return fmt::format(
         " Curve of least objective: its peaks, spline or not{}. They are no bound of a single peak: another "
-        "curve "
-        "may have one of them smaller.",
-        left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
+        "curve may have one of them smaller.",
+        left_out_of_any_curve(solution.scene));
 }
 
 }  // namespace
@@ -150,8 +143,8 @@ TextTable set_point_table(const Solution& solution) {
         table.rows.push_back(
             {report.key,
              along ? fmt::format("{} to {}", begin, short_text(report.point.end * degrees_per_x)) : begin,
-             with_unit(report.wanted, report.unit, 6),
-             with_unit(report.found, report.unit, set_point_digits)});
+             ShownUnit{report.unit}.text(report.wanted),
+             ShownUnit{report.unit}.text(report.found, set_point_digits)});
     }
     return table;
 }
@@ -173,7 +166,7 @@ std::string measured_sentence(const Solution& solution) {
 }
 
 std::string limit_text(const ConstraintReport& row) {
-    return short_text(row.limit) + (row.unit.empty() ? "" : " " + row.unit);
+    return ShownUnit{row.unit}.text(row.limit);
 }
 
 std::string reached_text(const ConstraintReport& row, int digits) {
@@ -181,8 +174,7 @@ std::string reached_text(const ConstraintReport& row, int digits) {
     if (is_nowhere(row))
         return row.name == limit_row(LimitedFigure::concave_radius).name ? "nowhere concave"
                                                                          : "nowhere convex";
-    return short_text(row.worst, digits) + (row.unit.empty() ? "" : " " + row.unit) +
-           (row.side.empty() ? "" : " on the " + row.side);
+    return ShownUnit{row.unit}.text(row.worst, digits) + (row.side.empty() ? "" : " on the " + row.side);
 }
 
 std::string reached_degrees(const Solution& solution, const ConstraintReport& row) {
@@ -247,8 +239,7 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
     };
     add("changes", "Suggested changes", relaxation_table(solution),
         "Each number is rounded to the feasible side and was tried in the scene: a solve found a motion with "
-        "it. "
-        "The exact limit is in result.json.");
+        "it. The exact limit is in result.json.");
     if (!solution.motion) return all;
     add("peaks", "Peaks", peak_table(solution), peak_note + any_curve_note(solution));
     add("segments", "Segments", segment_table(solution), segment_table_note());

@@ -71,7 +71,7 @@ class CamTurn {
 
  private:
     [[nodiscard]] double pressure_angle_at_rest(double x, int station) const {
-        FollowerState state = state_of(motion_.at(x, x < motion_.end() ? Side::right : Side::left), scale_);
+        FollowerState state = state_of(motion_at(motion_, x), scale_);
         state.velocity = 0.0;
         const double theta = scale_.unit_angle * x;
         return std::abs(cam_.formulas->point(theta, {cam_.dimensions, state}, station).pressure_angle);

@@ -2,10 +2,10 @@
 #include "studies/delivered/delivered.hpp"
 
 #include "core/units.hpp"
-#include "studies/delivered/driven_mechanism.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -95,6 +95,26 @@ std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks) {
     return rows;
 }
 
+MotionPoint CamPoints::motion_at(double x) const {
+    return camopt::motion_at(motion_, std::clamp(x, motion_.begin(), motion_.end()));
+}
+
+const MechanismPoint& CamPoints::at(double x, int station) const {
+    return at(motion_at(x), station);
+}
+
+const MechanismPoint& CamPoints::at(const MotionPoint& motion, int station) const {
+    const FollowerState state = state_of(motion, scale_);
+    const auto [found, is_new] =
+        points_.try_emplace({scale_.unit_angle * motion.x, state.velocity, state.acceleration, station});
+    if (is_new) found->second = mechanism_point(cam_, motion, scale_, station);
+    return found->second;
+}
+
+std::size_t CamPoints::PlaceHash::operator()(const Place& place) const {
+    return std::hash<double>()(std::get<0>(place)) + static_cast<std::size_t>(std::get<3>(place));
+}
+
 std::size_t Delivered::index_at(double x) const {
     const double near = same_row * (end() - begin());
     const auto found = std::ranges::lower_bound(rows, x - near, {}, &DeliveredRow::x);
@@ -143,7 +163,7 @@ std::vector<DeliveredRow> profile_rows(const Solution& solution, const Delivered
         row.x = x;
         row.side = x < cam.motion().end() ? Side::right : Side::left;
         row.motion = cam.motion_at(x);
-        row.cam = {at(x)};
+        row.cam = {cam.at(row.motion, station)};
         if (!loads) continue;
         row.loads = loads(row.motion, cam);
         if (row.loads->side == station || solution.cam->summary.no_contact) continue;

@@ -4,7 +4,6 @@
 
 #include "profiles/sampling.hpp"
 #include "splines/motion_chain.hpp"
-#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -12,6 +11,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -43,6 +45,35 @@ struct MotionRow {
 /// Rows of motion.csv: every degree of 360 over the motion, its breakpoints and the places of its peaks;
 /// twice where the jerk jumps, from the left and then from the right. Ascending.
 [[nodiscard]] std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks);
+
+/// The points of a cam along its motion. A point is evaluated where it is asked for first and remembered, so
+/// that tables, drawings and programs made from one cam share them. One thread at a time.
+class CamPoints {
+ public:
+    CamPoints(DrivenMechanism cam, MotionChain motion, const MotionScale& scale)
+        : cam_(std::move(cam)), motion_(std::move(motion)), scale_(scale) {}
+
+    [[nodiscard]] const DrivenMechanism& cam() const { return cam_; }
+    [[nodiscard]] const MotionChain& motion() const { return motion_; }
+    [[nodiscard]] const MotionScale& scale() const { return scale_; }
+
+    /// x beyond the motion: its end. The side after a breakpoint, at the end that before.
+    [[nodiscard]] MotionPoint motion_at(double x) const;
+    [[nodiscard]] const MechanismPoint& at(double x, int station = 0) const;
+    /// `motion`: of this motion, from either side.
+    [[nodiscard]] const MechanismPoint& at(const MotionPoint& motion, int station) const;
+
+ private:
+    /// θ, s', s'', station: along one motion a point does not depend on more.
+    using Place = std::tuple<double, double, double, int>;
+    struct PlaceHash {
+        std::size_t operator()(const Place& place) const;
+    };
+    DrivenMechanism cam_;
+    MotionChain motion_;
+    MotionScale scale_;
+    mutable std::unordered_map<Place, MechanismPoint, PlaceHash> points_;
+};
 
 struct DeliveredRow {
     double x = 0.0;

@@ -5,49 +5,21 @@
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace camopt {
-
-MechanismPoint mechanism_point(const DrivenMechanism& mechanism, const MotionPoint& motion,
-                               const MotionScale& scale, int station) {
-    const double theta = scale.unit_angle * motion.x;
-    return mechanism.formulas->point(theta, {mechanism.dimensions, state_of(motion, scale), theta}, station);
-}
 
 MechanismProfile mechanism_profile(const DrivenMechanism& mechanism, const Motion& motion,
                                    const MotionScale& scale, int count, int station) {
     const std::vector<double> breakpoints = motion.breakpoints();
     MechanismProfile profile;
     for (const double x : even_places(breakpoints, count)) {
-        const MotionPoint point = motion.at(x, x < motion.end() ? Side::right : Side::left);
+        const MotionPoint point = motion_at(motion, x);
         if (std::ranges::binary_search(breakpoints, x))
             profile.breaks.push_back(static_cast<int>(profile.points.size()));
         profile.points.push_back(mechanism_point(mechanism, point, scale, station));
         profile.outputs.push_back(scale.lift * point.derivative[0]);
     }
     return profile;
-}
-
-MotionPoint CamPoints::motion_at(double x) const {
-    const double place = std::clamp(x, motion_.begin(), motion_.end());
-    return motion_.at(place, place < motion_.end() ? Side::right : Side::left);
-}
-
-const MechanismPoint& CamPoints::at(double x, int station) const {
-    return at(motion_at(x), station);
-}
-
-const MechanismPoint& CamPoints::at(const MotionPoint& motion, int station) const {
-    const double theta = scale_.unit_angle * motion.x;
-    const FollowerState state = state_of(motion, scale_);
-    const auto [found, is_new] = points_.try_emplace({theta, state.velocity, state.acceleration, station});
-    if (is_new) found->second = cam_.formulas->point(theta, {cam_.dimensions, state, theta}, station);
-    return found->second;
-}
-
-std::size_t CamPoints::PlaceHash::operator()(const Place& place) const {
-    return std::hash<double>()(std::get<0>(place)) + static_cast<std::size_t>(std::get<3>(place));
 }
 
 namespace {

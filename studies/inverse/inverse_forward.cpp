@@ -156,7 +156,7 @@ struct DrivenGuide {
     }
     [[nodiscard]] double angle(double distance) const {
         const double x = std::clamp(cam_angle(distance) / scale.unit_angle, motion->begin(), motion->end());
-        return guide.angle(state_of(motion->at(x, x < motion->end() ? Side::right : Side::left), scale));
+        return guide.angle(state_of(motion_at(*motion, x), scale));
     }
     /// |dY/dpsi|, m/rad.
     [[nodiscard]] double ratio(double distance) const { return guide.ratio(angle(distance)); }

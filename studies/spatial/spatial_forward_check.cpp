@@ -176,7 +176,7 @@ FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale) {
     FollowerMotion result;
     result.state = [&motion, scale](double theta) {
         const double x = std::clamp(theta / scale.unit_angle, motion.begin(), motion.end());
-        return state_of(motion.at(x, x < motion.end() ? Side::right : Side::left), scale);
+        return state_of(motion_at(motion, x), scale);
     };
     for (const double x : motion.breakpoints()) result.breakpoints.push_back(scale.unit_angle * x);
     return result;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/studies/study_svg.hpp"
 
-#include "core/units.hpp"
 #include "output/chart/chart.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"

@@ -2,7 +2,6 @@
 #include "output/drawing/dxf/dxf_drawing.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/drawing/dxf/dxf_scaffold.hpp"
 #include "output/view/shown_units.hpp"
 
