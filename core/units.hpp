@@ -13,6 +13,9 @@ inline constexpr double degree = std::numbers::pi / 180.0;                // rad
 inline constexpr double turn = 2.0 * std::numbers::pi;                    // rad
 inline constexpr double revolution_per_minute = std::numbers::pi / 30.0;  // rad/s
 inline constexpr double megapascal = 1e6;                                 // Pa
+inline constexpr double pound = 0.45359237;                               // kg
+inline constexpr double pound_force = pound * 9.80665;                    // N
+inline constexpr double ksi = 1e3 * pound_force / (inch * inch);          // Pa
 
 }  // namespace camopt::units
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace camopt::input {
 
@@ -78,6 +79,28 @@ class SetPointReader {
         return point;
     }
 
+    /// Velocity and acceleration at a location, in units of the stretch.
+    [[nodiscard]] SetPoint read_state(const Node& node, const std::string& path, double at) const {
+        SetPoint point;
+        point.at = at;
+        for (const int order : {1, 2}) {
+            const auto given = SceneSource::find_in(node, table_, order == 1 ? "velocity" : "acceleration");
+            if (!given) continue;
+            (order == 1 ? point.units.velocity : point.units.acceleration) = given->spelling->unit;
+            value_of(point, order) = derivative(*given, joined_key(path, given->member->name), order);
+        }
+        return point;
+    }
+
+    /// SI value of one normalised unit of a quantity in the unit it was written in; 1: normalised.
+    [[nodiscard]] double unit_of(const Given& given, const std::string& key, int order) const {
+        if (given.spelling->unit.empty()) return 1.0;
+        check_unit(given, key);
+        return set_point_unit({angle_, motion_.lift, motion_.speed}, order,
+                              order > 0 && is_unit_of_time(given.spelling->unit)) /
+               given.spelling->factor;
+    }
+
  private:
     const SceneSource& source_;
     const MotionSpec& motion_;
@@ -91,8 +114,11 @@ class SetPointReader {
     }
 
     [[nodiscard]] double derivative(const Given& given, const std::string& key, int order) const {
+        return given.value().as_number() / unit_of(given, key, order);
+    }
+
+    void check_unit(const Given& given, const std::string& key) const {
         const std::string_view unit = given.spelling->unit;
-        if (unit.empty()) return given.number();
         if (is_angle_unit(unit) != motion_.lift_is_angle)
             source_.fail(
                 given.member->place, key,
@@ -106,9 +132,40 @@ class SetPointReader {
                          fmt::format("found a value in {} without a speed; allowed: together with "
                                      "motion.speed_rpm or motion.speed_rad_s, or by the cam angle ({})",
                                      unit, motion_.lift_is_angle ? "velocity_rad_rad" : "velocity_mm_rad"));
-        return given.number() / set_point_unit({angle_, motion_.lift, motion_.speed}, order, in_time);
     }
 };
+
+/// motion.corridor: in lifts, by x of the whole motion.
+void read_corridors(const SceneSource& source, MotionSpec& motion) {
+    constexpr std::array names = {"displacement", "velocity", "acceleration", "jerk"};
+    const auto tables = source.find("motion", "corridor");
+    if (!tables) return;
+    const SetPointReader reader(source, motion, motion.unit_angle(), "motion.corridor");
+    for (const Node& node : tables->value().items) {
+        const std::string path = fmt::format("motion.corridor[{}]", motion.corridors.size());
+        const auto find = [&](std::string_view name) {
+            return SceneSource::find_in(node, "motion.corridor", name);
+        };
+        Corridor corridor;
+        corridor.to = motion.length() * motion.unit_angle();
+        if (const auto from = find("from")) corridor.from = from->number();
+        if (const auto to = find("to")) corridor.to = to->number();
+        for (std::size_t order = 0; order < names.size(); ++order) {
+            const auto given = find(names[order]);
+            if (!given) continue;
+            const std::string key = joined_key(path, given->member->name);
+            const double unit = reader.unit_of(*given, key, static_cast<int>(order));
+            Corridor::Bounds& bounds = corridor.bounds[order];
+            bounds.key = given->member->name;
+            bounds.unit = given->spelling->unit;
+            if (const Member* const least = given->value().find("min"))
+                bounds.least = least->value.as_number() / unit;
+            if (const Member* const most = given->value().find("max"))
+                bounds.most = most->value.as_number() / unit;
+        }
+        motion.corridors.push_back(std::move(corridor));
+    }
+}
 
 /// motion.via, and via of every segment, in units of their stretch.
 void read_set_points(const SceneSource& source, MotionSpec& motion) {
@@ -117,10 +174,25 @@ void read_set_points(const SceneSource& source, MotionSpec& motion) {
         for (const Node& point : via->value().items)
             motion.via.push_back(reader.read(point, fmt::format("motion.via[{}]", motion.via.size())));
     }
+    const auto read_end = [&](const char* name, double angle, double at) -> std::optional<SetPoint> {
+        const auto given = source.find("motion", name);
+        if (!given) return std::nullopt;
+        const std::string path = joined_key("motion", name);
+        return SetPointReader(source, motion, angle, path).read_state(given->value(), path, at);
+    };
+    const bool program = motion.type == MotionType::program && !motion.segments.empty();
+    motion.start = read_end("start", program ? motion.segments.front().angle : motion.unit_angle(), 0.0);
+    motion.end = read_end("end", program ? motion.segments.back().angle : motion.unit_angle(),
+                          program ? 1.0 : motion.length());
     const auto segments = source.find("motion", "segments");
     if (!segments) return;
     for (std::size_t i = 0; i < motion.segments.size(); ++i) {
-        const auto via = SceneSource::find_in(segments->value().items[i], "motion.segments", "via");
+        const Node& own = segments->value().items[i];
+        if (const auto end = SceneSource::find_in(own, "motion.segments", "end"))
+            motion.segments[i].end =
+                SetPointReader(source, motion, motion.segments[i].angle, "motion.segments.end")
+                    .read_state(end->value(), fmt::format("motion.segments[{}].end", i), 1.0);
+        const auto via = SceneSource::find_in(own, "motion.segments", "via");
         if (!via) continue;
         std::vector<SetPoint>& points = motion.segments[i].via;
         const SetPointReader reader(source, motion, motion.segments[i].angle, "motion.segments.via");
@@ -156,6 +228,13 @@ void settle_angle_ranges(const SceneSource& source, MotionSpec& motion) {
                 segment.angle_range->least + part * (segment.angle_range->most - segment.angle_range->least);
 }
 
+/// The segments of the whole turn: those that are written, `repeat` times.
+void repeat_segments(MotionSpec& motion) {
+    const std::vector<ProgramSegment> own = motion.segments;
+    for (int i = 1; i < motion.repeat; ++i)
+        motion.segments.insert(motion.segments.end(), own.begin(), own.end());
+}
+
 class MotionReader {
  public:
     MotionReader(const SceneSource& source, const KnownNames& known) : source_(source), known_(known) {}
@@ -169,6 +248,10 @@ class MotionReader {
             motion.lift = lift->number();
             motion.lift_is_angle = is_angle_unit(lift->spelling->unit);
         }
+        if (const auto stops = source_.find("motion", "stops")) {
+            motion.lift = units::turn / static_cast<double>(stops->value().integer);
+            motion.lift_is_angle = true;
+        }
         source_.read_number("motion", "rise", motion.rise);
         motion.return_angle = source_.number("motion", "return");
         motion.speed = source_.number("motion", "speed");
@@ -178,7 +261,11 @@ class MotionReader {
             motion.within_lift = within->value().boolean;
         if (const auto monotone = source_.find("motion", "monotone"))
             motion.monotone = monotone->value().boolean;
-        if (const auto closed = source_.find("motion", "closed")) motion.closed = closed->value().boolean;
+        if (const auto closed = source_.find("motion", "closed")) {
+            motion.relative = closed->value().kind == NodeKind::text;
+            motion.closed = closed->value().kind == NodeKind::boolean && closed->value().boolean;
+        }
+        source_.read_integer("motion", "repeat", motion.repeat);
         if (const auto segments = source_.find("motion", "segments"))
             for (const Node& segment : segments->value().items)
                 motion.segments.push_back(read_segment(segment, motion));
@@ -186,6 +273,8 @@ class MotionReader {
         check_moving_laws(motion);
         check_turn(motion);
         read_set_points(source_, motion);
+        repeat_segments(motion);
+        read_corridors(source_, motion);
         return motion;
     }
 
@@ -202,7 +291,7 @@ class MotionReader {
                                  fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
                                              name_of(type), allowed));
         };
-        if (!program) return refuse({"segments", "closed"}, "type \"program\"");
+        if (!program) return refuse({"segments", "closed", "repeat"}, "type \"program\"");
         refuse({"rise", "return"},
                "type \"DRD\" or \"RR\"; a program says the angle of each of its segments");
         refuse({"symmetric"}, "type \"DRD\" or \"RR\"");
@@ -242,15 +331,17 @@ class MotionReader {
         for (std::size_t i = 0; i < count; ++i) {
             const std::string& law = motion.segments[i].law;
             if (std::ranges::find(known_.moving_laws, law) == known_.moving_laws.end()) continue;
-            const auto joins = [&](bool open, std::size_t other) {
-                return !open && motion.segments[other].kind == SegmentKind::spline;
+            const auto joins = [&](bool outer, std::size_t other) {
+                const SegmentKind kind = motion.segments[other].kind;
+                if (outer && motion.relative && kind == SegmentKind::law) return true;  // program_family.cpp
+                return (outer && !motion.periodic()) || kind == SegmentKind::spline;
             };
-            const bool first = i == 0 && !motion.closed, last = i + 1 == count && !motion.closed;
-            if (joins(first, (i + count - 1) % count) && joins(last, (i + 1) % count)) continue;
+            if (joins(i == 0, (i + count - 1) % count) && joins(i + 1 == count, (i + 1) % count)) continue;
             source_.fail_member(
                 fmt::format("motion.segments[{}].law", i),
-                fmt::format("found \"{}\", a law whose ends move; allowed: between two segments "
-                            "of kind \"spline\", which join with its velocity",
+                fmt::format("found \"{}\", a law whose ends move; allowed: next to segments of kind "
+                            "\"spline\", which join with its velocity, or at the end of a motion that is "
+                            "not closed",
                             law));
         }
     }

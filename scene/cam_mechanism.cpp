@@ -2,6 +2,7 @@
 #include "scene/cam_mechanism.hpp"
 
 #include "core/errors.hpp"
+#include "core/units.hpp"
 #include "scene/cam_flanks.hpp"
 #include "scene/cam_spec.hpp"
 
@@ -14,6 +15,26 @@ namespace camopt {
 
 const char* name_of(Rotation value) {
     return value == Rotation::counterclockwise ? "counterclockwise" : "clockwise";
+}
+
+const char* name_of(Projection value) {
+    return value == Projection::first_angle ? "first_angle" : "third_angle";
+}
+
+ForceSpec::Load ForceSpec::load_at(double angle, Side side) const {
+    if (load.empty()) return {};
+    if (load.size() == 1) return {load.front()[1], 0.0};
+    const double first = load.front()[0];
+    double at = angle - units::turn * std::floor((angle - first) / units::turn);
+    if (side == Side::left && at == first) at += units::turn;
+    const auto after = std::ranges::find_if(load, [&](const std::array<double, 2>& point) {
+        return side == Side::left ? point[0] >= at : point[0] > at;
+    });
+    const std::array<double, 2>& begin = after == load.begin() ? load.front() : *(after - 1);
+    const std::array<double, 2> end =
+        after == load.end() ? std::array{first + units::turn, load.front()[1]} : *after;
+    const double slope = end[0] > begin[0] ? (end[1] - begin[1]) / (end[0] - begin[0]) : 0.0;
+    return {begin[1] + slope * (at - begin[0]), slope};
 }
 
 std::shared_ptr<const CamMechanism> CamSpec::formulas() const {

@@ -4,8 +4,10 @@
 // any kind known to its program. SI units and radians.
 #pragma once
 
+#include "core/motion.hpp"
 #include "scene/follower.hpp"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -52,6 +54,8 @@ struct CamSpec {
     std::vector<CamDimension> dimensions;        ///< all of the kind, in its order; unused ones are 0
     std::map<std::string, std::string> choices;  ///< "linkage" → "lever", "form" → "grooved", …
     std::optional<double> face_half_width;       ///< m, of a flat face that is pushed straight: |s'| <= it
+    /// m, of a round flat face: face_half_width is then half its chord beside the contact line.
+    std::optional<double> face_radius;
     /// Makes the formulas of this kind.
     std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> make = {};
 
@@ -88,18 +92,29 @@ template <class Choices>
     refuse_choice(name, word, allowed);
 }
 
-/// The load of the follower. Translating: F = mass ω² s'' + spring_rate s + preload, in kg, N/m, N.
-/// Oscillating: the moment M = mass ω² ψ'' + spring_rate (ψ − ψ₀) + preload, in kg m², N m/rad, N m. F, M > 0
-/// presses the follower on the cam. ω is the scene's speed.
+/// The load of the follower. Translating: F = mass ω² s'' + damping ω s' + spring_rate s + preload +
+/// load(θ), in kg, N s/m, N/m, N. Oscillating: the moment M of the same form for ψ − ψ₀, in kg m²,
+/// N m s/rad, N m/rad, N m. F, M > 0 presses the follower on the cam. ω is the scene's speed.
 struct ForceSpec {
     double mass = 0.0, spring_rate = 0.0, preload = 0.0;
+    double damping = 0.0;  ///< >= 0, viscous
+    /// An outer force at cam angles counted from the start of the motion (rad; N or N m), ascending, linear
+    /// between them; the last one passes on to the first of the next turn. One: constant. None: 0.
+    std::vector<std::array<double, 2>> load = {};
     std::optional<double> contact_width;                   ///< m; with the moduli it gives the Hertz pressure
     double cam_modulus = 210e9, follower_modulus = 210e9;  ///< Pa
     double cam_poisson = 0.3, follower_poisson = 0.3;
 
-    /// F (or M) at cam speed ω, for s and s'' by the cam angle.
-    [[nodiscard]] double force(double speed, double s, double acceleration) const {
-        return mass * speed * speed * acceleration + spring_rate * s + preload;
+    /// The outer force at a cam angle, and its derivative by it: linear on the stretch that `side` sees.
+    struct Load {
+        double force = 0.0, slope = 0.0;
+    };
+    [[nodiscard]] Load load_at(double angle, Side side = Side::right) const;
+    /// F (or M) at cam speed ω, for s, s', s'' by the cam angle at `angle`.
+    [[nodiscard]] double force(double speed, const FollowerState& state, double angle,
+                               Side side = Side::right) const {
+        return mass * speed * speed * state.acceleration + damping * speed * state.velocity +
+               spring_rate * state.s + preload + load_at(angle, side).force;
     }
     /// 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, 1/Pa: with the width b and 1/R = 1/ρ_cam + 1/r the Hertz pressure
     /// of the normal force N is √(N E* / (π b R)).
@@ -128,7 +143,13 @@ struct Keyway {
 /// Text of the title block in addition to the scene's title; empty: none.
 struct TitleBlock {
     std::string part = {}, material = {}, tolerance = {}, drawn_by = {};
+    std::string number = {}, revision = {}, date = {}, organisation = {};
+    std::string surface_finish = {}, profile_tolerance = {}, bore_fit = {}, keyway_tolerance = {};
 };
+
+/// The method of projection that the symbol of the title block shows (ISO 5456-2).
+enum class Projection { first_angle, third_angle };
+[[nodiscard]] const char* name_of(Projection value);
 
 struct DrawingSpec {
     std::optional<double> bore = {};          ///< m, diameter, > 0; none: the cam has no hole
@@ -137,6 +158,8 @@ struct DrawingSpec {
     std::optional<double> groove_depth = {};  ///< m, > 0: of a grooved cam; none: half the thickness
     double datum = 0.0;                       ///< rad: the mark of the cam; tables count from there
     TitleBlock title_block = {};
+    Projection projection = Projection::first_angle;
+    std::optional<double> density = {};  ///< kg/m³, > 0: with it the drawing gives the mass
 
     /// m: reach of bore and keyway from the centre; 0: there is no bore.
     [[nodiscard]] double reach() const {

@@ -36,7 +36,7 @@ constexpr std::array<CostTerm, cost_figure_count> rows = {{
      "Weight of the root mean square of the jerk.",
      "Reference of the root mean square of the jerk."},
 }};
-constexpr std::array<ResponseTerm, 2> response_rows = {{
+constexpr std::array<ResponseTerm, 3> response_rows = {{
     {ResponseFigure::residual, "residual", "R",
      &ObjectiveSpec::residual, &Reference::residual,
      "Weight of the residual vibration R, the amplitude of the output after each rise and return.",
@@ -45,6 +45,11 @@ constexpr std::array<ResponseTerm, 2> response_rows = {{
      &ObjectiveSpec::dynamic_acceleration, &Reference::dynamic_acceleration,
      "Weight of D, the largest acceleration of the output on its elastic train.",
      "Reference of the output's acceleration, normalised as A."},
+    {ResponseFigure::lost_area, "area", "lost area",
+     &ObjectiveSpec::area, &Reference::area,
+     "Weight of the lost area 1 - (1/L) ∫ y dx, y in lifts over the whole motion of length L (DRD 1, RR 1 + "
+     "return/rise, programs one revolution): the larger the area under the curve, the smaller it is.",
+     "Reference of the lost area; 0.5 is that of every symmetric law over DRD and RR."},
 }};
 // clang-format on
 
@@ -70,8 +75,9 @@ std::span<const ResponseTerm> response_terms() {
 }
 
 bool weighs_response(const ObjectiveSpec& objective) {
-    return std::ranges::any_of(response_rows,
-                               [&](const ResponseTerm& term) { return term.weight_in(objective) > 0.0; });
+    return std::ranges::any_of(response_rows, [&](const ResponseTerm& term) {
+        return term.needs_dynamics() && term.weight_in(objective) > 0.0;
+    });
 }
 
 const char* name_of(CostFigure figure) {

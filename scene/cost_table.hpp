@@ -45,10 +45,12 @@ struct CostTerm {
     [[nodiscard]] double weight_in(const ObjectiveSpec& objective) const { return objective.*weight; }
 };
 
-/// The response of the elastic follower train, in addition to the figures of the motion.
-enum class ResponseFigure { residual, dynamic_acceleration };
+/// Figures of the whole motion in addition to its peaks: responses of the elastic follower train, and the
+/// lost area.
+enum class ResponseFigure { residual, dynamic_acceleration, lost_area };
 
-/// A term over the train's response. Its figure is not a member of Peaks: it depends on a train and a speed.
+/// A term that is a rule of the whole motion. Its figure is not a member of Peaks: it depends on a train and
+/// a speed, or on all strokes together.
 struct ResponseTerm {
     ResponseFigure figure{};
     const char* name{};    ///< "residual": the key below [objective] and [objective.reference]
@@ -59,9 +61,10 @@ struct ResponseTerm {
     const char* reference_meaning{};
 
     [[nodiscard]] double weight_in(const ObjectiveSpec& objective) const { return objective.*weight; }
+    [[nodiscard]] bool needs_dynamics() const { return figure != ResponseFigure::lost_area; }
 };
 [[nodiscard]] std::span<const ResponseTerm> response_terms();
-/// Whether any of them has a weight.
+/// Whether any of those that need dynamics has a weight.
 [[nodiscard]] bool weighs_response(const ObjectiveSpec& objective);
 
 /// Every term, by CostFigure.

@@ -90,6 +90,8 @@ std::string KeyRow::key(const Spelling& spelling) const {
 }
 
 std::string KeyRow::allowed(const Spelling& spelling) const {
+    if (!choices.empty() && type == KeyType::boolean_or_text)
+        return "true, false or " + listed(choices, "\"");
     if (!choices.empty()) return choices_text();
     const Range written = range.scaled(spellings.front().factor / spelling.factor);
     switch (type) {
@@ -103,8 +105,18 @@ std::string KeyRow::allowed(const Spelling& spelling) const {
             return written.number_text();
         case KeyType::number_or_range:
             return written.number_text() + ", or a range { min = …, max = … }";
+        case KeyType::number_or_bounds:
+            return written.number_text() + ", or a table { min = …, max = … }, where one may be missing";
+        case KeyType::bounds:
+            return "a table { min = …, max = … }, where one may be missing";
+        case KeyType::number_or_points:
+            return written.number_text() + ", or an array of pairs [place, number]";
         case KeyType::numbers:
             return "an array of numbers";
+        case KeyType::texts:
+            return "an array of texts in quotes";
+        case KeyType::boolean_or_text:
+            return "true or false";
         case KeyType::table:
             return fmt::format("a [{}] table", joined_name(*this));
         case KeyType::tables:

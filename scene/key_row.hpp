@@ -73,15 +73,23 @@ inline constexpr Spelling plain[] = {{"", "", 1.0}};
 inline constexpr Spelling length[] = {
     {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch}, {"_m", "m", 1.0}};
 inline constexpr Spelling angle[] = {{"_deg", "deg", units::degree}, {"_rad", "rad", 1.0}};
-inline constexpr Spelling force[] = {{"_n", "N", 1.0}};
-inline constexpr Spelling moment[] = {{"_nm", "N m", 1.0}};
-inline constexpr Spelling force_or_moment[] = {{"_n", "N", 1.0}, {"_nm", "N m", 1.0}};
+/// Of the motion: two crank degrees are one of the cam.
+inline constexpr Spelling cam_angle[] = {
+    {"_deg", "deg", units::degree}, {"_rad", "rad", 1.0}, {"_crank_deg", "crank deg", 0.5 * units::degree}};
+inline constexpr Spelling force[] = {{"_n", "N", 1.0}, {"_lbf", "lbf", units::pound_force}};
+inline constexpr Spelling moment[] = {{"_nm", "N m", 1.0},
+                                      {"_lbf_in", "lbf in", units::pound_force* units::inch}};
+inline constexpr Spelling force_or_moment[] = {{"_n", "N", 1.0},
+                                               {"_nm", "N m", 1.0},
+                                               {"_lbf", "lbf", units::pound_force},
+                                               {"_lbf_in", "lbf in", units::pound_force* units::inch}};
 inline constexpr Spelling vibration[] = {{"_um", "um", 1e-6},
                                          {"_mm", "mm", units::millimetre},
                                          {"_in", "in", units::inch},
                                          {"_deg", "deg", units::degree},
                                          {"_rad", "rad", 1.0}};
-inline constexpr Spelling pressure[] = {{"_mpa", "MPa", 1e6}, {"_gpa", "GPa", 1e9}, {"_pa", "Pa", 1.0}};
+inline constexpr Spelling pressure[] = {
+    {"_mpa", "MPa", 1e6}, {"_gpa", "GPa", 1e9}, {"_pa", "Pa", 1.0}, {"_ksi", "ksi", units::ksi}};
 // Without a unit: normalised.
 inline constexpr Spelling velocity_limit[] = {
     {"", "", 1.0},        {"_mm_s", "mm/s", units::millimetre}, {"_in_s", "in/s", units::inch},
@@ -94,8 +102,10 @@ inline constexpr Spelling jerk_limit[] = {
     {"_m_s3", "m/s^3", 1.0}, {"_deg_s3", "deg/s^3", units::degree},   {"_rad_s3", "rad/s^3", 1.0}};
 
 // Of set points: normalised, in time, and by the cam angle.
-inline constexpr Spelling set_point_place[] = {
-    {"", "", 1.0}, {"_deg", "deg", units::degree}, {"_rad", "rad", 1.0}};
+inline constexpr Spelling set_point_place[] = {{"", "", 1.0},
+                                               {"_deg", "deg", units::degree},
+                                               {"_rad", "rad", 1.0},
+                                               {"_crank_deg", "crank deg", 0.5 * units::degree}};
 inline constexpr Spelling set_point_displacement[] = {
     {"", "", 1.0},    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch},
     {"_m", "m", 1.0}, {"_deg", "deg", units::degree},   {"_rad", "rad", 1.0}};
@@ -109,19 +119,33 @@ inline constexpr Spelling set_point_velocity[] = {{"", "", 1.0},
                                                   {"_in_rad", "in/rad", units::inch},
                                                   {"_m_rad", "m/rad", 1.0},
                                                   {"_mm_deg", "mm/deg", units::millimetre / units::degree},
+                                                  {"_in_deg", "in/deg", units::inch / units::degree},
                                                   {"_deg_deg", "deg/deg", 1.0},
                                                   {"_rad_rad", "rad/rad", 1.0}};
-inline constexpr Spelling set_point_acceleration[] = {{"", "", 1.0},
-                                                      {"_mm_s2", "mm/s^2", units::millimetre},
-                                                      {"_in_s2", "in/s^2", units::inch},
-                                                      {"_m_s2", "m/s^2", 1.0},
-                                                      {"_deg_s2", "deg/s^2", units::degree},
-                                                      {"_rad_s2", "rad/s^2", 1.0},
-                                                      {"_mm_rad2", "mm/rad^2", units::millimetre},
-                                                      {"_in_rad2", "in/rad^2", units::inch},
-                                                      {"_m_rad2", "m/rad^2", 1.0},
-                                                      {"_deg_deg2", "deg/deg^2", 1.0 / units::degree},
-                                                      {"_rad_rad2", "rad/rad^2", 1.0}};
+inline constexpr Spelling set_point_acceleration[] = {
+    {"", "", 1.0},
+    {"_mm_s2", "mm/s^2", units::millimetre},
+    {"_in_s2", "in/s^2", units::inch},
+    {"_m_s2", "m/s^2", 1.0},
+    {"_deg_s2", "deg/s^2", units::degree},
+    {"_rad_s2", "rad/s^2", 1.0},
+    {"_mm_rad2", "mm/rad^2", units::millimetre},
+    {"_in_rad2", "in/rad^2", units::inch},
+    {"_m_rad2", "m/rad^2", 1.0},
+    {"_mm_deg2", "mm/deg^2", units::millimetre / (units::degree * units::degree)},
+    {"_in_deg2", "in/deg^2", units::inch / (units::degree * units::degree)},
+    {"_deg_deg2", "deg/deg^2", 1.0 / units::degree},
+    {"_rad_rad2", "rad/rad^2", 1.0}};
+inline constexpr Spelling set_point_jerk[] = {{"", "", 1.0},
+                                              {"_mm_s3", "mm/s^3", units::millimetre},
+                                              {"_in_s3", "in/s^3", units::inch},
+                                              {"_m_s3", "m/s^3", 1.0},
+                                              {"_deg_s3", "deg/s^3", units::degree},
+                                              {"_rad_s3", "rad/s^3", 1.0},
+                                              {"_mm_rad3", "mm/rad^3", units::millimetre},
+                                              {"_in_rad3", "in/rad^3", units::inch},
+                                              {"_m_rad3", "m/rad^3", 1.0},
+                                              {"_rad_rad3", "rad/rad^3", 1.0}};
 
 }  // namespace spellings
 
@@ -129,16 +153,21 @@ inline constexpr Spelling set_point_acceleration[] = {{"", "", 1.0},
 // those of a kind of cam in its leaf (scene/cam_kind.hpp).
 
 enum class KeyType {
-    text,             ///< a string; one of `choices` if there are any
-    boolean,          ///< true or false
-    integer,          ///< an integer; one of `choices` where there are any
-    number,           ///< a finite number
-    number_or_range,  ///< a finite number, or a table of two: { min = …, max = … }
-    numbers,          ///< an array of finite numbers
-    table,            ///< a table with its own rows
-    tables,           ///< an array of such tables
-    text_or_table,    ///< a string, or a table with its own rows
-    options,          ///< a table of any keys with text, boolean or number values
+    text,              ///< a string; one of `choices` if there are any
+    boolean,           ///< true or false
+    integer,           ///< an integer; one of `choices` where there are any
+    number,            ///< a finite number
+    number_or_range,   ///< a finite number, or a table of two: { min = …, max = … }
+    number_or_bounds,  ///< a finite number, or a table of one or two: { min = …, max = … }
+    bounds,            ///< such a table
+    number_or_points,  ///< a finite number, or an array of pairs [place, number], places ascending
+    numbers,           ///< an array of finite numbers
+    texts,             ///< an array of strings
+    table,             ///< a table with its own rows
+    tables,            ///< an array of such tables
+    text_or_table,     ///< a string, or a table with its own rows
+    boolean_or_text,   ///< true, false, or one of `choices`
+    options,           ///< a table of any keys with text, boolean or number values
 };
 
 /// How this version treats a key of the contract.

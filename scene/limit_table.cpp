@@ -29,13 +29,21 @@ constexpr Range right_angle = {
     .low = 0.0, .high = 0.5 * std::numbers::pi, .low_included = false, .high_included = false};
 constexpr Range below_one = {.low = 0.0, .high = 1.0, .high_included = false};
 
-constexpr std::array<PeakLimitRow, 3> peak_rows = {{
+constexpr std::array<PeakLimitRow, 9> peak_rows = {{
     {CostFigure::velocity, spellings::velocity_limit,
      "Cap on the velocity: on the normalised peak V, or in time (needs a speed).", names_of_velocity},
     {CostFigure::acceleration, spellings::acceleration_limit,
      "Cap on the acceleration: on the normalised peak A, or in time (needs a speed).", names_of_acceleration},
     {CostFigure::jerk, spellings::jerk_limit,
      "Cap on the jerk: on the normalised peak J, or in time (needs a speed).", names_of_jerk},
+    {CostFigure::velocity, spellings::velocity_limit, "", {}, -1, "velocity_min", &LimitSpec::velocity_min},
+    {CostFigure::velocity, spellings::velocity_limit, "", {}, 1, "velocity_max", &LimitSpec::velocity_max},
+    {CostFigure::acceleration, spellings::acceleration_limit, "", {}, -1, "acceleration_min",
+     &LimitSpec::acceleration_min},
+    {CostFigure::acceleration, spellings::acceleration_limit, "", {}, 1, "acceleration_max",
+     &LimitSpec::acceleration_max},
+    {CostFigure::jerk, spellings::jerk_limit, "", {}, -1, "jerk_min", &LimitSpec::jerk_min},
+    {CostFigure::jerk, spellings::jerk_limit, "", {}, 1, "jerk_max", &LimitSpec::jerk_max},
 }};
 
 constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
@@ -202,8 +210,8 @@ const char* limit_name_in(std::string_view key) {
 }
 
 bool is_least_limit(std::string_view name) {
-    const LimitRow* const row = limit_named(name);
-    return row != nullptr && row->is_least();
+    if (const LimitRow* const row = limit_named(name)) return row->is_least();
+    return name.ends_with("_min");  // of a derivative, or of a corridor
 }
 
 bool limits_cam(const LimitSpec& limits) {

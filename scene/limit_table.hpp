@@ -19,24 +19,30 @@
 
 namespace camopt {
 
-/// A cap on a peak of the motion, normalised or in time.
+/// A cap on a peak of the motion, or on one side of a derivative, normalised or in time.
 struct PeakLimitRow {
     CostFigure figure;                                   ///< the peak; its name is the limit's
     std::span<const Spelling> spellings;                 ///< the first one is normalised
     const char* meaning;                                 ///< of the key limits.NAME
     std::span<const std::string_view> also_called = {};  ///< what other programs call it
+    int side = 0;                                        ///< 0: |y^{(r)}| <=; 1: y^{(r)} <=; −1: y^{(r)} >=
+    const char* sided_name = nullptr;                    ///< "velocity_min"; null of both sides
+    std::optional<PeakLimit> LimitSpec::*sided = nullptr;
 
     [[nodiscard]] const CostTerm& term() const { return cost_term(figure); }
-    [[nodiscard]] const char* name() const { return term().name(); }
+    [[nodiscard]] const char* name() const { return side == 0 ? term().name() : sided_name; }
+    [[nodiscard]] std::optional<PeakLimit> LimitSpec::*member() const {
+        return side == 0 ? term().limit : sided;
+    }
     /// Of the derivative: 1 velocity, 2 acceleration, 3 jerk.
     [[nodiscard]] int order() const { return term().measured.order; }
-    [[nodiscard]] std::optional<PeakLimit>& in(LimitSpec& limits) const { return limits.*term().limit; }
+    [[nodiscard]] std::optional<PeakLimit>& in(LimitSpec& limits) const { return limits.*member(); }
     [[nodiscard]] const std::optional<PeakLimit>& in(const LimitSpec& limits) const {
-        return limits.*term().limit;
+        return limits.*member();
     }
 };
 
-/// By order.
+/// Those of both sides by order, then those of one side.
 [[nodiscard]] std::span<const PeakLimitRow> peak_limit_rows();
 
 struct LimitRow {

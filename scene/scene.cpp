@@ -30,7 +30,16 @@ double MotionSpec::unit_angle() const {
     for (const ProgramSegment& segment : segments) {
         if (segment.kind == SegmentKind::spline) return segment.angle;
     }
+    for (const ProgramSegment& segment : segments) {
+        if (segment.kind == SegmentKind::law) return segment.angle;
+    }
     return segments.empty() ? rise : segments.front().angle;
+}
+
+bool MotionSpec::prescribed() const {
+    return type == MotionType::program && std::ranges::none_of(segments, [](const ProgramSegment& segment) {
+               return segment.kind == SegmentKind::spline;
+           });
 }
 
 std::pair<double, double> MotionSpec::displacements() const {

@@ -42,6 +42,17 @@ struct SetPoint {
     [[nodiscard]] bool is_region() const { return until.has_value(); }
 };
 
+/// Inequalities on a stretch of the cam angle, its ends included, counted from the start of the motion.
+struct Corridor {
+    struct Bounds {
+        std::optional<double> least = {}, most = {};  ///< in lifts, by x of the whole motion
+        std::string key = {};                         ///< as written: "displacement_mm"; empty: none is given
+        std::string unit = {};                        ///< "mm"; empty: normalised
+    };
+    double from = 0.0, to = 0.0;     ///< rad
+    std::array<Bounds, 4> bounds{};  ///< of y, y', y'', y'''
+};
+
 /// The least and the largest angle that a search may give a segment, rad.
 struct AngleRange {
     double least = 0.0, most = 0.0;
@@ -57,6 +68,8 @@ struct ProgramSegment {
     std::optional<AngleRange> angle_range = {};  ///< searched, from `angle` on; closed programs only
     std::string to_unit =
         {};  ///< in which `to` was written ("mm"); it stays where the lift changes. Empty: lifts
+    /// kind spline, followed by another: velocity, acceleration at its end, as of a set point at = 1.
+    std::optional<SetPoint> end = {};
 };
 
 /// A motion that was measured, or comes from elsewhere: displacement over cam angle, counted from the start.
@@ -80,8 +93,26 @@ struct MotionSpec {
     std::vector<SetPoint> via;
     std::vector<ProgramSegment> segments;  ///< program: from s = 0 at the start
     bool closed = true;                    ///< program: the angles add up to a turn, and it ends at s = 0
+    /// Program, not closed: the angles add up to a turn that goes on in the next one from the displacement
+    /// it has reached, as smooth as its splines.
+    bool relative = false;
+    /// Program: its segments are so many copies of one part, and so is the motion. Closed programs only.
+    int repeat = 1;
+    /// Velocity and acceleration where a motion that is not periodic starts and ends, normalised as set
+    /// points of the first and the last stretch; what is not given is 0, as at rest.
+    std::optional<SetPoint> start, end;
+    std::vector<Corridor> corridors;
 
-    /// The cam angle of x = 1, rad: the rise; in a program the angle of its first spline segment.
+    /// A program whose first segment follows its last one.
+    [[nodiscard]] bool periodic() const { return type == MotionType::program && (closed || relative); }
+    /// The segments before they are repeated; those of a program that does not.
+    [[nodiscard]] std::size_t own_segments() const {
+        return segments.size() / static_cast<std::size_t>(repeat);
+    }
+    /// Laws and dwells only: there is one such motion.
+    [[nodiscard]] bool prescribed() const;
+    /// The cam angle of x = 1, rad: the rise; in a program the angle of its first spline segment, in a
+    /// prescribed one of its first law.
     [[nodiscard]] double unit_angle() const;
     /// Length of the motion in x: 1 for DRD, 1 + return / rise for RR, all angles / unit angle for a program.
     [[nodiscard]] double length() const;
@@ -110,6 +141,7 @@ struct Reference {
     std::string law = "modified_sine";  ///< used where a number below is absent
     std::optional<double> velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk;
     std::optional<double> residual, dynamic_acceleration;  ///< in lifts; in lifts by x²
+    std::optional<double> area;                            ///< lost area, 1 − mean displacement in lifts
     bool numeric = false;  ///< true: `law` plays no part, every number needed must be given
 };
 
@@ -118,6 +150,7 @@ struct ObjectiveSpec {
     double torque = 0.0;                                    ///< weight, >= 0, of max |y' y''|
     double rms_acceleration = 0.0, rms_jerk = 0.0;          ///< weights, >= 0
     double residual = 0.0, dynamic_acceleration = 0.0;      ///< weights, >= 0; need dynamics
+    double area = 0.0;  ///< weight, >= 0, of the lost area 1 − (1/L) ∫ y dx over the whole motion
     /// Weights, >= 0, of the cam's variable dimensions divided by the lift (of an oscillating follower: by
     /// the lift times the centre distance); the offset counts by its magnitude.
     std::array<double, dimension_count> dimensions{};
@@ -125,14 +158,15 @@ struct ObjectiveSpec {
     TieBreak tie_break = TieBreak::rms_jerk;
 };
 
-/// A hard limit on a peak, as the user wrote it. From C++ a number will do, which is normalised
-/// (limits.velocity = 1.6), or one in a unit (limits.velocity = millimetres_per_second(300),
-/// scene/written_limits.hpp): solve() fills in the rest.
+/// A hard limit on a peak, or on one side of a derivative, as the user wrote it. From C++ a number will do,
+/// which is normalised (limits.velocity = 1.6), or one in a unit (limits.velocity =
+/// millimetres_per_second(300), scene/written_limits.hpp): solve() fills in the rest.
 struct PeakLimit {
-    double normalised = 0.0;  ///< on the normalised peak, > 0
-    std::string key;          ///< as written, e.g. "limits.velocity_mm_s"
-    double given = 0.0;       ///< in the unit of the key
-    std::string unit;         ///< "", "mm/s", "deg/s^2", …
+    double normalised = 0.0;      ///< on the normalised peak, > 0; of one side any number
+    std::string key;              ///< as written, e.g. "limits.velocity_mm_s"
+    double given = 0.0;           ///< in the unit of the key
+    std::string unit;             ///< "", "mm/s", "deg/s^2", …
+    double one_normalised = 0.0;  ///< in the unit of the key; 0: given / normalised
 
     PeakLimit() = default;
     PeakLimit(double normalised_peak, std::string written_key = {}, double written_number = 0.0,
@@ -143,7 +177,9 @@ struct PeakLimit {
           unit(std::move(written_unit)) {}
 
     /// given / normalised: what one unit of the normalised peak is in the unit of the key.
-    [[nodiscard]] double unit_per_normalised() const { return given / normalised; }
+    [[nodiscard]] double unit_per_normalised() const {
+        return one_normalised > 0.0 ? one_normalised : given / normalised;
+    }
     /// In time: it holds for the motion itself. A normalised one holds for each segment of a program by its
     /// own angle and displacement.
     [[nodiscard]] bool in_time() const { return !unit.empty(); }
@@ -187,6 +223,9 @@ inline constexpr int limited_figure_count = 11;
 
 struct LimitSpec {
     std::optional<PeakLimit> velocity, acceleration, jerk;
+    /// Of one side: y^{(r)} >= min, y^{(r)} <= max.
+    std::optional<PeakLimit> velocity_min, velocity_max, acceleration_min, acceleration_max, jerk_min,
+        jerk_max;
     // The rest needs a cam.
     std::optional<WrittenLimit> pressure_angle;                              ///< |φ| <=, in (0, π/2)
     std::optional<WrittenLimit> rise_pressure_angle, return_pressure_angle;  ///< replace it there

@@ -120,7 +120,8 @@ class CamAudit {
     [[nodiscard]] double lightness(double x) const {
         const FollowerPoint point = follower(x);
         const double least = scene_.limits.contact_force_min->value;
-        const double force = scene_.forces->force(*scene_.motion.speed, point.s, point.second);
+        const double force = scene_.forces->force(*scene_.motion.speed, {point.s, point.first, point.second},
+                                                  scene_.motion.unit_angle() * x);
         return (least - force) / std::max(least, scene_.forces->preload);
     }
 

@@ -126,8 +126,22 @@ class KeyCheck {
                 return check_number(given, key);
             case KeyType::number_or_range:
                 return check_number_or_range(given, key);
+            case KeyType::number_or_bounds:
+                if (given.value().kind != NodeKind::table) return check_size(given, key);
+                [[fallthrough]];
+            case KeyType::bounds:
+                refuse_unless(given.value().kind == NodeKind::table, given, key);
+                return check_bounds(given, key, false);
+            case KeyType::number_or_points:
+                if (given.value().kind != NodeKind::array) return check_number(given, key);
+                return check_points(given, key);
             case KeyType::numbers:
                 return check_numbers(given, key);
+            case KeyType::texts:
+                return check_texts(given, key);
+            case KeyType::boolean_or_text:
+                if (given.value().kind != NodeKind::boolean) return check_text(given, key);
+                return;
             case KeyType::tables:
                 return check_tables(given, key);
             case KeyType::text_or_table:
@@ -174,8 +188,23 @@ class KeyCheck {
         refuse_unless(value.is_number() && range.contains(value.as_number()), given, key);
     }
 
+    /// One number for both sides: of a magnitude.
+    void check_size(const Given& given, const std::string& key) const {
+        const Node& value = given.value();
+        if (!value.is_number() || !ranges::positive.contains(value.as_number()))
+            source_.fail(value.place, key,
+                         fmt::format("found {}; allowed: a number > 0, or a table {{ min = …, max = … }}, "
+                                     "where one may be missing",
+                                     value.shown()));
+    }
+
     void check_number_or_range(const Given& given, const std::string& key) const {
         if (given.value().kind != NodeKind::table) return check_number(given, key);
+        check_bounds(given, key, true);
+    }
+
+    /// { min = …, max = … }. both: neither may be missing.
+    void check_bounds(const Given& given, const std::string& key, bool both) const {
         const Range range = written_range(given);
         for (const Member& member : given.value().members) {
             const std::string bound_key = joined_key(key, member.name);
@@ -185,12 +214,13 @@ class KeyCheck {
                 source_.fail(member.value.place, bound_key,
                              fmt::format("found {}; allowed: {}", member.value.shown(), range.number_text()));
         }
+        const Member *const least = given.value().find("min"), *const most = given.value().find("max");
+        if (!both && (least == nullptr) != (most == nullptr)) return;
         for (const char* bound : {"min", "max"})
             if (!given.value().find(bound))
                 source_.fail(given.value().place, joined_key(key, bound),
                              fmt::format("missing; allowed: {}", range.number_text()));
-        const Node& min = given.value().find("min")->value;
-        const Node& max = given.value().find("max")->value;
+        const Node &min = least->value, &max = most->value;
         if (!(min.as_number() < max.as_number()))
             source_.fail(
                 given.value().place, key,
@@ -209,6 +239,30 @@ class KeyCheck {
                 source_.fail(
                     items[i].place, fmt::format("{}[{}]", key, i),
                     fmt::format("found {}; allowed: {}", items[i].shown(), given.row->range.number_text()));
+    }
+
+    void check_texts(const Given& given, const std::string& key) const {
+        refuse_unless(given.value().kind == NodeKind::array, given, key);
+        for (const Node& item : given.value().items)
+            if (item.kind != NodeKind::text)
+                source_.fail(item.place, key,
+                             fmt::format("found {} in the array; allowed: texts in quotes", item.shown()));
+    }
+
+    /// Pairs of a place and a number, the places ascending.
+    void check_points(const Given& given, const std::string& key) const {
+        const std::vector<Node>& items = given.value().items;
+        refuse_unless(!items.empty(), given, key);
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const std::vector<Node>& pair = items[i].items;
+            const bool good = pair.size() == 2 && pair[0].is_number() && pair[1].is_number() &&
+                              std::isfinite(pair[0].as_number()) && std::isfinite(pair[1].as_number());
+            if (!good || (i > 0 && !(pair[0].as_number() > items[i - 1].items[0].as_number())))
+                source_.fail(
+                    items[i].place, fmt::format("{}[{}]", key, i),
+                    fmt::format("found {}; allowed: a pair [angle, number], the angles ascending",
+                                good ? fmt::format("the angle {}", pair[0].shown()) : items[i].shown()));
+        }
     }
 
     void check_tables(const Given& given, const std::string& key) const {

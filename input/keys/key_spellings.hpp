@@ -12,6 +12,7 @@
 namespace camopt::input::spellings {
 
 using camopt::spellings::angle;
+using camopt::spellings::cam_angle;
 using camopt::spellings::force;
 using camopt::spellings::force_or_moment;
 using camopt::spellings::length;
@@ -19,6 +20,7 @@ using camopt::spellings::moment;
 using camopt::spellings::plain;
 using camopt::spellings::set_point_acceleration;
 using camopt::spellings::set_point_displacement;
+using camopt::spellings::set_point_jerk;
 using camopt::spellings::set_point_place;
 using camopt::spellings::set_point_velocity;
 
@@ -31,14 +33,16 @@ inline constexpr Spelling displacement[] = {
     {"", "", 1.0},    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch},
     {"_m", "m", 1.0}, {"_deg", "deg", units::degree},   {"_rad", "rad", 1.0}};
 inline constexpr Spelling speed[] = {{"_rpm", "rpm", units::revolution_per_minute}, {"_rad_s", "rad/s", 1.0}};
-inline constexpr Spelling mass[] = {{"_kg", "kg", 1.0}};
+inline constexpr Spelling mass[] = {{"_kg", "kg", 1.0}, {"_lb", "lb", units::pound}};
 inline constexpr Spelling inertia[] = {{"_kg_m2", "kg m^2", 1.0}};
 inline constexpr Spelling spring_rate[] = {{"_n_mm", "N/mm", 1.0 / units::millimetre},
                                            {"_n_m", "N/m", 1.0},
+                                           {"_lbf_in", "lbf/in", units::pound_force / units::inch},
                                            {"_nm_rad", "N m/rad", 1.0},
                                            {"_nm_deg", "N m/deg", 1.0 / units::degree}};
 inline constexpr Spelling train_spring[] = {{"_n_mm", "N/mm", 1.0 / units::millimetre},
                                             {"_n_m", "N/m", 1.0},
+                                            {"_lbf_in", "lbf/in", units::pound_force / units::inch},
                                             {"_n_m_rad", "N m/rad", 1.0},
                                             {"_nm_rad", "N m/rad", 1.0}};
 inline constexpr Spelling frequency[] = {{"_hz", "Hz", units::turn}, {"_rad_s", "rad/s", 1.0}};

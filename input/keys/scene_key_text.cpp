@@ -18,8 +18,18 @@ std::string_view type_words(KeyType type) {
             return "number";
         case KeyType::number_or_range:
             return "number or range";
+        case KeyType::number_or_bounds:
+            return "number or table of `min`, `max`";
+        case KeyType::bounds:
+            return "table of `min`, `max`";
+        case KeyType::number_or_points:
+            return "number or array of pairs";
         case KeyType::numbers:
             return "array of numbers";
+        case KeyType::texts:
+            return "array of texts";
+        case KeyType::boolean_or_text:
+            return "boolean or text";
         case KeyType::table:
             return "table";
         case KeyType::tables:
@@ -44,6 +54,7 @@ std::string unit_text(const KeyRow& row) {
 }
 
 std::string range_text(const KeyRow& row) {
+    if (row.type == KeyType::boolean_or_text) return row.allowed(row.spellings.front());
     if (!row.choices.empty()) return row.choices_text();
     return row.range.text();
 }

@@ -64,8 +64,8 @@ Rows motion() {
          "them; each segment may have its own `via`."},
         {"motion", "lift", number, lift, positive, {}, "1 mm",
          "Lift of the follower; an angle for a swinging or indexing output."},
-        {"motion", "rise", number, angle, within_turn, {}, "180 deg", "Cam angle of the rise."},
-        {"motion", "return", number, angle, within_turn, {}, "the rise",
+        {"motion", "rise", number, cam_angle, within_turn, {}, "180 deg", "Cam angle of the rise."},
+        {"motion", "return", number, cam_angle, within_turn, {}, "the rise",
          "Cam angle of the return, RR only; rise and return together at most 360 deg."},
         {"motion", "speed", number, speed, positive, {}, "none",
          "Speed of the cam; only limits and outputs in time need it."},
@@ -80,11 +80,23 @@ Rows motion() {
          "Points the curve meets exactly, and regions of constant velocity, one table each."},
         {"motion", "segments", tables, plain, any, {}, "none",
          "The segments of a program, one table each, from displacement 0 on."},
-        {"motion", "closed", boolean, plain, any, {}, "true",
-         "The program is one revolution: its angles add up to 360 deg and it ends at displacement 0."},
+        {"motion", "closed", boolean_or_text, plain, any, {"relative"}, "true",
+         "The program is one revolution: its angles add up to 360 deg and it ends at displacement 0. "
+         "`\"relative\"`: one revolution that goes on in the next one from the displacement it has reached. "
+         "`false`: a part of a revolution."},
+        {"motion", "repeat", integer, plain, Range::between(1, 1000), {}, "1",
+         "Of a closed program: the segments fill so many equal parts of the revolution, each with the same motion."},
+        {"motion", "stops", integer, plain, Range::between(1, 10000), {}, "none",
+         "Of an indexing output: the lift is 360 deg divided by this.", Availability::now, "lift"},
+        {"motion", "start", table, plain, any, {}, "at rest",
+         "State at the start of a motion that is not closed; what is not given is 0."},
+        {"motion", "end", table, plain, any, {}, "at rest",
+         "State at its end, after the last segment of a program."},
+        {"motion", "corridor", tables, plain, any, {}, "none",
+         "Inequalities on a stretch of the cam angle, one table each."},
         {"motion.segments", "kind", text, plain, any, {"dwell", "law", "spline"}, "required",
          "`\"dwell\"` keeps the displacement, `\"law\"` is a classical law, `\"spline\"` is optimised."},
-        {"motion.segments", "angle", number_or_range, angle, within_turn, {}, "required",
+        {"motion.segments", "angle", number_or_range, cam_angle, within_turn, {}, "required",
          "Cam angle of the segment; a range is searched, and the angles still add up to 360 deg (closed programs, "
          "two ranges or more)."},
         {"motion.segments", "law", text, plain, any, {}, "none",
@@ -92,6 +104,9 @@ Rows motion() {
         {"motion.segments", "to", number, displacement, any, {}, "free",
          "Displacement at its end, in lifts or in a unit of the lift; not for dwells. Free: the optimizer "
          "chooses it, and the peaks are measured by what it finds; but the last one of a closed program is 0."},
+        {"motion.segments", "end", table, plain, any, {}, "free",
+         "State at the joint of two segments of kind `\"spline\"`: `{ velocity = 0 }` is a turning point without a "
+         "dwell."},
         {"motion.segments", "via", tables, plain, any, {}, "none",
          "Set points and regions of a segment of kind `\"spline\"`, as `motion.via`, counted from its start."},
     };
@@ -122,6 +137,35 @@ Rows set_points(const char* table, const char* unit) {
          whole ? "There: d²y/dx², by the cam angle, or in time; not in a region, where it is 0."
                : "There: lifts per segment squared, by the cam angle, or in time; not in a region, where it is "
                  "0."},
+    };
+}
+
+/// Velocity and acceleration at an end of the motion, or of a segment.
+Rows end_state(const char* table) {
+    const bool joint = std::string_view(table) == "motion.segments.end";
+    const char* const otherwise = joint ? "free" : "0";
+    return {
+        {table, "velocity", number, spellings::set_point_velocity, any, {}, otherwise,
+         joint ? "There: lifts per segment, by the cam angle, or in time (needs a speed)."
+               : "There: dy/dx (programs: lifts per segment), by the cam angle, or in time (needs a speed)."},
+        {table, "acceleration", number, spellings::set_point_acceleration, any, {}, otherwise, "There, likewise."},
+    };
+}
+
+Rows corridor() {
+    constexpr const char* table = "motion.corridor";
+    return {
+        {table, "from", number, angle, not_negative, {}, "0 deg",
+         "Where it begins, counted from the start of the motion; it holds there too."},
+        {table, "to", number, angle, positive, {}, "the end", "Where it ends; it holds there too."},
+        {table, "displacement", bounds, spellings::set_point_displacement, any, {}, "none",
+         "Bounds of the displacement, in lifts or in a unit of the lift."},
+        {table, "velocity", bounds, spellings::set_point_velocity, any, {}, "none",
+         "Bounds of the velocity: dy/dx (programs: x = 1 is the first spline segment), by the cam angle, or in "
+         "time."},
+        {table, "acceleration", bounds, spellings::set_point_acceleration, any, {}, "none",
+         "Bounds of the acceleration, likewise."},
+        {table, "jerk", bounds, spellings::set_point_jerk, any, {}, "none", "Bounds of the jerk, likewise."},
     };
 }
 
@@ -179,7 +223,7 @@ Rows objective() {
         rows.push_back({"objective", term->name(), number, plain, not_negative, {}, "0", term->weight_meaning});
     for (const ResponseTerm& term : response_terms())
         rows.push_back({"objective", term.name, number, plain, not_negative, {}, "0", term.weight_meaning,
-                        Availability::needs_dynamics});
+                        term.needs_dynamics() ? Availability::needs_dynamics : Availability::now});
     return rows;
 }
 
@@ -205,14 +249,16 @@ Rows reference() {
                         term->reference_meaning});
     for (const ResponseTerm& term : response_terms())
         rows.push_back({"objective.reference", term.name, number, plain, positive, {}, "none",
-                        term.reference_meaning, Availability::needs_dynamics});
+                        term.reference_meaning,
+                        term.needs_dynamics() ? Availability::needs_dynamics : Availability::now});
     return rows;
 }
 
 Rows limits() {
     Rows rows;
     for (const PeakLimitRow& row : peak_limit_rows())
-        rows.push_back({"limits", row.name(), number, row.spellings, positive, {}, "none", row.meaning});
+        if (row.side == 0)
+            rows.push_back({"limits", row.name(), number_or_bounds, row.spellings, any, {}, "none", row.meaning});
     for (const LimitRow& row : limit_rows()) {
         const Availability needs = row.needs_dynamics ? Availability::needs_dynamics
                                    : row.needs_forces ? Availability::needs_forces
@@ -315,7 +361,9 @@ std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
 KeyTable all_rows() {
     KeyTable all;
     for (const Rows& part : {top_level(), motion(), set_points("motion.via", "rise"),
-                             set_points("motion.segments.via", "segment"), measured(), spline(), objective(),
+                             end_state("motion.start"), end_state("motion.end"), corridor(),
+                             set_points("motion.segments.via", "segment"), end_state("motion.segments.end"),
+                             measured(), spline(), objective(),
                              dimension_weight_rows(), reference()})
         all.add(part);
     all.add(type_row(all));

@@ -123,7 +123,7 @@ std::vector<double> force_changes(const Solution& solution) {
     const auto force = [&](double x) {
         const FollowerState state =
             state_of(motion.at(x, x < motion.end() ? Side::right : Side::left), scale);
-        return solution.scene.forces->force(*solution.scene.motion.speed, state.s, state.acceleration);
+        return solution.scene.forces->force(*solution.scene.motion.speed, state, scale.unit_angle * x);
     };
     const double none =
         no_force * std::max(std::abs(forces.least_force.value), std::abs(forces.largest_force.value));

@@ -84,7 +84,8 @@ bool asks_response(const Scene& scene) {
 /// The first member of the scene that requires a response.
 std::string asking_member(const Scene& scene) {
     for (const ResponseTerm& term : response_terms())
-        if (term.weight_in(scene.objective) > 0.0) return fmt::format("objective.{}", term.name);
+        if (term.needs_dynamics() && term.weight_in(scene.objective) > 0.0)
+            return fmt::format("objective.{}", term.name);
     for (const LimitRow& row : limit_rows())
         if (row.needs_dynamics && row.in(scene.limits)) return fmt::format("limits.{}", row.name);
     return "dynamics";

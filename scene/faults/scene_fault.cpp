@@ -24,7 +24,7 @@ namespace camopt {
 
 namespace {
 
-using ranges::not_negative, ranges::positive;
+using ranges::any, ranges::not_negative, ranges::positive;
 
 const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
 
@@ -113,7 +113,8 @@ Fault weight_fault(const ObjectiveSpec& objective) {
 Fault limit_number_fault(const LimitSpec& limits) {
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(limits))
-            if (Fault fault = out_of(positive, limit->normalised, fmt::format("limits.{}", row.name())))
+            if (Fault fault = out_of(row.side == 0 ? positive : any, limit->normalised,
+                                     fmt::format("limits.{}", row.name())))
                 return fault;
     for (const LimitRow& row : limit_rows())
         if (const auto& limit = row.in(limits))
@@ -241,7 +242,9 @@ Fault objective_fault(const Scene& scene) {
     if (!weighs_dimension && scene.own_terms.empty() &&
         std::ranges::none_of(cost_terms(),
                              [&](const CostTerm& term) { return term.weight_in(objective) > 0.0; }) &&
-        !weighs_response(objective))
+        std::ranges::none_of(response_terms(), [&](const ResponseTerm& term) {
+            return term.weight_in(objective) > 0.0;
+        }))
         return SceneFault{"objective", "no weight > 0",
                           fmt::format("at least one of {} > 0, or of a dimension of the cam that is a range",
                                       fmt::join(cost_term_names(), ", "))};

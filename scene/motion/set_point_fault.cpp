@@ -25,8 +25,8 @@ struct PointStretch {
 
 std::string place_text(const PointStretch& stretch, const SetPoint& point, double at) {
     if (point.units.place.empty()) return fmt::format("{}", at);
-    const double unit = point.units.place == "deg" ? units::degree : 1.0;
-    return fmt::format("{:.10g} {}", at * stretch.angle / unit, point.units.place);
+    return fmt::format("{:.10g} {}", at * stretch.angle / unit_of_place(point.units.place),
+                       point.units.place);
 }
 
 std::string inside_text(const PointStretch& stretch, const SetPoint& point) {

@@ -32,23 +32,25 @@ const std::optional<double>& value_of(const SetPoint& point, int order) {
     return order == 0 ? point.displacement : order == 1 ? point.velocity : point.acceleration;
 }
 
-/// Points of one stretch that begins at x and is `width` of x long.
+/// A point of one stretch that begins at x and is `width` of x long.
+PlacedPoint placed_on(const PlacedPoint& stretch, const SetPoint& point, std::string member) {
+    const double width = stretch.end - stretch.begin;
+    PlacedPoint placed;
+    placed.member = std::move(member);
+    placed.segment = stretch.segment;
+    placed.begin = placed.end = stretch.begin + width * point.at;
+    if (point.until) placed.end = stretch.begin + width * *point.until;
+    for (int order = 0; order < 3; ++order)
+        if (const std::optional<double>& value = value_of(point, order))
+            placed.wanted[static_cast<std::size_t>(order)] = *value / std::pow(width, order);
+    placed.units = point.units;
+    return placed;
+}
+
 void place(std::vector<PlacedPoint>& all, const std::vector<SetPoint>& points, const std::string& member,
            const PlacedPoint& stretch) {
-    const double width = stretch.end - stretch.begin;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const SetPoint& point = points[i];
-        PlacedPoint placed;
-        placed.member = fmt::format("{}[{}]", member, i);
-        placed.segment = stretch.segment;
-        placed.begin = placed.end = stretch.begin + width * point.at;
-        if (point.until) placed.end = stretch.begin + width * *point.until;
-        for (int order = 0; order < 3; ++order)
-            if (const std::optional<double>& value = value_of(point, order))
-                placed.wanted[static_cast<std::size_t>(order)] = *value / std::pow(width, order);
-        placed.units = point.units;
-        all.push_back(std::move(placed));
-    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+        all.push_back(placed_on(stretch, points[i], fmt::format("{}[{}]", member, i)));
 }
 
 /// The angle by which a point was normalised, rad.
@@ -82,7 +84,9 @@ const Spelling& spelling_of_unit(int order, std::string_view unit) {
 }
 
 double unit_of_place(std::string_view unit) {
-    return unit == "deg" ? units::degree : 1.0;
+    for (const Spelling& spelling : spellings::set_point_place)
+        if (spelling.unit == unit) return spelling.factor;
+    return 1.0;
 }
 
 std::optional<double>& value_of(SetPoint& point, int order) {
@@ -114,6 +118,8 @@ std::vector<PlacedPoint> placed_points(const MotionSpec& motion) {
         angle += motion.segments[i].angle;
         stretch.end = angle / unit;
         place(all, motion.segments[i].via, fmt::format("motion.segments[{}].via", i), stretch);
+        if (const auto& end = motion.segments[i].end)
+            all.push_back(placed_on(stretch, *end, fmt::format("motion.segments[{}].end", i)));
     }
     return all;
 }

@@ -27,7 +27,7 @@ struct SetPointScale {
 
 /// The spelling of a set point's derivative of `order` in this unit. Throws InputError if there is none.
 [[nodiscard]] const Spelling& spelling_of_unit(int order, std::string_view unit);
-/// SI value of the unit of a location: "deg", "rad".
+/// SI value of the unit of a location: "deg", "rad", "crank deg".
 [[nodiscard]] double unit_of_place(std::string_view unit);
 
 /// The wanted number of derivative `order`.

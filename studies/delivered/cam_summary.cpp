@@ -114,7 +114,7 @@ struct ForcedMotion {
 void add_side_loads(SideSummary& side, int station, const DrivenMechanism& cam, const CamTurn& turn,
                     const ForcedMotion& forced) {
     const auto normal = [&](const CamPlace& place) {
-        const double force = forced.forces.force(forced.speed, place.state.s, place.state.acceleration);
+        const double force = forced.forces.force(forced.speed, place.state, place.point.theta);
         return std::max(0.0, normal_force(cam, place.state, force, station));
     };
     side.normal_force = turn.largest(normal, station);
@@ -143,7 +143,7 @@ ForceSummary force_summary(const DrivenMechanism& cam, const CamTurn& turn, cons
     const ForceSpec& forces = forced.forces;
     const double speed = forced.speed;
     const auto force = [&](const CamPlace& place) {
-        return forces.force(speed, place.state.s, place.state.acceleration);
+        return forces.force(speed, place.state, place.point.theta);
     };
     const auto normal = [&](const CamPlace& place) { return normal_force(cam, place.state, force(place)); };
     ForceSummary summary;

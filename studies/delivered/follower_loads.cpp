@@ -47,11 +47,11 @@ bool has_hertz_pressure(const CamMechanism& cam, const ForceSpec& forces) {
     return forces.contact_width && cam.contact() != ContactKind::edge;
 }
 
-FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double speed,
+FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double force,
                              const FollowerState& state,
                              const std::function<MechanismPoint(int side)>& point_of) {
     FollowerLoads loads;
-    loads.force = forces.force(speed, state.s, state.acceleration);
+    loads.force = force;
     loads.torque = loads.force * state.velocity;
     loads.side = carrying_side(*cam.formulas, loads.force);
     loads.normal_force = normal_force(cam, state, loads.force, loads.side);
@@ -66,9 +66,11 @@ LoadsAt delivered_loads(const Solution& solution) {
     const MotionScale scale = motion_scale(solution.scene);
     const double speed = solution.scene.motion.speed.value();
     return [&solution, scale, speed](const MotionPoint& motion, const CamPoints& cam) {
+        const FollowerState state = state_of(motion, scale);
+        const ForceSpec& forces = *solution.scene.forces;
         FollowerLoads loads =
-            follower_loads(solution.cam->cam, *solution.scene.forces, speed, state_of(motion, scale),
-                           [&](int side) { return cam.at(motion, side); });
+            follower_loads(solution.cam->cam, forces, forces.force(speed, state, scale.unit_angle * motion.x),
+                           state, [&](int side) { return cam.at(motion, side); });
         if (!solution.cam->summary.no_contact) return loads;
         loads.normal_force = infinity;
         loads.hertz_pressure.reset();

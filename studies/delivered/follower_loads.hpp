@@ -41,8 +41,8 @@ struct FollowerLoads {
     int side = 0;  ///< which carries
 };
 
-/// point_of: the cam there, by side.
-[[nodiscard]] FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double speed,
+/// force: N or N m; point_of: the cam there, by side.
+[[nodiscard]] FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double force,
                                            const FollowerState& state,
                                            const std::function<MechanismPoint(int side)>& point_of);
 

@@ -197,6 +197,8 @@ struct SolverReport {
 struct MeasuredReport {
     std::string name;
     int rows = 0;
+    int freedom =
+        0;  ///< free numbers of the fit: of a table with fewer than twice as many rows it follows noise
     double largest_error = 0.0, rms_error = 0.0;  ///< |table − fit|, in lifts
     double at = 0.0;                              ///< x of the largest
     std::shared_ptr<const MotionChain> motion;    ///< the fit
@@ -229,7 +231,8 @@ struct Solution {
     std::optional<LimitCurve> any_curve_limit;
     std::optional<MeasuredReport> measured;
     std::vector<OwnTermReport> own_terms;
-    std::optional<TrainReport> train;  ///< where the scene has dynamics and there is a motion
+    std::optional<ResponseTermReport> area;  ///< where objective.area has a weight and there is a motion
+    std::optional<TrainReport> train;        ///< where the scene has dynamics and there is a motion
     std::vector<ConstraintReport> constraints;
     std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
     std::optional<Explanation> explanation;

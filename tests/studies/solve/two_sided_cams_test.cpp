@@ -49,7 +49,7 @@ Seen look_at(const Solution& solution, int side) {
         else
             seen.concave = std::min(seen.concave, -point.cam_radius);
         const double force =
-            pressing_sense(side) * scene.forces->force(*scene.motion.speed, state.s, state.acceleration);
+            pressing_sense(side) * scene.forces->force(*scene.motion.speed, state, scale.unit_angle * x);
         if (!(force > 0.0)) continue;
         const double lever = std::cos(point.pressure_angle) *
                              (is_oscillating(cam.follower) ? cam[DimensionIndex::arm_length] : 1.0);
