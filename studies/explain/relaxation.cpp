@@ -54,7 +54,8 @@ std::optional<Scene> coarse_scene(const Scene& scene) {
     int segments = scene.spline.segments;
     while (segments > most_quick_segments && segments % 2 == 0) segments /= 2;
     const bool uniform = scene.spline.breakpoints.empty() && placed_points(scene.motion).empty();
-    if (!uniform || segments == scene.spline.segments || scene.spline.free_knots) return {};
+    if (!uniform || segments == scene.spline.segments || scene.spline.free_knots || scene.motion.prescribed())
+        return {};
     if (!needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)))) return {};
     return with_segments(scene, segments);
 }
