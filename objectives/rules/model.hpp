@@ -76,7 +76,11 @@ struct PlacedRule {
 
     template <typename Rule>
     PlacedRule(std::shared_ptr<Rule> what, int where = -1)  // NOLINT(google-explicit-constructor)
-        : rule(std::move(what)), stretch(where) {}
+        : rule(std::move(what)), stretch(where) {
+        from = rule->holds_between()[0];
+        until = rule->holds_between()[1];
+        on_copies = !holds_everywhere() && stretch < 0;
+    }
     [[nodiscard]] bool holds_on(const MotionFamily::Piece& piece) const {
         if (piece.copy && !on_copies) return false;
         return (stretch < 0 || stretch == piece.stretch) && piece.begin < until && piece.end > from;

@@ -169,7 +169,9 @@ std::string cam_line(const Scene& scene) {
     }
     if (const std::optional<Dimension> prime = prime_radius(cam))
         append(text, fmt::format("prime radius {}", range_text(*prime, shown.length)));
-    if (cam.face_half_width)
+    if (cam.face_radius)
+        append(text, fmt::format("radius of the round face {}", shown.length.text(*cam.face_radius)));
+    else if (cam.face_half_width)
         append(text, fmt::format("half width of the face {}", shown.length.text(*cam.face_half_width)));
     return text;
 }

@@ -53,6 +53,8 @@ const std::array force_numbers = {
     NumberRule{"forces.mass", [](const Scene& s) { return of_forces(s, &ForceSpec::mass); }, not_negative},
     NumberRule{"forces.spring_rate", [](const Scene& s) { return of_forces(s, &ForceSpec::spring_rate); },
                not_negative},
+    NumberRule{"forces.damping", [](const Scene& s) { return of_forces(s, &ForceSpec::damping); },
+               not_negative},
     NumberRule{"forces.preload", [](const Scene& s) { return of_forces(s, &ForceSpec::preload); }, Range{}},
     NumberRule{"forces.contact_width",
                [](const Scene& s) { return s.forces ? s.forces->contact_width : std::nullopt; }, positive},

@@ -285,7 +285,7 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
     add_constraints(all, scene, summary, false);
     if (scene.cam && scene.cam->face_half_width && summary.contact_offset) {
         const std::string unit = name_of(scene.length_unit);
-        const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_" + unit,
+        const WrittenLimit width{*scene.cam->face_half_width, std::string(scene.cam->face_key()) + "_" + unit,
                                  metres_of(scene.length_unit), unit};
         all.push_back(limit_report(width, *summary.contact_offset));
         all.back().name = "face_half_width";

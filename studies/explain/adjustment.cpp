@@ -7,6 +7,8 @@
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -140,11 +142,21 @@ void add_dimensions(std::vector<Adjustment>& all, const CamSpec& cam) {
 
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
-    const double unit = metres_of(scene.length_unit), given = as_written(*scene.cam->face_half_width / unit);
-    all.push_back(number_adjustment(
-        std::string("cam.face_half_width_") + name_of(scene.length_unit), given, given,
-        Range::between(given, farthest_change * given),
-        [unit](Scene& changed, double value) { changed.cam->face_half_width = value * unit; }));
+    const CamSpec& cam = *scene.cam;
+    const double unit = metres_of(scene.length_unit);
+    const double given = as_written(cam.face_radius.value_or(*cam.face_half_width) / unit);
+    const double contact =
+        cam.face_radius ? 2.0 * std::sqrt(std::max(0.0, *cam.face_radius * *cam.face_radius -
+                                                            *cam.face_half_width * *cam.face_half_width))
+                        : 0.0;
+    all.push_back(number_adjustment(fmt::format("{}_{}", cam.face_key(), name_of(scene.length_unit)), given,
+                                    given, Range::between(given, farthest_change * given),
+                                    [unit, contact](Scene& changed, double value) {
+                                        if (changed.cam->face_radius)
+                                            changed.cam->set_round_face(value * unit, contact);
+                                        else
+                                            changed.cam->face_half_width = value * unit;
+                                    }));
     all.back().limit = true;
     all.back().usefulness = Usefulness::limit;
 }
