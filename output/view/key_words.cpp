@@ -41,14 +41,18 @@ double rounded_on(double needed, bool up) {
 /// Of a number in a list of the motion: "motion.via[0].velocity_mm_deg" is "motion.via[0].velocity" in
 /// "mm/deg". The unit is what follows the name.
 KeyWords listed_key_words(std::string_view key) {
+    const std::string_view side = key.ends_with(".max") ? ", max" : key.ends_with(".min") ? ", min" : "";
+    if (!side.empty()) key.remove_suffix(std::string_view(".max").size());
     const std::size_t name = key.rfind('.') + 1, end = std::min(key.find('_', name), key.size());
     KeyWords found{std::string(key.substr(0, end)), "", false};
     for (const char letter : key.substr(std::min(end + 1, key.size()))) {
-        if (letter == '2')
-            found.unit += "²";
+        if (letter == '2' || letter == '3')
+            found.unit += letter == '2' ? "²" : "³";
         else
             found.unit += letter == '_' ? '/' : letter;
     }
+    found.words += side;
+    found.limit = !side.empty();
     return found;
 }
 
