@@ -86,7 +86,7 @@ std::string range_words(const ProgramSegment& segment) {
 std::string segment_line(const Scene& scene) {
     const MotionSpec& motion = scene.motion;
     std::string text;
-    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+    for (std::size_t i = 0; i < motion.own_segments(); ++i) {
         const ProgramSegment& segment = motion.segments[i];
         const std::string kind =
             segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));

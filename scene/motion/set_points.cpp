@@ -180,6 +180,11 @@ std::vector<double> with_regions(std::vector<double> breakpoints, std::vector<st
     return breakpoints;
 }
 
+void copy_repeats(MotionSpec& motion) {
+    const std::size_t own = motion.own_segments();
+    for (std::size_t i = own; i < motion.segments.size(); ++i) motion.segments[i] = motion.segments[i - own];
+}
+
 void keep_written(MotionSpec& changed, const MotionSpec& before) {
     const auto keep = [](std::vector<SetPoint>& points, const SetPointScale& now, const SetPointScale& then) {
         for (SetPoint& point : points) {

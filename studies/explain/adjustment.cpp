@@ -261,6 +261,7 @@ Adjustment number_adjustment(std::string key, double given, double size, const R
     adjustment.with = [set = std::move(set)](const Scene& scene, double value) {
         Scene changed = scene;
         set(changed, value);
+        copy_repeats(changed.motion);
         return changed;
     };
     return adjustment;
