@@ -174,6 +174,13 @@ std::string verdict_sentence(const Solution& solution) {
             "breakpoints may.",
             because(certificate));
     if (was_interrupted(certificate)) return interrupted_sentence(solution);
+    if (solution.scene.motion.prescribed()) {
+        const bool kept = certificate.verdict == Verdict::optimal;
+        if (solution.design.values.size() == 0 && (kept || certificate.verdict == Verdict::infeasible))
+            return kept ? "Prescribed motion, nothing to optimize; every limit is satisfied."
+                        : "Proved infeasible: the prescribed motion violates a limit.";
+        if (kept) return "Prescribed motion; the dimensions of its cam are proved optimal.";
+    }
     if (!searched(solution) || certificate.verdict == Verdict::optimal ||
         certificate.verdict == Verdict::infeasible)
         return verdict_sentence(certificate);

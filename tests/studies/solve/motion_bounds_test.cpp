@@ -53,6 +53,7 @@ TEST_P(ValveLobe, MatchesTheIndependentOptimum) {
         scene_of("[motion]\ntype = \"RR\"\n[objective]\narea = 1\nreference = { area = 0.5, jerk = 36.5 }\n");
     scene.spline.segments = lobe.segments;
     scene.spline.by_stroke = false;
+    scene.motion.within_lift = false;  // area is gained above the lift
     scene.objective.area = lobe.area_weight;
     scene.objective.jerk = lobe.jerk_weight;
     scene.limits.acceleration_max = PeakLimit(lobe.up);
