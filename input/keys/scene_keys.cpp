@@ -364,8 +364,7 @@ KeyTable all_rows() {
     for (const Rows& part : {top_level(), motion(), set_points("motion.via", "rise"),
                              end_state("motion.start"), end_state("motion.end"), corridor(),
                              set_points("motion.segments.via", "segment"), end_state("motion.segments.end"),
-                             measured(), spline(), objective(),
-                             dimension_weight_rows(), reference()})
+                             measured(), spline(), objective(), dimension_weight_rows(), reference()})
         all.add(part);
     all.add(type_row(all));
     for (const CamKind& kind : cam_kinds())
