@@ -78,7 +78,7 @@ class SceneReader {
         const std::optional<MeasuredInput> measured = read_measured(source_, scene.motion, known_);
         if (measured) scene.measured = measured->motion;
         if (const std::optional<SceneFault> fault = find_fault(scene)) {
-            if (measured) fail_in_table(source_, *measured, *fault);
+            if (measured) fail_in_measured(source_, *measured, *fault);
             source_.fail_member(fault->member, words_of(*fault));
         }
         return scene;
