@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/units.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/cam_mechanism.hpp"
@@ -64,13 +65,24 @@ std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& sce
     ForceSpec forces;
     if (scene.cam) {
         const bool swings = scene.cam->formulas()->swings();
-        for (const char* quantity : {"mass", "inertia", "spring_rate", "preload"})
+        for (const char* quantity : {"mass", "inertia", "spring_rate", "preload", "damping", "load"})
             check_force_unit(source, "forces", quantity, swings);
     }
     source.read_number("forces", "mass", forces.mass);
     source.read_number("forces", "inertia", forces.mass);
     source.read_number("forces", "spring_rate", forces.spring_rate);
     source.read_number("forces", "preload", forces.preload);
+    source.read_number("forces", "damping", forces.damping);
+    if (const auto load = source.find("forces", "load")) {
+        const double unit = load->spelling->factor;
+        if (load->value().is_number()) forces.load = {{0.0, load->number()}};
+        for (const Node& pair : load->value().items)
+            forces.load.push_back(
+                {pair.items[0].as_number() * units::degree, pair.items[1].as_number() * unit});
+        if (!forces.load.empty() && forces.load.back()[0] - forces.load.front()[0] > units::turn)
+            source.fail(load->value().place, joined_key("forces", load->member->name),
+                        "found angles over more than 360 deg; allowed: those of one revolution");
+    }
     forces.contact_width = source.number("forces", "contact_width");
     source.read_number("forces", "cam_modulus", forces.cam_modulus);
     source.read_number("forces", "follower_modulus", forces.follower_modulus);

@@ -110,14 +110,19 @@ class MechanismReader {
     }
 };
 
-/// `order`: 1 velocity, 2 acceleration, 3 jerk.
+/// A number, or one side of a table.
 std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec& motion,
-                                    std::string_view name, int order) {
-    const std::optional<Given> given = source.find("limits", name);
-    if (!given) return std::nullopt;
-    const double number = given->value().as_number();
+                                    const PeakLimitRow& row) {
+    const std::optional<Given> given = source.find("limits", row.term().name());
+    if (!given || (row.side == 0) != given->value().is_number()) return std::nullopt;
+    const char* const side = row.side < 0 ? "min" : "max";
+    const Member* const bound = row.side == 0 ? given->member : given->value().find(side);
+    if (!bound) return std::nullopt;
+    const double number = bound->value.as_number();
     PeakLimit limit(number, joined_key("limits", given->member->name), number,
                     std::string(given->spelling->unit));
+    if (row.side != 0) limit.key = joined_key(limit.key, side);
+    limit.one_normalised = 1.0;
     if (limit.unit.empty()) return limit;
     if (is_angle_unit(limit.unit) != motion.lift_is_angle)
         source.fail(given->member->place, limit.key,
@@ -131,7 +136,9 @@ std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec&
             fmt::format("found a limit in {} without a speed; allowed: together with motion.speed_rpm or "
                         "motion.speed_rad_s",
                         limit.unit));
-    limit.normalised = given->number() / (motion.lift * std::pow(*motion.speed / motion.unit_angle(), order));
+    limit.one_normalised =
+        motion.lift * std::pow(*motion.speed / motion.unit_angle(), row.order()) / given->spelling->factor;
+    limit.normalised = number / limit.one_normalised;
     return limit;
 }
 
@@ -205,8 +212,7 @@ CamSpec read_mechanism(const SceneSource& source, const CamKind& kind, const Mot
 
 LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion) {
     LimitSpec limits;
-    for (const PeakLimitRow& row : peak_limit_rows())
-        row.in(limits) = read_limit(source, motion, row.name(), row.order());
+    for (const PeakLimitRow& row : peak_limit_rows()) row.in(limits) = read_limit(source, motion, row);
     return limits;
 }
 

@@ -70,6 +70,8 @@ class SceneReader {
         scene.objective = read_objective();
         scene.cam = read_cam(source_, scene.motion, known_);
         scene.forces = read_forces(source_, scene);
+        if (scene.cam && scene.cam->face_radius && scene.forces && scene.forces->contact_width)
+            scene.cam->set_round_face(*scene.cam->face_radius, *scene.forces->contact_width);
         scene.limits = read_peak_limits(source_, scene.motion);
         read_cam_limits(source_, scene, scene.limits);
         scene.drawing = read_drawing(source_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
+#include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ bool is_known(const AffineRow& row) {
 
 std::array<double, 2> known_range(const MotionFamily& family) {
     std::array<double, 2> range{};
-    for (const MotionFamily::Stretch& stretch : family.stretches()) {
+    for (const MotionFamily::Stretch& stretch : family.own_stretches()) {
         const std::optional<double> to = known_displacement(stretch.to);
         if (!to) continue;
         range[0] = std::min(range[0], *to);
@@ -33,7 +34,7 @@ std::array<double, 2> known_range(const MotionFamily& family) {
 FreeDisplacements free_displacements(const Scene& scene, const MotionFamily& family) {
     FreeDisplacements free;
     if (scene.motion.type != MotionType::program) return free;
-    const std::vector<MotionFamily::Stretch>& stretches = family.stretches();
+    const std::span<const MotionFamily::Stretch> stretches = family.own_stretches();
     const int count = static_cast<int>(stretches.size());
     std::vector<bool> open(stretches.size() + 1,
                            false);  // levels next to a spline whose displacement is free
@@ -80,6 +81,21 @@ void add_region(std::vector<PointCondition>& all, const PlacedPoint& region, int
 }
 
 }  // namespace
+
+std::array<double, 2> end_velocities(const MotionSpec& motion, bool at_end) {
+    if (const std::optional<SetPoint>& given = at_end ? motion.end : motion.start) {
+        const bool program = motion.type == MotionType::program && !motion.segments.empty();
+        const double own =
+            program ? (at_end ? motion.segments.back() : motion.segments.front()).angle / motion.unit_angle()
+                    : 1.0;
+        return {given->velocity.value_or(0.0) / own, given->acceleration.value_or(0.0) / (own * own)};
+    }
+    const double end = at_end ? motion.length() : 0.0;
+    for (const PlacedPoint& point : placed_points(motion))
+        if (point.is_region() && std::abs((at_end ? point.end : point.begin) - end) <= same_place)
+            return {*point.wanted[1], 0.0};
+    return {};
+}
 
 std::vector<PointCondition> conditions_of(const MotionSpec& motion, const PlacedPoint& point, int degree,
                                           double end) {
@@ -130,21 +146,42 @@ std::vector<double> breakpoints_of(const SplineSpec& spline, double begin, doubl
 
 namespace {
 
-/// A law with moving ends is joined only by splines, which take its velocity.
+constexpr double same_velocity = 1e-9;  // of two laws that join, relative
+
+/// y' of a law where it ends, or begins, in lifts by the cam angle; none: its displacement is free.
+std::optional<double> end_velocity(const MotionSpec& motion, std::size_t index, bool at_end) {
+    const ProgramSegment& segment = motion.segments[index];
+    double from = 0.0;
+    for (std::size_t i = 0; i < index; ++i) from = motion.segments[i].to.value_or(from);
+    if (segment.kind != SegmentKind::law || !segment.to) return std::nullopt;
+    const std::unique_ptr<Law> law = make_law(segment.law);
+    const MotionPoint point = at_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
+    return (*segment.to - from) * point.derivative[1] / segment.angle;
+}
+
+/// A law with moving ends is joined by splines, which take its velocity, or stands where a motion begins or
+/// ends; a relative motion may go on with a law of the same velocity.
 void require_splines_beside(const MotionSpec& motion, std::size_t index) {
     const std::size_t count = motion.segments.size();
     const auto refuse = [&](const std::string& beside) {
         throw SceneError(
             {fmt::format("motion.segments[{}].law", index),
              fmt::format("\"{}\", a law whose ends move, next to {}", motion.segments[index].law, beside),
-             "spline segments on both sides, which join with its velocity"});
+             "spline segments beside it, which join with its velocity"});
     };
     for (const bool after : {false, true}) {
-        if (!motion.closed && index == (after ? count - 1 : 0)) refuse("the open end of the program");
+        const bool outer = index == (after ? count - 1 : 0);
+        if (outer && !motion.periodic()) continue;
         const std::size_t other = (index + (after ? 1 : count - 1)) % count;
-        if (motion.segments[other].kind != SegmentKind::spline)
-            refuse(fmt::format("motion.segments[{}] of kind \"{}\"", other,
-                               name_of(motion.segments[other].kind)));
+        if (motion.segments[other].kind == SegmentKind::spline) continue;
+        const auto own = end_velocity(motion, index, after), next = end_velocity(motion, other, !after);
+        const bool goes_on =
+            outer && motion.relative && own && next &&
+            std::abs(*own - *next) <= same_velocity * std::max(std::abs(*own), std::abs(*next));
+        if (!goes_on)
+            refuse(fmt::format("motion.segments[{}] of kind \"{}\"{}", other,
+                               name_of(motion.segments[other].kind),
+                               own && next ? " with another velocity" : ""));
     }
 }
 
@@ -166,7 +203,7 @@ std::shared_ptr<const Motion> law_of_segment(const MotionSpec& motion, std::size
 /// point: y' = 0. Imposed as a condition, since inequalities around the joint would be degenerate. At the
 /// begin of segment `index`.
 bool turns_back(const MotionSpec& motion, std::size_t index) {
-    const std::size_t count = motion.segments.size();
+    const std::size_t count = motion.own_segments();
     if ((!motion.within_lift && !motion.monotone) || (index == 0 && !motion.closed)) return false;
     const std::size_t before = (index + count - 1) % count;
     /// The displacement at a joint, if the segment that ends there gives it.
@@ -188,12 +225,17 @@ MotionFamily program_family(const Scene& scene, DesignKind kind) {
     request.degree = scene.spline.degree;
     request.continuity = scene.spline.smoothness();
     request.kind = kind;
-    request.closed = scene.motion.closed;
+    const MotionSpec& motion = scene.motion;
+    request.closed = motion.closed;
+    request.relative = motion.relative;
+    request.repeat = motion.repeat;
+    request.start = end_velocities(motion, false);
+    request.end = end_velocities(motion, true);
     request.end_jerk_zero = scene.spline.end_jerk == EndJerk::zero;
     const double unit = scene.motion.unit_angle();
     const std::vector<PlacedPoint> points = placed_points(scene.motion);
     double angle = 0.0;
-    for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
+    for (std::size_t i = 0; i < scene.motion.own_segments(); ++i) {
         const ProgramSegment& segment = scene.motion.segments[i];
         StretchRequest stretch;
         stretch.begin = angle / unit;

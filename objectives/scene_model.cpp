@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
@@ -151,7 +152,8 @@ DesignRequest spline_request(const Scene& scene, DesignKind kind) {
                           regions.empty() ? spline.breakpoints
                                           : breakpoints_of(spline, 0.0, motion.length(), regions));
     const Symmetry symmetry = !motion.symmetric ? Symmetry::none : rise ? Symmetry::odd : Symmetry::even;
-    return {std::move(space),        kind,    {0.0, 0.0, 0.0}, {rise ? 1.0 : 0.0, 0.0, 0.0},
+    const std::array<double, 2> start = end_velocities(motion, false), end = end_velocities(motion, true);
+    return {std::move(space),        kind,    {0.0, start[0], start[1]}, {rise ? 1.0 : 0.0, end[0], end[1]},
             scene_conditions(scene), symmetry};
 }
 
@@ -190,12 +192,7 @@ void add_range(CamModel& model, const std::string& name, const AffineRow& value,
 
 void add_program_scales(CamModel& model, const Scene& scene) {
     if (scene.motion.type != MotionType::program) return;
-    for (const MotionFamily::Stretch& stretch : model.design.stretches()) {
-        const std::optional<double> from = known_displacement(stretch.from);
-        const std::optional<double> to = known_displacement(stretch.to);
-        const double displacement = from && to ? measured_displacement(*to - *from) : 1.0;
-        model.stretch_scales.push_back({stretch.end - stretch.begin, displacement});
-    }
+    model.stretch_scales = stretch_scales(model.design);
     const auto [least, most] = known_range(model.design);
     model.least_displacement = least - overshoot * std::max(1.0, most - least);
     model.most_displacement = most + overshoot * std::max(1.0, most - least);
@@ -213,6 +210,10 @@ bool rests_at(const Motion& shape, Side side) {
     return std::abs(shape.at(x, side).derivative[1]) < at_rest;
 }
 
+bool ends_at_rest(const MotionSpec& motion) {
+    return end_velocities(motion, false)[0] == 0.0 && end_velocities(motion, true)[0] == 0.0;
+}
+
 /// Displacements given by the scene: both ends, the top of RR, joints of a program next to a dwell or a law.
 void add_known_points(CamModel& model, const Scene& scene) {
     const auto& stretches = model.design.stretches();
@@ -223,7 +224,8 @@ void add_known_points(CamModel& model, const Scene& scene) {
         if (!from || !to) return;  // one gap makes the whole unknown
         // A spline among others may pass its ends with a velocity; dwells, DRD and RR rest there, and most
         // laws.
-        const bool rests = stretches.size() == 1 || stretches[s].kind != StretchRequest::Kind::spline;
+        const bool rests = stretches.size() == 1 ? ends_at_rest(scene.motion)
+                                                 : stretches[s].kind != StretchRequest::Kind::spline;
         const Motion* const shape = stretches[s].shape.get();
         points.push_back(
             {stretches[s].begin, *from, rests && (shape == nullptr || rests_at(*shape, Side::right))});
@@ -243,7 +245,7 @@ void add_peak_rules(CamModel& model, const WeightedPeak& source, int index) {
         }
     };
     if (model.stretch_scales.empty()) return add(source.reference, -1);
-    for (int s = 0; s < static_cast<int>(model.stretch_scales.size()); ++s) {
+    for (int s = 0; s < static_cast<int>(model.design.own_stretches().size()); ++s) {
         if (model.design.stretches()[s].kind != StretchRequest::Kind::spline) continue;
         const StretchScale& scale = model.stretch_scales[s];
         add(source.reference * scale.displacement / std::pow(scale.angle, source.order), s);
@@ -257,7 +259,7 @@ void add_torque_rules(CamModel& model, double reference, int index) {
             model.rules.emplace_back(std::make_shared<TorqueRule>(sign, index, scaled), stretch);
     };
     if (model.stretch_scales.empty()) return add(reference, -1);
-    for (int s = 0; s < static_cast<int>(model.stretch_scales.size()); ++s) {
+    for (int s = 0; s < static_cast<int>(model.design.own_stretches().size()); ++s) {
         if (model.design.stretches()[s].kind != StretchRequest::Kind::spline) continue;
         const StretchScale& scale = model.stretch_scales[s];
         add(reference * scale.displacement * scale.displacement / std::pow(scale.angle, 3), s);
@@ -270,7 +272,44 @@ std::string name_of_term(const WeightedPeak& source) {
     return fmt::format("{} {}", peak ? "peak" : "rms", derivative_names[source.order]);
 }
 
+/// V, A, J of a prescribed motion are the largest over its laws: constants of the cost, and caps on each law.
+void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
+    for (const CostTerm& term : cost_terms()) {
+        const double weight = term.weight_in(scene.objective);
+        const std::optional<PeakLimit>* const limit =
+            term.limit != nullptr ? &(scene.limits.*term.limit) : nullptr;
+        double largest = 0.0, squares = 0.0, width = 0.0;
+        for (int s = 0; s < static_cast<int>(model.design.stretches().size()); ++s) {
+            const MotionFamily::Stretch& stretch = model.design.stretches()[static_cast<std::size_t>(s)];
+            if (stretch.kind != StretchRequest::Kind::shape) continue;
+            const StretchScale& scale = model.stretch_scales[static_cast<std::size_t>(s)];
+            const std::string& law = scene.motion.segments[static_cast<std::size_t>(s)].law;
+            const double own = term.measured.of(make_law(law)->peaks());
+            if (weight > 0.0 && !std::isfinite(own))
+                throw SceneError({fmt::format("objective.{}", term.name()),
+                                  fmt::format("{} with the law \"{}\", which has no finite {}", weight, law,
+                                              term.name()),
+                                  "0, or another law"});
+            largest = std::max(largest, own);
+            squares += own * own * scale.angle;
+            width += scale.angle;
+            if (limit == nullptr || !*limit || (*limit)->in_time()) continue;
+            const double most =
+                (*limit)->normalised * scale.displacement / std::pow(scale.angle, term.measured.order);
+            for (const int sign : {1, -1})
+                model.rules.emplace_back(
+                    std::make_shared<BoundRule>((*limit)->key,
+                                                BoundRule::Bound{term.measured.order, sign, most, most}),
+                    s);
+        }
+        const double figure = term.kind == CostTerm::Kind::rms ? std::sqrt(squares / width) : largest;
+        if (weight > 0.0) model.cost_constant += weight * figure / term.measured.of(reference);
+    }
+}
+
 void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
+    const bool prescribed = scene.motion.prescribed();
+    if (prescribed) add_prescribed_peaks(model, scene, reference);
     for (const WeightedPeak& source : weighted_peaks(scene, reference)) {
         const bool peak = source.kind == Parameter::Kind::peak;
         if (peak && source.order < 3) model.entry_scale[source.order] = source.reference;
@@ -283,7 +322,7 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
                     limit->key, BoundRule::Bound{source.order, sign, limit->normalised, limit->normalised}));
             }
         }
-        if (source.weight == 0.0 && (!limit || caps_motion)) continue;
+        if (prescribed || (source.weight == 0.0 && (!limit || caps_motion))) continue;
         const int index = static_cast<int>(model.parameters.size());
         model.parameters.push_back(
             {name_of_term(source), source.kind, source.order, source.reference, source.weight});
@@ -344,6 +383,7 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_program_scales(model, scene);
     add_known_points(model, scene);
     add_peaks(model, scene, reference);
+    add_motion_bounds(model, scene);
     add_stroke_rules(model, scene, strokes);
     set_entry_factors(model, scene);
     add_cam(model, scene);

@@ -46,9 +46,10 @@ std::vector<Passed> passed_points(const std::vector<PlacedPoint>& points, const 
 
 /// y' of a law next to a stroke at the joint; 0 if it rests, or if its displacement is free.
 double slope_beside(const Scene& scene, const MotionFamily& family, int stretch, Side side) {
-    const int count = static_cast<int>(family.stretches().size());
+    const int count = static_cast<int>(family.own_stretches().size());
     int other = stretch + (side == Side::right ? -1 : 1);
-    if (!scene.motion.closed && (other < 0 || other >= count)) return 0.0;
+    if (!scene.motion.periodic() && (other < 0 || other >= count))
+        return end_velocities(scene.motion, other >= count)[0];
     other = (other + count) % count;
     const MotionFamily::Stretch& beside = family.stretches()[static_cast<std::size_t>(other)];
     if (!beside.shape) return 0.0;
@@ -128,11 +129,16 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
         strokes.push_back({"motion", 0, 0.0, 1.0, 0.0, 1.0});
         if (scene.motion.type == MotionType::rr)
             strokes.push_back({"motion", 0, 1.0, scene.motion.length(), 1.0, 0.0});
-        for (StrokeRange& stroke : strokes) set_range(stroke, passed_points(points, stroke, -1), {});
+        const std::array<double, 2> slopes = {end_velocities(scene.motion, false)[0],
+                                              end_velocities(scene.motion, true)[0]};
+        for (StrokeRange& stroke : strokes)
+            set_range(stroke, passed_points(points, stroke, -1),
+                      {&stroke == &strokes.front() ? slopes[0] : 0.0,
+                       &stroke == &strokes.back() ? slopes[1] : 0.0});
         return strokes;
     }
-    for (int i = 0; i < static_cast<int>(family.stretches().size()); ++i) {
-        const MotionFamily::Stretch& stretch = family.stretches()[static_cast<std::size_t>(i)];
+    for (int i = 0; i < static_cast<int>(family.own_stretches().size()); ++i) {
+        const MotionFamily::Stretch& stretch = family.own_stretches()[static_cast<std::size_t>(i)];
         if (stretch.kind != StretchRequest::Kind::spline) continue;
         StrokeRange stroke{fmt::format("motion.segments[{}]", i),
                            i,

@@ -7,6 +7,7 @@
 #include "core/motion.hpp"
 #include "scene/follower.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -54,8 +55,18 @@ struct CamSpec {
     std::vector<CamDimension> dimensions;        ///< all of the kind, in its order; unused ones are 0
     std::map<std::string, std::string> choices;  ///< "linkage" → "lever", "form" → "grooved", …
     std::optional<double> face_half_width;       ///< m, of a flat face that is pushed straight: |s'| <= it
-    /// m, of a round flat face: face_half_width is then half its chord beside the contact line.
+    /// m, of a round flat face: half its chord beside the contact line is then face_half_width.
     std::optional<double> face_radius;
+    /// The key, without its unit, that says how wide the face is.
+    [[nodiscard]] const char* face_key() const {
+        return face_radius ? "cam.face_radius" : "cam.face_half_width";
+    }
+    /// A round face with a line of contact of this length: it touches along a chord at
+    /// |s'| <= √(radius² − (width / 2)²).
+    void set_round_face(double radius, double contact_width) {
+        face_radius = radius;
+        face_half_width = std::sqrt(std::max(0.0, radius * radius - 0.25 * contact_width * contact_width));
+    }
     /// Makes the formulas of this kind.
     std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> make = {};
 

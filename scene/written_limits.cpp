@@ -41,7 +41,9 @@ std::string member_of(std::string_view name) {
 /// The unit of the limit; refuses an invalid one.
 const Spelling& peak_spelling(const PeakLimitRow& row, const PeakLimit& limit, const MotionSpec& motion) {
     const std::string member = member_of(row.name());
-    const Spelling* const known = spelling_of(row.spellings, member, limit.key, limit.unit);
+    std::string_view key = limit.key;
+    if (row.side != 0 && key.size() > 4) key.remove_suffix(4);  // ".min"
+    const Spelling* const known = spelling_of(row.spellings, member_of(row.term().name()), key, limit.unit);
     if (!known && limit.unit.empty()) return row.spellings.front();
     if (!known) {
         std::string units;
@@ -71,8 +73,12 @@ void complete(const PeakLimitRow& row, PeakLimit& limit, const MotionSpec& motio
             ? 1.0
             : motion.lift * std::pow(*motion.speed / motion.unit_angle(), row.order()) / spelling.factor;
     limit.unit = spelling.unit;
-    if (limit.key.empty()) limit.key = fmt::format("{}{}", member, spelling.suffix);
+    if (limit.key.empty())
+        limit.key = row.side == 0 ? fmt::format("{}{}", member, spelling.suffix)
+                                  : fmt::format("{}{}.{}", member_of(row.term().name()), spelling.suffix,
+                                                row.side < 0 ? "min" : "max");
     if (!(scale > 0.0) || !std::isfinite(scale)) return;  // validate() reports faults of the motion
+    limit.one_normalised = scale;
     if (limit.given == 0.0)
         limit.given = scale == 1.0 ? limit.normalised : as_written(limit.normalised * scale);
     if (limit.normalised == 0.0) limit.normalised = limit.given / scale;

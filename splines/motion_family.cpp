@@ -58,7 +58,10 @@ void MotionFamily::add_pieces() {
             pieces_.back().end = stretch.end;
         }
     }
-    for (const Piece& piece : pieces_) piece_begins_.push_back(piece.begin);
+    for (Piece& piece : pieces_) {
+        piece.copy = stretches_[static_cast<std::size_t>(piece.stretch)].copy;
+        piece_begins_.push_back(piece.begin);
+    }
 }
 
 std::string MotionFamily::name(int index) const {
@@ -165,7 +168,7 @@ QuadraticForm MotionFamily::mean_square(int order, const std::vector<double>& we
     EnergySum sum(size_);
     double length = 0.0;
     for (const Piece& piece : pieces_) {
-        if (piece.segment < 0) continue;
+        if (piece.segment < 0 || piece.copy) continue;
         length += piece.end - piece.begin;
         const LocalMap& map = runs_[stretches_[piece.stretch].run].maps[piece.segment];
         const double weight = weights.empty() ? 1.0 : weights[piece.stretch];

@@ -12,8 +12,10 @@
 #include "splines/gram.hpp"
 #include "splines/motion_chain.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace camopt {
@@ -31,9 +33,13 @@ struct StretchRequest {
 struct FamilyRequest {
     int degree = 3, continuity = 2;
     DesignKind kind = DesignKind::states;
-    std::vector<StretchRequest> stretches;  ///< from displacement 0; kinds spline at an open end: at rest
+    std::vector<StretchRequest> stretches;  ///< from displacement 0
     bool closed = true;                     ///< ends at displacement 0, and as smooth as its runs
-    bool end_jerk_zero = false;             ///< y''' = 0 where a run meets a dwell
+    /// Not closed, but goes on from the displacement it has reached: as smooth at that point.
+    bool relative = false;
+    std::array<double, 2> start{}, end{};  ///< y', y'' of a spline at an open end
+    int repeat = 1;                        ///< closed: so many copies of all stretches, with the same entries
+    bool end_jerk_zero = false;            ///< y''' = 0 where a run meets a dwell
 };
 
 /// The displacement at a joint that no entry moves: given, or propagated by dwells and closure.
@@ -49,12 +55,14 @@ class MotionFamily {
         double shift = 0.0;  ///< spline: the run's own x is x + shift
         std::shared_ptr<const Motion> shape;
         AffineRow from, to;
+        bool copy = false;  ///< of an earlier one: another interval with the same motion
     };
     /// A part of an interval with one formula.
     struct Piece {
         double begin = 0.0, end = 0.0;
         int stretch = 0;
         int segment = -1;  ///< of the run; -1: no spline
+        bool copy = false;
     };
 
     MotionFamily(DesignVector single);  // NOLINT(google-explicit-constructor)
@@ -71,6 +79,10 @@ class MotionFamily {
     [[nodiscard]] double begin() const { return stretches_.front().begin; }
     [[nodiscard]] double end() const { return stretches_.back().end; }
     [[nodiscard]] const std::vector<Stretch>& stretches() const { return stretches_; }
+    /// Those that are no copies: the first ones.
+    [[nodiscard]] std::span<const Stretch> own_stretches() const {
+        return {stretches_.data(), stretches_.size() / static_cast<std::size_t>(repeat_)};
+    }
     [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
     [[nodiscard]] int piece_of(double x, Side side) const { return interval_of(piece_begins_, x, side); }
 
@@ -112,7 +124,7 @@ class MotionFamily {
     std::vector<double> piece_begins_;
     std::vector<Equality> equalities_;
     std::vector<std::pair<std::string, int>> joints_;  ///< name and order of the joint entries
-    int first_joint_ = 0, size_ = 0;
+    int first_joint_ = 0, size_ = 0, repeat_ = 1;
 };
 
 }  // namespace camopt

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace camopt {
 
@@ -37,12 +38,17 @@ struct MotionFamily::Builder {
     const FamilyRequest& request;
     MotionFamily family;
     int stretches;
-    bool ring;                      ///< nothing but splines, closed
+    bool wraps;  ///< the first stretch follows the last one
+    bool ring;   ///< nothing but splines, and wraps
+    /// y', y'' where a relative motion goes on, between two runs of splines: entries of their own.
+    std::optional<std::array<AffineRow, 2>> seam;
     std::vector<AffineRow> levels;  ///< displacement at joint j = begin of stretch j; one more for the end
 
     explicit Builder(const FamilyRequest& asked)
-        : request(asked), stretches(static_cast<int>(asked.stretches.size())) {
-        ring = request.closed && std::ranges::all_of(request.stretches, [](const StretchRequest& stretch) {
+        : request(asked),
+          stretches(static_cast<int>(asked.stretches.size())),
+          wraps(asked.closed || asked.relative) {
+        ring = wraps && std::ranges::all_of(request.stretches, [](const StretchRequest& stretch) {
                    return stretch.kind == Kind::spline;
                });
     }
@@ -73,7 +79,29 @@ struct MotionFamily::Builder {
         add_stretches(plans);
         family.add_pieces();
         find_levels_inside_runs();
+        if (seam) join_higher_orders();
+        add_copies();
         return std::move(family);
+    }
+
+    /// Of every stretch, shifted by the length of all: entries and runs stay.
+    void add_copies() {
+        if (request.repeat <= 1) return;
+        const std::vector<Stretch> own = family.stretches_;
+        for (int copy = 1; copy < request.repeat; ++copy) {
+            const double shift = copy * length();
+            for (Stretch stretch : own) {
+                stretch.begin += shift;
+                stretch.end += shift;
+                stretch.shift -= shift;
+                stretch.copy = true;
+                family.stretches_.push_back(std::move(stretch));
+            }
+        }
+        family.repeat_ = request.repeat;
+        family.pieces_.clear();
+        family.piece_begins_.clear();
+        family.add_pieces();
     }
 
     /// Default for a free joint between two splines.
@@ -154,12 +182,27 @@ struct MotionFamily::Builder {
         return plans;
     }
 
-    /// The state next to an interval that is not a spline: at rest next to a dwell or an open end, the
-    /// shape's next to a shape. `at_end`: of the neighbour.
-    [[nodiscard]] EndState beside(int neighbour, bool at_end, const AffineRow& level) const {
+    /// y' or y'' at x = 0 as an entry.
+    AffineRow state_entry(int order) {
+        return {0.0,
+                {add_joint_entry(fmt::format("{} at x = 0", state_names[static_cast<std::size_t>(order)]),
+                                 order)},
+                {1.0}};
+    }
+
+    /// The state next to an interval that is not a spline: at rest next to a dwell, as asked at an open end,
+    /// the shape's next to a shape. `at_end`: of the neighbour.
+    [[nodiscard]] EndState beside(int neighbour, bool at_end, const AffineRow& level) {
         EndState state{level, constant(0.0), constant(0.0)};
-        const bool open = neighbour < 0 || (!request.closed && neighbour >= stretches);
-        if (open || stretch(neighbour).kind != Kind::shape) return state;
+        if (neighbour < 0 || (!wraps && neighbour >= stretches)) {
+            const std::array<double, 2>& given = at_end ? request.start : request.end;
+            return {level, constant(given[0]), constant(given[1])};
+        }
+        if (is_spline(neighbour)) {  // a relative motion goes on with a run of its own
+            if (!seam) seam = {state_entry(1), state_entry(2)};
+            return {level, (*seam)[0], (*seam)[1]};
+        }
+        if (stretch(neighbour).kind != Kind::shape) return state;
         const int index = neighbour % stretches;
         const StretchRequest& own = stretch(index);
         const MotionPoint point = own.shape->at(at_end ? 1.0 : 0.0, at_end ? Side::left : Side::right);
@@ -173,14 +216,10 @@ struct MotionFamily::Builder {
 
     std::pair<EndState, EndState> ends_of(const RunPlan& plan) {
         if (ring) {
-            EndState state{constant(0.0), {}, {}};
-            for (int order = 1; order < 3; ++order) {
-                state[order] = {
-                    0.0, {add_joint_entry(fmt::format("{} at x = 0", state_names[order]), order)}, {1.0}};
-            }
-            return {state, state};
+            const AffineRow velocity = state_entry(1), acceleration = state_entry(2);
+            return {{constant(0.0), velocity, acceleration}, {levels.back(), velocity, acceleration}};
         }
-        const int before = plan.first > 0 ? plan.first - 1 : request.closed ? stretches - 1 : -1;
+        const int before = plan.first > 0 ? plan.first - 1 : wraps ? stretches - 1 : -1;
         const int after = plan.first + plan.count;
         const int last_joint = after <= stretches ? after : after - stretches;
         return {beside(before, true, levels[plan.first]), beside(after, false, levels[last_joint])};
@@ -211,11 +250,12 @@ struct MotionFamily::Builder {
                                       true});
             }
         }
+        const auto no_jerk = [&](double x, Side side) {
+            conditions.push_back({x, 3, side, 0.0, fmt::format("spline.end_jerk at x = {:.6g}", x), false});
+        };
         if (request.end_jerk_zero && !ring) {
-            conditions.push_back({breakpoints.front(), 3, Side::right, 0.0,
-                                  fmt::format("spline.end_jerk at x = {:.6g}", breakpoints.front()), false});
-            conditions.push_back({breakpoints.back(), 3, Side::left, 0.0,
-                                  fmt::format("spline.end_jerk at x = {:.6g}", breakpoints.back()), false});
+            if (!(seam && plan.first == 0)) no_jerk(breakpoints.front(), Side::right);
+            if (!(seam && plan.first + plan.count == stretches)) no_jerk(breakpoints.back(), Side::left);
         }
         return {SplineSpace(request.degree, request.continuity, std::move(breakpoints)),
                 request.kind,
@@ -293,6 +333,15 @@ struct MotionFamily::Builder {
             }
             family.equalities_.push_back(std::move(equality));
         }
+    }
+
+    /// y', y'' agree at the seam through its entries; higher continuity adds rows.
+    void join_higher_orders() {
+        const double begin = family.begin(), end = family.end();
+        for (int order = 3; order <= request.continuity; ++order)
+            family.equalities_.push_back({combined(family.functional(end, order, Side::left), -1.0,
+                                                   family.functional(begin, order, Side::right)),
+                                          fmt::format("relative: derivative {} at x = 0", order)});
     }
 
     /// y, y', y'' agree through the joint entries; higher continuity adds rows.

@@ -38,7 +38,8 @@ Rows top_level() {
         {"", "title", text, plain, any, {}, "empty", "What the scene is; repeated in every output."},
         {"", "motion", table, plain, any, {}, "required", "What must move."},
         {"", "spline", table, plain, any, {}, "its defaults", "The family of curves that is searched."},
-        {"", "objective", table, plain, any, {}, "required", "What makes one curve better than another."},
+        {"", "objective", table, plain, any, {}, "needed by a spline",
+         "What makes one curve better than another; a program of laws and dwells needs none."},
         {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower."},
     };
 }

@@ -48,6 +48,8 @@ void CamProblem::start_rule(int index) {
     const int order = rule->highest_order();
     for (const double x : rule->places()) add_sample(index, x, x < family.end() ? Side::right : Side::left);
     if (!rule->places().empty()) return;
+    for (const double x : {rule.from, rule.until})
+        if (x > family.begin() && x < family.end()) add_sample(index, x, Side::right);
     int last_stretch = -1;
     for (const MotionFamily::Piece& piece : family.pieces()) {
         if (!rule.holds_on(piece)) continue;
@@ -77,7 +79,8 @@ void CamProblem::start_rule(int index) {
 }
 
 bool CamProblem::add_sample(int rule, double at, Side side) {
-    if (model_->rules[rule]->scale_at(at) == 0.0) return false;
+    const PlacedRule& placed = model_->rules[rule];
+    if (!placed.holds_at(at) || placed->scale_at(at) == 0.0) return false;
     const int index = model_->design.piece_of(at, side);
     const MotionFamily::Piece& piece = model_->design.pieces()[index];
     const double tolerance = same_sample * (piece.end - piece.begin);

@@ -382,7 +382,8 @@ void add_response_rules(CamModel& model, const Scene& scene) {
     if (!scene.dynamics) return;
     const auto speeds = std::make_shared<WorstSpeeds>(scene, motion_events(scene.motion));
     for (const ResponseTerm& term : response_terms())
-        if (term.weight_in(scene.objective) > 0.0) add_response_rule(model, scene, term, speeds);
+        if (term.needs_dynamics() && term.weight_in(scene.objective) > 0.0)
+            add_response_rule(model, scene, term, speeds);
     add_response_limit(model, scene, LimitedFigure::residual, speeds);
     add_response_limit(model, scene, LimitedFigure::dynamic_contact_force, speeds);
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Contact force, camshaft torque and Hertz pressure, and the contact that the last two assume.
 #include "core/errors.hpp"
+#include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/cam_rule.hpp"
 #include "scene/limit_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -25,20 +27,60 @@ constexpr double least_force_share = 1e-2;
 // of the pressure.
 constexpr double pressure_scale = 2.0;
 
-/// F = m ω² s'' + k s + F_0 (or the moment of an arm).
+/// F = m ω² s'' + c ω s' + k s + F_0 + load (or the moment of an arm) where the load is one line:
+/// constant + slope θ.
 struct Force {
-    const ForceSpec spec;
-    const double speed;
+    ForceSpec spec;
+    double speed;
+    double constant = 0.0, slope = 0.0;                     ///< with the preload
+    std::array<double, 2> between = {-infinity, infinity};  ///< x
 
     [[nodiscard]] auto operator()(const auto& call) const {
-        return spec.mass * speed * speed * call.acceleration() + spec.spring_rate * call.displacement() +
-               spec.preload;
+        auto force = spec.mass * speed * speed * call.acceleration() +
+                     spec.damping * speed * call.velocity() + spec.spring_rate * call.displacement() +
+                     constant;
+        if (slope != 0.0) force = force + slope * call.angle();
+        return force;
     }
-    /// The magnitude of the inertia force.
+    /// The magnitude of the inertia force and the load.
     [[nodiscard]] double swing(const MotionScale& scale) const {
-        return spec.mass * speed * speed * scale.lift / (scale.unit_angle * scale.unit_angle);
+        double largest = 0.0;
+        for (const std::array<double, 2>& point : spec.load) largest = std::max(largest, std::abs(point[1]));
+        return largest + spec.mass * speed * speed * scale.lift / (scale.unit_angle * scale.unit_angle);
+    }
+    /// Only on this part of the motion; linear in it, but not the same everywhere.
+    void place(CamFormula& formula) const {
+        formula.between = between;
+        if (slope == 0.0) return;
+        if (formula.linear) formula.shape = [](double, double) { return Curvature::linear; };
+        formula.linear = false;
     }
 };
+
+/// One for each line of the load.
+std::vector<Force> forces_of(const Scene& scene) {
+    const ForceSpec& spec = *scene.forces;
+    const double speed = *scene.motion.speed;
+    if (spec.load.size() < 2) return {{spec, speed, spec.preload + spec.load_at(0.0).force}};
+    const double unit = scene.motion.unit_angle(), end = unit * scene.motion.length();
+    std::vector<double> joints = {0.0, end};
+    for (const std::array<double, 2>& point : spec.load)
+        for (double at = point[0] - units::turn * std::floor(point[0] / units::turn); at < end;
+             at += units::turn)
+            if (at > 0.0) joints.push_back(at);
+    std::ranges::sort(joints);
+    std::vector<Force> all;
+    for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
+        if (!(joints[i + 1] > joints[i])) continue;
+        const ForceSpec::Load line = spec.load_at(joints[i]);
+        all.push_back({spec,
+                       speed,
+                       spec.preload + line.force - line.slope * joints[i],
+                       line.slope,
+                       {joints[i] / unit, joints[i + 1] / unit}});
+    }
+    return all;
+}
 
 void add_contact_force(Limits& limits, const WrittenLimit& limit, const Force& force) {
     const double least = limit.value;
@@ -47,14 +89,17 @@ void add_contact_force(Limits& limits, const WrittenLimit& limit, const Force& f
     CamFormula formula =
         cam_formula(limit.key, [=](const auto& call) { return -1.0 / unit * (force(call) + -least); });
     formula.linear = true;
+    force.place(formula);
     limits.add(std::move(formula));
 }
 
 void add_torque(Limits& limits, const WrittenLimit& limit, const Force& force) {
     for (const int sign : {1, -1}) {
-        limits.add(cam_formula(limit.key, [=, most = limit.value](const auto& call) {
+        CamFormula formula = cam_formula(limit.key, [=, most = limit.value](const auto& call) {
             return sign / most * (force(call) * call.velocity()) + -1.0;
-        }));
+        });
+        force.place(formula);
+        limits.add(std::move(formula));
     }
 }
 
@@ -92,6 +137,7 @@ void add_hertz_pressure(Limits& limits, const WrittenLimit& limit, const Force& 
     });
     formula.linear = limits.is_linear(cam_radius);
     formula.scale = pressure_scale;
+    force.place(formula);
     limits.add_at(std::move(formula), station);
 }
 
@@ -127,15 +173,14 @@ void add_contact(Limits& limits, const std::string& key) {
 void add_forces(Limits& limits) {
     const Scene& scene = limits.scene();
     if (!scene.forces || !scene.motion.speed) return;
-    const Force force{*scene.forces, *scene.motion.speed};
-    if (const auto& least = limit_on(scene.limits, LimitedFigure::contact_force))
-        add_contact_force(limits, *least, force);
     const auto& torque = limit_on(scene.limits, LimitedFigure::torque);
-    if (torque) add_torque(limits, *torque, force);
     const auto& pressure = limit_on(scene.limits, LimitedFigure::hertz_pressure);
-    if (pressure) {
-        refuse_hertz_pressure(limits, *pressure, *scene.forces);
-        for (int station = 0; station < limits.cam().stations(); ++station)
+    if (pressure) refuse_hertz_pressure(limits, *pressure, *scene.forces);
+    for (const Force& force : forces_of(scene)) {
+        if (const auto& least = limit_on(scene.limits, LimitedFigure::contact_force))
+            add_contact_force(limits, *least, force);
+        if (torque) add_torque(limits, *torque, force);
+        for (int station = 0; pressure && station < limits.cam().stations(); ++station)
             add_hertz_pressure(limits, *pressure, force, station);
     }
     const auto& of_contact = pressure ? pressure : torque;

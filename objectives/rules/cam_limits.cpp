@@ -127,7 +127,7 @@ void add_face_width(Limits& limits) {
     if (!cam || !cam->face_half_width) return;
     const double width = *cam->face_half_width;
     for (const int sign : {1, -1}) {
-        CamFormula formula = cam_formula("cam.face_half_width", [sign, width](const auto& call) {
+        CamFormula formula = cam_formula(cam->face_key(), [sign, width](const auto& call) {
             return sign / width * call.velocity() + -1.0;
         });
         formula.sign = sign;

@@ -37,6 +37,12 @@ struct CamCall {
     [[nodiscard]] MechanismValue displacement() const { return variable(state.output.s, 0); }
     [[nodiscard]] MechanismValue velocity() const { return variable(state.output.velocity, 1); }
     [[nodiscard]] MechanismValue acceleration() const { return variable(state.output.acceleration, 2); }
+    /// The cam angle from the start of the motion, rad.
+    [[nodiscard]] MechanismValue angle() const {
+        MechanismValue angle = variable(state.theta, -1);
+        angle.by_angle = 1.0;
+        return angle;
+    }
     /// One of the cam's dimensions.
     [[nodiscard]] MechanismValue dimension(int index) const {
         const auto place = std::ranges::find(active, index) - active.begin();
@@ -86,6 +92,7 @@ struct CamCallOver : EnclosedCall<RangeOver> {
     [[nodiscard]] const RangeOver& displacement() const { return state.s; }
     [[nodiscard]] const RangeOver& velocity() const { return state.velocity; }
     [[nodiscard]] const RangeOver& acceleration() const { return state.acceleration; }
+    [[nodiscard]] RangeOver angle() const { return RangeOver(state.theta); }
     [[nodiscard]] const RangeOver& dimension(int index) const {
         return state.dimensions[static_cast<std::size_t>(index)];
     }
@@ -104,6 +111,7 @@ struct CamCallAlong : EnclosedCall<RangeAlong> {
     [[nodiscard]] const RangeAlong& displacement() const { return state.s; }
     [[nodiscard]] const RangeAlong& velocity() const { return state.velocity; }
     [[nodiscard]] const RangeAlong& acceleration() const { return state.acceleration; }
+    [[nodiscard]] const RangeAlong& angle() const { return state.theta; }
     [[nodiscard]] RangeAlong dimension(int index) const {
         return {state.dimensions[static_cast<std::size_t>(index)]};
     }
@@ -121,8 +129,9 @@ struct CamFormula {
     std::string remark = {};  ///< which part of the limit it is, where there are several
     int sign = 0;             ///< ±1: which of its two sides
     int highest_order = 2;
-    double scale = 1.0;               ///< a value of this is a violation of 100 %
-    std::vector<double> places = {};  ///< x where alone it holds; empty: everywhere
+    double scale = 1.0;                                     ///< a value of this is a violation of 100 %
+    std::vector<double> places = {};                        ///< x where alone it holds; empty: everywhere
+    std::array<double, 2> between = {-infinity, infinity};  ///< x between which it holds
     MechanismQuantity figure = MechanismQuantity::pressure_numerator;  ///< what the limit is on
 
     /// <= 0 is satisfied; dimensionless, of order one.
@@ -163,6 +172,7 @@ class CamRule final : public PointRule {
     [[nodiscard]] int highest_order() const override { return formula_.highest_order; }
     [[nodiscard]] bool limit() const override { return true; }
     [[nodiscard]] const std::vector<double>& places() const override { return formula_.places; }
+    [[nodiscard]] std::array<double, 2> holds_between() const override { return formula_.between; }
     [[nodiscard]] double scale() const override { return formula_.scale; }
     [[nodiscard]] bool linear() const override { return formula_.linear; }
     [[nodiscard]] Curvature curvature(double least, double most) const override;

@@ -72,13 +72,20 @@ struct PlacedRule {
     int stretch = -1;                           ///< of the family; -1: everywhere
     double from = -infinity, until = infinity;  ///< x between which it holds
     Datum datum = Datum::zero;
+    bool on_copies = false;  ///< on every copy of a stretch: it depends on the cam angle
 
     template <typename Rule>
     PlacedRule(std::shared_ptr<Rule> what, int where = -1)  // NOLINT(google-explicit-constructor)
-        : rule(std::move(what)), stretch(where) {}
+        : rule(std::move(what)), stretch(where) {
+        from = rule->holds_between()[0];
+        until = rule->holds_between()[1];
+        on_copies = !holds_everywhere() && stretch < 0;
+    }
     [[nodiscard]] bool holds_on(const MotionFamily::Piece& piece) const {
+        if (piece.copy && !on_copies) return false;
         return (stretch < 0 || stretch == piece.stretch) && piece.begin < until && piece.end > from;
     }
+    [[nodiscard]] bool holds_at(double x) const { return x >= from && x <= until; }
     [[nodiscard]] bool holds_everywhere() const {
         return stretch < 0 && from == -infinity && until == infinity;
     }

@@ -74,6 +74,8 @@ class PointRule {
         static const std::vector<double> everywhere;
         return everywhere;
     }
+    /// Holds only between these x, both included.
+    [[nodiscard]] virtual std::array<double, 2> holds_between() const { return {-infinity, infinity}; }
     /// The first grid has no rows of it: most motions satisfy it anyway, and the exchange adds violated rows.
     [[nodiscard]] virtual bool starts_without_rows() const { return false; }
     /// Size of the limit: a value of `scale` is a violation of 100 %.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Displacement, velocity, acceleration and jerk by the cam angle, with limits, peaks and set points.
+#include "objectives/motion_bounds.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/scene_model.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
@@ -23,8 +25,24 @@ constexpr std::size_t most_points = 2000;  // in pictures and pages
 constexpr double same_place = 1e-9;        // x: a row beyond the end by less is rounding of an angle
 constexpr std::array<const char*, 4> titles = {"Displacement", "Velocity", "Acceleration", "Jerk"};
 
-std::vector<CurveLimit> limits_of(const View& view, const MotionUnit& unit) {
+/// Limits of one side and corridors.
+std::vector<CurveLimit> bounds_of(const View& view, const MotionUnit& unit) {
     std::vector<CurveLimit> all;
+    const Scene& scene = view.solution.scene;
+    const Motion& motion = *view.solution.motion;
+    for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states))) {
+        if (bound.order != static_cast<int>(unit.order)) continue;
+        all.push_back({view.degrees(std::max(bound.from, motion.begin())),
+                       view.degrees(std::min(bound.until, motion.end())),
+                       unit.per_normalised * bound.sign * bound.bound, bound.sign,
+                       fmt::format("limit {}{}{}", short_text(bound.given), bound.unit.empty() ? "" : " ",
+                                   bound.unit)});
+    }
+    return all;
+}
+
+std::vector<CurveLimit> limits_of(const View& view, const MotionUnit& unit) {
+    std::vector<CurveLimit> all = bounds_of(view, unit);
     if (unit.order == 0) return all;
     const int order = static_cast<int>(unit.order);
     const std::optional<PeakLimit>& limit = peak_limit_of(view.solution.scene.limits, order);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/printable.hpp"
 #include "core/units.hpp"
+#include "objectives/motion_bounds.hpp"
+#include "objectives/scene_model.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
@@ -13,6 +15,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numbers>
 #include <type_traits>
@@ -48,6 +52,9 @@ std::string motion_line(const Scene& scene) {
                             short_text(degrees_shown.of(motion.return_angle.value_or(motion.rise))));
     if (motion.speed) text += fmt::format(", at {} rpm", short_text(rpm_shown.of(*motion.speed)));
     if (motion.symmetric) text += ", symmetric";
+    if (motion.relative) text += ", going on in the next revolution from where it ends";
+    if (motion.repeat > 1) text += fmt::format(", {} equal parts", motion.repeat);
+    if (motion.prescribed()) text += ": a prescribed motion, nothing to optimize";
     if (const std::size_t points = placed_points(motion).size(); points > 0)
         text += fmt::format(", with {} set point{}", points, points == 1 ? "" : "s");
     return text;
@@ -77,7 +84,7 @@ std::string range_words(const ProgramSegment& segment) {
 std::string segment_line(const Scene& scene) {
     const MotionSpec& motion = scene.motion;
     std::string text;
-    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+    for (std::size_t i = 0; i < motion.own_segments(); ++i) {
         const ProgramSegment& segment = motion.segments[i];
         const std::string kind =
             segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
@@ -110,6 +117,35 @@ std::string set_point_line(const Scene& scene, const std::vector<PlacedPoint>& p
             fmt::format("{}{} (x = {}) {}", text.empty() ? "" : "; ", where, short_text(point.begin), values);
     }
     return "Set points: " + text;
+}
+
+/// States at the ends of a motion that does not rest there.
+std::string end_state_text(const Scene& scene) {
+    const ShownUnits shown = shown_units(scene);
+    std::string text;
+    for (const bool at_end : {false, true}) {
+        const std::array<double, 2> state = end_velocities(scene.motion, at_end);
+        if (scene.motion.periodic() || state == std::array<double, 2>{}) continue;
+        append(text,
+               fmt::format("{} at the {}, acceleration {}", shown.motion[1].first.normalised_text(state[0]),
+                           at_end ? "end" : "start", shown.motion[2].first.normalised_text(state[1])));
+    }
+    return text;
+}
+
+std::string corridor_line(const Scene& scene) {
+    const ShownUnits shown = shown_units(scene);
+    std::string text;
+    for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states)))
+        if (bound.key.starts_with("motion.corridor["))
+            append(text, fmt::format("{} {} {} from {} to {} deg",
+                                     shown.motion[static_cast<std::size_t>(bound.order)].name,
+                                     bound.sign < 0 ? ">=" : "<=",
+                                     bound.unit.empty() ? short_text(bound.given)
+                                                        : short_text(bound.given) + " " + bound.unit,
+                                     short_text(bound.from * shown.degrees_per_x),
+                                     short_text(bound.until * shown.degrees_per_x)));
+    return "Corridors: " + text;
 }
 
 std::string measured_line(const MeasuredMotion& measured) {
@@ -167,7 +203,9 @@ std::string cam_line(const Scene& scene) {
     }
     if (const std::optional<Dimension> prime = prime_radius(cam))
         append(text, fmt::format("prime radius {}", range_text(*prime, shown.length)));
-    if (cam.face_half_width)
+    if (cam.face_radius)
+        append(text, fmt::format("radius of the round face {}", shown.length.text(*cam.face_radius)));
+    else if (cam.face_half_width)
         append(text, fmt::format("half width of the face {}", shown.length.text(*cam.face_half_width)));
     return text;
 }
@@ -188,6 +226,14 @@ std::string force_line(const Scene& scene) {
         fmt::format("Forces: {} {}, spring {}, preload {}", scene.motion.lift_is_angle ? "inertia" : "mass",
                     shown.mass.text(forces.mass), shown.spring_rate.text(forces.spring_rate),
                     shown.load.text(forces.preload));
+    if (forces.damping > 0.0) append(text, damping_text(scene, forces.damping));
+    if (!forces.load.empty()) {
+        const auto [least, most] =
+            std::ranges::minmax(forces.load, {}, [](const auto& point) { return point[1]; });
+        append(text, least[1] == most[1] ? "load " + shown.load.text(least[1])
+                                         : fmt::format("load {} to {} over the cam angle",
+                                                       shown.load.text(least[1]), shown.load.text(most[1])));
+    }
     if (!forces.contact_width) return text;
     append(text, fmt::format("contact width {}", shown.length.text(*forces.contact_width)));
     append(text, material_text("cam", shown.modulus.text(forces.cam_modulus), forces.cam_poisson));
@@ -231,7 +277,7 @@ std::string limit_line(const Scene& scene) {
     std::string text;
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits))
-            append(text, limit_text(limit->key, false, limit->given, limit->unit) +
+            append(text, limit_text(limit->key, row.side < 0, limit->given, limit->unit) +
                              (limit->unit.empty() ? " (normalised)" : ""));
     for (const LimitRow& row : limit_rows())
         if (const auto& limit = row.in(scene.limits))
@@ -263,6 +309,7 @@ std::string objective_line(const ObjectiveSpec& objective) {
     for (int i = 0; i < dimension_count; ++i)
         term(objective.dimensions[static_cast<std::size_t>(i)],
              words_of(name_of(static_cast<DimensionIndex>(i))));
+    if (terms.empty()) return "Objective: none";
     return fmt::format(
         "Objective: the least {}, each divided by {}{}{}", terms, reference_text(objective.reference),
         terms.size() > of_motion ? "; dimensions are divided by the lift" : "",
@@ -302,8 +349,10 @@ std::vector<std::string> scene_lines(const Scene& given) {
     if (scene.motion.type == MotionType::program) lines.push_back(segment_line(scene));
     if (const auto points = placed_points(scene.motion); !points.empty())
         lines.push_back(set_point_line(scene, points));
+    if (const std::string ends = end_state_text(scene); !ends.empty()) lines.push_back("Ends: " + ends);
+    if (!scene.motion.corridors.empty()) lines.push_back(corridor_line(scene));
     if (scene.measured) lines.push_back(measured_line(*scene.measured));
-    lines.push_back(spline_line(scene));
+    if (!scene.motion.prescribed()) lines.push_back(spline_line(scene));
     if (scene.cam) lines.push_back(cam_line(scene));
     if (scene.forces) lines.push_back(force_line(scene));
     if (scene.dynamics) lines.push_back(train_line(scene));

@@ -37,6 +37,9 @@ std::vector<KeyRow> cam_rows() {
          "`oscillating_flat` only."},
         {"cam", "face_half_width", number, length, positive, {}, "unlimited",
          "Half the width of the flat face; the contact stays on it. `translating_flat` only."},
+        {"cam", "face_radius", number, length, positive, {}, "unlimited",
+         "Radius of a round flat face (a valve tappet): the line of contact, as long as `forces.contact_width`, stays "
+         "on it. `translating_flat` only.", Availability::now, "face_half_width"},
         {"cam", "form", text, plain, any, {"open", "grooved", "conjugate"}, "\"open\"",
          "How the cam holds a roller. `open`: on one side, a force presses it on; `grooved`: in a groove between two "
          "flanks; `conjugate`: two disks on one shaft, each with a roller of the one follower. The last two drive both "
@@ -136,7 +139,8 @@ CamVariant variant(const Follower& follower) {
         if (is_offset(which)) number.value = 0.0;
         all.numbers.push_back(std::move(number));
     }
-    all.numbers.push_back({"cam", "face_half_width", follower.has_face_width});
+    for (const char* key : {"face_half_width", "face_radius"})
+        all.numbers.push_back({"cam", key, follower.has_face_width});
     const bool roller = follower.contact == ContactKind::roller;
     for (const char* key : {"groove_clearance", "groove_wall", "second_roller_radius"})
         all.numbers.push_back({"cam", key, roller});
@@ -157,7 +161,9 @@ CamSpec with_given(const CamSpec& spec, const std::map<std::string, double>& giv
     };
     disk.face_half_width = number("face_half_width");
     set_numbers(disk.form, number);
-    return blank_disk_spec(disk);
+    CamSpec whole = blank_disk_spec(disk);
+    if (const std::optional<double> radius = number("face_radius")) whole.set_round_face(*radius, 0.0);
+    return whole;
 }
 
 }  // namespace

@@ -71,6 +71,16 @@ Fault force_fault(const Scene& scene) {
     if (!scene.cam) return SceneFault{"forces", "forces without a cam", "only together with a [cam] table"};
     if (!scene.motion.speed)
         return SceneFault{"forces", "forces without a speed", "only where motion.speed is given"};
+    if (scene.cam->face_radius && scene.cam->face_half_width == 0.0)
+        return SceneFault{"cam.face_radius", fmt::format("{} m", *scene.cam->face_radius),
+                          "more than half of forces.contact_width, which lies on the round face"};
+    const std::vector<std::array<double, 2>>& load = scene.forces->load;
+    for (std::size_t i = 0; i < load.size(); ++i)
+        if (!std::isfinite(load[i][0]) || !std::isfinite(load[i][1]) ||
+            (i > 0 && !(load[i][0] > load[i - 1][0])))
+            return SceneFault{fmt::format("forces.load[{}]", i),
+                              fmt::format("{} at {} rad", load[i][1], load[i][0]),
+                              "finite forces at ascending angles of one revolution"};
     return std::nullopt;
 }
 

@@ -20,6 +20,10 @@ constexpr double range_slack = 1e-9;
 
 Fault segment_fault(const ProgramSegment& segment, const std::string& member) {
     const Range angles = Range::above_up_to(0.0, units::turn);
+    if (segment.angle == 0.0 && segment.kind == SegmentKind::dwell)
+        return SceneFault{member + ".angle", "a dwell of 0",
+                          "an angle > 0; for a turning point without a dwell leave this segment out and give "
+                          "the segment before it end = { velocity = 0 }"};
     if (!angles.contains(segment.angle))
         return SceneFault{member + ".angle", fmt::format("{}", segment.angle), angles.number_text()};
     if (segment.angle_range) {
@@ -49,16 +53,22 @@ Fault segment_fault(const ProgramSegment& segment, const std::string& member) {
     return std::nullopt;
 }
 
+std::string joined(const std::string& member, const std::string& key) {
+    return key.empty() ? member : fmt::format("{}.{}", member, key);
+}
+
 Fault turn_fault(const MotionSpec& motion) {
     double total = 0.0;
     for (const ProgramSegment& segment : motion.segments) total += segment.angle;
     const double excess = total / units::turn - 1.0;
-    const bool allowed = motion.closed ? std::abs(excess) <= turn_tolerance : excess <= turn_tolerance;
+    const bool allowed = motion.periodic() ? std::abs(excess) <= turn_tolerance : excess <= turn_tolerance;
     if (allowed) return std::nullopt;
-    return SceneFault{"motion.segments",
-                      fmt::format("angles that add up to {:.12g} deg", total / units::degree),
-                      motion.closed ? "360 deg, or motion.closed = false for part of a revolution"
-                                    : "at most 360 deg, one revolution"};
+    return SceneFault{
+        "motion.segments", fmt::format("angles that add up to {:.12g} deg", total / units::degree),
+        !motion.periodic()   ? "at most 360 deg, one revolution"
+        : motion.repeat == 1 ? "360 deg, or motion.closed = false for part of a revolution"
+                             : fmt::format("360 deg: those of one of the {} copies add up to {:.10g} deg",
+                                           motion.repeat, 360.0 / motion.repeat)};
 }
 
 /// Only angles with a fixed sum are distributed by a search.
@@ -67,6 +77,8 @@ Fault angle_range_fault(const MotionSpec& motion) {
     const auto first = std::ranges::find_if(motion.segments, searched);
     if (first == motion.segments.end()) return std::nullopt;
     const std::string member = fmt::format("motion.segments[{}].angle", first - motion.segments.begin());
+    if (motion.repeat > 1)
+        return SceneFault{member, "a range in a program that is repeated", "a number, or motion.repeat = 1"};
     if (!motion.closed)
         return SceneFault{member, "a range in a program that is not closed",
                           "a number, or a closed program, whose angles add up to 360 deg"};
@@ -108,20 +120,62 @@ Fault idle_fault(const MotionSpec& motion) {
                             : "a displacement other than 0 for at least one segment (lifts: `to = 1`)"};
 }
 
+/// Without a spline every law says where it ends.
+Fault prescribed_fault(const MotionSpec& motion) {
+    if (!motion.prescribed()) return std::nullopt;
+    bool moves = false;
+    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+        const ProgramSegment& segment = motion.segments[i];
+        moves = moves || segment.kind == SegmentKind::law;
+        if (segment.kind == SegmentKind::law && !segment.to)
+            return SceneFault{fmt::format("motion.segments[{}].to", i),
+                              "no displacement, in a program of laws and dwells only",
+                              "the displacement at its end: nothing is optimised that could choose it"};
+    }
+    if (moves) return std::nullopt;
+    return SceneFault{"motion.segments", "dwells only",
+                      "at least one segment with kind = \"law\" or kind = \"spline\""};
+}
+
+/// `end` of a segment: at a joint of two splines.
+Fault joint_fault(const MotionSpec& motion) {
+    const std::size_t count = motion.segments.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const ProgramSegment& segment = motion.segments[i];
+        if (!segment.end) continue;
+        const std::string member = fmt::format("motion.segments[{}].end", i);
+        const bool last = i + 1 == count && !motion.periodic();
+        const ProgramSegment& next = motion.segments[(i + 1) % count];
+        if (last)
+            return SceneFault{member, "a state at the end of a program that is not closed", "motion.end"};
+        if (segment.kind != SegmentKind::spline || next.kind != SegmentKind::spline)
+            return SceneFault{member,
+                              fmt::format("a state between segments of kind \"{}\" and \"{}\"",
+                                          name_of(segment.kind), name_of(next.kind)),
+                              "only between two segments of kind \"spline\": dwells and laws give the state "
+                              "where they join"};
+        if (!segment.end->velocity && !segment.end->acceleration)
+            return SceneFault{member, "no value", "velocity, acceleration or both"};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Fault program_fault(const MotionSpec& motion) {
     if (motion.segments.empty())
-        return SceneFault{"motion.segments", "no segment",
-                          "the segments of the program, at least one of kind \"spline\""};
+        return SceneFault{"motion.segments", "no segment", "the segments of the program"};
+    if (motion.repeat < 1 || motion.segments.size() % static_cast<std::size_t>(motion.repeat) != 0)
+        return SceneFault{"motion.repeat", fmt::to_string(motion.repeat),
+                          "an integer >= 1 that divides the number of segments"};
+    if (motion.repeat > 1 && !motion.closed)
+        return SceneFault{"motion.repeat", fmt::format("{} in a program that is not closed", motion.repeat),
+                          "1, or motion.closed = true"};
     for (std::size_t i = 0; i < motion.segments.size(); ++i)
         if (Fault fault = segment_fault(motion.segments[i], fmt::format("motion.segments[{}]", i)))
             return fault;
-    if (std::ranges::none_of(motion.segments,
-                             [](const auto& segment) { return segment.kind == SegmentKind::spline; }))
-        return SceneFault{"motion.segments", "no segment to optimise",
-                          "at least one with kind = \"spline\", its angle and, where needed, the "
-                          "displacement `to` at its end"};
+    if (Fault fault = prescribed_fault(motion)) return fault;
+    if (Fault fault = joint_fault(motion)) return fault;
     if (Fault fault = angle_range_fault(motion)) return fault;
     if (Fault fault = turn_fault(motion)) return fault;
     if (Fault fault = end_fault(motion)) return fault;
@@ -148,7 +202,11 @@ Fault type_fault(const MotionSpec& motion) {
                      "only in type \"DRD\" or \"RR\"; a program has them in its segments");
     if (!program && !motion.segments.empty())
         return wrong("motion.segments", "segments", "only in type \"program\"");
-    if (!program && !motion.closed) return wrong("motion.closed", "false", "only in type \"program\"");
+    if (!program && (!motion.closed || motion.relative))
+        return wrong("motion.closed", "false", "only in type \"program\"");
+    if (!program && motion.repeat != 1) return wrong("motion.repeat", "a number", "only in type \"program\"");
+    if (motion.closed && motion.relative)
+        return SceneFault{"motion.relative", "true in a closed program", "motion.closed = false with it"};
     return std::nullopt;
 }
 
@@ -164,12 +222,71 @@ Fault return_fault(const MotionSpec& motion) {
     return std::nullopt;
 }
 
+/// motion.start and motion.end.
+Fault end_state_fault(const MotionSpec& motion) {
+    const bool program = motion.type == MotionType::program;
+    for (const bool at_end : {false, true}) {
+        const std::optional<SetPoint>& state = at_end ? motion.end : motion.start;
+        if (!state) continue;
+        const std::string member = at_end ? "motion.end" : "motion.start";
+        if (motion.periodic())
+            return SceneFault{member, "a state in a program that goes on where it ends",
+                              "motion.closed = false, or set points in its segments"};
+        if (motion.symmetric)
+            return SceneFault{member, "a state of a symmetric motion", "motion.symmetric = false"};
+        if (program) {
+            const ProgramSegment& own = at_end ? motion.segments.back() : motion.segments.front();
+            if (own.kind != SegmentKind::spline)
+                return SceneFault{member, fmt::format("a state at a {}", name_of(own.kind)),
+                                  "only where the first, or the last, segment is a spline"};
+        }
+        if (!state->velocity && !state->acceleration)
+            return SceneFault{member, "no value", "velocity, acceleration or both"};
+        for (const std::optional<double>& value : {state->velocity, state->acceleration})
+            if (value && !std::isfinite(*value))
+                return SceneFault{member, fmt::format("{}", *value), Range{}.number_text()};
+    }
+    return std::nullopt;
+}
+
+Fault corridor_fault(const MotionSpec& motion) {
+    const double whole = motion.length() * motion.unit_angle();
+    for (std::size_t i = 0; i < motion.corridors.size(); ++i) {
+        const Corridor& corridor = motion.corridors[i];
+        const std::string member = fmt::format("motion.corridor[{}]", i);
+        if (!(corridor.to > corridor.from) || !(corridor.from >= 0.0) ||
+            !(corridor.to <= whole * (1.0 + turn_tolerance)))
+            return SceneFault{
+                member,
+                fmt::format("a stretch from {:.10g} to {:.10g} deg", corridor.from / units::degree,
+                            corridor.to / units::degree),
+                fmt::format("from below to, both from 0 to {:.10g} deg", whole / units::degree)};
+        bool bounded = false;
+        for (const Corridor::Bounds& bounds : corridor.bounds) {
+            for (const std::optional<double>& side : {bounds.least, bounds.most}) {
+                if (side && !std::isfinite(*side))
+                    return SceneFault{joined(member, bounds.key), fmt::format("{}", *side),
+                                      Range{}.number_text()};
+                bounded = bounded || side;
+            }
+            if (bounds.least && bounds.most && !(*bounds.least < *bounds.most))
+                return SceneFault{joined(member, bounds.key), "min not below max", "min below max"};
+        }
+        if (!bounded)
+            return SceneFault{member, "no bound",
+                              "min or max of displacement, velocity, acceleration or jerk"};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Fault motion_fault(const MotionSpec& motion) {
     if (Fault fault = type_fault(motion)) return fault;
     if (Fault fault = motion.type == MotionType::program ? program_fault(motion) : return_fault(motion))
         return fault;
+    if (Fault fault = end_state_fault(motion)) return fault;
+    if (Fault fault = corridor_fault(motion)) return fault;
     return set_point_fault(motion);
 }
 

@@ -53,6 +53,8 @@ const std::array force_numbers = {
     NumberRule{"forces.mass", [](const Scene& s) { return of_forces(s, &ForceSpec::mass); }, not_negative},
     NumberRule{"forces.spring_rate", [](const Scene& s) { return of_forces(s, &ForceSpec::spring_rate); },
                not_negative},
+    NumberRule{"forces.damping", [](const Scene& s) { return of_forces(s, &ForceSpec::damping); },
+               not_negative},
     NumberRule{"forces.preload", [](const Scene& s) { return of_forces(s, &ForceSpec::preload); }, Range{}},
     NumberRule{"forces.contact_width",
                [](const Scene& s) { return s.forces ? s.forces->contact_width : std::nullopt; }, positive},
@@ -181,6 +183,16 @@ Fault free_knot_fault(const Scene& scene) {
     if (std::ranges::any_of(scene.motion.via, &SetPoint::is_region))
         return SceneFault{"spline.knots", "\"free\" with a region of constant velocity, whose ends are knots",
                           "\"fixed\", or exact points alone"};
+    const bool bounded = !scene.motion.corridors.empty() ||
+                         std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
+                             return row.side != 0 && row.in(scene.limits).has_value();
+                         });
+    if (bounded || scene.motion.start || scene.motion.end || scene.objective.area > 0.0)
+        return SceneFault{
+            "spline.knots",
+            "\"free\" with motion.start, motion.end, a corridor, a limit of one side or a weight "
+            "of the area",
+            "\"fixed\""};
     const int segments =
         spline.breakpoints.empty() ? spline.segments : static_cast<int>(spline.breakpoints.size()) - 1;
     if (segments > most_free_segments)
@@ -239,12 +251,11 @@ Fault objective_fault(const Scene& scene) {
     const Reference& reference = objective.reference;
     bool weighs_dimension = false;
     if (Fault fault = dimension_weight_fault(scene, weighs_dimension)) return fault;
-    if (!weighs_dimension && scene.own_terms.empty() &&
+    if (!weighs_dimension && !scene.motion.prescribed() && scene.own_terms.empty() &&
         std::ranges::none_of(cost_terms(),
                              [&](const CostTerm& term) { return term.weight_in(objective) > 0.0; }) &&
-        std::ranges::none_of(response_terms(), [&](const ResponseTerm& term) {
-            return term.weight_in(objective) > 0.0;
-        }))
+        std::ranges::none_of(response_terms(),
+                             [&](const ResponseTerm& term) { return term.weight_in(objective) > 0.0; }))
         return SceneFault{"objective", "no weight > 0",
                           fmt::format("at least one of {} > 0, or of a dimension of the cam that is a range",
                                       fmt::join(cost_term_names(), ", "))};

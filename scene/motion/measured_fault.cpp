@@ -133,6 +133,9 @@ class MeasuredCheck {
 }  // namespace
 
 Fault measured_fault(const Scene& scene) {
+    if (scene.measured && scene.motion.prescribed())
+        return SceneFault{"measured", "a measured motion beside a prescribed one",
+                          "a program with at least one segment of kind \"spline\", which is fitted to it"};
     if (!scene.measured) return std::nullopt;
     return MeasuredCheck(scene).fault();
 }

@@ -124,7 +124,7 @@ Fault list_fault(const PointStretch& stretch, const std::vector<SetPoint>& point
 std::string end_words(const MotionSpec& motion, std::size_t segment, bool after) {
     const std::size_t count = motion.segments.size();
     const bool outer = segment == (after ? count - 1 : 0);
-    if (outer && !motion.closed) return after ? "where the motion ends at rest" : "where it starts from rest";
+    if (outer && !motion.periodic()) return "";  // the motion ends, or starts, with this velocity
     const std::size_t other = (segment + (after ? 1 : count - 1)) % count;
     const SegmentKind kind = motion.segments[other].kind;
     if (kind != SegmentKind::spline)

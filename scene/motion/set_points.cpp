@@ -180,6 +180,11 @@ std::vector<double> with_regions(std::vector<double> breakpoints, std::vector<st
     return breakpoints;
 }
 
+void copy_repeats(MotionSpec& motion) {
+    const std::size_t own = motion.own_segments();
+    for (std::size_t i = own; i < motion.segments.size(); ++i) motion.segments[i] = motion.segments[i - own];
+}
+
 void keep_written(MotionSpec& changed, const MotionSpec& before) {
     const auto keep = [](std::vector<SetPoint>& points, const SetPointScale& now, const SetPointScale& then) {
         for (SetPoint& point : points) {
@@ -196,11 +201,35 @@ void keep_written(MotionSpec& changed, const MotionSpec& before) {
             }
         }
     };
+    const auto keep_one = [&](std::optional<SetPoint>& point, double now, double then) {
+        if (!point) return;
+        std::vector<SetPoint> one = {*point};
+        keep(one, {now, changed.lift, changed.speed}, {then, before.lift, before.speed});
+        point = one.front();
+    };
+    const bool program = changed.type == MotionType::program && !changed.segments.empty();
+    keep_one(changed.start, program ? changed.segments.front().angle : changed.unit_angle(),
+             program ? before.segments.front().angle : before.unit_angle());
+    keep_one(changed.end, program ? changed.segments.back().angle : changed.unit_angle(),
+             program ? before.segments.back().angle : before.unit_angle());
+    for (Corridor& corridor : changed.corridors)
+        for (std::size_t order = 0; order < corridor.bounds.size(); ++order) {
+            Corridor::Bounds& bounds = corridor.bounds[order];
+            if (bounds.unit.empty()) continue;
+            const auto power = static_cast<int>(order);
+            const bool in_time = order > 0 && is_unit_of_time(bounds.unit);
+            const double factor =
+                set_point_unit({before.unit_angle(), before.lift, before.speed}, power, in_time) /
+                set_point_unit({changed.unit_angle(), changed.lift, changed.speed}, power, in_time);
+            for (std::optional<double>* const side : {&bounds.least, &bounds.most})
+                if (*side) **side *= factor;
+        }
     keep(changed.via, {changed.unit_angle(), changed.lift, changed.speed},
          {before.unit_angle(), before.lift, before.speed});
     for (std::size_t i = 0; i < changed.segments.size(); ++i) {
         ProgramSegment& segment = changed.segments[i];
         if (segment.to && !segment.to_unit.empty()) *segment.to *= before.lift / changed.lift;
+        keep_one(segment.end, segment.angle, before.segments[i].angle);
         keep(segment.via, {segment.angle, changed.lift, changed.speed},
              {before.segments[i].angle, before.lift, before.speed});
     }
@@ -213,8 +242,11 @@ void keep_written(Scene& changed, const MotionSpec& before) {
     const double pace =
         before.speed.value_or(1.0) / now.speed.value_or(1.0) * now.unit_angle() / before.unit_angle();
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (auto& limit = row.in(changed.limits); limit && limit->in_time())
-            limit->normalised *= before.lift / now.lift * std::pow(pace, row.order());
+        if (auto& limit = row.in(changed.limits); limit && limit->in_time()) {
+            const double factor = before.lift / now.lift * std::pow(pace, row.order());
+            limit->normalised *= factor;
+            limit->one_normalised /= factor;
+        }
 }
 
 Scene with_segment_angles(const Scene& scene, const std::vector<double>& angles) {

@@ -74,6 +74,9 @@ struct WrittenValue {
 [[nodiscard]] std::vector<double> with_regions(std::vector<double> breakpoints,
                                                std::vector<std::array<double, 2>> regions, double closest);
 
+/// Makes every copy of a repeated part equal to the first.
+void copy_repeats(MotionSpec& motion);
+
 /// After angles, lift or speed changed: set points and displacements `to` written in units retain their
 /// physical values.
 void keep_written(MotionSpec& changed, const MotionSpec& before);

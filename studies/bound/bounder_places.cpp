@@ -62,7 +62,7 @@ void Bounder::add_place(double at, Side side) {
     place.side = side;
     for (int r = 0; r < static_cast<int>(model.rules.size()); ++r) {
         const PlacedRule& rule = model.rules[static_cast<std::size_t>(r)];
-        if (!can_be_bounded(*rule) || !rule.holds_on(piece)) continue;
+        if (!can_be_bounded(*rule) || !rule.holds_on(piece) || !rule.holds_at(at)) continue;
         const std::vector<double>& only = rule->places();
         if (!only.empty() && std::ranges::find(only, at) == only.end()) continue;
         place.rules.push_back(r);

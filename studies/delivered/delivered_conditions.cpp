@@ -34,10 +34,9 @@ class Audit {
 
     void look_at_ends() {
         const MotionType type = scene_.motion.type;
-        rests(motion_.begin(), Side::right, 0.0);
-        if (type == MotionType::drd) rests(motion_.end(), Side::left, 1.0);
+        ends(false, 0.0);
+        ends(true, type == MotionType::drd ? 1.0 : 0.0);
         if (type == MotionType::rr) {
-            rests(motion_.end(), Side::left, 0.0);
             wants({1.0, Side::right}, 0, 1.0, "top of the rise");
             wants({1.0, Side::right}, 1, 0.0, "top of the rise");
         }
@@ -52,14 +51,14 @@ class Audit {
             const std::string name = fmt::format("motion.segments[{}]", i);
             if (segments[i].to) wants({part.end, Side::left}, 0, *segments[i].to, name + ".to");
             const bool last = i + 1 == count;
-            if (!last || scene_.motion.closed)
+            if (!last || scene_.motion.periodic())
                 joins(name, {part.end, last ? motion_.begin() : part.end},
                       continuity(segments[i], segments[last ? 0 : i + 1]));
         }
-        if (scene_.motion.closed) return;
-        if (segments.front().kind == SegmentKind::spline) rests(motion_.begin(), Side::right, 0.0);
+        if (scene_.motion.periodic()) return;
+        if (segments.front().kind == SegmentKind::spline) ends(false, 0.0);
         if (segments.back().kind == SegmentKind::spline)
-            rests(motion_.end(), Side::left, motion_.at(motion_.end(), Side::left).derivative[0]);
+            ends(true, motion_.at(motion_.end(), Side::left).derivative[0]);
     }
 
     void look_at_set_points() {
@@ -154,11 +153,14 @@ class Audit {
              order);
     }
 
-    void rests(double x, Side side, double displacement) {
-        const char* name = side == Side::right ? "beginning" : "end";
-        wants({x, side}, 0, displacement, name);
-        wants({x, side}, 1, 0.0, name);
-        wants({x, side}, 2, 0.0, name);
+    /// At rest, or with the state the scene gives.
+    void ends(bool at_end, double displacement) {
+        const Place place = at_end ? Place{motion_.end(), Side::left} : Place{motion_.begin(), Side::right};
+        const char* const name = at_end ? "end" : "beginning";
+        const std::array<double, 2> state = end_velocities(scene_.motion, at_end);
+        wants(place, 0, displacement, name);
+        wants(place, 1, state[0], name);
+        wants(place, 2, state[1], name);
     }
 
     /// The highest derivative that two neighbours share; laws promise their displacement.
@@ -170,7 +172,8 @@ class Audit {
 
     void joins(const std::string& name, const std::array<double, 2>& x, int highest) {
         const MotionPoint before = motion_.at(x[0], Side::left), after = motion_.at(x[1], Side::right);
-        for (std::size_t order = 0; static_cast<int>(order) <= highest; ++order)
+        const bool goes_on = scene_.motion.relative && x[1] < x[0];  // from the displacement it has reached
+        for (std::size_t order = goes_on ? 1 : 0; static_cast<int>(order) <= highest; ++order)
             keep({fmt::format("{} continuous at the end of {}", derivative[order], name),
                   (before.derivative[order] - after.derivative[order]) / size_[order], x[0]},
                  order);

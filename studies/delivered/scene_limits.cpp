@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/scene_limits.hpp"
 
+#include "objectives/motion_bounds.hpp"
+#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"
 
@@ -113,8 +115,8 @@ std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const Moti
     for (std::size_t i = 0; i < count; ++i) {
         if (segments[i].kind != SegmentKind::spline) continue;
         const ChainPart& part = motion.parts()[i];
-        const bool inner_begin = i > 0 || scene.motion.closed;
-        const bool inner_end = i + 1 < count || scene.motion.closed;
+        const bool inner_begin = i > 0 || scene.motion.periodic();
+        const bool inner_end = i + 1 < count || scene.motion.periodic();
         if (inner_begin && dwells(i + count - 1)) places.emplace_back(part.begin, Side::right);
         if (inner_end && dwells(i + 1)) places.emplace_back(part.end, Side::left);
     }
@@ -126,9 +128,29 @@ LimitOutcome outcome_of(const Scene& scene, const CamReport* cam, const Constrai
     return {reached, excess <= std::max(just_reached, 10.0 * scene.solver.tolerance) * scale, excess, scale};
 }
 
+std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion) {
+    std::vector<ConstraintReport> all;
+    double nearest = 0.0;  // of the bounds with one key: how far the motion exceeds it, by its scale
+    for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states))) {
+        const Extremum worst = bound.extreme_of(motion);
+        const double excess = (worst.value - bound.bound) / bound.scale();
+        const bool same = !all.empty() && all.back().key == bound.key;
+        if (same && excess <= nearest) continue;
+        nearest = excess;
+        if (same) all.pop_back();
+        all.push_back({bound.name, bound.key, bound.given, bound.sign * worst.value * bound.per_normalised,
+                       bound.unit, worst.at, false, true});
+        all.back().scale = bound.scale() * bound.per_normalised;
+    }
+    return all;
+}
+
 std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures& figures) {
     std::vector<LimitOutcome> all;
-    for (const PeakLimitRow& row : peak_limit_rows()) add_peak_limit(all, row, scene, figures);
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (row.side == 0) add_peak_limit(all, row, scene, figures);
+    for (const ConstraintReport& reached : bound_reports(scene, figures.motion))
+        all.push_back(outcome_of(scene, nullptr, reached));
     add_set_points(all, scene, figures.motion);
     add_symmetry(all, scene, figures.motion);
     add_end_jerk(all, scene, figures.motion);
@@ -138,7 +160,7 @@ std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures&
 double limit_scale(const Scene& scene, const CamReport* cam, const ConstraintReport& report) {
     for (const OwnLimit& limit : scene.own_limits)
         if (limit.key() == report.key) return limit.scale();
-    const double size = finite_size(report.limit);
+    const double size = std::max(finite_size(report.limit), report.scale);
     const LimitRow* const row = limit_named(report.name);
     const bool given = row != nullptr && row->in(scene.limits).has_value();
     const double own = given ? quantity_size(scene, cam, *row) / row->in(scene.limits)->unit_value : 0.0;

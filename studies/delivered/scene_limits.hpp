@@ -29,6 +29,9 @@ struct MotionFigures {
 /// breakpoints at samples.
 [[nodiscard]] std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures& figures);
 
+/// Limits of one side and corridors (objectives/motion_bounds.hpp), one report for each key.
+[[nodiscard]] std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion);
+
 /// x and side of every place where a scene with spline.end_jerk wants y''' = 0: the ends, of a program where
 /// a spline meets a dwell.
 [[nodiscard]] std::vector<std::pair<double, Side>> quiet_places(const Scene& scene,

@@ -4,6 +4,7 @@
 #include "motions/bounds/any_curve_limit.hpp"
 #include "motions/bounds/smallest_cam.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 
 #include <algorithm>
@@ -100,6 +101,13 @@ AnyCurveLimitInput input_of(const MotionSpec& motion) {
     return input;
 }
 
+/// DRD and RR, the motions whose bound is known.
+bool goes_from_rest_to_rest(const MotionSpec& motion) {
+    constexpr std::array<double, 2> rest{};
+    return motion.type != MotionType::program && end_velocities(motion, false) == rest &&
+           end_velocities(motion, true) == rest;
+}
+
 void add_caps(std::vector<std::string>& keys, const Scene& scene) {
     struct Cap {
         const std::optional<PeakLimit>& limit;
@@ -128,7 +136,7 @@ std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene, cons
 
 std::vector<std::string> kept_by_no_motion(const Scene& scene) {
     std::vector<std::string> keys;
-    if (scene.motion.type != MotionType::program) add_caps(keys, scene);
+    if (goes_from_rest_to_rest(scene.motion)) add_caps(keys, scene);
     const std::optional<DrivenMechanism> cam = largest_cam(scene);
     if (!cam) return keys;
     for (const SmallestCamReport& one : smallest_of_strokes(scene, *cam)) {
@@ -142,7 +150,7 @@ std::optional<LimitCurve> limit_curve(const Scene& scene, const Peaks& reference
     const ObjectiveSpec& objective = scene.objective;
     // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
     // nothing approaches.
-    if (scene.motion.type == MotionType::program) return {};
+    if (!goes_from_rest_to_rest(scene.motion) || objective.area > 0.0) return {};
     for (const CostTerm& term : cost_terms())
         if (term.kind != CostTerm::Kind::peak && term.weight_in(objective) > 0.0) return {};
     if (!scene.own_terms.empty() || weighs_response(objective)) return {};
@@ -162,7 +170,7 @@ std::optional<LimitCurve> limit_curve(const Scene& scene, const Peaks& reference
 }
 
 bool no_motion_keeps_all_caps(const Scene& scene) {
-    if (scene.motion.type == MotionType::program) return false;
+    if (!goes_from_rest_to_rest(scene.motion)) return false;
     const auto cap = [](const std::optional<PeakLimit>& limit) {
         return limit ? std::optional(limit->normalised * (1.0 + clearly_below)) : std::nullopt;
     };

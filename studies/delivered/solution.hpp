@@ -34,6 +34,7 @@ struct ConstraintReport {
     bool verified = false;
     bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
     std::string side = {};    ///< where it is worst: "outer flank"; empty: the cam has one side
+    double scale = 0.0;       ///< of the quantity, in the unit; 0: known from the limit and its row
 };
 
 /// A term of the objective that the program brought: weight · value / reference of it is in the objective.
@@ -42,6 +43,7 @@ struct OwnTermReport {
     double weight = 0.0, reference = 1.0;
     double value = 0.0;  ///< its largest along the motion, in its own unit; 0 where it is nowhere above
     double at = 0.0;     ///< x
+    bool of_whole_motion = false;  ///< the lost area: of no one place
 };
 
 /// A figure of the elastic follower train at the worst speed of its range.
@@ -231,8 +233,7 @@ struct Solution {
     std::optional<LimitCurve> any_curve_limit;
     std::optional<MeasuredReport> measured;
     std::vector<OwnTermReport> own_terms;
-    std::optional<ResponseTermReport> area;  ///< where objective.area has a weight and there is a motion
-    std::optional<TrainReport> train;        ///< where the scene has dynamics and there is a motion
+    std::optional<TrainReport> train;  ///< where the scene has dynamics and there is a motion
     std::vector<ConstraintReport> constraints;
     std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
     std::optional<Explanation> explanation;

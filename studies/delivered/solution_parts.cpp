@@ -2,6 +2,7 @@
 #include "studies/delivered/solution_parts.hpp"
 
 #include "core/units.hpp"
+#include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/scene_model.hpp"
@@ -115,7 +116,7 @@ TrainReport train_report(const Scene& scene, const Motion& motion) {
     report.acceleration = response_report_of(scene, ResponseKind::acceleration, motion);
     if (spec.pressed()) report.least_force = response_report_of(scene, ResponseKind::contact_force, motion);
     for (const ResponseTerm& term : response_terms())
-        if (const double weight = term.weight_in(scene.objective); weight > 0.0)
+        if (const double weight = term.weight_in(scene.objective); term.needs_dynamics() && weight > 0.0)
             report.terms.push_back(
                 {term.name, weight, response_reference(scene, term),
                  (kind_of(term.figure) == ResponseKind::residual ? report.residual : report.acceleration)
@@ -152,6 +153,9 @@ std::vector<OwnTermReport> own_term_reports(const Scene& scene, const Motion& mo
         const Extremum largest = largest_of_own(term, motion);
         reports.push_back({term.name, term.weight, term.reference, largest.value, largest.at});
     }
+    if (const double weight = scene.objective.area; weight > 0.0)
+        reports.push_back({"area", weight, area_reference(scene, scene_family(scene, DesignKind::states)),
+                           lost_area(motion), motion.begin(), true});
     return reports;
 }
 

@@ -91,7 +91,7 @@ void report_segments(Solution& solution) {
                              {},
                              0};
         const bool first = s == 0;
-        report.continuity = first && !solution.scene.motion.closed
+        report.continuity = first && !solution.scene.motion.periodic()
                                 ? -1
                                 : continuity_at(motion, first ? motion.end() : part.begin, part.begin);
         if (written.kind == SegmentKind::spline) {
@@ -105,6 +105,11 @@ void report_segments(Solution& solution) {
             raise_peaks(solution.motion_peaks, own);
             means.add(*report.peaks, part.end - part.begin);
         }
+        if (written.kind == SegmentKind::law && solution.scene.motion.prescribed()) {
+            const Peaks own = make_law(written.law)->peaks();
+            raise_peaks(solution.peaks, own);
+            means.add(own, part.end - part.begin);
+        }
         if (written.kind == SegmentKind::law) {
             raise_peaks(
                 solution.motion_peaks,
@@ -117,11 +122,14 @@ void report_segments(Solution& solution) {
 
 void report_peak_limits(Solution& solution) {
     for (const PeakLimitRow& row : peak_limit_rows()) {
+        if (row.side != 0) continue;
         const std::optional<PeakLimit>& limit = row.in(solution.scene.limits);
         const bool in_time = limit && limit->in_time();
         report_peak_limit(solution, row.name(), limit,
                           derivative_peak(in_time ? solution.motion_peaks : solution.peaks, row.order()));
     }
+    for (ConstraintReport& reached : bound_reports(solution.scene, *solution.motion))
+        solution.constraints.push_back(std::move(reached));
 }
 
 void report_cam(Solution& solution, std::vector<double> dimensions) {
@@ -277,7 +285,7 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
     add_constraints(all, scene, summary, false);
     if (scene.cam && scene.cam->face_half_width && summary.contact_offset) {
         const std::string unit = name_of(scene.length_unit);
-        const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_" + unit,
+        const WrittenLimit width{*scene.cam->face_half_width, std::string(scene.cam->face_key()) + "_" + unit,
                                  metres_of(scene.length_unit), unit};
         all.push_back(limit_report(width, *summary.contact_offset));
         all.back().name = "face_half_width";

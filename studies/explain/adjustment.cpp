@@ -2,10 +2,14 @@
 #include "studies/explain/adjustment.hpp"
 
 #include "core/units.hpp"
+#include "objectives/motion_bounds.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/scene_model.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -140,11 +144,21 @@ void add_dimensions(std::vector<Adjustment>& all, const CamSpec& cam) {
 
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
-    const double unit = metres_of(scene.length_unit), given = as_written(*scene.cam->face_half_width / unit);
-    all.push_back(number_adjustment(
-        std::string("cam.face_half_width_") + name_of(scene.length_unit), given, given,
-        Range::between(given, farthest_change * given),
-        [unit](Scene& changed, double value) { changed.cam->face_half_width = value * unit; }));
+    const CamSpec& cam = *scene.cam;
+    const double unit = metres_of(scene.length_unit);
+    const double given = as_written(cam.face_radius.value_or(*cam.face_half_width) / unit);
+    const double contact =
+        cam.face_radius ? 2.0 * std::sqrt(std::max(0.0, *cam.face_radius * *cam.face_radius -
+                                                            *cam.face_half_width * *cam.face_half_width))
+                        : 0.0;
+    all.push_back(number_adjustment(fmt::format("{}_{}", cam.face_key(), name_of(scene.length_unit)), given,
+                                    given, Range::between(given, farthest_change * given),
+                                    [unit, contact](Scene& changed, double value) {
+                                        if (changed.cam->face_radius)
+                                            changed.cam->set_round_face(value * unit, contact);
+                                        else
+                                            changed.cam->face_half_width = value * unit;
+                                    }));
     all.back().limit = true;
     all.back().usefulness = Usefulness::limit;
 }
@@ -155,14 +169,17 @@ void add_face(std::vector<Adjustment>& all, const Scene& scene) {
 constexpr double farthest_operating_change = 1e3;
 
 Adjustment peak_adjustment(const PeakLimit& limit, const PeakLimitRow& row) {
-    Adjustment adjustment =
-        number_adjustment(limit.key, limit.given, limit.given,
-                          Range::between(limit.given, farthest_operating_change * limit.given),
-                          [&row](Scene& changed, double value) {
-                              PeakLimit& own = *row.in(changed.limits);
-                              own.normalised = value / own.unit_per_normalised();
-                              own.given = value;
-                          });
+    // Of one side: to that side, by a thousand times its size (which may be that of the peak, in its unit).
+    const double size =
+        row.side == 0 ? limit.given : std::max(std::abs(limit.given), limit.unit_per_normalised());
+    const double end = limit.given + (row.side < 0 ? -1.0 : 1.0) * farthest_operating_change * size;
+    Adjustment adjustment = number_adjustment(
+        limit.key, limit.given, size, Range::between(std::min(limit.given, end), std::max(limit.given, end)),
+        [&row](Scene& changed, double value) {
+            PeakLimit& own = *row.in(changed.limits);
+            own.normalised = value / own.unit_per_normalised();
+            own.given = value;
+        });
     adjustment.limit = true;
     adjustment.usefulness = Usefulness::limit;
     return adjustment;
@@ -259,6 +276,7 @@ Adjustment number_adjustment(std::string key, double given, double size, const R
     adjustment.with = [set = std::move(set)](const Scene& scene, double value) {
         Scene changed = scene;
         set(changed, value);
+        copy_repeats(changed.motion);
         return changed;
     };
     return adjustment;
@@ -275,8 +293,32 @@ std::vector<Adjustment> adjustments(const Scene& scene) {
     return all;
 }
 
+/// The bounds of corridors, each to its side.
+void add_corridors(std::vector<Adjustment>& all, const Scene& scene) {
+    for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states))) {
+        if (!bound.key.starts_with("motion.corridor[")) continue;
+        const auto index =
+            static_cast<std::size_t>(std::atoi(bound.key.c_str() + std::strlen("motion.corridor[")));
+        const double size = std::max(std::abs(bound.given), bound.per_normalised);
+        const double end = bound.given + bound.sign * farthest_operating_change * size;
+        all.push_back(
+            number_adjustment(bound.key, bound.given, size,
+                              Range::between(std::min(bound.given, end), std::max(bound.given, end)),
+                              [index, order = static_cast<std::size_t>(bound.order), least = bound.sign < 0,
+                               unit = bound.per_normalised](Scene& changed, double value) {
+                                  Corridor::Bounds& bounds = changed.motion.corridors[index].bounds[order];
+                                  (least ? bounds.least : bounds.most) = value / unit;
+                              }));
+        all.back().limit = true;
+        all.back().usefulness = Usefulness::limit;
+        all.back().begin = bound.from;
+        all.back().end = bound.until;
+    }
+}
+
 std::vector<Adjustment> peak_adjustments(const Scene& scene) {
     std::vector<Adjustment> all;
+    add_corridors(all, scene);
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits)) all.push_back(peak_adjustment(*limit, row));
     return all;

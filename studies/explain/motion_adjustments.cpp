@@ -106,10 +106,10 @@ constexpr std::size_t nothing = static_cast<std::size_t>(-1);
 
 /// The nearest dwell after a segment (forward) or before it; across the end of a closed program.
 std::size_t dwell_beside(const MotionSpec& motion, std::size_t segment, bool forward) {
-    const std::size_t count = motion.segments.size();
+    const std::size_t count = motion.own_segments();
     for (std::size_t k = 1; k < count; ++k) {
         const std::size_t i = (segment + (forward ? k : count - k)) % count;
-        if (!motion.closed && (forward ? i < segment : i > segment)) return nothing;
+        if (!motion.periodic() && (forward ? i < segment : i > segment)) return nothing;
         const ProgramSegment& other = motion.segments[i];
         if (other.kind == SegmentKind::dwell && !other.angle_range) return i;
     }
@@ -154,27 +154,29 @@ void add_segment_angle(std::vector<Adjustment>& all, const Scene& scene, std::si
 
 void add_segment_angles(std::vector<Adjustment>& all, const Scene& scene) {
     const MotionSpec& motion = scene.motion;
-    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+    for (std::size_t i = 0; i < motion.own_segments(); ++i) {
         const ProgramSegment& segment = motion.segments[i];
         if (segment.kind == SegmentKind::dwell || segment.angle_range) continue;
         const std::size_t next = dwell_beside(motion, i, true), before = dwell_beside(motion, i, false);
         if (next != nothing) add_segment_angle(all, scene, i, next);
         if (before != nothing && before != next) add_segment_angle(all, scene, i, before);
-        if (!motion.closed) add_segment_angle(all, scene, i, nothing);
+        if (!motion.periodic()) add_segment_angle(all, scene, i, nothing);
     }
 }
 
 /// A closed program ends at 0.
 bool is_last_move_of_turn(const MotionSpec& motion, std::size_t segment) {
-    return motion.closed && std::all_of(motion.segments.begin() + static_cast<std::ptrdiff_t>(segment) + 1,
-                                        motion.segments.end(), [](const ProgramSegment& one) {
-                                            return one.kind == SegmentKind::dwell;
-                                        });
+    const auto after = [&](std::size_t index) {
+        return motion.segments.begin() + static_cast<std::ptrdiff_t>(index);
+    };
+    return motion.closed &&
+           std::all_of(after(segment + 1), after(motion.own_segments()),
+                       [](const ProgramSegment& one) { return one.kind == SegmentKind::dwell; });
 }
 
 void add_displacements(std::vector<Adjustment>& all, const Scene& scene) {
     const MotionSpec& motion = scene.motion;
-    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+    for (std::size_t i = 0; i < motion.own_segments(); ++i) {
         const ProgramSegment& segment = motion.segments[i];
         if (!segment.to || is_last_move_of_turn(motion, i)) continue;
         const Spelling& spelling = spelling_of_unit(0, segment.to_unit);
@@ -224,6 +226,7 @@ struct Place {
         Scene changed = scene;
         std::vector<SetPoint>& points = points_of(changed.motion, segment);
         points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
+        copy_repeats(changed.motion);
         return changed;
     }
 };
@@ -247,6 +250,7 @@ SetPointChanges::Value value_of(const Scene& scene, const PlacedPoint& point, co
         std::ranges::count_if(point.wanted, [](const auto& one) { return one.has_value(); }) == 1;
     value.without = only ? place.removed_from(scene) : scene;
     if (!only) value_of(place.in(*value.without), order).reset();
+    copy_repeats(value.without->motion);
     return value;
 }
 
@@ -285,6 +289,8 @@ std::vector<SetPointChanges> set_point_changes(const Scene& scene) {
     for (const PlacedPoint& point : placed_points(scene.motion)) {
         index = point.segment == segment && !all.empty() ? index + 1 : 0;
         segment = point.segment;
+        const bool copy = segment >= static_cast<int>(scene.motion.own_segments());
+        if (copy || point.member.ends_with(".end")) continue;
         Place place{segment, index, scene.motion.unit_angle(), 1.0};
         if (segment >= 0) place.angle = scene.motion.segments[static_cast<std::size_t>(segment)].angle;
         place.width = place.angle / scene.motion.unit_angle();

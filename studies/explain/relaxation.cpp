@@ -35,7 +35,8 @@ Scene only_limit(const Scene& scene, const std::string& key) {
     for (const PeakLimitRow& row : peak_limit_rows()) drop(row.in(limits));
     for (const LimitRow& row : limit_rows()) drop(row.in(limits));
     std::erase_if(only.own_limits, [&](const OwnLimit& limit) { return limit.key() != key; });
-    if (only.cam && !key.starts_with("cam.face_half_width_")) only.cam->face_half_width.reset();
+    if (only.cam && !key.starts_with(std::string(only.cam->face_key()) + "_"))
+        only.cam->face_half_width.reset();
     return only;
 }
 
@@ -54,7 +55,8 @@ std::optional<Scene> coarse_scene(const Scene& scene) {
     int segments = scene.spline.segments;
     while (segments > most_quick_segments && segments % 2 == 0) segments /= 2;
     const bool uniform = scene.spline.breakpoints.empty() && placed_points(scene.motion).empty();
-    if (!uniform || segments == scene.spline.segments || scene.spline.free_knots) return {};
+    if (!uniform || segments == scene.spline.segments || scene.spline.free_knots || scene.motion.prescribed())
+        return {};
     if (!needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)))) return {};
     return with_segments(scene, segments);
 }

@@ -24,7 +24,7 @@ double criterion_of(const SweepRow& row, std::string_view name) {
         if (name == name_of(static_cast<SweepFigure>(i)))
             return row.figures[static_cast<std::size_t>(i)].value_or(absent);
     for (const ResponseTerm& term : response_terms())
-        if (name == term.name)
+        if (name == term.name && term.needs_dynamics())
             return (term.figure == ResponseFigure::residual ? row.train.residual
                                                             : row.train.dynamic_acceleration)
                 .value_or(absent);

@@ -192,7 +192,8 @@ SpeedSweep default_speeds(const Scene& scene) {
 
 Scene without_train(const Scene& scene) {
     Scene rigid = scene;
-    for (const ResponseTerm& term : response_terms()) rigid.objective.*term.weight = 0.0;
+    for (const ResponseTerm& term : response_terms())
+        if (term.needs_dynamics()) rigid.objective.*term.weight = 0.0;
     for (const LimitRow& row : limit_rows())
         if (row.needs_dynamics) row.in(rigid.limits).reset();
     return rigid;

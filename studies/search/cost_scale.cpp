@@ -54,7 +54,7 @@ void CostScale::scale_weights(const Peaks& reference) {
     for (const ResponseTerm& term : response_terms()) cost += term.weight_in(scaled_.objective);
     for (const double weight : scaled_.objective.dimensions) cost += weight;
     for (const OwnTerm& term : scaled_.own_terms) cost += term.weight;
-    if (cost >= least_idle_cost && cost <= most_idle_cost) return;
+    if (cost == 0.0 || (cost >= least_idle_cost && cost <= most_idle_cost)) return;  // 0: nothing is weighed
     idle_ = false;
     factor_ =
         power_of_two(cost < 1.0 ? std::ceil(std::log2(cost)) : std::floor(std::log2(cost / large_cost)));

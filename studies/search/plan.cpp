@@ -43,10 +43,20 @@ bool is_general(const PlacedRule& rule, double least, double most) {
     return rule->curvature(least, most) == Curvature::general;
 }
 
+bool scene_has_free_dimension(const Scene& scene) {
+    return scene.cam && std::ranges::any_of(scene.cam->dimensions, [](const CamDimension& dimension) {
+               return dimension.value.is_variable();
+           });
+}
+
 void plan_solver(SolvePlan& plan, const Scene& scene, bool general) {
     plan.solver = scene.solver.name;
     if (scene.solver.name != "auto") return;
     plan.solver = general ? general_solver() : "structured";
+    if (scene.motion.prescribed() && !scene_has_free_dimension(scene)) {
+        plan.reason = "prescribed motion, nothing to optimize: laws and dwells fix every displacement";
+        return;
+    }
     plan.reason = general ? "a limit or the torque term of this scene is not convex: a convex relaxation "
                             "decides it or gives a bound, and then several starts search for the best motion"
                           : "every rule of this scene is linear or convex in the design vector and its cost "
@@ -114,7 +124,8 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
     plan.design = design_of(scene);
     plan.contradiction = !model.design.contradictions().empty();
     plan.cost_scale = posed.scale.factor();
-    plan.strokes_first_free = scene.motion.within_lift || scene.motion.monotone;
+    plan.strokes_first_free =
+        (scene.motion.within_lift || scene.motion.monotone) && !scene.motion.prescribed();
     if (general) plan.relaxations.push_back(ConvexOver::every_motion);
     if (general && std::ranges::any_of(model.rules, [&](const PlacedRule& rule) {
             return is_general(rule, -infinity, infinity) &&
@@ -127,8 +138,8 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
     plan.seed = scene.solver.seed;
     plan.look = options.look;
     // A root-mean-square term alone makes the optimum unique.
-    plan.tie_break =
-        scene.objective.tie_break != TieBreak::none && !weighs_any(scene.objective, CostTerm::Kind::rms);
+    plan.tie_break = scene.objective.tie_break != TieBreak::none &&
+                     !weighs_any(scene.objective, CostTerm::Kind::rms) && !scene.motion.prescribed();
     plan.proof = planned_proof(plan, posed, general);
     plan.seconds = scene.solver.max_seconds;
     if (options.explain) {

@@ -100,10 +100,15 @@ Solution solve_motion(const PlannedRun& run) {
     solution.design.kind = run.plan.design;
     CountingSolver solver(make_solver(run.plan.solver));
     check_native_options(run.plan.solver, solution.scene.solver.options);
+    const bool prescribed = solution.scene.motion.prescribed();
+    if (prescribed && settle_prescribed(solution, run.posed.model)) return solution;
     CamProblem problem = run.known.problem(std::move(run.posed.model));
     report_redundant(solution, problem.model().design);
     if (run.plan.contradiction) {
         report_contradictions(solution, problem.model().design);
+    } else if (prescribed && problem.model().parameters.empty()) {
+        solution.certificate = certificate_of_constant(problem.model());
+        report_motion(solution, problem, Eigen::VectorXd());
     } else if (!report_rest_conflict(solution, problem.model())) {
         const Stopwatch solve_watch;
         ContinuousResult result = run.plan.relaxations.empty()

@@ -2,6 +2,7 @@
 #include "studies/search/settled_scene.hpp"
 
 #include "core/units.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
 
 #include <fmt/format.h>
@@ -140,8 +141,9 @@ DualityProof proof_of(const RestConflict& conflict) {
     proof.statement = "least_common_violation";
     proof.variables = {"common violation"};
     proof.cost = Eigen::VectorXd::Ones(1);
-    proof.rows = {fmt::format("{} at rest, x = {:.17g}, y = {:.17g}", conflict.key, conflict.where.x,
-                              conflict.where.y)};
+    proof.rows = {fmt::format("{} {}, x = {:.17g}, y = {:.17g}", conflict.key,
+                              conflict.where.at_rest ? "at rest" : "of the prescribed motion",
+                              conflict.where.x, conflict.where.y)};
     proof.origins = {{conflict.key, {}, conflict.where.x, Side::right, true}};
     proof.matrix.resize(1, 1);
     proof.matrix.insert(0, 0) = 1.0;
@@ -153,16 +155,70 @@ DualityProof proof_of(const RestConflict& conflict) {
     return proof;
 }
 
+void report_conflict_at(Solution& solution, const RestConflict& conflict, Reason reason) {
+    solution.certificate.verdict = Verdict::infeasible;
+    solution.certificate.reason = reason;
+    solution.certificate.proof = proof_of(conflict);
+    solution.certificate.proof_kind = ProofKind::duality;
+    solution.conflict = {{conflict.key, conflict.where.x, 1.0, {}}};
+}
+
+constexpr double most_violation = 1e9;  // of a figure that is infinite
+
 }  // namespace
+
+bool settle_prescribed(Solution& solution, CamModel& model) {
+    const MotionChain motion = model.design.motion(Eigen::VectorXd());
+    const double tolerance = solution.scene.solver.tolerance;
+    std::optional<RestConflict> worst;
+    const auto look = [&](const PlacedRule& rule, const Extremum& maximum) {
+        const double scale = rule->scale_at(maximum.at);
+        if (scale == 0.0) return;
+        const double violation = std::isfinite(maximum.value) ? maximum.value / scale : most_violation;
+        if (!(violation > tolerance) || (worst && violation <= worst->violation)) return;
+        const double y = motion.at(maximum.at, maximum.side).derivative[0];
+        worst = RestConflict{rule->name(), {maximum.at, y, false}, violation};
+    };
+    for (const PlacedRule& rule : model.rules) {
+        if (!rule->parameters().empty()) continue;
+        if (const WholeMotionRule* const whole = rule->whole())
+            for (const WholeMotionRule::Place& place : whole->maxima(motion, {})) look(rule, place.where);
+        else
+            for (const Extremum& maximum : rule_maxima(rule, model.design, motion, {})) look(rule, maximum);
+    }
+    std::erase_if(model.rules, [](const PlacedRule& rule) { return rule->parameters().empty(); });
+    if (!worst) return false;
+    report_conflict_at(solution, *worst, Reason::limits_contradict);
+    solution.notes.push_back(
+        fmt::format("the motion is prescribed, and {} is violated at {:.6g} deg", worst->key,
+                    worst->where.x * solution.scene.motion.unit_angle() / units::degree));
+    return true;
+}
+
+Certificate certificate_of_constant(const CamModel& model) {
+    DualityProof proof;
+    proof.statement = "objective";
+    proof.variables = {"prescribed motion"};
+    proof.cost = Eigen::VectorXd::Zero(1);
+    proof.constant = model.cost_constant;
+    proof.matrix.resize(0, 1);
+    proof.box = {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1)};
+    proof.bound = recomputed_bound(proof);
+    Certificate certificate;
+    certificate.verdict = Verdict::optimal;
+    certificate.objective = model.cost_constant;
+    certificate.lower_bound = proof.bound;
+    certificate.gap = relative_gap(certificate.objective, proof.bound);
+    certificate.worst_violation = 0.0;
+    certificate.proof_kind = ProofKind::duality;
+    certificate.proof = std::move(proof);
+    return certificate;
+}
 
 bool report_rest_conflict(Solution& solution, const CamModel& model) {
     const auto worst = rest_conflict(model, solution.scene.solver.tolerance);
     if (!worst) return false;
-    solution.certificate.verdict = Verdict::infeasible;
-    solution.certificate.reason = Reason::limit_broken_at_rest;
-    solution.certificate.proof = proof_of(*worst);
-    solution.certificate.proof_kind = ProofKind::duality;
-    solution.conflict = {{worst->key, worst->where.x, 1.0, {}}};
+    report_conflict_at(solution, *worst, Reason::limit_broken_at_rest);
     solution.notes.push_back(fmt::format(
         "every motion of this scene rests at {:.6g} deg at displacement {:.6g} (in lifts), and {} is "
         "violated there for every motion",

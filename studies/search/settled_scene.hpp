@@ -29,4 +29,13 @@ struct RestConflict {
 /// True: the solution is infeasible, and says by which limit and where.
 [[nodiscard]] bool report_rest_conflict(Solution& solution, const CamModel& model);
 
+// A prescribed motion (MotionSpec::prescribed): only the dimensions of its cam may be free.
+
+/// The rules that no free dimension has a say in are judged and leave the model. True: the motion breaks one
+/// of them, and the solution is infeasible.
+[[nodiscard]] bool settle_prescribed(Solution& solution, CamModel& model);
+
+/// Of a model without variables: the only motion there is, proved by that.
+[[nodiscard]] Certificate certificate_of_constant(const CamModel& model);
+
 }  // namespace camopt

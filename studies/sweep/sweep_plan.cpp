@@ -86,7 +86,7 @@ struct Seen {
     void add(const Scene& scene) {
         train = train || scene.dynamics.has_value();
         for (const ResponseTerm& term : response_terms())
-            if (term.weight_in(scene.objective) > 0.0 &&
+            if (term.needs_dynamics() && term.weight_in(scene.objective) > 0.0 &&
                 std::ranges::find(responses, term.name) == responses.end())
                 responses.emplace_back(term.name);
         const ObjectiveSpec& objective = scene.objective;

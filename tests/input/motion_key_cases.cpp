@@ -23,22 +23,113 @@ struct Written {
 
 using Got = std::function<double(const SetPoint&)>;
 
+const std::vector<Written> velocities = {
+    {"velocity", "-3", -3},
+    {"velocity_mm_s", "150", 1.5},
+    {"velocity_in_s", "10", 2.54},
+    {"velocity_m_s", "-0.2", -2},
+    {"velocity_deg_s", "180", pi / 2.5, true},
+    {"velocity_rad_s", "5", 2, true},
+    {"velocity_mm_rad", "15", 1.5},
+    {"velocity_in_rad", "1", 2.54},
+    {"velocity_m_rad", "0.02", 2},
+    {"velocity_mm_deg", "0.5", 9 / pi},
+    {"velocity_in_deg", "0.01", 0.254 * 18 / pi},
+    {"velocity_deg_deg", "0.5", 2, true},
+    {"velocity_rad_rad", "0.25", 1, true},
+};
+const std::vector<Written> accelerations = {
+    {"acceleration", "0", 0},
+    {"acceleration_mm_s2", "3000", 6},
+    {"acceleration_in_s2", "100", 5.08},
+    {"acceleration_m_s2", "-3", -6},
+    {"acceleration_deg_s2", "1800", 10 * pi / 12.5, true},
+    {"acceleration_rad_s2", "50", 4, true},
+    {"acceleration_mm_rad2", "10", 2},
+    {"acceleration_in_rad2", "1", 5.08},
+    {"acceleration_m_rad2", "0.01", 2},
+    {"acceleration_mm_deg2", "0.002", 0.0004 * 180 * 180 / pi / pi},
+    {"acceleration_in_deg2", "0.0001", 0.000508 * 180 * 180 / pi / pi},
+    {"acceleration_deg_deg2", "0.01", 1.8 / pi / 0.125, true},
+    {"acceleration_rad_rad2", "0.25", 2, true},
+};
+const std::vector<Written> jerks = {
+    {"jerk", "7", 7},
+    {"jerk_mm_s3", "5000", 2},
+    {"jerk_in_s3", "100", 1.016},
+    {"jerk_m_s3", "-5", -2},
+    {"jerk_deg_s3", "9000", 50 * pi / 62.5, true},
+    {"jerk_rad_s3", "125", 2, true},
+    {"jerk_mm_rad3", "5", 2},
+    {"jerk_in_rad3", "1", 10.16},
+    {"jerk_m_rad3", "0.01", 4},
+    {"jerk_rad_rad3", "0.25", 4, true},
+};
+
+/// Velocity and acceleration at an end.
+std::vector<KeyCase> end_cases(const std::string& table, const std::string& rest,
+                               const std::function<const SetPoint&(const Scene&)>& point) {
+    std::vector<KeyCase> all;
+    for (const auto* list : {&velocities, &accelerations})
+        for (const Written& w : *list)
+            all.push_back({table + "." + w.key, w.value, w.expected,
+                           [=, velocity = list == &velocities](const Scene& scene) {
+                               const SetPoint& state = point(scene);
+                               return velocity ? state.velocity.value() : state.acceleration.value();
+                           },
+                           rest + (w.swings ? of_angle : of_length)});
+    return all;
+}
+
+/// The larger bound is the written number, the other is missing.
+std::vector<KeyCase> corridor_cases() {
+    const std::vector<Written> displacements = {{"displacement", "0.2", 0.2},
+                                                {"displacement_mm", "5", 0.25},
+                                                {"displacement_in", "0.5", 0.635},
+                                                {"displacement_m", "0.01", 0.5},
+                                                {"displacement_deg", "18", pi / 5, true},
+                                                {"displacement_rad", "0.125", 0.25, true}};
+    const std::vector<const std::vector<Written>*> lists = {&displacements, &velocities, &accelerations,
+                                                            &jerks};
+    std::vector<KeyCase> all;
+    for (std::size_t order = 0; order < lists.size(); ++order)
+        for (const Written& w : *lists[order])
+            all.push_back({std::string("motion.corridor.") + w.key, std::string("{ max = ") + w.value + " }",
+                           w.expected,
+                           [order](const Scene& scene) {
+                               const Corridor::Bounds& own = scene.motion.corridors.at(0).bounds.at(order);
+                               return own.least ? -1e9 : own.most.value();
+                           },
+                           "motion.rise_rad = 2\n" + (w.swings ? of_angle : of_length)});
+    const auto from = [](const Scene& scene) { return scene.motion.corridors.at(0).from; };
+    const auto to = [](const Scene& scene) { return scene.motion.corridors.at(0).to; };
+    const std::string motion = "motion.rise_rad = 2\n";
+    for (const KeyCase& one :
+         {KeyCase{"from_deg", "45", pi / 4, from, motion}, KeyCase{"from_rad", "0.5", 0.5, from, motion},
+          KeyCase{"to_deg", "90", pi / 2, to, motion}, KeyCase{"to_rad", "1.5", 1.5, to, motion}})
+        all.push_back({"motion.corridor." + one.key, one.value, one.expected, one.got, one.rest});
+    all.push_back({"motion.corridor", "[{ displacement = { min = 0 } }]", 1,
+                   [](const Scene& scene) { return double(scene.motion.corridors.size()); }, motion});
+    return all;
+}
+
 std::vector<KeyCase> point_cases(const std::string& table, const std::string& rest,
                                  const std::function<const SetPoint&(const Scene&)>& point) {
-    std::vector<KeyCase> all;
+    std::vector<KeyCase> all = end_cases(table, rest, point);
     const auto add = [&](const Written& written, const Got& got) {
         all.push_back({table + "." + written.key, written.value, written.expected,
                        [=](const Scene& scene) { return got(point(scene)); },
                        rest + (written.swings ? of_angle : of_length)});
     };
     const Got at = [](const SetPoint& p) { return p.at; };
-    for (const Written& w :
-         {Written{"at", "0.25", 0.25}, Written{"at_deg", "45", pi / 8}, Written{"at_rad", "0.5", 0.25},
-          Written{"from", "0.25", 0.25}, Written{"from_deg", "45", pi / 8}, Written{"from_rad", "0.5", 0.25}})
+    for (const Written& w : {Written{"at", "0.25", 0.25}, Written{"at_deg", "45", pi / 8},
+                             Written{"at_rad", "0.5", 0.25}, Written{"at_crank_deg", "90", pi / 8},
+                             Written{"from", "0.25", 0.25}, Written{"from_deg", "45", pi / 8},
+                             Written{"from_rad", "0.5", 0.25}, Written{"from_crank_deg", "90", pi / 8}})
         add(w, at);
     const Got until = [](const SetPoint& p) { return p.until.value(); };
-    for (const Written& w :
-         {Written{"to", "0.75", 0.75}, Written{"to_deg", "90", pi / 4}, Written{"to_rad", "1.25", 0.625}})
+    for (const Written& w : {Written{"to", "0.75", 0.75}, Written{"to_deg", "90", pi / 4},
+                             Written{"to_rad", "1.25", 0.625}, Written{"to_crank_deg", "180", pi / 4}})
         add(w, until);
     const Got displacement = [](const SetPoint& p) { return p.displacement.value(); };
     for (const Written& w :
@@ -46,25 +137,6 @@ std::vector<KeyCase> point_cases(const std::string& table, const std::string& re
           Written{"displacement_in", "0.5", 0.635}, Written{"displacement_m", "0.01", 0.5},
           Written{"displacement_deg", "18", pi / 5, true}, Written{"displacement_rad", "0.125", 0.25, true}})
         add(w, displacement);
-    const Got velocity = [](const SetPoint& p) { return p.velocity.value(); };
-    for (const Written& w :
-         {Written{"velocity", "-3", -3}, Written{"velocity_mm_s", "150", 1.5},
-          Written{"velocity_in_s", "10", 2.54}, Written{"velocity_m_s", "-0.2", -2},
-          Written{"velocity_deg_s", "180", pi / 2.5, true}, Written{"velocity_rad_s", "5", 2, true},
-          Written{"velocity_mm_rad", "15", 1.5}, Written{"velocity_in_rad", "1", 2.54},
-          Written{"velocity_m_rad", "0.02", 2}, Written{"velocity_mm_deg", "0.5", 9 / pi},
-          Written{"velocity_deg_deg", "0.5", 2, true}, Written{"velocity_rad_rad", "0.25", 1, true}})
-        add(w, velocity);
-    const Got acceleration = [](const SetPoint& p) { return p.acceleration.value(); };
-    for (const Written& w :
-         {Written{"acceleration", "0", 0}, Written{"acceleration_mm_s2", "3000", 6},
-          Written{"acceleration_in_s2", "100", 5.08}, Written{"acceleration_m_s2", "-3", -6},
-          Written{"acceleration_deg_s2", "1800", 10 * pi / 12.5, true},
-          Written{"acceleration_rad_s2", "50", 4, true}, Written{"acceleration_mm_rad2", "10", 2},
-          Written{"acceleration_in_rad2", "1", 5.08}, Written{"acceleration_m_rad2", "0.01", 2},
-          Written{"acceleration_deg_deg2", "0.01", 1.8 / pi / 0.125, true},
-          Written{"acceleration_rad_rad2", "0.25", 2, true}})
-        add(w, acceleration);
     return all;
 }
 
@@ -79,6 +151,16 @@ std::vector<KeyCase> set_point_cases() {
         "motion.segments.via", "motion.type = \"program\"\nmotion.closed = false\n",
         [](const Scene& scene) -> const SetPoint& { return scene.motion.segments.at(0).via.at(0); });
     all.insert(all.end(), segments.begin(), segments.end());
+    for (const std::vector<KeyCase>& more :
+         {end_cases("motion.start", "motion.rise_rad = 2\n",
+                    [](const Scene& scene) -> const SetPoint& { return scene.motion.start.value(); }),
+          end_cases("motion.end", "motion.rise_rad = 2\n",
+                    [](const Scene& scene) -> const SetPoint& { return scene.motion.end.value(); }),
+          end_cases(
+              "motion.segments.end", "motion.type = \"program\"\nmotion.closed = false\n",
+              [](const Scene& scene) -> const SetPoint& { return scene.motion.segments.at(0).end.value(); }),
+          corridor_cases()})
+        all.insert(all.end(), more.begin(), more.end());
     all.push_back({"motion.segments.via", "[{ at = 0.5, velocity = 1 }]", 1,
                    [](const Scene& scene) { return double(scene.motion.segments.at(0).via.size()); },
                    "motion.type = \"program\"\nmotion.closed = false\n"});

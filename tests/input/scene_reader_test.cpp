@@ -81,6 +81,16 @@ std::string scene_with(const KeyCase& c) {
     else if (c.key.starts_with(segment + "via."))
         toml += "motion.segments = [{ kind = \"spline\", angle_rad = 2, to = 1, via = [" +
                 point_with(c.key.substr(segment.size() + 4), c.value) + "] }]\n";
+    else if (c.key.starts_with(segment + "end."))
+        toml += "motion.segments = [{ kind = \"spline\", angle_rad = 2, to = 1, end = { " +
+                c.key.substr(segment.size() + 4) + " = " + c.value +
+                " } }, { kind = \"spline\", angle_deg = 100, to = 0.25 }]\n";
+    else if (const std::string corridor = "motion.corridor."; c.key.starts_with(corridor))
+        toml += "motion.corridor = [{ " + c.key.substr(corridor.size()) + " = " + c.value +
+                (c.key.find("displacement") == std::string::npos && c.value.find("max") == std::string::npos
+                     ? ", displacement = { min = -1 }"
+                     : "") +
+                " }]\n";
     else if (c.key.starts_with(segment))
         toml += "motion.segments = [{ " + c.key.substr(segment.size()) + " = " + c.value +
                 (c.key.find("angle") == std::string::npos ? ", angle_deg = 120" : "") +

@@ -199,15 +199,20 @@ double datum_of(const PlacedRule& rule, const MotionFamily& family, const Motion
 }
 
 /// Of a rule that holds on a part of the motion: its ends replace what lies outside.
-std::vector<Extremum> inside(const PlacedRule& rule, const Subject& subject, std::vector<Extremum> all) {
-    if (rule.from == -infinity && rule.until == infinity) return all;
-    std::erase_if(all, [&](const Extremum& one) { return one.at < rule.from || one.at > rule.until; });
+std::vector<Extremum> inside(const std::array<double, 2>& range, const Subject& subject,
+                             std::vector<Extremum> all) {
+    const auto [from, until] = range;
+    if (from == -infinity && until == infinity) return all;
+    std::erase_if(all, [&](const Extremum& one) {
+        return one.at < from || one.at > until || (one.at == from && one.side == Side::left) ||
+               (one.at == until && one.side == Side::right);
+    });
     const auto add = [&](auto where, double x, Side side) {
         if (x >= subject.motion.begin() && x <= subject.motion.end())
             all.insert(where, {subject.value(x, side), x, side});
     };
-    add(all.begin(), rule.from, Side::right);
-    add(all.end(), rule.until, Side::left);
+    add(all.begin(), from, Side::right);
+    add(all.end(), until, Side::left);
     return all;
 }
 
@@ -248,7 +253,7 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
         }
     }
     curved.finish(candidates);
-    return maxima_among(inside(rule, subject, std::move(candidates)));
+    return maxima_among(inside({rule.from, rule.until}, subject, std::move(candidates)));
 }
 
 std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q) {
@@ -267,12 +272,12 @@ MaximaAlong maxima_along(const PointRule& rule, const Motion& motion, const Eige
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
             append(candidates,
                    piece_maxima::sampled(subject, {points[i], points[i + 1]}, samples_on_shape, effort));
-        return {maxima_among(candidates), false};
+        return {maxima_among(inside(rule.holds_between(), subject, std::move(candidates))), false};
     }
     for (const ChainPart& part : chain->parts())
         for (SmoothPiece& piece : pieces_of(part)) curved.add(std::move(piece), candidates);
     const bool complete = curved.finish(candidates);
-    return {maxima_among(candidates), complete};
+    return {maxima_among(inside(rule.holds_between(), subject, std::move(candidates))), complete};
 }
 
 Extremum largest_of(const std::vector<Extremum>& maxima) {

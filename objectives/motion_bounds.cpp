@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/motion_bounds.hpp"
+
+#include "motions/laws/law_catalogue.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
+#include "objectives/rules/peak_rule.hpp"
+#include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace camopt {
+
+namespace {
+
+constexpr std::array names = {"displacement", "velocity", "acceleration", "jerk"};
+// Of y, y', y'', y''' of a good motion over one lift: what a bound near 0 is measured by.
+constexpr std::array typical = {1.0, 2.0, 6.0, 60.0};
+
+using Kind = StretchRequest::Kind;
+
+void add_sided(std::vector<MotionBound>& all, const PeakLimitRow& row, const PeakLimit& limit,
+               const MotionFamily& family) {
+    MotionBound bound{row.name(), limit.key, limit.unit, row.order(), row.side, row.side * limit.normalised,
+                      limit.given};
+    bound.per_normalised = limit.in_time() ? limit.unit_per_normalised() : 1.0;
+    if (limit.in_time() || family.stretches().size() == 1) {
+        all.push_back(std::move(bound));
+        return;
+    }
+    const std::span<const MotionFamily::Stretch> stretches = family.stretches();
+    const bool splines =
+        std::ranges::find(stretches, Kind::spline, &MotionFamily::Stretch::kind) != stretches.end();
+    const std::vector<StretchScale> scales = stretch_scales(family);
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+        if (stretches[s].kind != (splines ? Kind::spline : Kind::shape)) continue;
+        const double size = scales[s].displacement / std::pow(scales[s].angle, row.order());
+        MotionBound own = bound;
+        own.bound *= size;
+        own.per_normalised = 1.0 / size;
+        own.from = stretches[s].begin;
+        own.until = stretches[s].end;
+        own.stretch = static_cast<int>(s);
+        all.push_back(std::move(own));
+    }
+}
+
+/// The unit's number for one lift by x^order.
+double per_normalised(const MotionSpec& motion, const Corridor::Bounds& bounds, int order) {
+    if (bounds.unit.empty()) return 1.0;
+    static constexpr std::array<std::span<const Spelling>, 4> known = {
+        spellings::set_point_displacement, spellings::set_point_velocity, spellings::set_point_acceleration,
+        spellings::set_point_jerk};
+    const std::span<const Spelling> all = known[static_cast<std::size_t>(order)];
+    const auto spelling = std::ranges::find(all, bounds.unit, &Spelling::unit);
+    const double factor = spelling == all.end() ? 1.0 : spelling->factor;
+    return set_point_unit({motion.unit_angle(), motion.lift, motion.speed}, order,
+                          order > 0 && is_unit_of_time(bounds.unit)) /
+           factor;
+}
+
+void add_corridor(std::vector<MotionBound>& all, const MotionSpec& motion, std::size_t index) {
+    const Corridor& corridor = motion.corridors[index];
+    for (std::size_t order = 0; order < corridor.bounds.size(); ++order) {
+        const Corridor::Bounds& bounds = corridor.bounds[order];
+        const double unit = per_normalised(motion, bounds, static_cast<int>(order));
+        for (const int sign : {-1, 1}) {
+            const std::optional<double>& value = sign < 0 ? bounds.least : bounds.most;
+            if (!value) continue;
+            const char* const side = sign < 0 ? "min" : "max";
+            const std::string name = bounds.key.empty() ? names[order] : bounds.key;
+            MotionBound bound{fmt::format("corridor_{}_{}", names[order], side),
+                              fmt::format("motion.corridor[{}].{}.{}", index, name, side),
+                              bounds.unit,
+                              static_cast<int>(order),
+                              sign,
+                              sign * *value};
+            bound.per_normalised = unit;
+            bound.given = as_written(*value * unit);
+            bound.from = corridor.from / motion.unit_angle();
+            bound.until = std::min(corridor.to / motion.unit_angle(), motion.length());
+            all.push_back(std::move(bound));
+        }
+    }
+}
+
+// Gauss–Legendre on [−1, 1]: exact for polynomials to degree 15.
+constexpr std::array<std::array<double, 2>, 4> gauss_points = {{{0.1834346424956498, 0.3626837833783620},
+                                                                {0.5255324099163290, 0.3137066458778873},
+                                                                {0.7966664774136267, 0.2223810344533745},
+                                                                {0.9602898564975363, 0.1012285362903763}}};
+constexpr int parts_of_law = 8;  // of a smooth piece: sines are then exact to round-off
+
+/// ∫ over [begin, end] as Σ weight · f(x), visited.
+template <class Visit>
+void visit_quadrature(double begin, double end, Visit&& visit) {
+    const double middle = 0.5 * (begin + end), half = 0.5 * (end - begin);
+    for (const auto& [place, weight] : gauss_points)
+        for (const double x : {middle - half * place, middle + half * place}) visit(x, half * weight);
+}
+
+/// The same over a motion between its breakpoints.
+template <class Visit>
+void visit_motion(const std::vector<double>& breakpoints, Visit&& visit) {
+    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i)
+        for (int k = 0; k < parts_of_law; ++k) {
+            const double width = (breakpoints[i + 1] - breakpoints[i]) / parts_of_law;
+            visit_quadrature(breakpoints[i] + k * width, breakpoints[i] + (k + 1) * width, visit);
+        }
+}
+
+/// 1 − (1/L) ∫ y dx <= q · reference.
+class AreaRule final : public WholeMotionRule {
+ public:
+    AreaRule(int parameter, double reference) : parameters_{parameter}, reference_(reference) {}
+
+    [[nodiscard]] std::string name() const override { return "area"; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] int highest_order() const override { return 0; }
+    [[nodiscard]] bool limit() const override { return false; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
+        const double own = q.size() > 0 ? q[0] : 0.0;
+        return {{{lost_area(motion) / reference_ - own, motion.begin()}, {0.0}}};
+    }
+    [[nodiscard]] AffineRow row(const MotionFamily& family, double, Side,
+                                std::span<const double>) const override {
+        std::vector<double> weights(static_cast<std::size_t>(family.size()), 0.0);
+        const double factor = -1.0 / (reference_ * (family.end() - family.begin()));
+        AffineRow sum{1.0 / reference_, {}, {}};
+        std::vector<double> breakpoints;
+        for (const MotionFamily::Piece& piece : family.pieces()) breakpoints.push_back(piece.begin);
+        breakpoints.push_back(family.end());
+        visit_motion(breakpoints, [&](double x, double weight) {
+            const AffineRow y = family.functional(x, 0);
+            sum.offset += factor * weight * y.offset;
+            for (std::size_t k = 0; k < y.columns.size(); ++k)
+                weights[static_cast<std::size_t>(y.columns[k])] += factor * weight * y.weights[k];
+        });
+        for (std::size_t j = 0; j < weights.size(); ++j) {
+            if (weights[j] == 0.0) continue;
+            sum.columns.push_back(static_cast<int>(j));
+            sum.weights.push_back(weights[j]);
+        }
+        return sum;
+    }
+    [[nodiscard]] std::vector<Place> first() const override { return {{{0.0, 0.0}, {0.0}}}; }
+    [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double>) const override {
+        return {};
+    }
+    [[nodiscard]] std::string remark(std::span<const double>) const override { return {}; }
+
+ private:
+    std::vector<int> parameters_;
+    double reference_;
+};
+
+void add_area(CamModel& model, const Scene& scene) {
+    if (!(scene.objective.area > 0.0)) return;
+    const int index = static_cast<int>(model.parameters.size());
+    const double reference = area_reference(scene, model.design);
+    const auto rule = std::make_shared<const AreaRule>(index, reference);
+    Parameter area{"area", Parameter::Kind::response, 0, reference, scene.objective.area};
+    area.defined_by = rule;
+    model.parameters.push_back(std::move(area));
+    model.rules.emplace_back(rule);
+}
+
+double mean_of(const Motion& law) {
+    double sum = 0.0;
+    visit_motion(law.breakpoints(),
+                 [&](double x, double weight) { sum += weight * law.at(x).derivative[0]; });
+    return sum / (law.end() - law.begin());
+}
+
+}  // namespace
+
+double MotionBound::scale() const {
+    const double own = stretch >= 0 ? 1.0 / per_normalised : 1.0;  // of a segment
+    return std::max(std::abs(bound), own * typical[static_cast<std::size_t>(order)]);
+}
+
+Extremum MotionBound::extreme_of(const Motion& motion) const {
+    const BoundRule limit(key, {order, sign, 0.0, 1.0});
+    const double first = std::max(from, motion.begin()), last = std::min(until, motion.end());
+    const auto value = [&](double x, Side side) {
+        return sign * motion.at(x, side).derivative[static_cast<std::size_t>(order)];
+    };
+    Extremum worst{value(first, Side::right), first, Side::right};
+    const auto look = [&](const Extremum& one) {
+        if (one.value > worst.value) worst = one;
+    };
+    look({value(last, Side::left), last, Side::left});
+    for (const Extremum& one : rule_maxima(limit, motion, {})) {
+        const bool inside = one.at > first && one.at < last;
+        if (inside || (one.at == first && one.side == Side::right && first < last)) look(one);
+    }
+    return worst;
+}
+
+std::vector<StretchScale> stretch_scales(const MotionFamily& family) {
+    std::vector<StretchScale> scales;
+    for (const MotionFamily::Stretch& stretch : family.stretches()) {
+        const std::optional<double> from = known_displacement(stretch.from);
+        const std::optional<double> to = known_displacement(stretch.to);
+        const double displacement = from && to ? measured_displacement(*to - *from) : 1.0;
+        scales.push_back({stretch.end - stretch.begin, displacement});
+    }
+    return scales;
+}
+
+std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& family) {
+    std::vector<MotionBound> all;
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (const auto& limit = row.in(scene.limits); limit && row.side != 0)
+            add_sided(all, row, *limit, family);
+    for (std::size_t i = 0; i < scene.motion.corridors.size(); ++i) add_corridor(all, scene.motion, i);
+    return all;
+}
+
+double lost_area(const Motion& motion) {
+    return 1.0 - mean_of(motion);
+}
+
+double area_reference(const Scene& scene, const MotionFamily& family) {
+    const Reference& reference = scene.objective.reference;
+    if (reference.area) return *reference.area;
+    if (reference.numeric)
+        throw SceneError({"objective.reference.area", "no number",
+                          fmt::format("a number > 0, because objective.area = {}", scene.objective.area)});
+    const double law = mean_of(*make_law(reference.law));
+    double lost = 1.0 - law;  // of DRD, and of RR: the return is the mirror image
+    if (scene.motion.type == MotionType::program) {
+        double sum = 0.0, level = 0.0;
+        for (const MotionFamily::Stretch& stretch : family.stretches()) {
+            const double from = known_displacement(stretch.from).value_or(level);
+            level = known_displacement(stretch.to).value_or(from);
+            const bool falls = level < from;  // the mirror image
+            const double mean = stretch.kind == Kind::shape ? mean_of(*stretch.shape)
+                                : falls                     ? 1.0 - law
+                                                            : law;
+            sum += (stretch.end - stretch.begin) * (from + (level - from) * mean);
+        }
+        lost = 1.0 - sum / (family.end() - family.begin());
+    }
+    if (lost > 0.0) return lost;
+    throw SceneError({"objective.reference",
+                      fmt::format("\"{}\", whose lost area on this scene is {:.6g}", reference.law, lost),
+                      "objective.reference as numbers, with area > 0"});
+}
+
+void add_motion_bounds(CamModel& model, const Scene& scene) {
+    for (const MotionBound& bound : motion_bounds(scene, model.design)) {
+        PlacedRule rule(std::make_shared<BoundRule>(bound.key, bound.rule()), bound.stretch);
+        rule.from = bound.from;
+        rule.until = bound.until;
+        if (bound.stretch >= 0) rule.from = -infinity, rule.until = infinity;  // the stretch says it
+        rule.on_copies = bound.stretch < 0 && std::isfinite(bound.from);
+        model.rules.push_back(std::move(rule));
+    }
+    add_area(model, scene);
+}
+
+}  // namespace camopt

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Linear rules on the motion itself: limits of one side, corridors, and the lost area as a term.
+#pragma once
+
+#include "core/numbers/extremum.hpp"
+#include "objectives/rules/model.hpp"
+#include "objectives/rules/peak_rule.hpp"
+#include "scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// sign · y^{(order)} <= bound from `from` to `until`, both included. In lifts, by x of the whole motion.
+struct MotionBound {
+    std::string name;  ///< "acceleration_min", "corridor_displacement_max"
+    std::string key;   ///< "limits.acceleration_m_s2.min", "motion.corridor[0].displacement_mm.min"
+    std::string unit;  ///< of the key; empty: normalised
+    int order = 0, sign = 1;
+    double bound = 0.0;
+    double given = 0.0;                         ///< in the unit
+    double per_normalised = 1.0;                ///< the unit's number for y^{(order)} = 1
+    double from = -infinity, until = infinity;  ///< x
+    int stretch = -1;                           ///< of the family; -1: any
+
+    /// Exceeding the bound by this is a violation of 100 %.
+    [[nodiscard]] double scale() const;
+    [[nodiscard]] BoundRule::Bound rule() const { return {order, sign, bound, scale()}; }
+    /// Where the motion comes nearest to the bound, or exceeds it most: sign · y^{(order)}.
+    [[nodiscard]] Extremum extreme_of(const Motion& motion) const;
+};
+
+/// Limits of one side and corridors of the scene. A normalised limit of a program holds for each spline
+/// segment (of a prescribed one: each law) by its own angle and displacement.
+[[nodiscard]] std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& family);
+
+/// 1 − (1/L) ∫ y dx over all of the motion of length L, y in lifts; exact for splines, of laws to round-off.
+[[nodiscard]] double lost_area(const Motion& motion);
+/// What objective.area is divided by: the scene's number, or the lost area of the reference law on the
+/// strokes of the scene. Throws SceneError where that is not above 0.
+[[nodiscard]] double area_reference(const Scene& scene, const MotionFamily& family);
+
+/// The rules of all of these.
+void add_motion_bounds(CamModel& model, const Scene& scene);
+
+/// What a displacement is normalised by in each stretch of the family.
+[[nodiscard]] std::vector<StretchScale> stretch_scales(const MotionFamily& family);
+
+}  // namespace camopt

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Limits of one side, corridors and the area under the curve: reference optima of independent linear
+// programs, and every bound looked at again on the delivered motion.
+#include "objectives/motion_bounds.hpp"
+
+#include "core/units.hpp"
+#include "input/loading/load_scene.hpp"
+#include "input/scene_reader.hpp"
+#include "studies/solve/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace camopt {
+namespace motion_bounds_test {
+
+Scene scene_of(const std::string& toml) {
+    return input::read_scene(toml, "s.toml", known_names(), {});
+}
+
+/// The largest of sign · y^(order) on a dense grid of [from, until].
+double largest(const Motion& motion, std::size_t order, int sign, double from, double until) {
+    constexpr int places = 20000;
+    double found = -infinity;
+    for (int k = 0; k <= places; ++k) {
+        const double x = from + (until - from) * k / places;
+        found = std::max(found, sign * motion.at(x, k < places ? Side::right : Side::left).derivative[order]);
+    }
+    return found;
+}
+
+const ConstraintReport& report_of(const Solution& solution, const std::string& key) {
+    const auto found = std::ranges::find(solution.constraints, key, &ConstraintReport::key);
+    if (found == solution.constraints.end()) throw InputError("no constraint " + key);
+    return *found;
+}
+
+struct Lobe {
+    int segments;
+    double up, down, jerk;
+    double area_weight, jerk_weight;
+    double objective;  ///< of an independent linear program
+};
+
+class ValveLobe : public testing::TestWithParam<Lobe> {};
+
+TEST_P(ValveLobe, MatchesTheIndependentOptimum) {
+    const Lobe& lobe = GetParam();
+    Scene scene =
+        scene_of("[motion]\ntype = \"RR\"\n[objective]\narea = 1\nreference = { area = 0.5, jerk = 36.5 }\n");
+    scene.spline.segments = lobe.segments;
+    scene.spline.by_stroke = false;
+    scene.objective.area = lobe.area_weight;
+    scene.objective.jerk = lobe.jerk_weight;
+    scene.limits.acceleration_max = PeakLimit(lobe.up);
+    scene.limits.acceleration_min = PeakLimit(-lobe.down);
+    scene.limits.jerk = PeakLimit(lobe.jerk);
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    EXPECT_NEAR(solution.certificate.objective, lobe.objective, 1e-7);
+    EXPECT_LE(largest(*solution.motion, 2, 1, 0.0, 2.0), lobe.up * (1.0 + 1e-8));
+    EXPECT_LE(largest(*solution.motion, 2, -1, 0.0, 2.0), lobe.down * (1.0 + 1e-8));
+    EXPECT_NEAR(report_of(solution, "limits.acceleration.min").worst, -lobe.down, 1e-6);
+    EXPECT_TRUE(report_of(solution, "limits.acceleration.min").active);
+}
+
+INSTANTIATE_TEST_SUITE_P(Weights, ValveLobe,
+                         testing::Values(Lobe{24, 7.0, 4.5, 60.0, 1.0, 0.0, 0.9279996142},
+                                         Lobe{32, 9.0, 4.5, 150.0, 1.0, 0.0, 0.7758225151},
+                                         Lobe{32, 9.0, 4.5, 150.0, 0.7, 0.3, 0.9760438746}));
+
+TEST(LostArea, OfEveryLawIsOneHalf) {
+    const Scene scene = scene_of("[motion]\ntype = \"DRD\"\n[objective]\narea = 1\njerk = 1\n");
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.own_terms.size(), 1U);
+    EXPECT_NEAR(solution.own_terms[0].reference, 0.5, 1e-12);  // modified sine
+    double sum = 0.0;
+    constexpr int places = 20000;
+    for (int k = 0; k < places; ++k) sum += solution.motion->at((k + 0.5) / places).derivative[0] / places;
+    EXPECT_NEAR(solution.own_terms[0].value, 1.0 - sum, 1e-8);
+    EXPECT_NEAR(
+        solution.certificate.objective,
+        solution.own_terms[0].value / 0.5 + solution.peaks.jerk.value / solution.reference_peaks.jerk.value,
+        1e-8);
+}
+
+/// Bounds of all four derivatives on stretches that no breakpoint meets; the ends belong to the stretch.
+TEST(Corridor, HoldsAtEveryAngleOfItsStretch) {
+    const Scene scene = scene_of(R"(
+[motion]
+type = "DRD"
+lift_mm = 10
+rise_deg = 120
+speed_rpm = 300
+[[motion.corridor]]
+from_deg = 21
+to_deg = 41
+displacement_mm = { max = 1 }
+[[motion.corridor]]
+from_deg = 61.5
+to_deg = 83.2
+velocity_mm_s = { min = 60, max = 260 }
+acceleration_m_s2 = { max = 4 }
+[spline]
+degree = 5
+segments = 24
+[objective]
+acceleration = 0.5
+jerk = 0.5
+)");
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    const Motion& motion = *solution.motion;
+    EXPECT_LE(largest(motion, 0, 1, 21.0 / 120.0, 41.0 / 120.0), 0.1 + 1e-8);
+    const double per_second = 1800.0 / 120.0, lift = 0.01;  // x in a second, m
+    EXPECT_GE(-largest(motion, 1, -1, 61.5 / 120.0, 83.2 / 120.0) * lift * per_second, 0.06 - 1e-8);
+    EXPECT_LE(largest(motion, 1, 1, 61.5 / 120.0, 83.2 / 120.0) * lift * per_second, 0.26 + 1e-8);
+    EXPECT_LE(largest(motion, 2, 1, 61.5 / 120.0, 83.2 / 120.0) * lift * per_second * per_second, 4.0 + 1e-7);
+    const ConstraintReport& displacement = report_of(solution, "motion.corridor[0].displacement_mm.max");
+    EXPECT_EQ(displacement.limit, 1.0);
+    EXPECT_NEAR(displacement.worst, 1.0, 1e-6);
+    EXPECT_TRUE(displacement.active);
+    Scene without = scene;
+    without.motion.corridors.clear();
+    EXPECT_LT(solve(without).certificate.objective, solution.certificate.objective);
+}
+
+TEST(Corridor, ImpossibleOneIsProvedAndExplained) {
+    Scene scene = scene_of(
+        "[motion]\ntype = \"DRD\"\nlift_mm = 10\nrise_deg = 100\n[[motion.corridor]]\nto_deg = 60\n"
+        "displacement_mm = { max = 0.5 }\n[objective]\njerk = 1\n[limits]\nacceleration = 8\n");
+    const Solution solution = solve(scene);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    const auto row =
+        std::ranges::find(solution.relaxation, "motion.corridor[0].displacement_mm.max", &Relaxation::key);
+    ASSERT_NE(row, solution.relaxation.end());
+    ASSERT_TRUE(row->solved);
+    scene.motion.corridors[0].bounds[0].most = *row->solved / 10.0;
+    EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
+}
+
+TEST(SidedLimit, InTimeHoldsForAProgram) {
+    const Scene scene = scene_of(R"(
+[motion]
+type = "program"
+lift_mm = 20
+speed_rpm = 200
+[[motion.segments]]
+kind = "spline"
+angle_deg = 120
+to = 1
+[[motion.segments]]
+kind = "dwell"
+angle_deg = 60
+[[motion.segments]]
+kind = "spline"
+angle_deg = 180
+[spline]
+degree = 5
+segments = 16
+[objective]
+jerk = 1
+[limits]
+acceleration_m_s2 = { min = -9, max = 14 }
+)");
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    const double rate = 200.0 * units::revolution_per_minute / (120.0 * units::degree);  // x in a second
+    const double unit = 0.02 * rate * rate;
+    EXPECT_LE(largest(*solution.motion, 2, 1, 0.0, 3.0) * unit, 14.0 + 1e-6);
+    EXPECT_LE(largest(*solution.motion, 2, -1, 0.0, 3.0) * unit, 9.0 + 1e-6);
+    EXPECT_NEAR(report_of(solution, "limits.acceleration_m_s2.min").worst, -9.0, 1e-5);
+}
+
+TEST(SidedLimit, VelocityAboveZeroIsAMonotoneRise) {
+    Scene scene = scene_of(
+        "[motion]\ntype = \"DRD\"\nvia = [{ at = 0.5, displacement = 0.2 }]\n[spline]\nsegments = 16\n"
+        "[objective]\njerk = 1\n[limits]\nvelocity = { min = 0 }\n");
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    EXPECT_GE(-largest(*solution.motion, 1, -1, 0.0, 1.0), -1e-8);
+    scene.limits.velocity_min.reset();
+    scene.motion.monotone = true;
+    EXPECT_NEAR(solve(scene).certificate.objective, solution.certificate.objective, 1e-7);
+}
+
+}  // namespace motion_bounds_test
+}  // namespace camopt
