@@ -191,6 +191,7 @@ std::vector<KeyCase> cam_cases() {
 std::vector<KeyCase> force_cases() {
     using namespace cam_key_cases;
     const auto width = [](const Scene& s) { return s.forces.value().contact_width.value(); };
+    const auto load = [](const Scene& s) { return s.forces.value().load.back()[1]; };
     return {
         {"forces.mass_kg", "1.5", 1.5, of_forces(&ForceSpec::mass), forces(roller)},
         {"forces.mass_lb", "2", 0.90718474, of_forces(&ForceSpec::mass), forces(roller)},
@@ -198,6 +199,12 @@ std::vector<KeyCase> force_cases() {
          forces(flat)},
         {"forces.preload_lbf", "1", 4.4482216152605, of_forces(&ForceSpec::preload), forces(roller)},
         {"forces.preload_lbf_in", "1", 0.1129848290276167, of_forces(&ForceSpec::preload), forces(arm)},
+        {"forces.damping_n_s_m", "7", 7, of_forces(&ForceSpec::damping), forces(roller)},
+        {"forces.damping_nm_s_rad", "7", 7, of_forces(&ForceSpec::damping), forces(arm)},
+        {"forces.load_n", "3", 3, load, forces(roller)},
+        {"forces.load_nm", "[[0, 1], [90, 3]]", 3, load, forces(arm)},
+        {"forces.load_lbf", "1", 4.4482216152605, load, forces(roller)},
+        {"forces.load_lbf_in", "[[0, 2], [90, 1]]", 0.1129848290276167, load, forces(arm)},
         {"forces.cam_modulus_ksi", "1", 6894757.293168361, of_forces(&ForceSpec::cam_modulus),
          forces(roller)},
         {"forces.follower_modulus_ksi", "1", 6894757.293168361, of_forces(&ForceSpec::follower_modulus),
