@@ -103,6 +103,10 @@ std::string MotionUnit::normalised_text(double y, int digits) const {
     return with_unit_name(per_normalised * y, name, digits);
 }
 
+ShownUnit weight_shown(LengthUnit length) {
+    return length == LengthUnit::inch ? ShownUnit{"lb", units::pound} : ShownUnit{"kg", 1.0};
+}
+
 ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
     ShownUnits shown;
     for (std::size_t order = 0; order < derivatives; ++order)
@@ -118,7 +122,6 @@ ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
         shown.force = {"lbf", units::pound_force};
         shown.torque = {"lbf in", units::pound_force * one};
         shown.pressure = shown.modulus = {"ksi", units::ksi};
-        shown.mass = {"lb", units::pound};
         shown.spring_rate = swings ? ShownUnit{"lbf in/rad", shown.torque.size}
                                    : ShownUnit{"lbf/in", units::pound_force / one};
     } else {
@@ -126,13 +129,12 @@ ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
         shown.torque = {"N m", 1.0};
         shown.pressure = {"MPa", units::megapascal};
         shown.modulus = {"GPa", 1e3 * units::megapascal};
-        shown.mass = {"kg", 1.0};
         shown.spring_rate = swings ? ShownUnit{"N m/rad", 1.0} : ShownUnit{"N/mm", 1.0 / millimetre};
     }
     shown.vibration = swings                       ? ShownUnit{"mdeg", 1e-3 * degree}
                       : length == LengthUnit::inch ? ShownUnit{"0.001 in", 1e-3 * one}
                                                    : ShownUnit{"µm", 1e-6};
-    if (swings) shown.mass = {"kg m²", 1.0};
+    shown.mass = swings ? ShownUnit{"kg m²", 1.0} : weight_shown(length);
     shown.load = swings ? shown.torque : shown.force;
     shown.speed = rpm_shown;
     shown.degrees_per_x = motion.unit_angle() / degree;

@@ -72,6 +72,9 @@ struct ShownUnits {
     double degrees_per_x = 0.0;   ///< cam angle in degrees = degrees_per_x · x
 };
 
+/// Of masses: kg or lb.
+[[nodiscard]] ShownUnit weight_shown(LengthUnit length);
+
 [[nodiscard]] ShownUnits shown_units(const Scene& scene);
 
 /// The same of a motion alone.
