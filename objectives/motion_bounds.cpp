@@ -80,6 +80,7 @@ void add_corridor(std::vector<MotionBound>& all, const MotionSpec& motion, std::
                               static_cast<int>(order),
                               sign,
                               sign * *value};
+            bound.corridor = static_cast<int>(index);
             bound.per_normalised = unit;
             bound.given = as_written(*value * unit);
             bound.from = corridor.from / motion.unit_angle();
@@ -260,7 +261,7 @@ void add_motion_bounds(CamModel& model, const Scene& scene) {
         rule.from = bound.from;
         rule.until = bound.until;
         if (bound.stretch >= 0) rule.from = -infinity, rule.until = infinity;  // the stretch says it
-        rule.on_copies = bound.stretch < 0 && std::isfinite(bound.from);
+        rule.on_copies = bound.corridor >= 0;
         model.rules.push_back(std::move(rule));
     }
     add_area(model, scene);

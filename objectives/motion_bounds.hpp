@@ -23,6 +23,7 @@ struct MotionBound {
     double per_normalised = 1.0;                ///< the unit's number for y^{(order)} = 1
     double from = -infinity, until = infinity;  ///< x
     int stretch = -1;                           ///< of the family; -1: any
+    int corridor = -1;                          ///< which one it is of; -1: a limit
 
     /// Exceeding the bound by this is a violation of 100 %.
     [[nodiscard]] double scale() const;

@@ -82,21 +82,6 @@ void add_region(std::vector<PointCondition>& all, const PlacedPoint& region, int
 
 }  // namespace
 
-std::array<double, 2> end_velocities(const MotionSpec& motion, bool at_end) {
-    if (const std::optional<SetPoint>& given = at_end ? motion.end : motion.start) {
-        const bool program = motion.type == MotionType::program && !motion.segments.empty();
-        const double own =
-            program ? (at_end ? motion.segments.back() : motion.segments.front()).angle / motion.unit_angle()
-                    : 1.0;
-        return {given->velocity.value_or(0.0) / own, given->acceleration.value_or(0.0) / (own * own)};
-    }
-    const double end = at_end ? motion.length() : 0.0;
-    for (const PlacedPoint& point : placed_points(motion))
-        if (point.is_region() && std::abs((at_end ? point.end : point.begin) - end) <= same_place)
-            return {*point.wanted[1], 0.0};
-    return {};
-}
-
 std::vector<PointCondition> conditions_of(const MotionSpec& motion, const PlacedPoint& point, int degree,
                                           double end) {
     std::vector<PointCondition> conditions;
@@ -167,7 +152,7 @@ void require_splines_beside(const MotionSpec& motion, std::size_t index) {
         throw SceneError(
             {fmt::format("motion.segments[{}].law", index),
              fmt::format("\"{}\", a law whose ends move, next to {}", motion.segments[index].law, beside),
-             "spline segments beside it, which join with its velocity"});
+             "spline segments next to it, which join with its velocity"});
     };
     for (const bool after : {false, true}) {
         const bool outer = index == (after ? count - 1 : 0);

@@ -286,10 +286,10 @@ void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& refe
             const std::string& law = scene.motion.segments[static_cast<std::size_t>(s)].law;
             const double own = term.measured.of(make_law(law)->peaks());
             if (weight > 0.0 && !std::isfinite(own))
-                throw SceneError({fmt::format("objective.{}", term.name()),
-                                  fmt::format("{} with the law \"{}\", which has no finite {}", weight, law,
-                                              term.name()),
-                                  "0, or another law"});
+                throw SceneError(
+                    {fmt::format("objective.{}", term.name()),
+                     fmt::format("{} with the law \"{}\", which has no finite {}", weight, law, term.name()),
+                     "0, or another law"});
             largest = std::max(largest, own);
             squares += own * own * scale.angle;
             width += scale.angle;

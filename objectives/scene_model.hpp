@@ -74,10 +74,6 @@ void set_entry_factors(CamModel& model, const Scene& scene);
 /// Throws InputError for a law that is not allowed in a program (one without a dwell's end).
 [[nodiscard]] MotionFamily program_family(const Scene& scene, DesignKind kind);
 
-/// y' and y'' where a motion that is not periodic starts or ends: as given; of a region of constant velocity
-/// that reaches the end that velocity; else 0.
-[[nodiscard]] std::array<double, 2> end_velocities(const MotionSpec& motion, bool at_end);
-
 // Displacements of a program that the scene leaves free.
 //
 // A stroke with a free displacement may pass through 0, so its V, A and J are normalised by the lift:

@@ -38,7 +38,7 @@ std::vector<KeyRow> force_rows() {
         {"forces", "damping", number, damper, not_negative, {}, "0",
          "Viscous damping of the follower: force by its velocity, moment by its angular velocity."},
         {"forces", "load", number_or_points, force_or_moment, any, {}, "0",
-         "An outer force (translating) or moment (oscillating) beside them, positive where it presses the follower "
+         "A further force (translating) or moment (oscillating), positive where it presses the follower "
          "on the cam: a number, or pairs of a cam angle in deg from the start of the motion and the force there, "
          "linear between them; after the last one it goes on to the first of the next revolution."},
         {"forces", "contact_width", number, length, positive, {}, "none",

@@ -29,8 +29,9 @@ void add_program(std::vector<double>& places, const Scene& scene) {
             rests_first = std::abs(law->at(law->begin(), Side::right).derivative[1]) < at_rest;
             rests_last = std::abs(law->at(law->end(), Side::left).derivative[1]) < at_rest;
         }
-        const bool opens = i == 0 && !motion.closed;
-        const bool closes = i + 1 == motion.segments.size() && !motion.closed;
+        const bool opens = i == 0 && !motion.periodic() && end_velocities(motion, false)[0] == 0.0;
+        const bool closes =
+            i + 1 == motion.segments.size() && !motion.periodic() && end_velocities(motion, true)[0] == 0.0;
         const bool spline = segment.kind == SegmentKind::spline;
         if (rests_first || (opens && spline)) places.push_back(begin);
         if (rests_last || (closes && spline)) places.push_back(end);
@@ -45,7 +46,8 @@ std::vector<double> rest_places(const Scene& scene) {
     if (motion.type == MotionType::program) {
         add_program(places, scene);
     } else {
-        places = {0.0, motion.length()};
+        if (end_velocities(motion, false)[0] == 0.0) places.push_back(0.0);
+        if (end_velocities(motion, true)[0] == 0.0) places.push_back(motion.length());
         if (motion.type == MotionType::rr) places.push_back(1.0);
     }
     for (const PlacedPoint& point : placed_points(motion))

@@ -172,9 +172,12 @@ std::vector<const Curve*> curves_of(const View& view, std::string_view group, st
 std::string motion_svg(const View& view) {
     if (!view.solution.motion) throw InputError("motion.svg needs a motion, and this solution has none");
     Chart chart = chart_of(view, view.title("Motion"), curves_of(view, "motion"), true);
-    chart.lines = {verdict_sentence(view.solution), objective_line(view.solution, " · "),
-                   fmt::format("Left axis: physical units. Right axis: normalised by lift and {}.",
-                               view.segments.empty() ? "rise" : "the angle of the first spline segment")};
+    chart.lines = {
+        verdict_sentence(view.solution), objective_line(view.solution, " · "),
+        fmt::format("Left axis: physical units. Right axis: normalised by lift and {}.",
+                    view.segments.empty()                     ? "rise"
+                    : view.solution.scene.motion.prescribed() ? "the angle of the first law"
+                                                              : "the angle of the first spline segment")};
     return chart_svg(std::move(chart));
 }
 

@@ -92,7 +92,9 @@ void add_set_points(std::vector<CurveMark>& marks, const View& view, const Motio
 
 std::string note_of(const View& view, const PeakRow& row, const ReferenceMotion& reference) {
     std::string note = fmt::format("{} = {}{}", row.symbol, short_text(row.optimum.value),
-                                   view.segments.empty() ? "" : " of the spline segments");
+                                   view.segments.empty()                     ? ""
+                                   : view.solution.scene.motion.prescribed() ? " of the laws"
+                                                                             : " of the spline segments");
     if (row.reference)
         note += fmt::format(" · {} {} = {} · change {}", reference_title(reference), row.symbol,
                             short_text(*row.reference), row.change());

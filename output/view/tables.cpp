@@ -197,7 +197,7 @@ TextTable peak_table(const Solution& solution) {
     const auto column = [&](std::string title) { table.columns.push_back({std::move(title)}); };
     if (in_time) column("by the cam angle");
     if (program) column("at (deg)");
-    column(program ? "spline segments" : "normalised");
+    column(!program ? "normalised" : solution.scene.motion.prescribed() ? "laws" : "spline segments");
     column("at (deg)");
     column(reference_title(reference));
     column("change");

@@ -30,7 +30,7 @@ double weight_of(const LimitOutcome& outcome) {
 }  // namespace
 
 std::string row_title(const ComparisonRow& row) {
-    return row.is_optimum() ? "optimum" : row.title;
+    return row.title;
 }
 
 std::string loss_words(const ComparisonRow& row) {

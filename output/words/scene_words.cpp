@@ -137,7 +137,7 @@ std::string corridor_line(const Scene& scene) {
     const ShownUnits shown = shown_units(scene);
     std::string text;
     for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states)))
-        if (bound.key.starts_with("motion.corridor["))
+        if (bound.corridor >= 0)
             append(text, fmt::format("{} {} {} from {} to {} deg",
                                      shown.motion[static_cast<std::size_t>(bound.order)].name,
                                      bound.sign < 0 ? ">=" : "<=",

@@ -10,6 +10,7 @@
 #include "scene/limit_table.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
+#include "studies/search/plan.hpp"
 
 #include <fmt/format.h>
 
@@ -174,6 +175,14 @@ std::string verdict_sentence(const Solution& solution) {
             "breakpoints may.",
             because(certificate));
     if (was_interrupted(certificate)) return interrupted_sentence(solution);
+    if (solution.scene.motion.prescribed()) {
+        const bool kept = certificate.verdict == Verdict::optimal;
+        const bool free = solution.plan && solution.plan->dimensions > 0;
+        if (!free && (kept || certificate.verdict == Verdict::infeasible))
+            return kept ? "Prescribed motion, nothing to optimize; every limit is satisfied."
+                        : "Proved infeasible: the prescribed motion violates a limit.";
+        if (kept) return "Prescribed motion; the dimensions of its cam are proved optimal.";
+    }
     if (!searched(solution) || certificate.verdict == Verdict::optimal ||
         certificate.verdict == Verdict::infeasible)
         return verdict_sentence(certificate);

@@ -95,6 +95,9 @@ Fault motion_for_response_fault(const Scene& scene) {
     const std::string member = asking_member(scene);
     if (scene.spline.free_knots)
         return SceneFault{member, "a response of the train with spline.knots = \"free\"", "fixed knots"};
+    if (scene.motion.start || scene.motion.end || scene.motion.relative)
+        return SceneFault{member, "a response of the train in a motion that does not start and end at rest",
+                          "without motion.start, motion.end and closed = \"relative\""};
     if (scene.motion.type != MotionType::program) return std::nullopt;
     const auto& segments = scene.motion.segments;
     if (std::ranges::any_of(segments, [](const ProgramSegment& one) { return one.angle_range.has_value(); }))

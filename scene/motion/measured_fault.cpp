@@ -134,7 +134,7 @@ class MeasuredCheck {
 
 Fault measured_fault(const Scene& scene) {
     if (scene.measured && scene.motion.prescribed())
-        return SceneFault{"measured", "a measured motion beside a prescribed one",
+        return SceneFault{"measured", "a measured motion in a prescribed program",
                           "a program with at least one segment of kind \"spline\", which is fitted to it"};
     if (!scene.measured) return std::nullopt;
     return MeasuredCheck(scene).fault();

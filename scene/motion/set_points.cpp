@@ -124,6 +124,21 @@ std::vector<PlacedPoint> placed_points(const MotionSpec& motion) {
     return all;
 }
 
+std::array<double, 2> end_velocities(const MotionSpec& motion, bool at_end) {
+    if (const std::optional<SetPoint>& given = at_end ? motion.end : motion.start) {
+        const bool program = motion.type == MotionType::program && !motion.segments.empty();
+        const double own =
+            program ? (at_end ? motion.segments.back() : motion.segments.front()).angle / motion.unit_angle()
+                    : 1.0;
+        return {given->velocity.value_or(0.0) / own, given->acceleration.value_or(0.0) / (own * own)};
+    }
+    const double end = at_end ? motion.length() : 0.0;
+    for (const PlacedPoint& point : placed_points(motion))
+        if (point.is_region() && std::abs((at_end ? point.end : point.begin) - end) <= same_place)
+            return {*point.wanted[1], 0.0};
+    return {};
+}
+
 WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, int order) {
     const std::string& unit = unit_of(point.units, order);
     const Spelling& spelling = spelling_of_unit(order, unit);

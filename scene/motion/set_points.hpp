@@ -61,6 +61,10 @@ struct WrittenValue {
 /// In the order of the scene.
 [[nodiscard]] std::vector<PlacedPoint> placed_points(const MotionSpec& motion);
 
+/// y' and y'' where a motion that is not periodic starts or ends: as given; of a region of constant velocity
+/// that reaches the end that velocity; else 0.
+[[nodiscard]] std::array<double, 2> end_velocities(const MotionSpec& motion, bool at_end);
+
 /// The spelling of the wanted number of derivative `order`.
 [[nodiscard]] WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, int order);
 

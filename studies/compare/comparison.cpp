@@ -158,6 +158,7 @@ struct Bench {
     std::optional<DrivenMechanism> cam = {};
     bool limits_base = false;  ///< the base radius of the cam is a dimension, and the scene limits the cam
     bool limits_train = false;
+    double prescribed_cost = 0.0;  ///< of the peaks of a prescribed motion
 };
 
 double dimension_of(const Bench& bench, int parameter) {
@@ -203,8 +204,21 @@ double parameter_value(const Bench& bench, const Motion& motion, const Peaks& pe
     return 0.0;
 }
 
+/// Σ weight · figure / reference over the terms of peaks.
+double weighted_peaks(const Scene& scene, const Peaks& peaks) {
+    const Peaks reference = reference_peaks(scene);
+    double sum = 0.0;
+    for (const CostTerm& term : cost_terms())
+        if (const double weight = term.weight_in(scene.objective); weight > 0.0)
+            sum += weight * term.measured.of(peaks) / term.measured.of(reference);
+    return sum;
+}
+
 double objective_of(const Bench& bench, const Motion& motion, const Peaks& peaks) {
     double objective = bench.model.cost_constant;
+    // Peaks of a prescribed motion are no parameters of its model but a constant.
+    if (bench.scene.motion.prescribed())
+        objective += weighted_peaks(bench.scene, peaks) - bench.prescribed_cost;
     for (int i = 0; i < static_cast<int>(bench.model.parameters.size()); ++i) {
         const double weight = bench.model.parameters[static_cast<std::size_t>(i)].weight;
         if (weight > 0.0) objective += weight * parameter_value(bench, motion, peaks, i);
@@ -244,7 +258,8 @@ void judge_limits(ComparisonRow& row, const Bench& bench, const Peaks& motion_pe
 
 ComparisonRow optimum_row(const Bench& bench, const Solution& solution) {
     ComparisonRow row;
-    row.title = "optimum";
+    const bool prescribed = bench.scene.motion.prescribed();
+    row.title = prescribed ? "as prescribed" : "optimum";
     row.motion = solution.motion;
     row.peaks = solution.peaks;
     row.motion_peaks = solution.motion_peaks;
@@ -255,7 +270,7 @@ ComparisonRow optimum_row(const Bench& bench, const Solution& solution) {
                    solution.certificate.verdict != Verdict::failed;
     if (!row.feasible) return row;
     for (LimitOutcome& limit : row.limits) limit.kept = true;
-    row.loss_percent = 0.0;
+    if (!prescribed) row.loss_percent = 0.0;
     return row;
 }
 
@@ -292,6 +307,7 @@ Bench bench_of(const Scene& scene, const Solution& solution) {
         bench.cam = {cam->formulas(), solution.cam ? solution.cam->cam.dimensions : cam->middle()};
     const bool has_base = bench.cam && bench.cam->formulas->base_radius_index() >= 0;
     bench.limits_base = has_base && !cam_limits(scene, *bench.model.cam).empty();
+    if (scene.motion.prescribed()) bench.prescribed_cost = weighted_peaks(scene, solution.peaks);
     bench.limits_train = scene.dynamics && std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {
                              return row.needs_dynamics && row.in(scene.limits).has_value();
                          });
@@ -325,7 +341,8 @@ Comparison compare(const Scene& scene, const SolveControl& control) {
     std::optional<double> optimum;
     if (solution.motion) {
         comparison.rows.push_back(optimum_row(bench, solution));
-        if (comparison.rows.back().feasible) optimum = comparison.rows.back().objective;
+        if (comparison.rows.back().feasible && !complete.motion.prescribed())
+            optimum = comparison.rows.back().objective;
     }
     for (const LawInfo& info : law_catalogue()) {
         if (!info.rests) continue;  // no rise by itself

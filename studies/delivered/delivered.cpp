@@ -69,6 +69,8 @@ MotionChain drawn_motion(const Solution& solution) {
 std::string open_because(const Solution& solution) {
     const MotionSpec& motion = solution.scene.motion;
     if (motion.type == MotionType::drd) return "no return is given: motion.type is \"DRD\"";
+    if (motion.relative)
+        return "the next revolution goes on from where this one ends: motion.closed is \"relative\"";
     if (motion.type == MotionType::program && !motion.closed)
         return "the program is not closed: motion.closed is false";
     return "";

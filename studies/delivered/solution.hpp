@@ -245,7 +245,8 @@ struct Solution {
     std::vector<std::string> notes;  ///< redundant conditions by name, and other things worth a line
 
     /// The delivered motion over the whole turn, x from 0 to 2π / unit angle: what it leaves of the turn
-    /// rests where it ends. Throws InputError where there is no motion.
+    /// rests where it ends; of a motion whose ends move the motion itself. Throws InputError where there is
+    /// no motion.
     [[nodiscard]] MotionChain whole_turn() const;
 };
 

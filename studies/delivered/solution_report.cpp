@@ -220,6 +220,9 @@ MotionChain Solution::whole_turn() const {
     if (!motion) throw InputError("a cam needs a motion, and this solution has none");
     const double turn = units::turn / scene.motion.unit_angle();
     if (motion->end() >= turn * (1.0 - rounded_turn)) return *motion;
+    constexpr std::array<double, 2> rest{};
+    if (end_velocities(scene.motion, false) != rest || end_velocities(scene.motion, true) != rest)
+        return *motion;                                        // no dwell can follow
     const bool returns = scene.motion.type == MotionType::rr;  // to 0, not to what rounding left of it
     const double end = returns ? 0.0 : motion->at(motion->end(), Side::left).derivative[0];
     std::vector<ChainPart> parts = motion->parts();

@@ -296,9 +296,8 @@ std::vector<Adjustment> adjustments(const Scene& scene) {
 /// The bounds of corridors, each to its side.
 void add_corridors(std::vector<Adjustment>& all, const Scene& scene) {
     for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states))) {
-        if (!bound.key.starts_with("motion.corridor[")) continue;
-        const auto index =
-            static_cast<std::size_t>(std::atoi(bound.key.c_str() + std::strlen("motion.corridor[")));
+        if (bound.corridor < 0) continue;
+        const auto index = static_cast<std::size_t>(bound.corridor);
         const double size = std::max(std::abs(bound.given), bound.per_normalised);
         const double end = bound.given + bound.sign * farthest_operating_change * size;
         all.push_back(

@@ -192,6 +192,7 @@ std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model, con
                          known_displacement(stretch.to),
                          model.stretch_scale(static_cast<int>(i)),
                          false};
+        if (scene.motion.prescribed() && stroke.kind == SegmentKind::law) stroke.kind = SegmentKind::spline;
         if (!stroke.from && optimum) stroke.from = optimum->at(stroke.begin, Side::right).derivative[0];
         if (!stroke.to && optimum) stroke.to = optimum->at(stroke.end, Side::left).derivative[0];
         strokes.push_back(std::move(stroke));

@@ -3,7 +3,8 @@
 //
 //   DRD      the law
 //   RR       the law, then its mirror image stretched to the return's angle: y(1 + ratio·t) = law(1 − t)
-//   program  the law on every spline segment, from the displacement at its begin to that at its end
+//   program  the law on every spline segment, from the displacement at its begin to that at its end; on
+//            every law where the program has no spline
 //
 // A law that turns back at its top (TopEnd::turning_point) fits a stroke only where the opposite stroke
 // follows (or, mirrored, precedes) at once. An impulse of the jerk counts where y'' jumps, the joints with

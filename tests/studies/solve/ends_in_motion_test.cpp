@@ -49,7 +49,7 @@ double jump(const Motion& motion, std::size_t order) {
            motion.at(motion.begin(), Side::right).derivative[order];
 }
 
-TEST(EndsInMotion, DrdStartsAndEndsWithTheGivenState) {
+TEST(EndsInMotion, DrdHasTheGivenStates) {
     const Solution solution =
         optimum_of(scene_of("[motion]\ntype = \"DRD\"\nlift_mm = 10\nrise_deg = 90\nspeed_rpm = 60\n"
                             "start = { velocity_mm_s = 20 }\nend = { velocity = 0.5, acceleration = -1 }\n" +
@@ -176,7 +176,7 @@ TEST(Repeat, AnglesFillOnePart) {
         "those of one of the 10 copies add up to 36 deg");
 }
 
-TEST(Dwell, OfZeroIsRefusedWithTheWayToSayIt) {
+TEST(Dwell, OfZeroIsRefusedWithAdvice) {
     expect_refusal(
         [] {
             Scene scene = scene_of(

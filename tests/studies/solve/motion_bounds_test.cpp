@@ -53,6 +53,7 @@ TEST_P(ValveLobe, MatchesTheIndependentOptimum) {
         scene_of("[motion]\ntype = \"RR\"\n[objective]\narea = 1\nreference = { area = 0.5, jerk = 36.5 }\n");
     scene.spline.segments = lobe.segments;
     scene.spline.by_stroke = false;
+    scene.motion.within_lift = false;  // area is gained above the lift
     scene.objective.area = lobe.area_weight;
     scene.objective.jerk = lobe.jerk_weight;
     scene.limits.acceleration_max = PeakLimit(lobe.up);
@@ -175,7 +176,7 @@ acceleration_m_s2 = { min = -9, max = 14 }
     EXPECT_NEAR(report_of(solution, "limits.acceleration_m_s2.min").worst, -9.0, 1e-5);
 }
 
-TEST(SidedLimit, VelocityAboveZeroIsAMonotoneRise) {
+TEST(SidedLimit, VelocityAboveZeroIsMonotone) {
     Scene scene = scene_of(
         "[motion]\ntype = \"DRD\"\nvia = [{ at = 0.5, displacement = 0.2 }]\n[spline]\nsegments = 16\n"
         "[objective]\njerk = 1\n[limits]\nvelocity = { min = 0 }\n");

@@ -66,7 +66,7 @@ TEST(PrescribedMotion, NeedsNeitherSplineNorObjective) {
     EXPECT_EQ(solution.segments.size(), 4U);
 }
 
-TEST(PrescribedMotion, BrokenLimitIsInfeasible) {
+TEST(PrescribedMotion, ViolatedLimitIsInfeasible) {
     for (const char* limit : {"[limits]\nvelocity = 1.9\n", "[limits]\nacceleration_m_s2 = 20\n",
                               "[limits]\nacceleration_m_s2 = { min = -20 }\n"}) {
         SCOPED_TRACE(limit);
