@@ -85,6 +85,9 @@ Json curves_part(const View& view) {
             beside = {{"unit", curve.beside->name},
                       {"symbol", curve.beside->symbol},
                       {"factor", rounded_json(curve.beside_factor)}};
+        Json points = Json::array();
+        for (const auto& [at, value] : curve.points)
+            points.push_back({rounded_json(at), rounded_json(value)});
         all.push_back({{"key", curve.key},
                        {"group", curve.group},
                        {"title", curve.title},
@@ -94,6 +97,7 @@ Json curves_part(const View& view) {
                        {"values", numbers(curve.values)},
                        {"reference", compared_json(curve.reference)},
                        {"measured", compared_json(curve.measured)},
+                       {"points", std::move(points)},
                        {"limits", limits_json(curve)},
                        {"marks", marks_json(curve)}});
     }

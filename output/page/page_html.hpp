@@ -17,6 +17,7 @@
 //     beside        null, or unit and factor: value · factor is the same by the cam angle
 //     reference     null, or title and values[] of the law
 //     measured      null, or title and values[] of the measured motion
+//     points        [angle, value] of rows of its table, of the displacement and the residual
 //     limits[]      from, to, at (signed), words; outside (+1: values above are out, −1: below)
 //     marks[]       at, value, words: the peaks and extremes that the tables name, at the tables' angles;
 //                   given: true: an exact point of the scene; with "to" that velocity is held so far

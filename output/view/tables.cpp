@@ -149,6 +149,10 @@ TextTable set_point_table(const Solution& solution) {
     return table;
 }
 
+bool follows_noise(const MeasuredReport& measured) {
+    return measured.rows < 2 * measured.freedom;
+}
+
 std::string measured_sentence(const Solution& solution) {
     const MeasuredReport& measured = *solution.measured;
     const MotionUnit& unit = shown_units(solution.scene).motion[0].first;
@@ -156,6 +160,11 @@ std::string measured_sentence(const Solution& solution) {
                                    measured.name.empty() ? "measured motion" : printable(measured.name),
                                    measured.rows, unit.normalised_text(measured.largest_error, 3),
                                    unit.normalised_text(measured.rms_error, 3));
+    if (follows_noise(measured))
+        text += fmt::format(
+            "; with {} free numbers, more than half as many as rows, the spline follows the noise of the "
+            "table: fewer spline.segments smooth it",
+            measured.freedom);
     if (measured.objective && solution.motion && *measured.objective > 0.0) {
         const double gain = 100.0 * (1.0 - solution.certificate.objective / *measured.objective);
         text += fmt::format("; the optimum's objective is {} % {} than its {}", short_text(std::abs(gain), 3),

@@ -54,6 +54,9 @@ struct ViewTable {
 /// One row a wanted number, in the unit it was written in. No rows: the scene has none.
 [[nodiscard]] TextTable set_point_table(const Solution& solution);
 
+/// Fewer than twice as many rows as free numbers of the fit.
+[[nodiscard]] bool follows_noise(const MeasuredReport& measured);
+
 /// "measured.csv: 181 rows as a spline, error at most 0.004 mm (rms 0.001 mm); the optimum's objective is
 /// 12 % less than its 1.07". The solution has a measured motion.
 [[nodiscard]] std::string measured_sentence(const Solution& solution);

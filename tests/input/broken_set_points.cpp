@@ -129,7 +129,12 @@ std::vector<BrokenScene> broken_set_points() {
          "the angles "
          "add up to 360 deg, so at least two ranges are needed"},
         {"measured_without_table", rise + "[measured]\nuse = \"start\"\n",
-         "s.toml:6:1: measured.table: missing; allowed: table, or both theta_deg and s_mm"},
+         "s.toml:6:1: measured.table: missing; allowed: table, or s_mm with theta_deg or step_deg"},
+        {"measured_columns_without_table",
+         rise + "[measured]\ncolumns = [\"s_mm\"]\nstep_deg = 1\ns_mm = [0]\n",
+         "s.toml:7:1: measured.columns: found without a file; allowed: only with measured.table"},
+        {"measured_zero_word", rise + "[measured]\ntable = \"m.csv\"\nzero = \"top\"\n",
+         "s.toml:8:8: measured.zero: found \"top\"; allowed: \"start\" or \"nose\", or a table"},
         {"measured_twice", rise + "[measured]\ntable = \"m.csv\"\ns_mm = [0]\n",
          "s.toml:8:1: measured.s_mm: found together with measured.table, which means the same; allowed: only "
          "one of "
