@@ -178,6 +178,7 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     if (solution.measured) text += fmt::format("\n## Measured motion\n\n{}.\n", measured_sentence(solution));
     if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
     if (solution.cam) text += section("dimensions") + section("cam") + cam_section(solution);
+    text += section("title_block");
     return text + design_section(solution.design) + solver_section(solution, origin) +
            notes_section(solution.notes) + scene_section(origin);
 }

@@ -257,7 +257,31 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
     if (!solution.cam) return all;
     add("dimensions", "Dimensions", dimension_table(solution), cam_text(solution.scene.cam.value()) + ".");
     add("cam", "The cam", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}}));
+    TextTable title{{{"", true}, {"title block", true}}, {}};
+    for (const auto& [label, words] : title_block_words(solution.scene)) title.rows.push_back({label, words});
+    add("title_block", "Drawing", std::move(title));
     return all;
+}
+
+std::vector<std::pair<std::string, std::string>> title_block_words(const Scene& scene) {
+    if (!scene.drawing) return {};
+    const TitleBlock& block = scene.drawing->title_block;
+    std::vector<std::pair<std::string, std::string>> given;
+    for (const auto& [label, words] : std::initializer_list<std::pair<const char*, const std::string&>>{
+             {"part", block.part},
+             {"number", block.number},
+             {"revision", block.revision},
+             {"date", block.date},
+             {"drawn by", block.drawn_by},
+             {"organisation", block.organisation},
+             {"material", block.material},
+             {"tolerances", block.tolerance},
+             {"profile tolerance", block.profile_tolerance},
+             {"surface finish", block.surface_finish},
+             {"bore fit", block.bore_fit},
+             {"keyway tolerance", block.keyway_tolerance}})
+        if (!words.empty()) given.emplace_back(label, printable(words));
+    return given;
 }
 
 }  // namespace camopt
