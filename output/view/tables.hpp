@@ -32,7 +32,7 @@ struct ViewTable {
     std::string note = {};
 };
 
-/// changes, peaks, segments, limits, set_points, dimensions, cam, title_block: those that have rows, in this
+/// changes, measured, peaks, segments, limits, set_points, dimensions, cam, title_block: those that have rows, in this
 /// order.
 [[nodiscard]] std::vector<ViewTable> result_tables(const Solution& solution);
 

@@ -17,7 +17,7 @@ namespace camopt {
 namespace inch_report_test {
 
 const std::string lobe =
-    "title = \"Lobe\"\nobjective.jerk = 1\n"
+    "title = \"Lobe\"\nobjective.jerk = 1\nspline.segments = 8\n"
     "motion = { type = \"RR\", lift_in = 0.4, rise_deg = 90, return_deg = 90, speed_rpm = 1000 }\n"
     "cam = { type = \"disk\", follower = \"translating_roller\", base_radius_in = 1.2, roller_radius_in = "
     "0.4 }\n"
@@ -50,7 +50,8 @@ TEST(InchReport, HasNoMetricUnit) {
 }
 
 TEST(InchReport, SuggestedKeysAreInItsUnits) {
-    const std::string weak = lobe + "contact_force_min_lbf = 200\n";
+    const std::string weak =
+        lobe.substr(0, lobe.find("[limits]")) + "[limits]\ncontact_force_min_lbf = 200\n";
     const Solution solution = solve(scene_of_toml(weak));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     int forces = 0;
