@@ -79,6 +79,8 @@ class SceneReader {
         scene.length_unit = written_length_unit();
         scene.motion = read_motion(source_, known_);
         scene.spline = read_spline();
+        if (!source_.table("objective") && !scene.motion.prescribed())
+            source_.fail({}, "objective", "missing; allowed: a [objective] table");
         scene.objective = read_objective();
         scene.cam = read_cam(source_, scene.motion, known_);
         scene.forces = read_forces(source_, scene);

@@ -307,7 +307,7 @@ std::vector<BrokenScene> broken_cams() {
          "base_radius_mm = 40\n"
          "roller_radius_mm = 10\n",
          "s.toml:1:1: objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
-         "torque, rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
+         "torque, rms_acceleration, rms_jerk, area > 0, or of a dimension of the cam that is a range"},
     };
 }
 

@@ -81,19 +81,37 @@ std::vector<BrokenScene> broken_set_points() {
          "{ kind = \"spline\", angle_deg = 60, to = 1, via = [{ from = 0, to = 0.5, velocity = 1 }] }]\n",
          "s.toml:7:60: motion.segments[1].via[0].from: found 0; allowed: a location after 0, where "
          "segments[0], a dwell, gives the velocity"},
-        {"segment_region_from_an_open_end",
+        {"end_state_of_a_closed_program",
+         turn.substr(0, turn.find("segments")) + "end = { velocity = 1 }\n" +
+             turn.substr(turn.find("segments")) + "]\n",
+         "X"},
+        {"state_next_to_a_dwell",
          "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nsegments = [\n"
-         "{ kind = \"spline\", angle_deg = 60, to = 1, via = [{ from_deg = 0, to_deg = 10, velocity = 1 }] "
-         "}]\n",
-         "s.toml:6:64: motion.segments[0].via[0].from_deg: found 0 deg; allowed: a location after 0 deg, "
-         "where "
-         "it starts from rest"},
-        {"segment_region_to_an_open_end",
-         "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nsegments = [\n"
-         "{ kind = \"spline\", angle_deg = 60, to = 1, via = [{ from_deg = 50, to_deg = 60, velocity = 1 }] "
-         "}]\n",
-         "s.toml:6:77: motion.segments[0].via[0].to_deg: found 60 deg; allowed: before 60 deg, where the "
-         "motion ends at rest"},
+         "{ kind = \"spline\", angle_deg = 60, to = 1, end = { velocity = 0 } },\n"
+         "{ kind = \"dwell\", angle_deg = 20 }]\n",
+         "X"},
+        {"corridor_backwards",
+         "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nrise_deg = 90\n"
+         "corridor = [{ from_deg = 50, to_deg = 40, displacement = { max = 0.5 } }]\n",
+         "X"},
+        {"corridor_without_bound",
+         "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nrise_deg = 90\ncorridor = [{ from_deg = 50 }]\n",
+         "X"},
+        {"corridor_of_a_length_for_an_angle",
+         "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nlift_deg = 30\n"
+         "corridor = [{ velocity_mm_deg = { max = 0.5 } }]\n",
+         "X"},
+        {"limit_of_one_side_upside_down",
+         "objective.jerk = 1\n[motion]\ntype = \"DRD\"\n[limits]\nvelocity = { min = 2, max = 1 }\n", "X"},
+        {"load_backwards",
+         "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nspeed_rpm = 60\n[cam]\ntype = \"disk\"\n"
+         "follower = \"translating_flat\"\nbase_radius_mm = 20\n[forces]\nload_n = [[20, 5], [10, 6]]\n",
+         "X"},
+        {"repeat_of_an_open_program",
+         "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nrepeat = 2\n"
+         "segments = [{ kind = \"spline\", angle_deg = 60, to = 1 }]\n",
+         "X"},
+        {"stops_and_a_lift", "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nlift_deg = 45\nstops = 8\n", "X"},
         {"segment_point_in_a_dwell",
          turn + "{ kind = \"dwell\", angle_deg = 120, via = [{ at = 0.5, velocity = 0 }] }]\n",
          "s.toml:9:42: motion.segments[3].via: found set points in a segment of kind \"dwell\"; allowed: "
