@@ -129,10 +129,12 @@ ChartPanel panel_of(const View& view, const Curve& curve, std::size_t rows, bool
     };
     if (curve.measured) add_line(curve.measured->values, "measured", curve.measured->title);
     if (curve.reference) add_line(curve.reference->values, "reference", curve.reference->title);
-    add_line(curve.values, curve.key == "residual" ? "measured" : "optimum",
-             curve.key == "residual" ? "measured" : "this motion");
     ChartSeries table{Look::dot, "measured-point", {}, 1.4, "rows of the table"};
     for (const auto& [at, value] : curve.points) table.points.push_back({at, value});
+    if (curve.key == "residual")
+        panel.series.push_back({Look::line, "measured", table.points, 4.0, "measured"});
+    else
+        add_line(curve.values, "optimum", "this motion");
     if (!table.points.empty()) panel.series.push_back(std::move(table));
     add_marks(panel, curve);
     add_limits(panel, curve);

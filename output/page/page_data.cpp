@@ -5,6 +5,7 @@
 #include "output/page/page_html.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/drum_pictures.hpp"
+#include "output/view/tables.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/laws/law_motion.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
@@ -104,6 +105,15 @@ Json curves_part(const View& view) {
     return all;
 }
 
+/// At the foot of printed pages: number, revision and date of the title block behind the title.
+std::string foot_words(const View& view) {
+    std::string text = view.title("Motion");
+    for (const auto& [label, words] : title_block_words(view.solution.scene))
+        if (label == "number" || label == "revision" || label == "date")
+            text += " · " + (label == "number" ? words : label + " " + words);
+    return text;
+}
+
 }  // namespace
 
 Json rounded_json(double value, int digits) {
@@ -125,6 +135,7 @@ std::string page_data(const View& view, const RunOrigin& origin, const PageDataO
     page["page"] = "report";
     page["camopt"] = version();
     page["title"] = view.title("Motion");
+    page["foot"] = foot_words(view);
     page["verdict"] = options.proof ? verdict_part(solution) : open_verdict_part(solution);
     page["figures"] = figures_part(solution);
     page["reference"] = options.proof ? reference_part(solution, options.reference) : Json(nullptr);

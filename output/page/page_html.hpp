@@ -5,6 +5,7 @@
 //
 //   page          "report"
 //   camopt, title
+//   foot          words at the foot of printed pages
 //   verdict       key (of Verdict, or "open": not proved yet), tone ("good", "fair", "bad", "open"),
 //                 headline, sentences[]
 //   figures[]     name, value: what stands first, as texts

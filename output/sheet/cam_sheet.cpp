@@ -362,7 +362,8 @@ class CamSheetMaker {
         const double reach = std::max(0.5 * (drawing_.reach() + base_), drawing_.reach() + paper(11e-3));
         angle.place = sheet_.view.on_paper(reach * datum_);
         sheet_.dimensions.push_back(angle);
-        sheet_.line("AXES", SheetPen::chain, drawing_.reach() * cut_, (reach + paper(2e-3)) * cut_);
+        const double behind_words = floor + paper(keyway_line + 3.5e-3);
+        sheet_.line("AXES", SheetPen::chain, behind_words * cut_, (reach + paper(2e-3)) * cut_);
         free_.take(way);
     }
 

@@ -132,7 +132,7 @@ ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
         shown.spring_rate = swings ? ShownUnit{"N m/rad", 1.0} : ShownUnit{"N/mm", 1.0 / millimetre};
     }
     shown.vibration = swings                       ? ShownUnit{"mdeg", 1e-3 * degree}
-                      : length == LengthUnit::inch ? ShownUnit{"0.001 in", 1e-3 * one}
+                      : length == LengthUnit::inch ? ShownUnit{"mil", 1e-3 * one}
                                                    : ShownUnit{"µm", 1e-6};
     shown.mass = swings ? ShownUnit{"kg m²", 1.0} : weight_shown(length);
     shown.load = swings ? shown.torque : shown.force;

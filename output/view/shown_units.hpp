@@ -65,7 +65,7 @@ struct ShownUnits {
     ShownUnit angle;                        ///< deg
     ShownUnit load;  ///< of what presses the follower on the cam: of a force, or a torque where it swings
     ShownUnit force, torque, pressure, modulus;  ///< N, N m, MPa, GPa; lbf, lbf in, ksi
-    ShownUnit vibration;                         ///< µm, 0.001 in, mdeg: amplitudes
+    ShownUnit vibration;                         ///< µm, mil (0.001 in), mdeg: amplitudes
     ShownUnit mass, spring_rate;  ///< kg, N/mm; lb, lbf/in; swinging: kg m², N m/rad or lbf in/rad
     ShownUnit speed;              ///< rpm
     ShownUnit number;             ///< what has no unit

@@ -241,6 +241,22 @@ TextTable relaxation_table(const Solution& solution) {
     return table;
 }
 
+namespace {
+
+TextTable measured_table(const Solution& solution) {
+    const MeasuredReport& measured = *solution.measured;
+    const ShownUnits units = shown_units(solution.scene);
+    const MotionUnit& unit = units.motion[0].first;
+    return {{{"fit of the table", true}, {"value"}},
+            {{"rows", fmt::format("{}", measured.rows)},
+             {"free numbers", fmt::format("{}", measured.freedom)},
+             {"largest error", unit.normalised_text(measured.largest_error, 3)},
+             {"at", units.angle.text(measured.at * units.degrees_per_x * units.angle.size)},
+             {"rms error", unit.normalised_text(measured.rms_error, 3)}}};
+}
+
+}  // namespace
+
 std::vector<ViewTable> result_tables(const Solution& solution) {
     std::vector<ViewTable> all;
     const auto add = [&](const char* key, const char* title, TextTable table, std::string note = {}) {
@@ -249,6 +265,8 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
     add("changes", "Suggested changes", relaxation_table(solution),
         "Each number is rounded to the feasible side and was tried in the scene: a solve found a motion with "
         "it. The exact limit is in result.json.");
+    if (solution.measured)
+        add("measured", "Measured motion", measured_table(solution), measured_sentence(solution) + ".");
     if (!solution.motion) return all;
     add("peaks", "Peaks", peak_table(solution), peak_note + any_curve_note(solution));
     add("segments", "Segments", segment_table(solution), segment_table_note());
@@ -257,7 +275,31 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
     if (!solution.cam) return all;
     add("dimensions", "Dimensions", dimension_table(solution), cam_text(solution.scene.cam.value()) + ".");
     add("cam", "The cam", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}}));
+    TextTable title{{{"", true}, {"title block", true}}, {}};
+    for (const auto& [label, words] : title_block_words(solution.scene)) title.rows.push_back({label, words});
+    add("title_block", "Drawing", std::move(title));
     return all;
+}
+
+std::vector<std::pair<std::string, std::string>> title_block_words(const Scene& scene) {
+    if (!scene.drawing) return {};
+    const TitleBlock& block = scene.drawing->title_block;
+    std::vector<std::pair<std::string, std::string>> given;
+    for (const auto& [label, words] : std::initializer_list<std::pair<const char*, const std::string&>>{
+             {"part", block.part},
+             {"number", block.number},
+             {"revision", block.revision},
+             {"date", block.date},
+             {"drawn by", block.drawn_by},
+             {"organisation", block.organisation},
+             {"material", block.material},
+             {"tolerances", block.tolerance},
+             {"profile tolerance", block.profile_tolerance},
+             {"surface finish", block.surface_finish},
+             {"bore fit", block.bore_fit},
+             {"keyway tolerance", block.keyway_tolerance}})
+        if (!words.empty()) given.emplace_back(label, printable(words));
+    return given;
 }
 
 }  // namespace camopt
