@@ -13,7 +13,8 @@ from .cam import Cam
 from .conditions import Conditions
 from .exact import KEPT, NOT_CONVEX, PI, Refuted, STATED, Unverified, middle_of, number
 from .motion import Curve
-from .problem import Problem, angle_of, references_of
+from .problem import Problem, angle_of
+from .references import references_of
 from .stored import check_box, factor_of, stored_bound
 from .train import Train
 from .vipr import vipr
@@ -58,7 +59,7 @@ def close(stated, low, high):
 # What a scene may say, as far as this checker knows what it means.
 KNOWN_TABLES = {"title", "motion", "spline", "objective", "cam", "linkage", "forces", "measured", "limits", "drawing",
                 "solver", "dynamics"}
-KNOWN_TERMS = {"velocity", "acceleration", "jerk", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break",
+KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break",
                "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset"}
 
 
@@ -239,6 +240,7 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
         for row in proof["rows"]:
             bound.add_row(row, factor)
         bound.add_root_mean_squares(curve)
+        bound.add_area()
         value, left_out = bound.value(), bound.left_out
         rest = bound.residual
         report.say(f"bound: no motion of the scene is below {float(min(value, high)):.15g}, "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sided limits, corridors and lost area against an independent linear program: bounds_lp_test.py CAMOPT [--count 20] [--seed 32].
+"""Sided limits, corridors and lost area against a linear program: bounds_lp_test.py CAMOPT [--count 20] [--seed 32].
 
 Random scenes are solved by camopt and, without any of its code, by HiGHS. The spline here is y(0), y'(0), y''(0) and the
 B-spline coefficients of y''', integrated three times; rows are added where a bound is exceeded most, at the exact extremes of
@@ -16,18 +16,18 @@ from pathlib import Path
 import numpy
 from scipy.optimize import linprog
 
-SAME = 1e-7          # of objectives, relative to max(1, |objective|)
-EXCEEDED = 1e-12     # a bound exceeded by more than this part of its size becomes a row
-GRID = 6             # places of the first grid in a piece
+SAME = 1e-7       # of objectives, relative to max(1, |objective|)
+EXCEEDED = 1e-12  # a bound exceeded by more than this part of its size becomes a row
+GRID = 6          # places of the first grid in a piece
 ROUNDS = 60
 TRIES = (("highs-ds", 1e-10, True), ("highs-ds", 1e-10, False), ("highs-ds", 1e-9, True), ("highs-ds", 1e-9, False))
 TYPICAL = (1.0, 2.0, 6.0, 60.0)  # of y, y', y'', y''': rows are divided by these
-PER_SECOND = {"DRD": 1500.0, "RR": 1500.0}  # deg/s at 250 rpm
+PER_SECOND = 1500.0  # degrees, at 250 rpm
 NAMES = ("displacement", "velocity", "acceleration", "jerk")
 
 
 def bspline_pieces(degree, points):
-    """The B-splines of a degree on clamped simple knots: [function][piece] polynomials of t = x - left end, by Cox and de Boor."""
+    """The B-splines of a degree on clamped simple knots, by Cox and de Boor: [function][piece] polynomials of t = x - left end."""
     knots = [points[0]] * degree + list(points) + [points[-1]] * degree
     pieces = len(points) - 1
     functions = [[numpy.poly1d([1.0 if i == k - degree else 0.0]) for i in range(pieces)] for k in range(len(knots) - 1)]
@@ -49,7 +49,8 @@ def bspline_pieces(degree, points):
 
 
 class Splines:
-    """All splines of a degree with continuous derivatives to degree - 1: coefficients[j, i] of function j on piece i, highest first."""
+    """All splines of a degree with continuous derivatives to degree - 1: values[j, i] is function j on piece i, highest power
+    first."""
 
     def __init__(self, degree, points):
         self.points, self.degree = numpy.array(points), degree
@@ -97,7 +98,7 @@ class Splines:
                             for j in range(self.size)]) / (self.points[-1] - self.points[0])
 
     def extremes(self, design, order, begin, end):
-        """[(piece, x)] where the derivative can be largest or least on a stretch: its ends, breakpoints, roots of the next one."""
+        """[(piece, x)] where the derivative can be largest or least on a stretch: its ends, breakpoints, roots of the next."""
         found = []
         for i, (a, b) in enumerate(zip(self.points, self.points[1:])):
             low, high = max(a, begin), min(b, end)
@@ -226,7 +227,8 @@ class RandomScene:
 
     def choose_weights(self, index):
         self.references = {"acceleration": 5.53, "jerk": 69.0, "area": 0.5, "velocity": 1.76}
-        self.weights = {"area": round(self.numbers.uniform(0.05, 0.5), 3), "acceleration": round(self.numbers.uniform(0.1, 0.6), 3),
+        self.weights = {"area": round(self.numbers.uniform(0.05, 0.5), 3),
+                        "acceleration": round(self.numbers.uniform(0.1, 0.6), 3),
                         "jerk": round(self.numbers.uniform(0.1, 0.6), 3)}
         if index % 5 == 0:
             del self.weights["acceleration"]
@@ -236,11 +238,12 @@ class RandomScene:
     def choose_limits(self):
         text = ""
         for name, order, least in (("acceleration", 2, 5.6), ("jerk", 3, 60.0)):
-            sides = {"min": -round(self.numbers.uniform(least, 2 * least), 2), "max": round(self.numbers.uniform(least, 2 * least), 2)}
+            sides = {"min": -round(self.numbers.uniform(least, 2 * least), 2),
+                     "max": round(self.numbers.uniform(least, 2 * least), 2)}
             if self.numbers.random() < 0.2:
                 del sides[self.numbers.choice(("min", "max"))]
             in_time = self.numbers.random() < 0.4
-            unit = self.lift * (PER_SECOND[self.kind] / self.rise)**order if in_time else 1.0  # mm/s^order of one
+            unit = self.lift * (PER_SECOND / self.rise)**order if in_time else 1.0  # mm/s^order of one
             if in_time:
                 sides = {side: round(value * unit) for side, value in sides.items()}
             text += f"{name}{('_mm_s%d' % order) if in_time else ''} = {self.pair(sides)}\n"
@@ -255,7 +258,7 @@ class RandomScene:
         stated, unit = NAMES[order], 1.0
         if self.numbers.random() < 0.5:
             stated += ("_mm", "_mm_s", "_mm_s2")[order]
-            unit = self.lift * (PER_SECOND[self.kind] / self.rise)**order
+            unit = self.lift * (PER_SECOND / self.rise)**order
         middle, slope = self.typical((a + b) / 2), self.typical_slope((a + b) / 2)
         sides = {}
         if order == 0:
@@ -267,6 +270,8 @@ class RandomScene:
             sides = {"max": self.numbers.uniform(1.0, 5.0), "min": -self.numbers.uniform(1.0, 5.0)}
         if self.numbers.random() < 0.6:
             del sides[self.numbers.choice(("min", "max"))]
+        if len(sides) == 2 and sides["min"] >= sides["max"]:
+            del sides["min"]
         sides = {side: float(f"{value * unit:.6g}") for side, value in sides.items()}
         self.take(order, sides, unit, a, b)
         return f"[[motion.corridor]]\nfrom_deg = {begin}\nto_deg = {end}\n{stated} = {self.pair(sides)}\n"
@@ -321,7 +326,8 @@ def main():
             scene = RandomScene(numbers, index)
             expected = Program(scene).solve()
             verdict, objective = solved(arguments.camopt, scene.text, place, index)
-            words = f"{index}: {scene.kind}, degree {scene.degree}, {scene.segments} segments: camopt {verdict} {objective}, HiGHS {expected}"
+            words = (f"{index}: {scene.kind}, degree {scene.degree}, {scene.segments} segments: camopt {verdict} {objective}, "
+                     f"HiGHS {expected}")
             print(words, flush=True)
             met[verdict] = met.get(verdict, 0) + 1
             same = verdict == ("infeasible" if expected is None else "optimal")
