@@ -67,7 +67,9 @@ def pieces_of(law):
 
 
 def motion_along(stretch, orders=3):
-    """[(width, v -> [y, y' ...])] of a stretch with a law, v in parts of the stretch."""
+    """[(width, v -> [y, y' ...])] of a law or a dwell, v in parts of the stretch."""
+    if stretch.kind == "dwell":
+        return [(Fraction(1), lambda v: [constant(stretch.start)] + [constant(0)] * (orders - 1))]
     rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
 
     def scaled(piece):

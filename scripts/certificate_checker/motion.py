@@ -7,6 +7,7 @@ from .exact import (
     JOINED, KEPT, Refuted, SAME_PLACE, STATED, Unverified, combination, derivative, integral, largest,
     largest_magnitude, number, product, root, shifted, value_at)
 from .motion_bounds import keep_bounds, keeps, lost_area
+from .prescribed import peak_of
 from .spaces import Space
 from .strokes import stroke_of
 
@@ -25,6 +26,8 @@ class Curve:
         for run in problem.runs:
             self.add(run, [(curves[index], further) for index, further in run.curves])
         self.parts(result["motion"]["parts"])
+        if not problem.runs:
+            return
         peaks = [largest_magnitude([(derivative(p, r), w) for run in self.pieces for p, w, _, _ in run])[1]
                  for r in range(4)]
         self.relative = [d / max(p, Fraction(1, 10**6)) for d, p in zip(self.distance, peaks)]
@@ -131,6 +134,8 @@ class Curve:
     def term(self, term):
         """(low, high) around a term's own figure, in units of its reference."""
         problem, low, high = self.problem, Fraction(0), Fraction(0)
+        if not problem.runs and term.kind in ("peak", "rms", "torque"):
+            return peak_of(problem, term)
         if term.kind == "rms":
             total, length = Fraction(0), Fraction(0)
             for run in self.pieces:

@@ -151,7 +151,7 @@ class Problem:
         self.bounds = motion_bounds(self)
         self.references = references
         self.terms = self.terms_of(references)
-        self.cam = None
+        self.cam, self.left_out = None, {}
         self.train = None  # an elastic follower
 
     def least_cost(self):
