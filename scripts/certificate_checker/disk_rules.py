@@ -274,8 +274,8 @@ class DiskRules:
             compliance += (1 - poisson**2) / (number(self.forces.get(f"{side}_modulus_gpa", 210)) * 10**9)
         width = quantity(self.forces, "contact_width")
         _, preload, swing, _ = self.pressing()
-        most = Fraction(0) if self.swings else Forces(self.problem, self.problem.scene).largest_load()
-        unit = middle_of((max(preload, (swing[0] + most) / 100, Fraction(1, 1000)),) * 2)[0]
+        load = Fraction(0) if self.swings else Forces(self.problem, self.problem.scene).largest_load()
+        unit = middle_of((max(preload, (swing[0] + load) / 100, Fraction(1, 1000)),) * 2)[0]
         carried = Over.number(*times(PI, exactly(compliance * width * most**2 / unit)))
 
         def rule(numbers):
