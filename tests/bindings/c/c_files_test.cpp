@@ -86,7 +86,7 @@ TEST(CFiles, OptionsAreThoseOfTheStruct) {
     EXPECT_NE(std::string(camopt_error_text()).find("no/such/post.toml"), std::string::npos);
 }
 
-TEST(CFiles, AbsentFilesAndWrongCallsAreErrors) {
+TEST(CFiles, AbsentFilesAreErrors) {
     const CSolution motion = c_solved(c_scene(paper_toml));
     Bytes bytes;
     EXPECT_EQ(camopt_file(motion.get(), "cam.nc", nullptr, &bytes.text), CAMOPT_ERROR_ABSENT);

@@ -47,7 +47,7 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-TEST(Exports, EveryNameOfADiskCamGivesAFile) {
+TEST(Exports, EveryNameGivesAFile) {
     const Solution solution = disk();
     const std::vector<std::string> names = export_names(solution);
     for (const char* const name : {"report.html", "motion.csv", "codesys.st", "profile.dxf", "drawing.pdf",
@@ -97,7 +97,7 @@ TEST(Exports, OptionsReachTheFiles) {
               std::string::npos);
 }
 
-TEST(Exports, NameThatIsNoneIsRefusedWithThoseThereAre) {
+TEST(Exports, UnknownNameIsRefusedWithChoices) {
     const std::string words =
         testing_support::refusal([] { (void)exported_file(test::program_solution(), "cam.nc"); });
     EXPECT_NE(words.find("file: found \"cam.nc\"; allowed for this solution: report.html"), std::string::npos)

@@ -93,7 +93,7 @@ TEST(MotionsFromCpp, CorridorHoldsOnItsStretch) {
     EXPECT_GE(least(*solution.motion, 1, from, to), 0.9 - 1e-8);
 }
 
-TEST(MotionsFromCpp, EndsInMotionHaveTheGivenStates) {
+TEST(MotionsFromCpp, EndsHaveGivenStates) {
     Scene scene = rise();
     scene.spline.degree = 5;
     scene.motion.start = SetPoint{.velocity = 0.5};
@@ -105,7 +105,7 @@ TEST(MotionsFromCpp, EndsInMotionHaveTheGivenStates) {
     EXPECT_NEAR(solution.motion->at(1.0, Side::left).derivative[2], -1.0, 1e-8);
 }
 
-TEST(MotionsFromCpp, AreaIsATermOfTheObjective) {
+TEST(MotionsFromCpp, AreaIsWeighed) {
     Scene scene = rise();
     scene.motion.type = MotionType::rr;
     const auto area = [](const Motion& motion) {
@@ -144,7 +144,7 @@ TEST(MotionsFromCpp, RepeatedPartsAreEqual) {
         EXPECT_NEAR(solution.motion->at(x).derivative[2], solution.motion->at(x + 3.0).derivative[2], 1e-9);
 }
 
-TEST(MotionsFromCpp, LoadOverTheCamAngleEntersTheForce) {
+TEST(MotionsFromCpp, LoadOverAngleEntersForce) {
     Scene scene = program({law("cycloidal", 120, 1.0), dwell(60), law("cycloidal", 120, 0.0), dwell(60)});
     scene.cam = disk_spec({});
     scene.cam->set(DimensionIndex::base_radius, 40.0 * units::millimetre);
