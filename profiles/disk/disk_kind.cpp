@@ -99,8 +99,8 @@ std::vector<KeyRow> drawing_rows() {
         {"drawing.title_block", "date", text, plain, any, {}, "empty", "Date of issue, as it is to be printed."},
         {"drawing.title_block", "surface_finish", text, plain, any, {}, "empty", "Of the cam's surface: `Ra 0.8`."},
         {"drawing.title_block", "profile_tolerance", text, plain, any, {}, "empty", "Of the cam's outline: `0.02`."},
-        {"drawing.title_block", "bore_fit", text, plain, any, {}, "empty", "Beside the diameter of the bore: `H7`."},
-        {"drawing.title_block", "keyway_tolerance", text, plain, any, {}, "empty", "Beside the width of the keyway: `JS9`."},
+        {"drawing.title_block", "bore_fit", text, plain, any, {}, "empty", "Fit, after the diameter of the bore: `H7`."},
+        {"drawing.title_block", "keyway_tolerance", text, plain, any, {}, "empty", "After the width of the keyway: `JS9`."},
     };
 }
 // clang-format on

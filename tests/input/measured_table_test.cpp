@@ -195,7 +195,7 @@ TEST_F(MeasuredScene, EveryFormGivesTheSameMotion) {
     expect_same(turn, "measured.zero = \"nose\"\n");
 }
 
-TEST_F(MeasuredScene, NoseOfProgramIsMiddleOfTopDwell) {
+TEST_F(MeasuredScene, NoseIsMiddleOfTopDwell) {
     write("s.toml",
           "objective.jerk = 1\n[motion]\ntype = \"program\"\nlift_mm = 10\n"
           "segments = [{ kind = \"spline\", angle_deg = 100, to = 1 }, { kind = \"dwell\", angle_deg = 40 }, "

@@ -18,7 +18,7 @@
     for (const name of ['reference', 'measured'])
       if (shown[name] && curve[name]) curve[name].values.forEach((value) => { if (value !== null && Math.abs(value) < 3 * own) take(value); });
     curve.marks.forEach((mark) => take(mark.value));
-    if (shown.measured) curve.points.forEach((point) => take(point[1]));
+    if (shown.measured && curve.points) curve.points.forEach((point) => take(point[1]));
     if (shown.limits) curve.limits.forEach((limit) => { if (Math.abs(limit.at) < 2.2 * own) take(limit.at); });
     if (low > 0 && low < 0.6 * high) low = 0;
     if (high < 0 && high > 0.6 * low) high = 0;
@@ -120,7 +120,7 @@
   function drawPoints(u, curve) {
     const context = u.ctx, ratio = u.pxRatio || devicePixelRatio, box = u.bbox;
     context.fillStyle = colour('given');
-    for (const [at, value] of curve.points) {
+    for (const [at, value] of curve.points || []) {
       const x = u.valToPos(at, 'x', true), y = u.valToPos(value, 'y', true);
       if (x < box.left - 1 || x > box.left + box.width + 1 || y < box.top || y > box.top + box.height) continue;
       context.beginPath();

@@ -71,7 +71,7 @@ TEST(Sheet, SaysItsLengthsInInchesWhereAsked) {
         std::ranges::any_of(sheet.texts, [](const SheetText& text) { return text.words == "A4, in"; }));
 }
 
-TEST(Sheet, TitleBlockHasItsWordsWithinTheirCells) {
+TEST(Sheet, TitleBlockWordsFitTheirCells) {
     Sheet sheet;
     sheet.format = "A4";
     sheet.scale_words = "1:2";

@@ -67,7 +67,7 @@ TEST(InchReport, SuggestedKeysAreInItsUnits) {
     EXPECT_EQ(metric_numbers(report_markdown(solution, {})), "");
 }
 
-TEST(InchReport, RampsInInchesPerDegreeAreKept) {
+TEST(InchReport, RampsPerDegreeHoldExactly) {
     const Scene scene =
         load_scene(std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/lobe_ramps_in_inches.toml");
     const Solution solution = solve(scene);
