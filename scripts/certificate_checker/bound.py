@@ -211,6 +211,8 @@ class Bound:
             function = {j: w * sign / cap for j, w in run.space.functional(at, order, side).items()}
             return Row(name, k, function, 1 + self.relaxed), Fraction(1)
         bound = next((b for b in self.problem.bounds if b.is_meant(rule, order, sign, stretch)), None)
+        if bound is None and any(b.key == rule for b in self.problem.bounds):
+            raise Refuted(f"{name}: the scene has no such rule")
         if bound is not None:
             return self.bound_row(bound, name, k, run, stretch, at, side)
         if rule == "area" and self.problem.runs:
