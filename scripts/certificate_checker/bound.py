@@ -5,6 +5,7 @@ from fractions import Fraction
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, Unverified, derivative, integral, number, product
 from .motion_bounds import lost_area
+from .prescribed import ends_of, state_at
 from .strokes import farthest, stroke_of
 from .train_rows import use_ringing_rows
 
@@ -147,14 +148,10 @@ class Bound:
                 self.most[i] = max(sizes)
 
     def run_at(self, x, side):
-        x = self.problem.folded(x, side)
-        for k, run in enumerate(self.problem.runs):
-            for stretch in run.stretches:
-                inner = stretch.begin < x < stretch.end and min(x - stretch.begin, stretch.end - x) > SAME_PLACE
-                if inner or (abs(x - stretch.begin) <= SAME_PLACE and side == "right") or \
-                        (abs(x - stretch.end) <= SAME_PLACE and side == "left"):
-                    return k, run, stretch
-        return None, None, None
+        """(k, the run, the stretch) of a place on a spline; (None, None, None) elsewhere."""
+        stretch = self.problem.stretch_at(self.problem.folded(x, side), side)
+        found = ((k, run, stretch) for k, run in enumerate(self.problem.runs) if stretch in run.stretches)
+        return next(found, (None, None, None))
 
     def use(self, row, multiplier):
         """function + searched . dimensions - peak <= most, times a multiplier."""
@@ -207,12 +204,16 @@ class Bound:
             weight = sign / (term.reference * stretch.scale(order))
             function = {j: w * weight for j, w in run.space.functional(at, order, side).items()}
             return Row(name, k, function, Fraction(0), peak), Fraction(1)
+        if run is None and sign and self.problem.runs:
+            return self.row_beside_splines(name, rule, order, sign, at, side)
         cap = next((c for o, c, key in self.problem.motion_caps if key == rule and o == order), None)
         if cap is not None and run is not None and sign:
             function = {j: w * sign / cap for j, w in run.space.functional(at, order, side).items()}
             return Row(name, k, function, 1 + self.relaxed), Fraction(1)
         bound = next((b for b in self.problem.bounds if b.is_meant(rule, order, sign, stretch)), None)
-        if bound is not None and run is not None:
+        if bound is None and any(b.key == rule for b in self.problem.bounds):
+            raise Refuted(f"{name}: the scene has no such rule")
+        if bound is not None:
             return self.bound_row(bound, name, k, run, stretch, at, side)
         if rule == "area" and self.problem.runs:
             return self.area_row(name)
@@ -220,6 +221,17 @@ class Bound:
             return self.stroke_row(rule, order, sign, name, k, run, stretch, at, side)
         if self.problem.cam and run is not None:
             return self.problem.cam.row(self, k, run, name, origin, at)
+        return None
+
+    def row_beside_splines(self, name, rule, order, sign, at, side):
+        """A bound or a cap of the motion where it is prescribed, along a law or in a dwell: a row without control points."""
+        state, stretch = state_at(self.problem, at, side)
+        rules = [(cap, cap, sign) for o, cap, key in self.problem.motion_caps if (key, o) == (rule, order)]
+        rules += [(b.most, b.scale, b.sign) for b in self.problem.bounds if b.is_meant(rule, order, sign, stretch) and
+                  b.begin - SAME_PLACE <= at <= b.end + SAME_PLACE]
+        for most, scale, own in rules[:1]:
+            reached = min(own * end for end in ends_of(state[order]))
+            return Row(name, 0, {}, (most - reached) / scale + self.relaxed), Fraction(1)
         return None
 
     def bound_row(self, bound, name, k, run, stretch, at, side):

@@ -35,20 +35,16 @@ def peak_of(problem, term):
 def state_at(problem, at, side):
     """[y, y', y'', y'''] at a place of the motion, enclosed, and its stretch."""
     at = problem.folded(at, side)
-    for stretch in problem.stretches:
-        inside = stretch.begin < at < stretch.end
-        if inside or (abs(at - stretch.begin) <= SAME_PLACE and side == "right") or \
-                (abs(at - stretch.end) <= SAME_PLACE and side == "left"):
-            break
-    else:
+    stretch = problem.stretch_at(at, side)
+    if stretch is None:
         raise Refuted(f"a row speaks of x = {float(at)}, outside the motion")
     v = min(max((at - stretch.begin) / (stretch.end - stretch.begin), Fraction(0)), Fraction(1))
-    begin = Fraction(0)
-    for width, motion in motion_along(stretch, 4):
-        if v <= begin + width or v - begin - width <= 0:
+    begin, pieces = Fraction(0), motion_along(stretch, 4)
+    for width, motion in pieces:
+        if v < begin + width or (v == begin + width and (side == "left" or motion is pieces[-1][1])):
             return motion(constant(v - begin)), stretch
         begin += width
-    return motion(constant(width)), stretch
+    raise Refuted(f"x = {float(at)} is not on its stretch")
 
 
 def ends_of(value):
@@ -91,6 +87,8 @@ def passes(problem, rule, at, side):
         if bound.key == rule and bound.stretch in (None, stretch) and \
                 bound.begin - SAME_PLACE <= at <= bound.end + SAME_PLACE:
             own.append((bound.order, bound.sign, bound.most))
+    if problem.cam and rule.startswith("cam.face_") and problem.cam.width:
+        own += [(1, sign, problem.cam.width[1] * problem.cam.beta[1] / problem.cam.lift) for sign in (1, -1)]
     if own:
         return any(ends_of(constant(sign) * state[order])[0] > most for order, sign, most in own)
     if problem.cam is None or problem.cam.rules is None or not problem.cam.judged:

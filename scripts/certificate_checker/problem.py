@@ -524,3 +524,12 @@ class Problem:
 
     def rms_weight(self, stretch, order):
         return 1 / stretch.scale(order)**2
+
+    def stretch_at(self, x, side):
+        """The stretch at a place of the part of the turn that is repeated, as seen from a side; None: outside the motion."""
+        for stretch in self.stretches:
+            inner = stretch.begin < x < stretch.end and min(x - stretch.begin, stretch.end - x) > SAME_PLACE
+            if inner or (abs(x - stretch.begin) <= SAME_PLACE and side == "right") or \
+                    (abs(x - stretch.end) <= SAME_PLACE and side == "left"):
+                return stretch
+        return None
