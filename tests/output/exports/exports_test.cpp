@@ -115,13 +115,14 @@ TEST(Exports, FolderGetsAllFilesOrNone) {
     const test::TemporaryFolder folder;
     const std::filesystem::path place = folder.path();
     const Solution solution = disk();
-    const std::vector<std::string> names = {"cam.nc", "drawing.svg"};
+    const std::vector<std::string> names = {"codesys.st", "drawing.svg"};
     const auto written = write_exports(place / "made", solution, names);
     ASSERT_EQ(written.size(), 2U);
-    EXPECT_EQ(read_text_file(place / "made/cam.nc"), exported_file(solution, "cam.nc"));
-    EXPECT_THROW(write_exports(place / "none", solution, std::vector<std::string>{"cam.nc", "nothing.txt"}),
-                 InputError);
-    EXPECT_FALSE(std::filesystem::exists(place / "none/cam.nc"));
+    EXPECT_EQ(read_text_file(place / "made/codesys.st"), exported_file(solution, "codesys.st"));
+    EXPECT_THROW(
+        write_exports(place / "none", solution, std::vector<std::string>{"codesys.st", "nothing.txt"}),
+        InputError);
+    EXPECT_FALSE(std::filesystem::exists(place / "none/codesys.st"));
 }
 
 }  // namespace exports_test
