@@ -260,7 +260,7 @@ class Solution:
     @property
     def convex(self) -> bool: """Whether the problem is convex: the optimum is then the global one."""
     @property
-    def seconds(self) -> float: """Wall time of everything."""
+    def seconds(self) -> float: """Wall time of the whole solve, s."""
     @property
     def notes(self) -> list[str]: """Notes on the result."""
     @property

@@ -26,11 +26,13 @@ segments = [{ kind = "law", law = "cycloidal", angle_deg = 120, to_mm = 8 }, { k
 [cam]
 type = "disk"
 follower = "translating_roller"
-base_radius_mm = 30
-roller_radius_mm = 8
+base_radius_mm = 20
+roller_radius_mm = 6
 [forces]
 preload_n = 100
 load_n = [[60, 0], [90, 250], [120, 0]]
+[drawing]
+thickness_mm = 4
 [limits]
 acceleration_m_s2 = { min = -20 }
 )";
@@ -73,7 +75,7 @@ TEST(CFiles, OptionsAreThoseOfTheStruct) {
     camopt_file_options options{};
     options.size = sizeof options;
     options.spindle_rpm = 4321;
-    options.thickness_mm = 12;
+    options.thickness_mm = 3;
     options.cutter_mm = 6;
     Bytes bytes;
     EXPECT_OK(camopt_file(solution.get(), "cam.nc", &options, &bytes.text));
