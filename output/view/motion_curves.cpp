@@ -10,8 +10,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace camopt {
 
@@ -68,6 +71,14 @@ void add_set_points(std::vector<CurveMark>& marks, const View& view, const Motio
     }
 }
 
+/// The curve beside the motion; none: the reference is given as numbers, or nothing is optimised.
+std::shared_ptr<const Motion> reference_curve(const Solution& solution, ReferenceMotion& reference) {
+    if (reference.motion || reference.title.empty()) return std::move(reference.motion);
+    const auto is_spline = [](const ProgramSegment& one) { return one.kind == SegmentKind::spline; };
+    if (std::ranges::none_of(solution.scene.motion.segments, is_spline)) return nullptr;
+    return law_in_place(solution, solution.scene.objective.reference.law).motion;
+}
+
 std::string note_of(const View& view, const PeakRow& row, const ReferenceMotion& reference) {
     std::string note = fmt::format("{} = {}{}", row.symbol, short_text(row.optimum.value),
                                    view.segments.empty() ? "" : " of the spline segments");
@@ -80,7 +91,8 @@ std::string note_of(const View& view, const PeakRow& row, const ReferenceMotion&
 }  // namespace
 
 std::vector<Curve> motion_curves(const View& view) {
-    const ReferenceMotion reference = reference_motion(view.solution.scene);
+    ReferenceMotion reference = reference_motion(view.solution.scene);
+    const std::shared_ptr<const Motion> law = reference_curve(view.solution, reference);
     const std::vector<PeakRow> peaks = peak_comparison(view.solution, reference);
     const Motion* const measured = view.solution.measured ? view.solution.measured->motion.get() : nullptr;
     std::vector<Curve> all;
@@ -94,8 +106,7 @@ std::vector<Curve> motion_curves(const View& view) {
         curve.beside = shown.beside;
         if (shown.beside) curve.beside_factor = shown.beside->per_normalised / unit.per_normalised;
         curve.normalised_factor = 1.0 / unit.per_normalised;
-        if (reference.motion)
-            curve.reference = ComparedCurve{reference.title, view.along(*reference.motion, unit)};
+        if (law != nullptr) curve.reference = ComparedCurve{reference.title, view.along(*law, unit)};
         if (measured != nullptr) curve.measured = ComparedCurve{"measured", view.along(*measured, unit)};
         curve.limits = limits_of(view, unit);
         curve.marks = peak_marks(view, unit, row);

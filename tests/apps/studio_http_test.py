@@ -161,7 +161,7 @@ class Answers(Served):
         before = set(pathlib.Path(tempfile.gettempdir()).glob("camopt-*"))
         whole = {"page": "test", "scene": (SCENES / "cam_drdrd.toml").read_text()}
         available = self.studio.solve(whole["scene"])[1]["downloads"]
-        beginnings = {"drawing_pdf": b"%PDF-", "drawing_svg": b"<", "drawing_dxf": b"  0\n", "step": b"ISO-10303-21", "nc": b"%", "plc_codesys": b"("}
+        beginnings = {"drawing_pdf": b"%PDF-", "drawing_svg": b"<", "drawing_dxf": b"  0\n", "step": b"ISO-10303-21", "nc": b"%", "plc_codesys": b"// camopt"}
         for what in sorted(set(beginnings) & set(available)):
             status, text, _ = self.studio.post("export", {**whole, "what": what})
             self.assertEqual(status, 200, (what, text[:200]))

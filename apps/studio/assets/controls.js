@@ -23,7 +23,7 @@
     const unit = found ? plainUnit(found[2]) : '', value = found ? Number(found[1].replace('−', '-')) : NaN;
     if (found && !unit) return value;
     const known = found && control.units.find((one) => plainUnit(one.unit) === unit);
-    if (known) return tidy(value * known.factor);
+    if (known) return Number((value * known.factor).toPrecision(10));
     const units = control.units.map((one) => one.unit), own = control.shown_unit;
     const allowed = units.length > 1 ? 'a number in ' + own + ', or a number with one of the units ' + units.join(', ') : own ? 'a number in ' + own : 'a number without a unit';
     camopt.refused.send(control.label + ': found "' + text.trim() + '"; allowed: ' + allowed + (/\d,\d/.test(text) ? ', with a decimal point' : '') + '.');

@@ -115,7 +115,7 @@ TEST(StudioScene, IsRewrittenInInchesAndBack) {
     const StudioScene inches = studio_scene(text, Json::object(), "scene", LengthUnit::inch);
     EXPECT_EQ(inches.text.find("_mm"), std::string::npos) << inches.text;
     EXPECT_EQ(inches.scene.length_unit, LengthUnit::inch);
-    EXPECT_NEAR(inches.scene.motion.lift, metric.scene.motion.lift, 1e-10 * metric.scene.motion.lift);
+    EXPECT_NEAR(inches.scene.motion.lift, metric.scene.motion.lift, 1e-9 * metric.scene.motion.lift);
     EXPECT_NEAR(*inches.scene.motion.segments[1].to, *metric.scene.motion.segments[1].to, 1e-9);
     const StudioScene back = studio_scene(inches.text, Json::object(), "scene", LengthUnit::millimetre);
     EXPECT_EQ(back.scene.motion.lift, metric.scene.motion.lift);
