@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the studio calls the keys of a scene, and in which units it takes and shows their numbers.
 #include "apps/studio/studio_controls.hpp"
+#include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
@@ -93,8 +94,8 @@ std::string table_words(std::string_view part) {
         std::ranges::find(named_tables, name, &std::pair<std::string_view, std::string_view>::first);
     std::string words = named == named_tables.end() ? words_of(name) : std::string(named->second);
     if (bracket == std::string_view::npos) return words;
-    const std::string digits(part.substr(bracket + 1, part.size() - bracket - 2));
-    return fmt::format("{} {}", words, std::stoi(digits) + 1);
+    const auto index = integer_in(part.substr(bracket + 1, part.size() - bracket - 2));
+    return fmt::format("{} {}", words, index.value_or(0) + 1);
 }
 
 bool ends_with_bound(std::string_view key, std::string_view bound, std::string& words) {

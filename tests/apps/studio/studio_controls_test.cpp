@@ -74,7 +74,7 @@ TEST(StudioControls, CoverEveryKeyOfAScene) {
     }
 }
 
-TEST(StudioControls, AreCalledByWordsInsteadOfKeys) {
+TEST(StudioControls, HaveLabelsWithoutKeys) {
     const Json controls = studio_controls(text_of("cam_drdrd.toml"));
     const Json angle = control_of(controls, "motion.segments[0]", "angle_deg");
     EXPECT_EQ(angle["label"], "Segment 1: cam angle, deg");
@@ -94,7 +94,7 @@ TEST(StudioControls, AreCalledByWordsInsteadOfKeys) {
             }
 }
 
-TEST(StudioControls, TakeUnitsOfTheSameDimensionOnly) {
+TEST(StudioControls, TakeUnitsOfOneDimension) {
     const Json controls = studio_controls(text_of("cam_roller.toml"));
     const Json units = control_of(controls, "cam", "base_radius_mm")["units"];
     EXPECT_EQ(units, Json::parse(R"([{"unit":"mm","factor":1.0},{"unit":"in","factor":25.4},

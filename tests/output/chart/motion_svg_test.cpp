@@ -96,14 +96,14 @@ TEST(MotionSvg, TimeLimitCoversWholeProgram) {
     EXPECT_NE(motion_svg(solution).find(">limit 800 mm/s<"), std::string::npos);
 }
 
-TEST(ReferenceMotion, OfASceneAloneHasNoCurveInPrograms) {
+TEST(ReferenceMotion, ProgramSceneHasNoCurve) {
     const ReferenceMotion reference = reference_motion(test::program_solution().scene);
     EXPECT_EQ(reference.motion, nullptr);
     EXPECT_EQ(reference.title, "modified sine");
     EXPECT_NEAR(reference.peaks.acceleration.value, 5.527957070544091, 1e-12);
 }
 
-TEST(ReferenceMotion, TakesTheSplinePlaceOfAProgram) {
+TEST(ReferenceMotion, FollowsSplineSegmentsOfAProgram) {
     const Solution solution = test::program_solution();
     const View view(solution);
     const auto law = make_law("modified_sine");
@@ -142,9 +142,10 @@ TEST(MotionCurves, MarkThePeaksOfBothSigns) {
             for (const double extreme : {*least, *largest}) {
                 const double size = std::max(std::abs(*least), std::abs(*largest));
                 if (std::abs(extreme) < 1e-9 * size) continue;
-                EXPECT_TRUE(std::ranges::any_of(curve.marks, [&](const CurveMark& mark) {
-                    return std::abs(mark.value - extreme) < 1e-3 * size;
-                })) << curve.key << " " << extreme;
+                EXPECT_TRUE(std::ranges::any_of(
+                    curve.marks,
+                    [&](const CurveMark& mark) { return std::abs(mark.value - extreme) < 1e-3 * size; }))
+                    << curve.key << " " << extreme;
             }
         }
     }
