@@ -3,6 +3,7 @@
 
 #include "output/view/tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -27,10 +28,12 @@ std::string View::title(const char* untitled) const {
 }
 
 std::vector<double> View::along(const Motion& motion, const MotionUnit& unit) const {
+    constexpr double rounding = 1e-9;  // of its length: its ends may be sums of other angles
     std::vector<double> values;
     for (const DeliveredRow& row : delivered.rows) {
-        const bool inside = !row.closing && row.x >= motion.begin() && row.x <= motion.end();
-        values.push_back(inside ? unit.per_normalised * motion.at(row.x, row.side).derivative[unit.order]
+        const double x = std::clamp(row.x, motion.begin(), motion.end());
+        const bool inside = !row.closing && std::abs(row.x - x) <= rounding * (motion.end() - motion.begin());
+        values.push_back(inside ? unit.per_normalised * motion.at(x, row.side).derivative[unit.order]
                                 : std::nan(""));
     }
     return values;
