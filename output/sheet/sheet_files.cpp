@@ -91,6 +91,7 @@ class DxfSheet {
         entity.measured = dimension.measured();
         entity.text = text_of(marks.text);
         entity.across = dimension.across;
+        entity.tolerance = printable(dimension.tolerance);
         entity.first = dimension.first;
         entity.second = dimension.second;
         entity.line = sheet_.view.in_model(dimension.place);

@@ -127,7 +127,8 @@ void DxfDrawing::dimension(std::string_view layer, const DxfDimension& dimension
     const bool angle = dimension.kind == Kind::angle;
     append_tag(entities_, 42,
                dxf_real(angle ? dimension.measured : millimetres_shown.of(dimension.measured)));
-    append_tag(entities_, 1, dimension.across ? "%%c<>" : "<>");
+    const std::string tolerance = dimension.tolerance.empty() ? "" : " " + dxf_text(dimension.tolerance);
+    append_tag(entities_, 1, (dimension.across ? "%%c<>" : "<>") + tolerance);
     append_tag(entities_, 3, dxf_dimension_style);
     switch (dimension.kind) {
         case Kind::linear:

@@ -52,6 +52,7 @@ struct DxfDimension {
     double direction = 0.0;             ///< linear: of the dimension line
     double measured = 0.0;              ///< m, rad: what a reader finds
     bool across = false;                ///< linear: of a diameter
+    std::string tolerance = {};         ///< after the measure: "H7"
     DxfText text;                       ///< what stands there
 };
 

@@ -25,7 +25,21 @@ bore_mm = {bore}
 keyway = {{ width_mm = 6, depth_mm = 2.8, at_deg = {at} }}
 thickness_mm = 12.5
 datum_deg = {datum}
-title_block = {{ part = "Cam <1>", material = "16MnCr5", tolerance = "ISO 2768-m", drawn_by = "N. N." }}
+density_kg_m3 = 7850
+projection = "third_angle"
+[drawing.title_block]
+part = "Cam <1>"
+material = "16MnCr5"
+tolerance = "ISO 2768-m"
+drawn_by = "N. N."
+organisation = "Cam Works"
+number = "4711"
+revision = "C"
+date = "2026-11-26"
+surface_finish = "Ra 0.8"
+profile_tolerance = "0.02"
+bore_fit = "H7"
+keyway_tolerance = "JS9"
 """
 CASES = [("cam_drdrd", 20, 60, 0), ("cam_clockwise", 14, -30, 45), ("cam_flat", 12, 0, 0),
          ("cam_arm_roller", 18, 90, -90)]
@@ -89,7 +103,7 @@ class Test:
             stated = dimension.dxf.actual_measurement
             assert abs((math.degrees(stated) if kind == "angle" else stated) - measured) < 1e-9
             words = re.sub(r"\\U\+[0-9A-F]{4}", "", block.query("TEXT")[0].dxf.text)
-            shown = float(re.sub(r"[^\d.]", "", words))
+            shown = float(re.sub(r"[^\d.]", "", words.split(" ")[0]))  # without its fit
             assert abs(shown - measured) < 0.006, (shown, measured)
             found[kind].append(measured)
         linear = [12.5, self.bore, self.bore + 2.8, 6]
@@ -115,7 +129,11 @@ class Test:
         elements = root.iter("{http://www.w3.org/2000/svg}text")
         texts = [(float(element.get("y")), float(element.get("x")), element.text) for element in elements]
         words = {text for _, _, text in texts}
-        assert "Cam <1>" in words and "16MnCr5" in words, words
+        for word in ("Cam <1>", "16MnCr5", "ISO 2768-m", "N. N.", "Cam Works", "4711", "C", "2026-11-26", "Ra 0.8", "0.02",
+                     f"⌀{self.bore} H7", "6 JS9"):
+            assert word in words, (word, words)
+        mass = next(float(word[:-3]) for word in words if word.endswith(" kg"))
+        assert abs(mass / (7850e-9 * 12.5 * self.area()) - 1) < 5e-3, mass
         assert any(re.fullmatch(r"\d+:\d+", word) for word in words), words
         rows = 0
         for y, x, text in texts:
@@ -148,6 +166,8 @@ class Test:
         if not self.options.volume:
             print("the STEP is NOT WRITTEN: this build has no Open CASCADE")
             return
+        header = (self.out / "cam.step").read_text(encoding="utf-8").split("ENDSEC", 1)[0]
+        assert "'Cam <1>'" in header and "('N. N.')" in header and "('Cam Works')" in header, header
         read = float(subprocess.run([self.options.volume, self.out / "cam.step"], capture_output=True, text=True,
                                     check=True).stdout)
         assert abs(read / exact - 1) < 1e-6, (read, exact)
