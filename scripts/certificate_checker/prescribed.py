@@ -68,7 +68,7 @@ def judge_passed_limit(problem, proof, report):
         except Unverified as fault:
             unknown = fault
     if not passed:
-        raise unknown or Refuted(f"{rule} is kept at x = {float(at)}")
+        raise unknown or Refuted(f"{rule} is satisfied at x = {float(at)}")
     report.say(f"{rule} is passed at x = {float(at):.9g}, where the motion is prescribed")
     return []
 
