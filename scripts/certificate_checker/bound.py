@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from .conditions import Conditions, solved
-from .exact import ORDERS, Refuted, SAME_PLACE, Unverified, derivative, integral, number, product
+from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, derivative, integral, number, product
 from .motion_bounds import lost_area
 from .prescribed import ends_of, state_at
 from .strokes import farthest, stroke_of
@@ -271,11 +271,11 @@ class Bound:
                 raise Refuted(f"{name}: the scene has no such rule")
             if ends[sign > 0] is None:
                 return None
-            scale = moved if None in ends else stroke.most - stroke.least
+            scale = max(moved, STATED) if None in ends else stroke.most - stroke.least
             most = sign * (ends[sign > 0] + run.level(stretch))
         along = (at - stroke.begin) / length
         near = (4 * along * (1 - along))**(3 - order)  # camopt's row is this much larger
-        if near <= 0 or not scale:
+        if near <= 0:
             return None
         function = {j: w * sign / scale for j, w in run.space.functional(at, order, side).items()}
         return Row(name, k, function, most / scale + self.relaxed * near), 1 / near

@@ -12,11 +12,12 @@ from .spatial_rules import SpatialRules
 from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides, constant
 from .exact import (
     KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
-    largest, largest_magnitude, middle_of, number, on_grid, product, root, shifted, tangent, times)
-from .forces import Forces, quantity
+    largest, largest_magnitude, middle_of, number, on_grid, product, root, tangent, times)
+from .forces import Forces
 from .laws import at_time, motion_along
+from .loads import keep_force, keep_hertz, keep_torque
 from .motion_bounds import keeps
-from .problem import angle_of, dimension_of
+from .units import angle_of, dimension_of, quantity
 
 
 DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat": ("base_radius",),
@@ -270,11 +271,11 @@ class Cam:
         if key.endswith("pressure_angle_deg"):
             return self.keep_pressure if pushed else lambda curve: self.keep_pressure_of_arm(curve, key)
         if key.startswith("contact_force_min_") and pushed:
-            return self.keep_force
+            return lambda curve: keep_force(self, curve)
         if key == "torque_max_nm" and pushed:
-            return lambda curve: self.keep_torque(curve, number(limits[key]))
+            return lambda curve: keep_torque(self, curve, number(limits[key]))
         if key == "hertz_pressure_max_mpa" and self.follower == "translating_roller":
-            return lambda curve: self.keep_hertz(curve, number(limits[key]) * 10**6)
+            return lambda curve: keep_hertz(self, curve, number(limits[key]) * 10**6)
         if key.startswith("cam_radius_min") and pushed:
             return lambda curve: self.keep_radius(curve, dimension_of(limits, "cam_radius_min"))
         if key.startswith(("cam_radius_min", "concave_radius_min")) or key == "undercut_margin":
@@ -485,48 +486,3 @@ class Cam:
             if depth > 60 or any(sides[end] > 0 and rooms[end] < 0 for end in (0, -1)):
                 raise Refuted(fault)
             stack += [(a, b, depth + 1) for a, b in zip(halves(sides), halves(rooms))]
-
-    def loaded_pieces(self, curve):
-        """[(polynomial, width, the force along it)]: pieces of the splines, on all copies, where the load is a line."""
-        forces, speed, pieces = self.forces, self.problem.turns_per_second(), []
-        for copy, (run, own) in itertools.product(range(self.problem.copies if not forces.is_constant() else 1),
-                                                  zip(self.problem.runs, curve.pieces)):
-            for p, width, left, stretch in own:
-                x = left - run.begin_of(stretch) + stretch.begin + copy * self.problem.stretches[-1].end
-                for begin, end, load, slope in forces.lines(x, x + width):
-                    part = shifted(p, begin - x)
-                    force = combination((forces.mass * speed**2 * self.lift, derivative(part, 2)),
-                                        (forces.damping * speed * self.lift, derivative(part)), (forces.rate * self.lift, part),
-                                        (1, [forces.preload + load + slope * begin, slope]))
-                    pieces.append((part, end - begin, force))
-        return pieces
-
-    def keep_force(self, curve):
-        unit = self.forces.unit(self.problem)
-        pieces = [([-c / unit for c in force], width) for _, width, force in self.loaded_pieces(curve)]
-        if pieces and largest(pieces)[1] > -self.forces.least / unit + KEPT * 10:
-            raise Refuted("the contact force passes its limit")
-
-    def keep_torque(self, curve, most):
-        pieces = [(product(force, [c * self.lift / self.beta[0] / most for c in derivative(p)]), width)
-                  for p, width, force in self.loaded_pieces(curve)]
-        if largest_magnitude(pieces)[1] > 1 + KEPT * 10:
-            raise Refuted("the torque passes its limit")
-
-    def keep_hertz(self, curve, most):
-        """p^2 = F_n / (pi b C) (1/cam radius + 1/roller), F_n = F sqrt(Q) / D, Q = D^2 + u^2, C = sum of (1 - nu^2) /
-        E, and 1/cam radius + 1/roller = 1 / (r (1 - r N / Q^(3/2))): with K = 1 / (pi b C r most^2) it is kept where
-        K F Q^2 + r N D <= sqrt(D^2 Q^3), D > 0."""
-        forces = self.scene["forces"]
-        compliance = sum((1 - number(forces.get(f"{side}_poisson", Fraction(3, 10)))**2) /
-                         (number(forces.get(f"{side}_modulus_gpa", 210)) * 10**9) for side in ("cam", "follower"))
-        if any(key.startswith(("cam_modulus", "follower_modulus")) and not key.endswith("_gpa") for key in forces):
-            raise Unverified("moduli of elasticity in another unit than GPa")
-        pressed = 1 / (sum(PI) / 2 * self.forces.width * compliance * self.roller * most**2)
-        for p, w, force in self.loaded_pieces(curve):
-            high, _, square, bent = self.geometry(p)
-            if min(bernstein(high, w)) <= 0:
-                raise Unverified("limits.hertz_pressure where the contact may lie below the cam's centre")
-            side = combination((pressed, product(force, product(square, square))), (self.roller, product(bent, high)))
-            root_of = product(product(high, high), product(square, product(square, square)))
-            self.decide(side, root_of, w, "the Hertz pressure passes its limit")

@@ -10,7 +10,8 @@ from fractions import Fraction
 
 from .enclosures import Over
 from .exact import PI, Unverified, exactly, middle_of, number, tangent, times
-from .forces import Forces, quantity
+from .forces import Forces
+from .units import quantity
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
 TOUCHES = Fraction(1, 10**6)      # contact: regularity, and height over the centre in parts of the cam's length

@@ -2,31 +2,8 @@
 """The load of a follower that is pushed straight: mass, spring, preload, viscous damping, and a load over the cam angle."""
 from fractions import Fraction
 
-from .exact import PI, Unverified, middle_of, number
-
-INCH, POUND, POUND_FORCE = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction("4.4482216152605")
-LENGTH = {"mm": Fraction(1, 1000), "m": 1, "in": INCH}
-FORCE = {"n": 1, "lbf": POUND_FORCE}
-UNITS = {"mass": {"kg": 1, "lb": POUND}, "spring_rate": {"n_mm": 1000, "n_m": 1, "lbf_in": POUND_FORCE / INCH},
-         "preload": FORCE, "damping": {"n_s_m": 1}, "load": FORCE, "contact_width": LENGTH, "contact_force_min": FORCE}
-
-
-def unit_of(table, name):
-    """(the key of a quantity, SI of one in its unit), or (None, None)."""
-    for unit, size in UNITS[name].items():
-        if f"{name}_{unit}" in table:
-            return f"{name}_{unit}", Fraction(size)
-    found = [key for key in table if key.startswith(name + "_")]
-    if found:
-        raise Unverified(f"{found[0]}: this unit")
-    return None, None
-
-
-def quantity(table, name):
-    """SI; 0 where it is not given."""
-    key, size = unit_of(table, name)
-    return number(table[key]) * size if key else Fraction(0)
-
+from .exact import PI, middle_of, number
+from .units import quantity, unit_of
 
 class Forces:
     """F = mass speed^2 s'' + damping speed s' + rate s + preload + load, in N; speed in unit angles a second."""

@@ -19,7 +19,7 @@ from .disk_rules import DiskRules, constant
 from .enclosures import Over
 from .exact import Unverified, exactly, number, tangent
 from .plane_vectors import across, divided, dot, plus, scaled, sign_of
-from .problem import angle_of
+from .units import angle_of
 from .remote_rules import enclosed, length_in
 
 NAMES = ("roller_radius", "roller_rest", "roller_end", "roller_from", "pin_distance", "rocker_pivot_x", "rocker_pivot_y",

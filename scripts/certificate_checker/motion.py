@@ -212,7 +212,7 @@ class Curve:
                     if monotone and moved:
                         rules = [([-c * (stroke.end - stroke.begin) / moved for c in derivative(part)], Fraction(0))]
                     else:
-                        size = abs(moved) or stroke.most - stroke.least
+                        size = max(abs(moved), Fraction(1))
                         rules = [([sign * c / size for c in part], (end + run.level(stretch)) * sign / size)
                                  for sign, end in ((-1, stroke.least), (1, stroke.most)) if end is not None]
                     for rule, most in rules:

@@ -6,7 +6,7 @@ from . import enclosures
 from .disk_rules import constant
 from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, number, root, tangent
 from .laws import motion_along
-from .problem import dimension_of
+from .units import dimension_of
 from .references import law_peak
 
 

@@ -3,124 +3,13 @@
 import itertools
 from fractions import Fraction
 
-from .conditions import Conditions
 from .exact import ORDERS, PI, SAME_PLACE, Unverified, exactly, middle_of, number, times
 from .motion_bounds import area_reference, motion_bounds
+from .runs import Peak, Run, Stretch
 from .spaces import Space
+from .units import LENGTHS, angle_of, ratio
 
 CLOSE = Fraction(1, 10**6)  # set points nearer than this, in x, fix a slope that a last digit moves
-LENGTHS = {"mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}
-
-
-def dimension_of(table, *names):
-    """m, or (least, most) where it is searched; 0 where no name is given."""
-    for unit, size in LENGTHS.items():
-        for name in names:
-            value = table.get(f"{name}_{unit}")
-            if isinstance(value, dict):
-                return number(value["min"]) * size, number(value["max"]) * size
-            if value is not None:
-                return number(value) * size
-    return Fraction(0)
-
-
-def angle_of(table, key):
-    """(value, "deg" or "rad"), or None."""
-    for spelling, unit, size in (("deg", "deg", 1), ("rad", "rad", 1), ("crank_deg", "deg", Fraction(1, 2))):
-        if f"{key}_{spelling}" in table:
-            value = table[f"{key}_{spelling}"]
-            if isinstance(value, dict):
-                raise Unverified(f"{key}_{spelling}: an angle that is searched")
-            return number(value) * size, unit
-    return None
-
-
-def ratio(a, b):
-    """Of two angles in one unit. Degrees and radians mixed have no exact ratio."""
-    if a[1] != b[1]:
-        raise Unverified("angles in degrees and in radians in one scene")
-    return a[0] / b[0]
-
-
-class Stretch:
-    """A part of the motion: a dwell, a law, or a spline between two displacements (None: what the spline makes)."""
-
-    def __init__(self, kind, begin, end, start, to):
-        self.kind, self.begin, self.end, self.start, self.to = kind, begin, end, start, to
-
-    def scale(self, order):
-        """y^(order) is this times what V, A and J of the stretch measure."""
-        if self.start is None or self.to is None:
-            raise Unverified("displacements that are free")
-        displacement = abs(self.to - self.start)
-        if displacement < Fraction(1, 10**9):
-            displacement = Fraction(1)
-        return displacement / (self.end - self.begin)**order
-
-
-class Run:
-    """A spline over neighbouring stretches: its space, and conditions (row, value, name) it meets exactly. Those of `passed`
-    come after the start of the next turn: there the run's own x is a turn further, and its y higher by `raised` (a relative
-    motion). `curves`: those of the delivered motion in the run's order, with by how much x of each is less than the run's."""
-
-    def __init__(self, space, stretches, passed=(), raised=Fraction(0), curves=()):
-        self.space, self.stretches, self.passed, self.raised, self.conditions = space, stretches, passed, raised, []
-        self.curves = curves
-        # y' and y'' at both ends; None: where one turn goes on in the next.
-        self.states = [(Fraction(0), Fraction(0)), (Fraction(0), Fraction(0))]
-
-    @property
-    def rests(self):
-        return tuple(state == (0, 0) for state in self.states)
-
-    def is_ring(self):
-        return self.states[0] is None
-
-    def level(self, stretch):
-        """The run's own y less that of the motion."""
-        return self.raised if stretch in self.passed else Fraction(0)
-
-    def ends(self):
-        """Its own y at both ends."""
-        return self.stretches[0].start, self.stretches[-1].to + self.level(self.stretches[-1])
-
-    def begin_of(self, stretch):
-        """Its own x where a stretch begins."""
-        return stretch.begin + (self.space.period if stretch in self.passed else 0)
-
-    def stretch_at(self, x):
-        return next(s for s in self.stretches if self.begin_of(s) <= x < self.begin_of(s) + s.end - s.begin)
-
-    def is_fine(self):
-        """Where a segment is far narrower than others, or than the whole, the last digit of y is much of its third derivative."""
-        widths = [self.space.width(i) for i in range(self.space.segments)]
-        return 1000 * min(widths) < max(max(widths), 2 * sum(widths))
-
-    def top(self):
-        return min(3, self.space.continuity)
-
-    def in_top(self, row):
-        """A function of the control points as one of y, y' ... at the start and the control points of the derivative
-        top."""
-        weights, starts = [row.get(j, Fraction(0)) for j in range(self.space.size)], []
-        for order in range(1, self.top() + 1):
-            start, weights = self.space.raised(weights, order)
-            starts.append(start)
-        return {j: w for j, w in enumerate(starts + weights) if w}
-
-    def conditions_in_top(self):
-        return Conditions([(self.in_top(row), value, name) for row, value, name in self.conditions])
-
-    def demand(self, x, order, side, value, name):
-        self.conditions.append((self.space.functional(x, order, side), value, name))
-
-
-class Peak:
-    """A term of the objective: weight * max |y^(order)| / reference (kind "rms": root mean square; "residual": vibration of an
-    elastic follower's output after the motion)."""
-
-    def __init__(self, kind, order, weight, reference, cap=None):
-        self.kind, self.order, self.weight, self.reference, self.cap = kind, order, weight, reference, cap
 
 
 class Problem:
@@ -178,6 +67,8 @@ class Problem:
         for unit in ("deg", "rad"):
             if f"lift_{unit}" in self.motion:
                 return number(self.motion[f"lift_{unit}"]), unit
+        if "stops" in self.motion:
+            return Fraction(360) / self.motion["stops"], "deg"
         return Fraction(1, 1000), "m"
 
     def lifts_of(self, table, name):
@@ -315,7 +206,7 @@ class Problem:
         joints = [Fraction(0)]
         for angle in angles:
             joints.append(joints[-1] + ratio(angle, self.unit_angle))
-        closed, count = self.motion.get("closed", True), len(segments)
+        closed = self.motion.get("closed", True)
         self.wraps = closed is True or closed == "relative"
         levels = self.levels(segments, closed is True)
         for i, segment in enumerate(segments):

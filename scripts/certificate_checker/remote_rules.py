@@ -25,7 +25,7 @@ from .disk_rules import DiskRules, constant
 from .enclosures import Over
 from .exact import PI, Unverified, exactly, number, tangent, times
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
-from .problem import angle_of, dimension_of
+from .units import angle_of, dimension_of
 
 NUMBERS = {"lever": (), "lever_coupler_slider": ("lever_arm", "coupler", "slider_x", "slider_y"),
            "lever_coupler_lever": ("lever_arm", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm"),

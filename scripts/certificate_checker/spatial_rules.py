@@ -11,7 +11,7 @@ from .disk_rules import constant
 from .enclosures import Over
 from .plane_vectors import sign_of
 from .exact import PI, exactly, number, tangent, times
-from .problem import angle_of, dimension_of
+from .units import angle_of, dimension_of
 
 NAMES = ("roller_radius", "arm_length", "center_distance", "lateral_offset", "roller_length")
 

@@ -29,7 +29,7 @@ from .disk_rules import constant
 from .enclosures import Complex, Over
 from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, times, value_at
 from .laws import at_time, harmonic
-from .problem import Peak
+from .runs import Peak
 
 FORCES = {"n_mm": 1000, "n_m": 1}
 AMPLITUDES = {"um": Fraction(1, 10**6), "mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}

@@ -14,7 +14,8 @@ from .conditions import Conditions
 from .exact import KEPT, NOT_CONVEX, PI, Refuted, STATED, Unverified, middle_of, number
 from .motion import Curve
 from .prescribed import bound_of, is_prescribed, judge_passed_limit
-from .problem import Problem, angle_of
+from .problem import Problem
+from .units import angle_of
 from .references import references_of
 from .stored import check_box, factor_of, stored_bound
 from .train import Train
@@ -64,12 +65,22 @@ KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "
                "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset"}
 
 
+KNOWN_OF_MOTION = ("type", "lift_", "rise_", "return_", "speed_", "symmetric", "within_lift", "monotone", "via", "start", "end",
+                   "corridor", "segments", "closed", "repeat", "stops")
+
+
 def name_what_is_unknown(scene):
     """A table or a term that nothing below looks at would pass unseen."""
     for table in sorted(set(scene) - KNOWN_TABLES):
         raise Unverified(f"[{table}]")
     for term in sorted(set(scene.get("objective", {})) - KNOWN_TERMS):
         raise Unverified(f"objective.{term}")
+    motion = scene["motion"]
+    if motion["type"] not in ("DRD", "RR", "program"):
+        raise Unverified(f'motion.type = "{motion["type"]}"')
+    for key in sorted(motion):
+        if not key.startswith(KNOWN_OF_MOTION):
+            raise Unverified(f"motion.{key}")
 
 
 def with_angles_found(scene, result):
