@@ -42,7 +42,6 @@ namespace {
 
 constexpr int flank_points = 361;           // over the turn
 constexpr const char* first_piece = "cam";  // the files of a cam, or of its first disk
-constexpr double cubic_millimetre = units::millimetre * units::millimetre * units::millimetre;
 
 /// What was written, and what the check of a program found.
 struct Exported {
@@ -230,11 +229,15 @@ void export_plane(const ExportRequest& request, const Solution& solution, Folder
         if (is_wanted(request, file.view)) folder.write(file.name, file.text);
 }
 
-std::string mesh_text(const std::string& file, const DiskMesh& solid) {
+/// "302972 mm3", "18.4885 in3".
+std::string volume_text(LengthUnit unit, double volume) {
+    return fmt::format("{:.6g} {}3", volume / std::pow(metres_of(unit), 3), name_of(unit));
+}
+
+std::string mesh_text(const std::string& file, const DiskMesh& solid, LengthUnit unit) {
     return fmt::format(
-        "  {}: {} triangles, at most {:.3g} um from the cam; {:.6g} mm3, {:.2g} of it {} than the "
-        "cam's own\n",
-        file, solid.mesh.triangles.size(), solid.deviation * 1e6, solid.volume / cubic_millimetre,
+        "  {}: {} triangles, at most {:.3g} um from the cam; {}, {:.2g} of it {} than the cam's own\n", file,
+        solid.mesh.triangles.size(), solid.deviation * 1e6, volume_text(unit, solid.volume),
         std::abs(solid.volume / solid.exact - 1.0), solid.volume < solid.exact ? "less" : "more");
 }
 
@@ -248,13 +251,14 @@ void export_piece(const ExportRequest& request, const Solution& solution, const 
         mesh.points = request.points;
         const DiskMesh solid = disk_mesh(shape, drawing, mesh);
         folder.write(name + ".stl", stl_bytes(solid.mesh, title));
-        result.text += mesh_text(name + ".stl", solid);
+        result.text += mesh_text(name + ".stl", solid, solution.scene.length_unit);
     }
     if (request.step) {
         const double volume =
             write_step_solid(folder.aside() / (name + ".step"), disk_plate(shape, drawing, title));
         folder.add(name + ".step");
-        result.text += fmt::format("  {}.step: a solid of {:.6g} mm3\n", name, volume / cubic_millimetre);
+        result.text +=
+            fmt::format("  {}.step: a solid of {}\n", name, volume_text(solution.scene.length_unit, volume));
     }
 }
 

@@ -20,7 +20,7 @@ void check_force_unit(const SceneSource& source, std::string_view table, std::st
     const auto given = source.find(table, quantity);
     if (!given) return;
     const std::string_view unit = given->spelling->unit;
-    const bool fits_oscillating = unit.starts_with("N m") || unit == "kg m^2";
+    const bool fits_oscillating = is_turning_unit(unit);
     if (fits_oscillating == oscillating) return;
     std::string allowed;
     for (const KeyRow& row : scene_keys()) {
@@ -28,7 +28,7 @@ void check_force_unit(const SceneSource& source, std::string_view table, std::st
             (row.name != quantity && row.instead_of != quantity && given->row->instead_of != row.name))
             continue;
         for (const Spelling& spelling : row.spellings)
-            if ((spelling.unit.starts_with("N m") || spelling.unit == "kg m^2") == oscillating)
+            if (is_turning_unit(spelling.unit) == oscillating)
                 allowed += (allowed.empty() ? "" : " or ") + row.key(spelling);
     }
     refuse_key(source, *given,

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
 #include "core/text/parsing.hpp"
-#include "core/text/printable.hpp"
-#include "core/text/text_file.hpp"
-#include "input/keys/key_spellings.hpp"
+#include "core/units.hpp"
 #include "input/scene_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace camopt::input {
 
@@ -19,7 +16,7 @@ namespace {
 /// As written in the scene.
 std::vector<double> numbers_of(const Given& given) {
     std::vector<double> numbers;
-    for (const Node& item : given.value().items) numbers.push_back(item.as_number() * given.spelling->factor);
+    for (const Node& item : given.value().items) numbers.push_back(item.as_number());
     return numbers;
 }
 
@@ -30,11 +27,6 @@ void require_unit_of_lift(const SceneSource& source, const Place& place, const s
                 fmt::format("found displacements in {} where the lift is {}; allowed: {}", unit.unit,
                             motion.lift_is_angle ? "an angle" : "a length",
                             motion.lift_is_angle ? "s_deg or s_rad" : "s_mm, s_in or s_m"));
-}
-
-std::vector<double> scaled(std::vector<double> numbers, double factor) {
-    for (double& number : numbers) number *= factor;
-    return numbers;
 }
 
 /// The row of "measured.theta[17]"; nullopt for other members.
@@ -59,113 +51,131 @@ Node array_of(const std::vector<double>& numbers, const Place& place) {
     return array;
 }
 
-// A million rows of two numbers are smaller.
-constexpr std::uintmax_t most_table_bytes = std::uintmax_t{1} << 26U;
+TableForm table_form(const Node& measured) {
+    TableForm form;
+    const auto find = [&](const char* name) { return SceneSource::find_in(measured, "measured", name); };
+    if (const auto columns = find("columns"))
+        for (const Node& item : columns->value().items) form.columns.push_back(item.text);
+    if (const auto decimal = find("decimal")) form.decimal = decimal->value().text.front();
+    form.by_step = find("step").has_value();
+    return form;
+}
 
-// Around a cell: quotes too.
-constexpr std::string_view cell_ends = " \t\r\"";
-
-/// A column's place and unit.
-struct Column {
-    std::size_t index = 0;
-    std::string key;
-    Spelling unit;
-};
-
-class TableReader {
- public:
-    TableReader(std::string_view text, const std::string& name) : text_(text) {
-        table_.file = name;
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
-    }
-
-    MeasuredTable read() {
-        const std::optional<std::string_view> header = next_line();
-        if (!header)
-            fail("no line at all", "a line that names the columns, theta_deg and s_mm, and rows of numbers");
-        separator_ = ',';
-        for (const char other : {';', '\t'})
-            if (header->find(',') == std::string_view::npos && header->find(other) != std::string_view::npos)
-                separator_ = other;
-        const std::vector<std::string_view> names = split_text(*header, separator_, cell_ends);
-        theta_ = column(names, "theta", spellings::angle, "theta_deg or theta_rad");
-        s_ = column(names, "s", spellings::lift, "s_mm, s_in, s_m, s_deg or s_rad");
-        columns_ = names.size();
-        while (const std::optional<std::string_view> line = next_line()) add_row(*line);
-        table_.theta_key = theta_.key;
-        table_.s_key = s_.key;
-        table_.theta_unit = theta_.unit;
-        table_.s_unit = s_.unit;
-        return std::move(table_);
-    }
-
- private:
-    std::string_view text_;
-    MeasuredTable table_;
-    int line_ = 0;
-    char separator_ = ',';
-    std::size_t columns_ = 0;
-    Column theta_, s_;
-
-    [[noreturn]] void fail(const std::string& found, const std::string& allowed) const {
-        throw InputError(
-            fmt::format("{}:{}: found {}; allowed: {}", table_.file, std::max(line_, 1), found, allowed));
-    }
-
-    /// The next line with content.
-    std::optional<std::string_view> next_line() {
-        while (!text_.empty()) {
-            const std::size_t end = text_.find('\n');
-            const std::string_view line = text_.substr(0, end);
-            text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
-            ++line_;
-            const std::string_view said = trimmed(line, cell_ends);
-            if (!said.empty() && !said.starts_with('#')) return line;
+/// The middle of the stretch at the largest displacement that the scene gives, rad; none: it gives none.
+std::optional<double> nose_angle(const MotionSpec& motion) {
+    if (motion.type != MotionType::program) return motion.rise;
+    double angle = 0.0, lifts = 0.0, largest = 0.0, from = 0.0, to = 0.0;
+    for (const ProgramSegment& segment : motion.segments) {
+        const double begin = angle;
+        angle += segment.angle;
+        if (segment.kind != SegmentKind::dwell) lifts = segment.to.value_or(0.0);
+        if (lifts > largest) {
+            largest = lifts;
+            from = to = angle;
+        } else if (segment.kind == SegmentKind::dwell && lifts == largest && begin == to) {
+            to = angle;
         }
-        return std::nullopt;
     }
+    return largest > 0.0 ? std::optional(0.5 * (from + to)) : std::nullopt;
+}
 
-    [[nodiscard]] Column column(const std::vector<std::string_view>& names, std::string_view name,
-                                std::span<const Spelling> units, const char* allowed) const {
-        std::optional<Column> found;
-        for (std::size_t i = 0; i < names.size(); ++i)
-            for (const Spelling& unit : units) {
-                const std::string key = fmt::format("{}{}", name, unit.suffix);
-                if (names[i] != key) continue;
-                if (found)
-                    fail(fmt::format("two columns, {} and {}", found->key, key),
-                         fmt::format("one of {}", allowed));
-                found = Column{i, key, unit};
-            }
-        if (found) return *found;
-        std::string list;
-        for (const std::string_view other : names)
-            list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", printable(other));
-        fail(fmt::format("the columns {}", list), fmt::format("one of them named {}", allowed));
-    }
+/// The cam angle from the start of the motion that is 0 in the table, rad.
+double zero_angle(const SceneSource& source, const MotionSpec& motion) {
+    const auto zero = source.find("measured", "zero");
+    if (!zero || zero->value().text == "start") return 0.0;
+    if (zero->value().kind == NodeKind::table) return source.number("measured.zero", "deg").value();
+    const std::optional<double> nose = nose_angle(motion);
+    if (!nose)
+        source.fail(zero->value().place, "measured.zero",
+                    "found \"nose\" in a program that gives no displacement above 0; allowed: \"start\" or "
+                    "{ deg = … }");
+    return *nose;
+}
 
-    [[nodiscard]] double number(std::string_view cell, const Column& column) const {
-        const std::optional<double> value = number_in(cell.starts_with('+') ? cell.substr(1) : cell);
-        if (value && std::isfinite(*value)) return *value;
-        const bool comma = cell.find(',') != std::string_view::npos;
-        fail(fmt::format("\"{}\" in the column {}", printable(cell), column.key),
-             fmt::format("a finite number{}", comma ? ", written with a decimal point" : ""));
-    }
+// rad: rounding of angles and turns.
+constexpr double same_angle = 1e-9;
 
-    void add_row(std::string_view line) {
-        const std::vector<std::string_view> cells = split_text(line, separator_, cell_ends);
-        if (cells.size() != columns_)
-            fail(fmt::format("{} cells", cells.size()),
-                 fmt::format("{}, as the first line names columns", columns_));
-        const double theta = number(cells[theta_.index], theta_), s = number(cells[s_.index], s_);
-        if (!table_.theta.empty() && !(theta > table_.theta.back()))
-            fail(fmt::format("{} = {} after {}", theta_.key, theta, table_.theta.back()), "ascending angles");
-        table_.theta.push_back(theta);
-        table_.s.push_back(s);
-        table_.lines.push_back(line_);
+/// Angles beyond the motion of one revolution, in the half revolution before or after its middle. True: some
+/// were moved.
+bool wrap(std::vector<double>& angle, const MotionSpec& motion) {
+    const double whole = motion.length() * motion.unit_angle(), middle = 0.5 * whole;
+    const bool one_turn =
+        std::max(whole, angle.back() - angle.front()) <= units::turn + same_angle && !motion.relative;
+    bool moved = false;
+    for (double& at : angle) {
+        if (!one_turn || (at >= -same_angle && at <= whole + same_angle)) continue;
+        const double turns = std::floor((at - middle) / units::turn + 0.5);
+        at -= turns * units::turn;
+        moved = moved || turns != 0.0;
     }
+    return moved;
+}
+
+/// Ascending angles on the motion's revolution. Others stay as they are, for the scene's validation.
+void arrange(MeasuredInput& input, const MotionSpec& motion) {
+    std::vector<double>&angle = input.motion.angle, &displacement = input.motion.displacement;
+    std::vector<std::size_t>& rows = input.rows;
+    for (std::size_t i = 0; i < angle.size(); ++i) rows.push_back(i);
+    if (angle.size() != displacement.size() || angle.empty()) return;
+    if (angle.front() > angle.back()) {
+        std::ranges::reverse(angle);
+        std::ranges::reverse(displacement);
+        std::ranges::reverse(rows);
+    }
+    if (!std::ranges::is_sorted(angle) || !wrap(angle, motion)) return;
+    std::vector<std::size_t> order(rows.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return angle[i]; });
+    const auto again = std::ranges::unique(  // 0 and 360 deg
+        order, [&](std::size_t a, std::size_t b) { return angle[b] - angle[a] <= same_angle; });
+    order.erase(again.begin(), again.end());
+    const MeasuredInput before = input;
+    const auto reorder = [&](auto& to, const auto& from) {
+        to.clear();
+        for (const std::size_t i : order) to.push_back(from[i]);
+    };
+    reorder(angle, before.motion.angle);
+    reorder(displacement, before.motion.displacement);
+    reorder(rows, before.rows);
+}
+
+/// Angles and displacements as written, with their units.
+struct WrittenRows {
+    std::vector<double> theta, s;
+    Spelling theta_unit, s_unit;
 };
+
+WrittenRows rows_of_table(const SceneSource& source, const Given& table, const KnownNames& known,
+                          MeasuredInput& input) {
+    if (!known.folder)
+        source.fail(table.value().place, "measured.table",
+                    "found a file name in a scene that was not read from a file; allowed: the numbers, "
+                    "theta_deg and s_mm, or a scene file that names its table");
+    input.table =
+        read_measured_table(*known.folder / table.value().text, table_form(*source.table("measured")));
+    input.motion.name = std::filesystem::path(table.value().text).filename().string();
+    return {input.table->theta, input.table->s, input.table->theta_unit, input.table->s_unit};
+}
+
+WrittenRows rows_of_scene(const SceneSource& source, const Node& measured) {
+    const auto theta = source.find("measured", "theta"), s = source.find("measured", "s");
+    const bool by_step = source.find("measured", "step").has_value();
+    if (!s || (!theta && !by_step))
+        source.fail(measured.place,
+                    theta || by_step ? "measured.s_mm"
+                    : s              ? "measured.theta_deg"
+                                     : "measured.table",
+                    "missing; allowed: table, or s_mm with theta_deg or step_deg");
+    for (const char* const name : {"columns", "decimal"})
+        if (const auto given = source.find("measured", name))
+            source.fail(given->member->place, joined_key("measured", name),
+                        "found without a file; allowed: only with measured.table");
+    WrittenRows rows{{}, numbers_of(*s), {}, *s->spelling};
+    if (!theta) return rows;
+    rows.theta = numbers_of(*theta);
+    rows.theta_unit = *theta->spelling;
+    return rows;
+}
 
 }  // namespace
 
@@ -175,46 +185,40 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, const Moti
     if (!node) return std::nullopt;
     MeasuredInput input;
     if (const auto use = source.find("measured", "use")) input.motion.start = use->value().text == "start";
-    const auto table = source.find("measured", "table");
-    const auto theta = source.find("measured", "theta"), s = source.find("measured", "s");
-    if (table) {
-        if (!known.folder)
-            source.fail(table->value().place, "measured.table",
-                        "found a file name in a scene that was not read from a file; allowed: the numbers, "
-                        "theta_deg and s_mm, "
-                        "or a scene file that names its table");
-        input.table = read_measured_table(*known.folder / table->value().text);
-        require_unit_of_lift(source, table->value().place, "measured.table", input.table->s_unit, motion);
-        input.motion.angle = scaled(input.table->theta, input.table->theta_unit.factor);
-        input.motion.displacement = scaled(input.table->s, input.table->s_unit.factor);
-        input.motion.name = std::filesystem::path(table->value().text).filename().string();
-    } else {
-        if (!theta || !s)
-            source.fail(node->place,
-                        theta ? "measured.s_mm"
-                        : s   ? "measured.theta_deg"
-                              : "measured.table",
-                        "missing; allowed: table, or both theta_deg and s_mm");
-        require_unit_of_lift(source, s->member->place, joined_key("measured", s->member->name), *s->spelling,
-                             motion);
-        input.motion.angle = numbers_of(*theta);
-        input.motion.displacement = numbers_of(*s);
+    const auto table = source.find("measured", "table"), s = source.find("measured", "s");
+    WrittenRows rows = table ? rows_of_table(source, *table, known, input) : rows_of_scene(source, *node);
+    require_unit_of_lift(source, table ? table->value().place : s->member->place,
+                         joined_key("measured", table ? table->member->name : s->member->name), rows.s_unit,
+                         motion);
+    if (const auto step = source.find("measured", "step")) {
+        for (std::size_t i = 0; i < rows.s.size(); ++i)
+            rows.theta.push_back(static_cast<double>(i) * step->value().as_number());
+        rows.theta_unit = *step->spelling;
     }
+    const auto angles = source.find("measured", "angles");
+    const bool halved = angles && angles->value().text == "crank" && rows.theta_unit.unit != "crank deg";
+    const double zero = zero_angle(source, motion), factor = rows.theta_unit.factor * (halved ? 0.5 : 1.0);
+    for (const double theta : rows.theta) input.motion.angle.push_back(zero + theta * factor);
+    for (const double written : rows.s) input.motion.displacement.push_back(written * rows.s_unit.factor);
+    arrange(input, motion);
     if (const auto name = source.find("measured", "name")) input.motion.name = name->value().text;
     return input;
 }
 
-void fail_in_table(const SceneSource& source, const MeasuredInput& measured, const SceneFault& fault) {
-    if (!measured.table || !fault.member.starts_with("measured.")) return;
-    const MeasuredTable& table = *measured.table;
-    const std::optional<std::size_t> row = row_of(fault.member);
+void fail_in_measured(const SceneSource& source, const MeasuredInput& measured, const SceneFault& fault) {
     const bool theta = fault.member.starts_with("measured.theta");
-    const std::string line =
-        row && *row < table.lines.size() ? fmt::format(":{}", table.lines[*row]) : std::string();
-    const auto place = source.find("measured", "table");
-    throw PlacedError(place->value().place,
-                      fmt::format("{}{}: {}: found {}; allowed: {}", table.file, line,
-                                  theta ? table.theta_key : table.s_key, fault.found, fault.allowed));
+    if (!theta && !fault.member.starts_with("measured.s")) source.fail_member(fault.member, words_of(fault));
+    std::optional<std::size_t> row = row_of(fault.member);
+    if (row) row = measured.rows.at(*row);
+    if (!measured.table)
+        source.fail_member(row ? fmt::format("measured.{}[{}]", theta ? "theta" : "s", *row) : fault.member,
+                           words_of(fault));
+    const MeasuredTable& table = *measured.table;
+    const std::string line = row ? fmt::format(":{}", table.lines.at(*row)) : std::string();
+    const std::string& key = theta ? table.theta_key : table.s_key;
+    throw PlacedError(
+        source.find("measured", "table")->value().place,
+        fmt::format("{}{}: {}: {}", table.file, line, key.empty() ? "measured.step" : key, words_of(fault)));
 }
 
 void write_out_tables(Node& root, const std::filesystem::path& folder) {
@@ -226,8 +230,10 @@ void write_out_tables(Node& root, const std::filesystem::path& folder) {
     if (written == members.end() || written->value.kind != NodeKind::text) return;
     const std::string file = written->value.text;
     const Place place = written->place;
-    const MeasuredTable table = read_measured_table(folder / file);
-    members.erase(written);
+    const MeasuredTable table = read_measured_table(folder / file, table_form(measured->value));
+    std::erase_if(members, [](const Member& member) {
+        return member.name == "table" || member.name == "columns" || member.name == "decimal";
+    });
     if (!measured->value.find("name")) {
         Node name;
         name.kind = NodeKind::text;
@@ -235,21 +241,8 @@ void write_out_tables(Node& root, const std::filesystem::path& folder) {
         name.text = std::filesystem::path(file).filename().string();
         members.push_back({"name", place, std::move(name)});
     }
-    members.push_back({table.theta_key, place, array_of(table.theta, place)});
+    if (!table.theta_key.empty()) members.push_back({table.theta_key, place, array_of(table.theta, place)});
     members.push_back({table.s_key, place, array_of(table.s, place)});
-}
-
-MeasuredTable measured_table_of(std::string_view text, const std::string& name) {
-    return TableReader(text, name).read();
-}
-
-MeasuredTable read_measured_table(const std::filesystem::path& file) {
-    const FileBytes read = file_bytes(file, most_table_bytes);
-    if (!read.fault.empty())
-        throw InputError(
-            fmt::format("{}: cannot be read: {}; allowed: a CSV file with the columns theta_deg and s_mm",
-                        printable(file.string()), read.fault));
-    return measured_table_of(read.bytes, printable(file.string()));
 }
 
 }  // namespace camopt::input

@@ -145,13 +145,13 @@ std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec&
 /// Masses and springs for a length, inertias and torsion springs for an angle.
 void check_train_unit(const SceneSource& source, const Given& given, bool angle) {
     const std::string_view unit = given.spelling->unit;
-    const bool angular = unit == "kg m^2" || unit == "N m/rad" || unit == "N m" || unit == "N m s/rad";
-    const bool linear = unit == "kg" || unit == "N/mm" || unit == "N/m" || unit == "N" || unit == "N s/m";
-    if ((angular && !angle) || (linear && angle))
-        source.fail(given.member->place, "dynamics." + given.member->name,
-                    fmt::format("found a quantity in {} where the lift is {}; allowed: {}", unit,
-                                angle ? "an angle" : "a length",
-                                angle ? "kg m^2, N m/rad and N m" : "kg, N/mm and N"));
+    const bool either = unit.empty() || unit == "Hz" || unit.starts_with("r");  // rpm, rad/s
+    if (!either && is_turning_unit(unit) != angle)
+        source.fail(
+            given.member->place, "dynamics." + given.member->name,
+            fmt::format("found a quantity in {} where the lift is {}; allowed: {}", unit,
+                        angle ? "an angle" : "a length",
+                        angle ? "kg m^2, N m/rad, N m and lbf in" : "kg, N/mm and N, or lb, lbf/in and lbf"));
 }
 
 class DynamicsReader {

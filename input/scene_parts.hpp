@@ -30,6 +30,11 @@ namespace camopt::input {
 
 [[nodiscard]] std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& scene);
 
+/// Of inertias, moments and rates of an output that swings; others are those of one that is pushed straight.
+[[nodiscard]] constexpr bool is_turning_unit(std::string_view unit) {
+    return unit.starts_with("N m") || unit == "kg m^2" || unit == "lbf in";
+}
+
 /// Adds to the limits on the peaks.
 void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits);
 
@@ -56,33 +61,45 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
 
 // A CSV file of a measured motion: a line that names the columns, then rows of numbers.
 //
-// Columns are found by their names, in any order; others are ignored. They are separated by commas,
-// semicolons or tabs, as in the first line; numbers have a decimal point in any locale. Empty lines and lines
-// that begin with # are skipped. Internal to input/.
+// Columns are found by their names, in any order; others are ignored, and of two for one quantity the first
+// counts. They are separated by commas, semicolons or tabs, as in the first line. Empty lines, lines that
+// begin with #, and rows that repeat the one before (both sides of a joint) are skipped. Internal to input/.
 struct MeasuredTable {
     std::string file;              ///< its name in messages
-    std::string theta_key, s_key;  ///< "theta_deg", "s_mm"
+    std::string theta_key, s_key;  ///< "theta_deg", "s_mm"; of rows at a given step the first is empty
     Spelling theta_unit, s_unit;
     std::vector<double> theta, s;  ///< as written
     std::vector<int> lines;        ///< of each row, from 1
 };
 
-/// Throws InputError "FILE:LINE: …" for columns that are missing, twice or in other units, cells that are not
-/// finite numbers, angles that do not ascend, and files that cannot be read.
-[[nodiscard]] MeasuredTable read_measured_table(const std::filesystem::path& file);
-[[nodiscard]] MeasuredTable measured_table_of(std::string_view text, const std::string& name);
+/// What the scene says about the table.
+struct TableForm {
+    std::vector<std::string> columns = {};  ///< their names; empty: in the first line
+    bool by_step = false;                   ///< the rows have no angles
+    char decimal = '.';
+};
+
+/// Throws InputError "FILE:LINE: …" for columns that are missing or in other units, cells that are not finite
+/// numbers, angles that neither ascend nor descend, and files that cannot be read.
+[[nodiscard]] MeasuredTable read_measured_table(const std::filesystem::path& file,
+                                                const TableForm& form = {});
+[[nodiscard]] MeasuredTable measured_table_of(std::string_view text, const std::string& name,
+                                              const TableForm& form = {});
 
 struct MeasuredInput {
     MeasuredMotion motion;
     std::optional<MeasuredTable> table;  ///< if from a file: its lines, for messages
+    std::vector<std::size_t> rows;       ///< of the motion: each one's place in the table or the arrays
 };
 
 /// Throws InputError for a missing key, a file that cannot be read, units that do not fit the lift.
 [[nodiscard]] std::optional<MeasuredInput> read_measured(const SceneSource& source, const MotionSpec& motion,
                                                          const KnownNames& known);
 
-/// A fault of the measured motion at the line of its file; no effect for other faults.
-void fail_in_table(const SceneSource& source, const MeasuredInput& measured, const SceneFault& fault);
+/// Throws for a fault of the scene: one of the measured motion at its row as written, in its file if it has
+/// one.
+[[noreturn]] void fail_in_measured(const SceneSource& source, const MeasuredInput& measured,
+                                   const SceneFault& fault);
 
 /// Replaces the table that the scene names by its numbers. No effect if it names none.
 void write_out_tables(Node& root, const std::filesystem::path& folder);

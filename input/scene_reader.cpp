@@ -46,10 +46,22 @@ std::optional<DrawingSpec> read_drawing(const SceneSource& source) {
     const auto words = [&](std::string_view name, std::string& target) {
         if (const auto given = source.find("drawing.title_block", name)) target = given->value().text;
     };
-    words("part", drawing.title_block.part);
-    words("material", drawing.title_block.material);
-    words("tolerance", drawing.title_block.tolerance);
-    words("drawn_by", drawing.title_block.drawn_by);
+    TitleBlock& title = drawing.title_block;
+    words("part", title.part);
+    words("material", title.material);
+    words("tolerance", title.tolerance);
+    words("drawn_by", title.drawn_by);
+    words("organisation", title.organisation);
+    words("number", title.number);
+    words("revision", title.revision);
+    words("date", title.date);
+    words("surface_finish", title.surface_finish);
+    words("profile_tolerance", title.profile_tolerance);
+    words("bore_fit", title.bore_fit);
+    words("keyway_tolerance", title.keyway_tolerance);
+    drawing.density = source.number("drawing", "density");
+    source.read_choice("drawing", "projection", {Projection::first_angle, Projection::third_angle},
+                       drawing.projection);
     return drawing;
 }
 
@@ -67,6 +79,8 @@ class SceneReader {
         scene.length_unit = written_length_unit();
         scene.motion = read_motion(source_, known_);
         scene.spline = read_spline();
+        if (!source_.table("objective") && !scene.motion.prescribed())
+            source_.fail({}, "objective", "missing; allowed: a [objective] table");
         scene.objective = read_objective();
         scene.cam = read_cam(source_, scene.motion, known_);
         scene.forces = read_forces(source_, scene);
@@ -80,7 +94,7 @@ class SceneReader {
         const std::optional<MeasuredInput> measured = read_measured(source_, scene.motion, known_);
         if (measured) scene.measured = measured->motion;
         if (const std::optional<SceneFault> fault = find_fault(scene)) {
-            if (measured) fail_in_table(source_, *measured, *fault);
+            if (measured) fail_in_measured(source_, *measured, *fault);
             source_.fail_member(fault->member, words_of(*fault));
         }
         return scene;

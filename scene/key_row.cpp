@@ -92,6 +92,7 @@ std::string KeyRow::key(const Spelling& spelling) const {
 std::string KeyRow::allowed(const Spelling& spelling) const {
     if (!choices.empty() && type == KeyType::boolean_or_text)
         return "true, false or " + listed(choices, "\"");
+    if (!choices.empty() && type == KeyType::text_or_table) return listed(choices, "\"") + ", or a table";
     if (!choices.empty()) return choices_text();
     const Range written = range.scaled(spellings.front().factor / spelling.factor);
     switch (type) {

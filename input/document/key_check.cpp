@@ -145,7 +145,7 @@ class KeyCheck {
             case KeyType::tables:
                 return check_tables(given, key);
             case KeyType::text_or_table:
-                if (given.value().kind == NodeKind::text) return;
+                if (given.value().kind == NodeKind::text) return check_text(given, key);
                 [[fallthrough]];
             case KeyType::table:
                 refuse_unless(given.value().kind == NodeKind::table, given, key);

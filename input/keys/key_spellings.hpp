@@ -32,6 +32,8 @@ inline constexpr Spelling lift[] = {{"_mm", "mm", units::millimetre},
 inline constexpr Spelling displacement[] = {
     {"", "", 1.0},    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch},
     {"_m", "m", 1.0}, {"_deg", "deg", units::degree},   {"_rad", "rad", 1.0}};
+/// Where the name of the key is the unit.
+inline constexpr Spelling degrees[] = {{"", "deg", units::degree}};
 inline constexpr Spelling speed[] = {{"_rpm", "rpm", units::revolution_per_minute}, {"_rad_s", "rad/s", 1.0}};
 inline constexpr Spelling mass[] = {{"_kg", "kg", 1.0}, {"_lb", "lb", units::pound}};
 inline constexpr Spelling inertia[] = {{"_kg_m2", "kg m^2", 1.0}};
@@ -47,7 +49,8 @@ inline constexpr Spelling train_spring[] = {{"_n_mm", "N/mm", 1.0 / units::milli
                                             {"_nm_rad", "N m/rad", 1.0}};
 inline constexpr Spelling frequency[] = {{"_hz", "Hz", units::turn}, {"_rad_s", "rad/s", 1.0}};
 inline constexpr Spelling damper[] = {{"_n_s_m", "N s/m", 1.0}, {"_nm_s_rad", "N m s/rad", 1.0}};
-inline constexpr Spelling modulus[] = {{"_gpa", "GPa", 1e9}, {"_mpa", "MPa", 1e6}, {"_pa", "Pa", 1.0}};
+inline constexpr Spelling modulus[] = {
+    {"_gpa", "GPa", 1e9}, {"_mpa", "MPa", 1e6}, {"_pa", "Pa", 1.0}, {"_ksi", "ksi", units::ksi}};
 
 using camopt::spellings::any;
 using camopt::spellings::not_negative;

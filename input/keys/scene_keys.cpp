@@ -173,13 +173,26 @@ Rows corridor() {
 Rows measured() {
     return {
         {"measured", "table", text, plain, any, {}, "none",
-         "A CSV file in the scene's folder (or a path from there). Its first line names the columns, in any "
-         "order: `theta_deg` or `theta_rad`, the cam angle from the start of the motion, and `s_mm`, `s_in`, "
-         "`s_m`, `s_deg` or `s_rad`; others are ignored."},
-        {"measured", "theta", numbers, angle, any, {}, "none",
-         "The angles themselves, ascending over the whole motion.", Availability::now, "table"},
+         "A CSV file in the scene's folder (or a path from there), also one that camopt wrote. Its first line names "
+         "the columns, in any order: `theta_deg`, `theta_rad` or `crank_deg`, the angle, and `s_mm`, `s_in`, `s_m`, "
+         "`s_deg` or `s_rad`; others are ignored."},
+        {"measured", "columns", texts, plain, any, {}, "the file's first line",
+         "Names of the columns, in the order of the file: of a file without such a line, or in place of it."},
+        {"measured", "decimal", text, plain, any, {".", ","}, "\".\"",
+         "Decimal point or comma of the file; with a comma, columns are separated by semicolons or tabs."},
+        {"measured", "theta", numbers, cam_angle, any, {}, "none",
+         "The angles themselves, ascending or descending.", Availability::now, "table"},
         {"measured", "s", numbers, lift, any, {}, "none", "The displacements at these angles.",
          Availability::now, "table"},
+        {"measured", "step", number, cam_angle, positive, {}, "none",
+         "The angle from row to row, from 0 on, of displacements without angles.", Availability::now, "theta"},
+        {"measured", "zero", text_or_table, plain, any, {"start", "nose"}, "\"start\"",
+         "What angle 0 of the table is: the start of the motion, its nose (the end of the rise; in a program the "
+         "middle of its largest displacement), or the cam angle `{ deg = 30 }` of the motion. Rows of one revolution "
+         "may begin anywhere."},
+        {"measured", "angles", text, plain, any, {"cam", "crank"}, "\"cam\"",
+         "`\"crank\"`: `theta` and `step` are crank angles, two for one of the cam."},
+        {"measured.zero", "deg", number, degrees, any, {}, "required", "Cam angle from the start of the motion."},
         {"measured", "use", text, plain, any, {"compare", "start"}, "\"compare\"",
          "`\"compare\"`: what the optimum gains over it. `\"start\"`: searches begin from it, too."},
         {"measured", "name", text, plain, any, {}, "the file's", "Its name in reports."},

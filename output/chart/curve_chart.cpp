@@ -32,6 +32,7 @@ PlotAxis value_axis(const Curve& curve) {
     range.add(0.0);
     for (const double value : curve.values) range.add(value);
     for (const CurveMark& mark : curve.marks) range.add(mark.value);
+    for (const auto& [at, value] : curve.points) range.add(value);
     for (const auto* other : {&curve.reference, &curve.measured})
         if (*other)
             for (const double value : (*other)->values) range.add(value);
@@ -128,7 +129,13 @@ ChartPanel panel_of(const View& view, const Curve& curve, std::size_t rows, bool
     };
     if (curve.measured) add_line(curve.measured->values, "measured", curve.measured->title);
     if (curve.reference) add_line(curve.reference->values, "reference", curve.reference->title);
-    add_line(curve.values, "optimum", "this motion");
+    ChartSeries table{Look::dot, "measured-point", {}, 1.4, "rows of the table"};
+    for (const auto& [at, value] : curve.points) table.points.push_back({at, value});
+    if (curve.key == "residual")
+        panel.series.push_back({Look::line, "measured", table.points, 4.0, "measured"});
+    else
+        add_line(curve.values, "optimum", "this motion");
+    if (!table.points.empty()) panel.series.push_back(std::move(table));
     add_marks(panel, curve);
     add_limits(panel, curve);
     add_bounds(panel, view, first);

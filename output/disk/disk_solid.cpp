@@ -21,8 +21,8 @@ namespace {
 using Eigen::Vector2d;
 using Polygon = std::vector<Vector2d>;
 
-constexpr double area_tolerance = 1e-8, curve_tolerance = 1e-8;  // m
-constexpr double same_radius = 1e-12;                            // of the radius: a dwell
+constexpr double curve_tolerance = 1e-8;  // m
+constexpr double same_radius = 1e-12;     // of the radius: a dwell
 constexpr int first_points = 9, most_points = 4097, dwell_samples = 8;
 constexpr int least_points = 16;
 
@@ -61,31 +61,6 @@ void check_solid(const ProfileShape& shape, const DrawingSpec& drawing) {
             fmt::format("plane cam: found a bore or keyway that reaches {:.6g} mm from the centre; allowed: "
                         "less than {:.6g} mm, the cam's least radius",
                         millimetres_shown.of(drawing.reach()), millimetres_shown.of(least_radius(shape))));
-}
-
-/// The disk that a groove is cut into.
-std::vector<ArcVertex> rim_outline(const ProfileShape& shape) {
-    const double radius = rim_radius(shape).value();
-    return {{{radius, 0.0}, 1.0}, {{-radius, 0.0}, 1.0}};
-}
-
-/// 0.5 ∮ (x dy − y dx), its arcs exact: the segment beyond a chord of length c with the bulge b, angle φ = 4
-/// atan b, radius r has the area r² (φ − sin φ) / 2.
-double area_of(const std::vector<ArcVertex>& vertices) {
-    Polygon corners;
-    double segments = 0.0;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        corners.push_back(vertices[i].position);
-        const double angle = 4.0 * std::atan(vertices[i].bulge);
-        const double chord = (vertices[(i + 1) % vertices.size()].position - vertices[i].position).norm();
-        if (std::abs(angle) < 1e-4) {  // r²(φ − sin φ)/2 → c² φ/12
-            segments += chord * chord * angle / 12.0;
-            continue;
-        }
-        const double radius = 0.5 * chord / std::sin(0.5 * angle);
-        segments += 0.5 * radius * radius * (angle - std::sin(angle));
-    }
-    return std::abs(polygon_area(corners) + segments);
 }
 
 /// Corners on the arcs, chords within the tolerance.
@@ -311,13 +286,10 @@ void check_closed(const ProfileShape& shape) {
 
 double disk_volume(const ProfileShape& shape, const DrawingSpec& drawing) {
     check_solid(shape, drawing);
-    const double bore = drawing.bore ? area_of(bore_outline(drawing, shape.formulas().rotation())) : 0.0;
-    const auto area = [](const ProfileShape& side) {
-        return area_of(outline_chain(side, true, area_tolerance).vertices);
-    };
-    if (!shape.other) return (area(shape) - bore) * thickness_of(drawing);
-    return (area_of(rim_outline(shape)) - bore) * thickness_of(drawing) -
-           (area(other_side(shape)) - area(shape)) * groove_depth_of(drawing);
+    DrawingSpec complete = drawing;
+    complete.thickness = thickness_of(drawing);
+    if (shape.other) complete.groove_depth = groove_depth_of(drawing);
+    return cam_volume(shape, complete);
 }
 
 DiskMesh disk_mesh(const ProfileShape& shape, const DrawingSpec& drawing, const DiskMeshOptions& options) {
@@ -348,6 +320,9 @@ Plate disk_plate(const ProfileShape& shape, const DrawingSpec& drawing, const st
     Plate plate;
     plate.name = name;
     plate.thickness = thickness_of(drawing);
+    plate.author = drawing.title_block.drawn_by;
+    plate.organisation = drawing.title_block.organisation;
+    if (!drawing.title_block.part.empty()) plate.name = drawing.title_block.part;
     if (shape.other) {
         plate.outline = edges_of(rim_outline(shape));
         plate.groove =

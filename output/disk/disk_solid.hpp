@@ -26,9 +26,8 @@ struct DiskMesh {
     double volume = 0.0, exact = 0.0;  ///< m³: of the triangles, of the cam itself
 };
 
-/// (area of the outline − area of bore and keyway) · thickness, m³: the outline as arcs within 1e-8 m. Of a
-/// grooved cam the outline is the rim (rim_radius), and the groove, its area times its depth, is missing.
-/// Each of these is for a cam that is made in one piece (made_pieces).
+/// cam_volume of output/sheet, checked as below. Each of these is for a cam that is made in one piece
+/// (made_pieces).
 [[nodiscard]] double disk_volume(const ProfileShape& shape, const DrawingSpec& drawing);
 
 /// The drawing has a thickness, and bore and keyway lie inside the cam (drawing_of of output/sheet). Throws

@@ -5,6 +5,7 @@
 #include "output/json/json_text.hpp"
 #include "output/view/columns.hpp"
 #include "output/view/shown_units.hpp"
+#include "output/view/tables.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
@@ -73,6 +74,8 @@ Json measured_json(const Solution& solution) {
     const bool gains = measured.objective && solution.motion && *measured.objective > 0.0;
     return {{"name", words_json(measured.name)},
             {"rows", measured.rows},
+            {"free_numbers", measured.freedom},
+            {"follows_noise", follows_noise(measured)},
             {"largest_error_" + output.name, number_json(measured.largest_error * output.per_normalised)},
             {"rms_error_" + output.name, number_json(measured.rms_error * output.per_normalised)},
             {"at_deg", number_json(measured.at * units.degrees_per_x)},

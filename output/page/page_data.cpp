@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/version.hpp"
-#include "motions/laws/law_catalogue.hpp"
-#include "objectives/scene_model.hpp"
 #include "output/page/page_html.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/drum_pictures.hpp"
+#include "output/view/peak_comparison.hpp"
+#include "output/view/tables.hpp"
 #include "output/words/solution_text.hpp"
-#include "studies/laws/law_motion.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <cmath>
@@ -34,12 +33,6 @@ Json segments_part(const View& view) {
                        {"to", rounded_json(segment.to)},
                        {"title", segment.title}});
     return all;
-}
-
-std::vector<LawStroke> strokes_for(const Solution& solution) {
-    if (solution.scene.motion.type != MotionType::program) return strokes_of(solution.scene.motion);
-    const CamModel model = scene_model(solution.scene, DesignKind::states, solution.reference_peaks);
-    return strokes_of(solution.scene, model, solution.motion.get());
 }
 
 Json law_curves(const Motion& law, const View& view) {
@@ -85,6 +78,9 @@ Json curves_part(const View& view) {
             beside = {{"unit", curve.beside->name},
                       {"symbol", curve.beside->symbol},
                       {"factor", rounded_json(curve.beside_factor)}};
+        Json points = Json::array();
+        for (const auto& [at, value] : curve.points)
+            points.push_back({rounded_json(at), rounded_json(value)});
         all.push_back({{"key", curve.key},
                        {"group", curve.group},
                        {"title", curve.title},
@@ -94,10 +90,20 @@ Json curves_part(const View& view) {
                        {"values", numbers(curve.values)},
                        {"reference", compared_json(curve.reference)},
                        {"measured", compared_json(curve.measured)},
+                       {"points", std::move(points)},
                        {"limits", limits_json(curve)},
                        {"marks", marks_json(curve)}});
     }
     return all;
+}
+
+/// At the foot of printed pages: number, revision and date of the title block behind the title.
+std::string foot_words(const View& view) {
+    std::string text = view.title("Motion");
+    for (const auto& [label, words] : title_block_words(view.solution.scene))
+        if (label == "number" || label == "revision" || label == "date")
+            text += " · " + (label == "number" ? words : label + " " + words);
+    return text;
 }
 
 }  // namespace
@@ -121,6 +127,7 @@ std::string page_data(const View& view, const RunOrigin& origin, const PageDataO
     page["page"] = "report";
     page["camopt"] = version();
     page["title"] = view.title("Motion");
+    page["foot"] = foot_words(view);
     page["verdict"] = options.proof ? verdict_part(solution) : open_verdict_part(solution);
     page["figures"] = figures_part(solution);
     page["reference"] = options.proof ? reference_part(solution, options.reference) : Json(nullptr);
@@ -155,11 +162,9 @@ std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin)
 std::string page_laws(const View& view, std::span<const std::string> keys) {
     const Solution& solution = view.solution;
     Json all = Json::array();
-    if (solution.motion && !keys.empty()) {
-        const std::vector<LawStroke> strokes = strokes_for(solution);
-        const bool closed = solution.scene.motion.type == MotionType::program && solution.scene.motion.closed;
+    if (solution.motion)
         for (const std::string& key : keys) {
-            const LawMotion placed = law_motion(strokes, closed, make_law(key));
+            const LawMotion placed = law_in_place(solution, key);
             Json law = {{"key", key}, {"title", words_of(key)}, {"misfit", words_json(placed.misfit)}};
             law["curves"] = placed.motion ? law_curves(*placed.motion, view) : Json(nullptr);
             law["peaks"] = {{"velocity", rounded_json(placed.peaks.velocity.value)},
@@ -167,7 +172,6 @@ std::string page_laws(const View& view, std::span<const std::string> keys) {
                             {"jerk", rounded_json(placed.peaks.jerk.value)}};
             all.push_back(std::move(law));
         }
-    }
     return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

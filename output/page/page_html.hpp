@@ -5,6 +5,7 @@
 //
 //   page          "report"
 //   camopt, title
+//   foot          words at the foot of printed pages
 //   verdict       key (of Verdict, or "open": not proved yet), tone ("good", "fair", "bad", "open"),
 //                 headline, sentences[]
 //   figures[]     name, value: what stands first, as texts
@@ -17,6 +18,7 @@
 //     beside        null, or unit and factor: value · factor is the same by the cam angle
 //     reference     null, or title and values[] of the law
 //     measured      null, or title and values[] of the measured motion
+//     points        [angle, value] of rows of its table, of the displacement and the residual
 //     limits[]      from, to, at (signed), words; outside (+1: values above are out, −1: below)
 //     marks[]       at, value, words: the peaks and extremes that the tables name, at the tables' angles;
 //                   given: true: an exact point of the scene; with "to" that velocity is held so far

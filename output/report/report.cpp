@@ -175,9 +175,10 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     text += own_terms_section(solution) + dynamics_section(solution);
     if (solution.motion && solution.constraints.empty()) text += "\n## Limits\n\nNone was set.\n";
     text += section("limits") + section("set_points");
-    if (solution.measured) text += fmt::format("\n## Measured motion\n\n{}.\n", measured_sentence(solution));
+    text += section("measured");
     if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
     if (solution.cam) text += section("dimensions") + section("cam") + cam_section(solution);
+    text += section("title_block");
     return text + design_section(solution.design) + solver_section(solution, origin) +
            notes_section(solution.notes) + scene_section(origin);
 }

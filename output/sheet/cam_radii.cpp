@@ -2,6 +2,7 @@
 // What of a disk cam a drawing measures.
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "output/view/shown_units.hpp"
 
@@ -18,6 +19,7 @@ using Eigen::Vector2d;
 
 constexpr int radius_samples = 1440, radius_bisections = 60;
 constexpr double through_an_end = 1e-9;  // rad
+constexpr double area_tolerance = 1e-8;  // m
 
 double side_of(const Vector2d& ray, const Vector2d& point) {
     return ray.x() * point.y() - ray.y() * point.x();
@@ -25,6 +27,25 @@ double side_of(const Vector2d& ray, const Vector2d& point) {
 
 Vector2d point_of(const MechanismPoint& point, bool of_cam) {
     return in_plane(of_cam ? point.contact : point.pitch);
+}
+
+/// 0.5 ∮ (x dy − y dx), its arcs exact: the segment beyond a chord of length c with the bulge b, angle φ = 4
+/// atan b, radius r has the area r² (φ − sin φ) / 2.
+double area_of(const std::vector<ArcVertex>& vertices) {
+    double corners = 0.0, segments = 0.0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vector2d &from = vertices[i].position, &to = vertices[(i + 1) % vertices.size()].position;
+        corners += 0.5 * side_of(from, to);
+        const double angle = 4.0 * std::atan(vertices[i].bulge);
+        const double chord = (to - from).norm();
+        if (std::abs(angle) < 1e-4) {  // r²(φ − sin φ)/2 → c² φ/12
+            segments += chord * chord * angle / 12.0;
+            continue;
+        }
+        const double radius = 0.5 * chord / std::sin(0.5 * angle);
+        segments += 0.5 * radius * radius * (angle - std::sin(angle));
+    }
+    return std::abs(corners + segments);
 }
 
 }  // namespace
@@ -113,6 +134,22 @@ std::vector<ArcVertex> bore_outline(const DrawingSpec& drawing, Rotation rotatio
             {at(edge, -half), 0.0},
             {at(floor, -half), 0.0},
             {at(floor, half), 0.0}};
+}
+
+std::vector<ArcVertex> rim_outline(const ProfileShape& shape) {
+    const double radius = rim_radius(shape).value();
+    return {{{radius, 0.0}, 1.0}, {{-radius, 0.0}, 1.0}};
+}
+
+double cam_volume(const ProfileShape& shape, const DrawingSpec& drawing) {
+    const double bore = drawing.bore ? area_of(bore_outline(drawing, shape.formulas().rotation())) : 0.0;
+    const auto area = [](const ProfileShape& side) {
+        return area_of(outline_chain(side, true, area_tolerance).vertices);
+    };
+    const double thickness = drawing.thickness.value();
+    if (!shape.other) return (area(shape) - bore) * thickness;
+    return (area_of(rim_outline(shape)) - bore) * thickness -
+           (area(other_side(shape)) - area(shape)) * drawing.groove_depth.value();
 }
 
 }  // namespace camopt

@@ -26,6 +26,7 @@ using units::degree;
 
 constexpr std::array<SheetFormat, 2> sheet_formats = {{{"A4", 0.297, 0.210}, {"A3", 0.420, 0.297}}};
 constexpr double outline_tolerance = 1e-6;  // m: of the arcs
+constexpr int table_step = 5;               // deg
 
 // m on the paper: what dimensions and words beside the views need.
 constexpr double beside_cam = 24e-3, above_cam = 16e-3, before_section = 6e-3, after_section = 22e-3,
@@ -119,19 +120,17 @@ class CamSheetMaker {
     /// m of the model in so much on the paper.
     [[nodiscard]] double paper(double length) const { return length / sheet_.view.scale; }
 
-    /// Rows every 10° on A4, every 5° on A3.
-    [[nodiscard]] SheetTable radius_table(const SheetFormat& format) const {
+    [[nodiscard]] SheetTable radius_table() const {
         SheetTable table;
         const bool rollers = shape_.has_roller();
         table.head = rollers ? std::vector<std::string>{"α", "R", "Rc"} : std::vector<std::string>{"α", "R"};
         if (disk_) table.head.emplace_back("Ro");
-        const int step = format.width > 0.3 ? 5 : 10;
         const LengthUnit unit = solution_.scene.length_unit;
         const auto shown = [unit](const std::optional<double>& radius) {
             return radius ? fmt::format("{:.{}f}", *radius / metres_of(unit), drawn_decimals(unit))
                           : std::string("open");
         };
-        for (int alpha = 0; alpha < 360; alpha += step) {
+        for (int alpha = 0; alpha < 360; alpha += table_step) {
             const Vector2d ray = ray_at(cam_.rotation(), drawing_.datum + alpha * degree);
             table.rows.push_back({fmt::format("{}°", alpha), shown(radius_along(shape_, ray, true))});
             if (rollers) table.rows.back().push_back(shown(radius_along(shape_, ray, false)));
@@ -147,15 +146,14 @@ class CamSheetMaker {
         const Vector2d size = box_.high - box_.low + Vector2d(thickness(), 0.0);
         const Vector2d words(2.0 * beside_cam + before_section + after_section, 2.0 * above_cam);
         std::optional<StandardScale> chosen;
+        table_ = radius_table();
         for (const SheetFormat& format : sheet_formats) {
-            SheetTable table = radius_table(format);
-            const StandardScale scale = standard_scale(size, room_for_views(format, table) - words);
+            const StandardScale scale = standard_scale(size, room_for_views(format, table_) - words);
             if (chosen && !(scale.value > chosen->value)) continue;
             chosen = scale;
             sheet_.format = format.name;
             sheet_.width = format.width;
             sheet_.height = format.height;
-            table_ = std::move(table);
             if (scale.value >= 1.0) break;
         }
         sheet_.view.scale = chosen->value;
@@ -253,30 +251,35 @@ class CamSheetMaker {
                 sheet_.line("HATCH", SheetPen::thin, {from, from + c}, {to, to + c});
         }
     }
-    /// On one side of the axis, from the bore to the rim: the upper face is on the right.
+    /// The section stands on the right: first angle shows it from the left, third angle from the right.
+    [[nodiscard]] bool upper_right() const { return drawing_.projection == Projection::first_angle; }
+    /// On one side of the axis, from the bore to the rim.
     void add_groove_section(double sense, double bore, double rim) {
         const Vector2d ray = sense * cut_;
         const double inner = radius_along(shape_, ray, true).value_or(base_),
                      outer = radius_along(other_side(shape_), ray, true).value_or(inner);
-        const double left = section_left_, right = left + thickness(), floor = right - *drawing_.groove_depth;
+        const double left = section_left_, right = left + thickness(), depth_of = *drawing_.groove_depth;
+        const double face = upper_right() ? right : left, back = upper_right() ? left : right,
+                     floor = upper_right() ? right - depth_of : left + depth_of;
         const auto part = [&](double from, double to, double side) {
-            hatch({left, std::min(sense * from, sense * to)}, {side, std::max(sense * from, sense * to)});
+            hatch({std::min(back, side), std::min(sense * from, sense * to)},
+                  {std::max(back, side), std::max(sense * from, sense * to)});
         };
-        part(bore, inner, right);
+        part(bore, inner, face);
         part(inner, outer, floor);
-        part(outer, rim, right);
+        part(outer, rim, face);
         for (const double flank : {inner, outer})
-            sheet_.line("SECTION", SheetPen::thick, {floor, sense * flank}, {right, sense * flank});
+            sheet_.line("SECTION", SheetPen::thick, {floor, sense * flank}, {face, sense * flank});
         sheet_.line("SECTION", SheetPen::thick, {floor, sense * inner}, {floor, sense * outer});
         if (sense > 0.0) return;
         SheetDimension depth;
         depth.direction = 0.0;
-        depth.first = {floor, -rim};
-        depth.second = {right, -rim};
+        depth.first = {std::min(floor, face), -rim};
+        depth.second = {std::max(floor, face), -rim};
         depth.place = sheet_.view.on_paper({floor, -rim}) - Vector2d(0.0, thickness_line);
         sheet_.dimensions.push_back(depth);
     }
-    /// Through the middle of the keyway, or through the datum; seen from the right.
+    /// Through the middle of the keyway, or through the datum.
     void add_section() {
         const auto reach = [&](const Vector2d& ray) {
             return disk_ ? *disk_ : radius_along(shape_, ray, true).value_or(base_);
@@ -314,6 +317,7 @@ class CamSheetMaker {
             upright.second = {right, to};
             upright.place = sheet_.view.on_paper({right, 0.0}) + Vector2d(distance, 0.0);
             upright.across = across;
+            if (across) upright.tolerance = drawing_.title_block.bore_fit;
             sheet_.dimensions.push_back(upright);
         };
         height(-radius, radius, bore_line, true);
@@ -347,6 +351,7 @@ class CamSheetMaker {
         width.first = floor * cut_ - 0.5 * keyway.width * left;
         width.second = floor * cut_ + 0.5 * keyway.width * left;
         width.place = sheet_.view.on_paper(floor * cut_) + keyway_line * cut_;
+        width.tolerance = drawing_.title_block.keyway_tolerance;
         sheet_.dimensions.push_back(width);
         const double from_datum = std::remainder(way - direction_angle(datum_), units::turn);
         if (std::abs(from_datum) < 1e-9) return;
@@ -357,7 +362,8 @@ class CamSheetMaker {
         const double reach = std::max(0.5 * (drawing_.reach() + base_), drawing_.reach() + paper(11e-3));
         angle.place = sheet_.view.on_paper(reach * datum_);
         sheet_.dimensions.push_back(angle);
-        sheet_.line("AXES", SheetPen::chain, drawing_.reach() * cut_, (reach + paper(2e-3)) * cut_);
+        const double behind_words = floor + paper(keyway_line + 3.5e-3);
+        sheet_.line("AXES", SheetPen::chain, behind_words * cut_, (reach + paper(2e-3)) * cut_);
         free_.take(way);
     }
 
@@ -442,10 +448,16 @@ class CamSheetMaker {
         return notes;
     }
     void add_furniture() {
-        const TitleBlock& title = drawing_.title_block;
-        std::string part = title.part.empty() ? sheet_.title : title.part;
-        if (!title.part.empty() && !piece_.empty()) part += ", " + piece_;
-        add_frame(sheet_, {part, title.material, title.tolerance, title.drawn_by});
+        TitleBlock title = drawing_.title_block;
+        if (title.part.empty())
+            title.part = sheet_.title;
+        else if (!piece_.empty())
+            title.part += ", " + piece_;
+        const CamSummary& summary = solution_.cam->summary;
+        std::string mass;
+        if (drawing_.density && shape_.closed && !summary.undercut())
+            mass = weight_shown(sheet_.lengths).text(*drawing_.density * cam_volume(shape_, drawing_), 3);
+        add_frame(sheet_, title, mass, drawing_.projection);
         const double right = sheet_.width - sheet_margin, top = sheet_.height - sheet_margin;
         add_table(sheet_, table_, {right - table_.width(), top});
         const double left = sheet_left_margin + 2e-3;

@@ -49,6 +49,14 @@ struct CamSheetOptions {
 /// Of the outline from the centre, m.
 [[nodiscard]] double least_radius(const ProfileShape& shape);
 
+/// (area of the outline − area of bore and keyway) · thickness, m³: the outline as arcs within 1e-8 m. Of a
+/// grooved cam the outline is the rim (rim_radius), and the groove, its area times its depth, is missing. For
+/// a closed cam of one piece and a drawing as drawing_of gives it.
+[[nodiscard]] double cam_volume(const ProfileShape& shape, const DrawingSpec& drawing);
+
+/// The disk that a groove is cut into.
+[[nodiscard]] std::vector<ArcVertex> rim_outline(const ProfileShape& shape);
+
 /// Of the bore with its keyway, in the cam frame: an open ring of lines and arcs, its last vertex joined to
 /// the first; turns to the left. Only where there is a bore.
 [[nodiscard]] std::vector<ArcVertex> bore_outline(const DrawingSpec& drawing, Rotation rotation);

@@ -2,6 +2,7 @@
 #include "output/sheet/sheet.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/printable.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +42,10 @@ double SheetDimension::measured() const {
 std::string SheetDimension::words() const {
     if (kind == Kind::angle) return trimmed(degrees_shown.of(measured()), 2) + "°";
     const bool diameter = kind == Kind::diameter || (across && kind == Kind::linear);
-    return (diameter ? "⌀" : kind == Kind::radius ? "R" : "") + drawn_length(measured(), lengths);
+    return (diameter               ? "⌀"
+            : kind == Kind::radius ? "R"
+                                   : "") +
+           drawn_length(measured(), lengths) + (tolerance.empty() ? "" : " " + printable(tolerance));
 }
 
 void Sheet::line(const std::string& layer, SheetPen pen, const Vector2d& from, const Vector2d& to,

@@ -76,6 +76,7 @@ struct SheetDimension {
     Eigen::Vector2d place = {0.0, 0.0};                       ///< paper
     bool across = false;  ///< linear: it measures a diameter, and its words say so
     LengthUnit lengths = LengthUnit::millimetre;
+    std::string tolerance = {};  ///< behind the number: "H7"
 
     /// m, or rad of an angle.
     [[nodiscard]] double measured() const;

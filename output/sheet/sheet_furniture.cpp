@@ -12,8 +12,9 @@ namespace {
 using Eigen::Vector2d;
 
 // m on the paper.
-constexpr double cell_label = 1.8e-3, title_text = 2.5e-3, part_text = 3.5e-3, cell_padding = 1.5e-3;
-constexpr double table_text = 2.0e-3, row_height = 3.9e-3, angle_column = 11e-3, radius_column = 19e-3,
+constexpr double cell_label = 1.8e-3, title_text = 2.5e-3, part_text = 3.5e-3, cell_padding = 1.5e-3,
+                 below_words = 1.2e-3, above_label = 0.9e-3;
+constexpr double table_text = 2.0e-3, row_height = 3.9e-3, angle_column = 9e-3, radius_column = 15.5e-3,
                  block_gap = 2e-3;
 constexpr double note_text = 1.8e-3, note_line = 3.3e-3;
 const char* const block_layer = "TITLE_BLOCK";
@@ -30,14 +31,14 @@ void add_cell(Sheet& sheet, const Vector2d& corner, const TitleCell& cell) {
                     corner + Vector2d(cell.right, cell.top), SheetSpace::paper);
     const Vector2d left = corner + Vector2d(cell.left + cell_padding, 0.0);
     sheet.texts.push_back(
-        {block_layer, {left.x(), corner.y() + cell.top - cell_padding - cell_label}, cell_label, cell.label});
+        {block_layer, {left.x(), corner.y() + cell.top - above_label - cell_label}, cell_label, cell.label});
     if (cell.words.empty()) return;
     const double width = cell.right - cell.left - 2.0 * cell_padding;
     double height = cell.height;
     const std::string words = printable(cell.words);
     while (height > cell_label && widest_text(words, height) > width) height -= 0.1e-3;
     sheet.texts.push_back({block_layer,
-                           {left.x(), corner.y() + cell.bottom + cell_padding},
+                           {left.x(), corner.y() + cell.bottom + below_words},
                            height,
                            fitted_words(words, height, width)});
 }
@@ -77,22 +78,58 @@ std::string fitted_words(const std::string& words, double height, double width) 
     return shorter + "…";
 }
 
-void add_frame(Sheet& sheet, const TitleCells& cells) {
+namespace {
+
+/// ISO 5456-2: a frustum seen from the side and, where the view from the left stands, from its small end.
+void add_projection_symbol(Sheet& sheet, const Vector2d& left, Projection projection) {
+    constexpr double large = 2.0e-3, small = 1.0e-3, length = 6e-3, gap = 2e-3, overhang = 0.8e-3;
+    const bool third = projection == Projection::third_angle;
+    const double cone = third ? 2.0 * large + gap : 0.0, circles = third ? large : length + gap + large;
+    const auto at = [&](double x, double y) -> Vector2d { return left + Vector2d(x, y); };
+    sheet.paths.push_back({block_layer,
+                           SheetPen::thick,
+                           {{at(cone, -small), 0.0},
+                            {at(cone + length, -large), 0.0},
+                            {at(cone + length, large), 0.0},
+                            {at(cone, small), 0.0}},
+                           true,
+                           SheetSpace::paper});
+    for (const double radius : {small, large})
+        sheet.circles.push_back({block_layer, SheetPen::thick, at(circles, 0.0), radius, SheetSpace::paper});
+    const auto axis = [&](const Vector2d& from, const Vector2d& to) {
+        sheet.line(block_layer, SheetPen::chain, from, to, SheetSpace::paper);
+    };
+    axis(at(-overhang, 0.0), at(2.0 * large + gap + length + overhang, 0.0));
+    axis(at(circles, -large - overhang), at(circles, large + overhang));
+}
+
+}  // namespace
+
+void add_frame(Sheet& sheet, const TitleBlock& title, const std::string& mass, Projection projection) {
     const Vector2d low(sheet_left_margin, sheet_margin),
         high(sheet.width - sheet_margin, sheet.height - sheet_margin);
     sheet.rectangle("FRAME", SheetPen::thick, low, high, SheetSpace::paper);
     const Vector2d corner(high.x() - title_block_width, low.y());
-    constexpr double third = title_block_height / 3.0, middle = 100e-3, column = 35e-3,
-                     end = title_block_width;
+    constexpr double row = title_block_height / 4.0, end = title_block_width, middle = 70e-3, last = 128e-3,
+                     symbol = 150e-3;
+    const std::string format = sheet.format + ", " + name_of(sheet.lengths);
     for (const TitleCell& cell :
-         {TitleCell{0.0, third, middle, 3.0 * third, "part", cells.part, part_text},
-          TitleCell{0.0, 0.0, middle, third, "material", cells.material},
-          TitleCell{middle, 2.0 * third, end, 3.0 * third, "tolerances", cells.tolerance},
-          TitleCell{middle, third, end, 2.0 * third, "drawn by", cells.drawn_by},
-          TitleCell{middle, 0.0, middle + column, third, "scale", sheet.scale_words},
-          TitleCell{middle + column, 0.0, end, third, "format, lengths",
-                    sheet.format + ", " + name_of(sheet.lengths)}})
+         {TitleCell{0.0, 2.0 * row, middle, 4.0 * row, "part", title.part, part_text},
+          TitleCell{middle, 3.0 * row, 110e-3, 4.0 * row, "number", title.number},
+          TitleCell{110e-3, 3.0 * row, last, 4.0 * row, "revision", title.revision},
+          TitleCell{last, 3.0 * row, end, 4.0 * row, "date", title.date},
+          TitleCell{middle, 2.0 * row, last, 3.0 * row, "organisation", title.organisation},
+          TitleCell{last, 2.0 * row, end, 3.0 * row, "drawn by", title.drawn_by},
+          TitleCell{0.0, row, middle, 2.0 * row, "material", title.material},
+          TitleCell{middle, row, last, 2.0 * row, "tolerances", title.tolerance},
+          TitleCell{last, row, end, 2.0 * row, "profile tolerance", title.profile_tolerance},
+          TitleCell{0.0, 0.0, 38e-3, row, "surface finish", title.surface_finish},
+          TitleCell{38e-3, 0.0, middle, row, "mass", mass},
+          TitleCell{middle, 0.0, 92e-3, row, "scale", sheet.scale_words},
+          TitleCell{92e-3, 0.0, last, row, "format, lengths", format},
+          TitleCell{last, 0.0, end, row, "projection", ""}})
         add_cell(sheet, corner, cell);
+    add_projection_symbol(sheet, corner + Vector2d(symbol, 0.5 * row), projection);
     sheet.rectangle(block_layer, SheetPen::thick, corner,
                     corner + Vector2d(title_block_width, title_block_height), SheetSpace::paper);
 }

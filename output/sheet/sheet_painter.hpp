@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/sheet/sheet.hpp"
+#include "scene/cam_spec.hpp"
 
 #include <array>
 #include <cmath>
@@ -67,13 +68,9 @@ struct SheetFormat {
     double width, height;
 };
 
-/// Words of the title block; empty cells stay empty.
-struct TitleCells {
-    std::string part, material, tolerance, drawn_by;
-};
-
-/// Frame and title block of a sheet that has its size and scale.
-void add_frame(Sheet& sheet, const TitleCells& cells);
+/// Frame and title block (ISO 7200) of a sheet that has its size and scale; empty cells stay empty.
+void add_frame(Sheet& sheet, const TitleBlock& title, const std::string& mass = {},
+               Projection projection = Projection::first_angle);
 
 /// Columns of numbers with a head; the first column is the angle. Rows run on in blocks beside each other.
 struct SheetTable {

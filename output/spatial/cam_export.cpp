@@ -26,11 +26,12 @@ void write_bytes(Paths& written, const std::filesystem::path& path, const std::s
     written.push_back(path);
 }
 
-void write_step(Paths& written, const std::filesystem::path& path, const FlankGrid& grid) {
+void write_step(Paths& written, const std::filesystem::path& path, const FlankGrid& grid,
+                const std::string& part) {
     std::vector<BsplineSurface> surfaces;
     for (const SurfaceGrid& flank : flank_surfaces(grid))
         for (BsplineSurface& surface : bspline_surfaces(flank)) surfaces.push_back(std::move(surface));
-    write_step_file(path, surfaces);
+    write_step_file(path, surfaces, part);
     written.push_back(path);
 }
 
@@ -60,7 +61,7 @@ Paths write_cam_files(const std::filesystem::path& folder, const CamFlanks& cam,
         indexing && (options.stl || options.obj) ? indexing_body(cam, motion) : TriangleMesh{};
     Paths written;
     if (options.csv) write_bytes(written, folder / "flanks.csv", flank_csv(grid));
-    if (options.step) write_step(written, folder / "flanks.step", grid);
+    if (options.step) write_step(written, folder / "flanks.step", grid, options.title);
     if (options.stl) {
         write_bytes(written, folder / "groove.stl", stl_bytes(groove_body(grid), options.title + ", groove"));
         if (indexing) write_bytes(written, folder / "cam.stl", stl_bytes(body, options.title));

@@ -15,16 +15,21 @@ namespace camopt {
 namespace {
 
 // Endings of the keys and what they say; a longer one stands before those it ends in.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 29> units_of_keys = {{
+// clang-format off
+constexpr std::array<std::pair<std::string_view, std::string_view>, 41> units_of_keys = {{
+    {"rate_lbf_in", "lbf/in"}, {"stiffness_lbf_in", "lbf/in"}, {"spring_lbf_in", "lbf/in"}, {"_lbf_in", "lbf in"},
     {"_mm_s3", "mm/s³"},   {"_mm_s2", "mm/s²"},   {"_mm_s", "mm/s"},     {"_in_s3", "in/s³"},
     {"_in_s2", "in/s²"},   {"_in_s", "in/s"},     {"_m_s3", "m/s³"},     {"_m_s2", "m/s²"},
     {"_m_s", "m/s"},       {"_deg_s3", "deg/s³"}, {"_deg_s2", "deg/s²"}, {"_deg_s", "deg/s"},
     {"_rad_s3", "rad/s³"}, {"_rad_s2", "rad/s²"}, {"_rad_s", "rad/s"},   {"_nm_rad", "N m/rad"},
-    {"_n_mm", "N/mm"},     {"_rpm", "rpm"},       {"_deg", "deg"},       {"_rad", "rad"},
+    {"_nm_deg", "N m/deg"}, {"_n_mm", "N/mm"},    {"_n_m", "N/m"},       {"_rpm", "rpm"},
+    {"_crank_deg", "crank deg"}, {"_deg", "deg"}, {"_rad", "rad"},       {"_hz", "Hz"},
     {"_um", "µm"},         {"_mm", "mm"},         {"_in", "in"},         {"_mpa", "MPa"},
-    {"_gpa", "GPa"},       {"_nm", "N m"},        {"_n", "N"},           {"_pa", "Pa"},
-    {"_m", "m"},
+    {"_gpa", "GPa"},       {"_ksi", "ksi"},       {"_nm", "N m"},        {"_n", "N"},
+    {"_pa", "Pa"},         {"_m", "m"},           {"_lbf", "lbf"},       {"_lb", "lb"},
+    {"_kg", "kg"},
 }};
+// clang-format on
 // The limits whose names end so say the rest by ">=" and "<=".
 constexpr std::array<std::string_view, 2> bounds = {"_min", "_max"};
 
@@ -51,6 +56,7 @@ KeyWords listed_key_words(std::string_view key) {
         else
             found.unit += letter == '_' ? '/' : letter;
     }
+    if (found.unit == "crank/deg") found.unit = "crank deg";
     found.words += side;
     found.limit = !side.empty();
     return found;
@@ -82,7 +88,7 @@ KeyWords key_words(std::string_view key, std::string_view remark) {
     for (const auto& [ending, unit] : units_of_keys) {
         if (!key.ends_with(ending)) continue;
         found.unit = unit;
-        key.remove_suffix(ending.size());
+        key.remove_suffix(ending.size() - ending.find('_'));
         break;
     }
     for (const std::string_view bound : bounds)

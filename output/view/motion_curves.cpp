@@ -5,6 +5,7 @@
 #include "objectives/scene_model.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
+#include "output/view/tables.hpp"
 #include "output/view/view.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
@@ -12,13 +13,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace camopt {
 
 namespace {
 
+constexpr std::size_t most_points = 2000;  // in pictures and pages
+constexpr double same_place = 1e-9;        // x: a row beyond the end by less is rounding of an angle
 constexpr std::array<const char*, 4> titles = {"Displacement", "Velocity", "Acceleration", "Jerk"};
 
 /// Limits of one side and corridors.
@@ -86,6 +92,14 @@ void add_set_points(std::vector<CurveMark>& marks, const View& view, const Motio
     }
 }
 
+/// The curve beside the motion; none: the reference is given as numbers, or nothing is optimised.
+std::shared_ptr<const Motion> reference_curve(const Solution& solution, ReferenceMotion& reference) {
+    if (reference.motion || reference.title.empty()) return std::move(reference.motion);
+    const auto is_spline = [](const ProgramSegment& one) { return one.kind == SegmentKind::spline; };
+    if (std::ranges::none_of(solution.scene.motion.segments, is_spline)) return nullptr;
+    return law_in_place(solution, solution.scene.objective.reference.law).motion;
+}
+
 std::string note_of(const View& view, const PeakRow& row, const ReferenceMotion& reference) {
     std::string note = fmt::format("{} = {}{}", row.symbol, short_text(row.optimum.value),
                                    view.segments.empty()                     ? ""
@@ -97,10 +111,81 @@ std::string note_of(const View& view, const PeakRow& row, const ReferenceMotion&
     return note;
 }
 
+/// The rows of the measured table on the motion, deg and in the unit of displacements.
+std::vector<std::array<double, 2>> table_points(const View& view) {
+    const Scene& scene = view.solution.scene;
+    const MotionUnit& unit = view.units.motion[0].first;
+    const Motion& fit = *view.solution.measured->motion;
+    const double turn = scene.motion.unit_angle();
+    std::vector<std::array<double, 2>> points;
+    for (std::size_t k = 0; k < scene.measured->angle.size(); ++k) {
+        const double x = scene.measured->angle[k] / turn;
+        if (x < fit.begin() - same_place || x > fit.end() + same_place) continue;
+        points.push_back(
+            {view.degrees(x), unit.per_normalised * scene.measured->displacement[k] / scene.motion.lift});
+    }
+    return points;
+}
+
+std::vector<std::array<double, 2>> thinned(const std::vector<std::array<double, 2>>& points) {
+    const std::size_t step = points.size() / most_points + 1;
+    std::vector<std::array<double, 2>> some;
+    for (std::size_t k = 0; k < points.size(); k += step) some.push_back(points[k]);
+    return some;
+}
+
+/// At the rows of the view, linear from point to point; NaN beyond them.
+std::vector<double> joined_points(const std::vector<std::array<double, 2>>& points, const View& view) {
+    std::vector<double> values;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < view.angles.size(); ++i) {
+        const double at = view.angles[i];
+        while (next < points.size() && points[next][0] < at) ++next;
+        const bool outside = view.delivered.rows[i].closing || next == points.size();
+        if (!outside && points[next][0] == at) {
+            values.push_back(points[next][1]);
+        } else if (outside || next == 0) {
+            values.push_back(std::nan(""));
+        } else {
+            const auto &before = points[next - 1], &after = points[next];
+            const double part = (at - before[0]) / (after[0] - before[0]);
+            values.push_back(before[1] + part * (after[1] - before[1]));
+        }
+    }
+    return values;
+}
+
+/// Table − fit, the largest marked.
+Curve residual_curve(const View& view) {
+    const MeasuredReport& measured = *view.solution.measured;
+    const MotionUnit& unit = view.units.motion[0].first;
+    Curve curve{"residual", "motion", "Residual of the table", "table − fit", {unit.name, unit.size}};
+    std::vector<std::array<double, 2>> points = table_points(view);
+    CurveMark largest;
+    for (auto& [at, value] : points) {
+        const double x =
+            std::clamp(at / view.units.degrees_per_x, measured.motion->begin(), measured.motion->end());
+        value -= unit.per_normalised * measured.motion->at(x).derivative[0];
+        if (std::abs(value) > std::abs(largest.value)) largest = {at, value, {}};
+    }
+    curve.normalised_factor = 1.0 / unit.per_normalised;
+    curve.values = joined_points(points, view);
+    curve.points = thinned(points);
+    if (largest.value != 0.0) {
+        largest.words = curve.unit.text(largest.value * curve.unit.size, 3);
+        curve.marks.push_back(largest);
+    }
+    curve.note = fmt::format("rms {} · {} rows, {} free numbers{}",
+                             unit.normalised_text(measured.rms_error, 3), measured.rows, measured.freedom,
+                             follows_noise(measured) ? ": the fit follows noise" : "");
+    return curve;
+}
+
 }  // namespace
 
 std::vector<Curve> motion_curves(const View& view) {
-    const ReferenceMotion reference = reference_motion(view.solution.scene);
+    ReferenceMotion reference = reference_motion(view.solution.scene);
+    const std::shared_ptr<const Motion> law = reference_curve(view.solution, reference);
     const std::vector<PeakRow> peaks = peak_comparison(view.solution, reference);
     const Motion* const measured = view.solution.measured ? view.solution.measured->motion.get() : nullptr;
     std::vector<Curve> all;
@@ -114,15 +199,16 @@ std::vector<Curve> motion_curves(const View& view) {
         curve.beside = shown.beside;
         if (shown.beside) curve.beside_factor = shown.beside->per_normalised / unit.per_normalised;
         curve.normalised_factor = 1.0 / unit.per_normalised;
-        if (reference.motion)
-            curve.reference = ComparedCurve{reference.title, view.along(*reference.motion, unit)};
+        if (law != nullptr) curve.reference = ComparedCurve{reference.title, view.along(*law, unit)};
         if (measured != nullptr) curve.measured = ComparedCurve{"measured", view.along(*measured, unit)};
+        if (measured != nullptr && order == 0) curve.points = thinned(table_points(view));
         curve.limits = limits_of(view, unit);
         curve.marks = peak_marks(view, unit, row);
         add_set_points(curve.marks, view, unit);
         if (row != nullptr) curve.note = note_of(view, *row, reference);
         all.push_back(std::move(curve));
     }
+    if (measured != nullptr) all.push_back(residual_curve(view));
     return all;
 }
 

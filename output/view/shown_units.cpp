@@ -103,6 +103,10 @@ std::string MotionUnit::normalised_text(double y, int digits) const {
     return with_unit_name(per_normalised * y, name, digits);
 }
 
+ShownUnit weight_shown(LengthUnit length) {
+    return length == LengthUnit::inch ? ShownUnit{"lb", units::pound} : ShownUnit{"kg", 1.0};
+}
+
 ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
     ShownUnits shown;
     for (std::size_t order = 0; order < derivatives; ++order)
@@ -114,12 +118,24 @@ ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
     shown.length = {name, one};
     shown.curvature = {"1/" + name, 1.0 / one};
     shown.angle = degrees_shown;
-    shown.force = {"N", 1.0};
-    shown.torque = {"N m", 1.0};
+    if (length == LengthUnit::inch) {
+        shown.force = {"lbf", units::pound_force};
+        shown.torque = {"lbf in", units::pound_force * one};
+        shown.pressure = shown.modulus = {"ksi", units::ksi};
+        shown.spring_rate = swings ? ShownUnit{"lbf in/rad", shown.torque.size}
+                                   : ShownUnit{"lbf/in", units::pound_force / one};
+    } else {
+        shown.force = {"N", 1.0};
+        shown.torque = {"N m", 1.0};
+        shown.pressure = {"MPa", units::megapascal};
+        shown.modulus = {"GPa", 1e3 * units::megapascal};
+        shown.spring_rate = swings ? ShownUnit{"N m/rad", 1.0} : ShownUnit{"N/mm", 1.0 / millimetre};
+    }
+    shown.vibration = swings                       ? ShownUnit{"mdeg", 1e-3 * degree}
+                      : length == LengthUnit::inch ? ShownUnit{"mil", 1e-3 * one}
+                                                   : ShownUnit{"µm", 1e-6};
+    shown.mass = swings ? ShownUnit{"kg m²", 1.0} : weight_shown(length);
     shown.load = swings ? shown.torque : shown.force;
-    shown.pressure = {"MPa", units::megapascal};
-    shown.mass = {swings ? "kg m²" : "kg", 1.0};
-    shown.spring_rate = swings ? ShownUnit{"N m/rad", 1.0} : ShownUnit{"N/mm", 1.0 / millimetre};
     shown.speed = rpm_shown;
     shown.degrees_per_x = motion.unit_angle() / degree;
     return shown;

@@ -8,9 +8,9 @@
 // m/s³ (swinging: rad/s, rad/s², rad/s³; where the scene writes a cap or a set point in deg/s, deg/s²,
 // deg/s³ these), and beside it by the cam angle in mm/rad, mm/rad², mm/rad³
 // (swinging: deg/deg …). Without a speed it stands by the cam angle only. Where the scene is written in
-// inches (Scene::length_unit) in, in/s, in/s², in/s³ and in/rad take their places. Angles are in degrees,
-// forces in N and N m, pressures in MPa, in inches too. Files keep the units that
-// their columns say: mm (file_units).
+// inches (Scene::length_unit) in, in/s, in/s², in/s³ and in/rad take their places, and lbf, lbf in, ksi, lb
+// and lbf/in those of N, N m, MPa, kg and N/mm. Angles are in degrees. Files keep the units that their
+// columns say: mm and N (file_units).
 #pragma once
 
 #include "core/units.hpp"
@@ -63,13 +63,17 @@ struct ShownUnits {
     ShownUnit length;                       ///< mm, in: dimensions, radii, points of the cam
     ShownUnit curvature;                    ///< 1/mm, 1/in
     ShownUnit angle;                        ///< deg
-    ShownUnit load;  ///< of what presses the follower on the cam: N, or N m where it swings
-    ShownUnit force, torque, pressure;  ///< N, N m, MPa
-    ShownUnit mass, spring_rate;        ///< kg, N/mm; swinging: kg m², N m/rad
-    ShownUnit speed;                    ///< rpm
-    ShownUnit number;                   ///< what has no unit
-    double degrees_per_x = 0.0;         ///< cam angle in degrees = degrees_per_x · x
+    ShownUnit load;  ///< of what presses the follower on the cam: of a force, or a torque where it swings
+    ShownUnit force, torque, pressure, modulus;  ///< N, N m, MPa, GPa; lbf, lbf in, ksi
+    ShownUnit vibration;                         ///< µm, mil (0.001 in), mdeg: amplitudes
+    ShownUnit mass, spring_rate;  ///< kg, N/mm; lb, lbf/in; swinging: kg m², N m/rad or lbf in/rad
+    ShownUnit speed;              ///< rpm
+    ShownUnit number;             ///< what has no unit
+    double degrees_per_x = 0.0;   ///< cam angle in degrees = degrees_per_x · x
 };
+
+/// Of masses: kg or lb.
+[[nodiscard]] ShownUnit weight_shown(LengthUnit length);
 
 [[nodiscard]] ShownUnits shown_units(const Scene& scene);
 

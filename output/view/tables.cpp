@@ -149,6 +149,10 @@ TextTable set_point_table(const Solution& solution) {
     return table;
 }
 
+bool follows_noise(const MeasuredReport& measured) {
+    return measured.rows < 2 * measured.freedom;
+}
+
 std::string measured_sentence(const Solution& solution) {
     const MeasuredReport& measured = *solution.measured;
     const MotionUnit& unit = shown_units(solution.scene).motion[0].first;
@@ -156,6 +160,11 @@ std::string measured_sentence(const Solution& solution) {
                                    measured.name.empty() ? "measured motion" : printable(measured.name),
                                    measured.rows, unit.normalised_text(measured.largest_error, 3),
                                    unit.normalised_text(measured.rms_error, 3));
+    if (follows_noise(measured))
+        text += fmt::format(
+            "; with {} free numbers, more than half as many as rows, the spline follows the noise of the "
+            "table: fewer spline.segments smooth it",
+            measured.freedom);
     if (measured.objective && solution.motion && *measured.objective > 0.0) {
         const double gain = 100.0 * (1.0 - solution.certificate.objective / *measured.objective);
         text += fmt::format("; the optimum's objective is {} % {} than its {}", short_text(std::abs(gain), 3),
@@ -232,6 +241,22 @@ TextTable relaxation_table(const Solution& solution) {
     return table;
 }
 
+namespace {
+
+TextTable measured_table(const Solution& solution) {
+    const MeasuredReport& measured = *solution.measured;
+    const ShownUnits units = shown_units(solution.scene);
+    const MotionUnit& unit = units.motion[0].first;
+    return {{{"fit of the table", true}, {"value"}},
+            {{"rows", fmt::format("{}", measured.rows)},
+             {"free numbers", fmt::format("{}", measured.freedom)},
+             {"largest error", unit.normalised_text(measured.largest_error, 3)},
+             {"at", units.angle.text(measured.at * units.degrees_per_x * units.angle.size)},
+             {"rms error", unit.normalised_text(measured.rms_error, 3)}}};
+}
+
+}  // namespace
+
 std::vector<ViewTable> result_tables(const Solution& solution) {
     std::vector<ViewTable> all;
     const auto add = [&](const char* key, const char* title, TextTable table, std::string note = {}) {
@@ -240,6 +265,8 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
     add("changes", "Suggested changes", relaxation_table(solution),
         "Each number is rounded to the feasible side and was tried in the scene: a solve found a motion with "
         "it. The exact limit is in result.json.");
+    if (solution.measured)
+        add("measured", "Measured motion", measured_table(solution), measured_sentence(solution) + ".");
     if (!solution.motion) return all;
     add("peaks", "Peaks", peak_table(solution), peak_note + any_curve_note(solution));
     add("segments", "Segments", segment_table(solution), segment_table_note());
@@ -248,7 +275,31 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
     if (!solution.cam) return all;
     add("dimensions", "Dimensions", dimension_table(solution), cam_text(solution.scene.cam.value()) + ".");
     add("cam", "The cam", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}}));
+    TextTable title{{{"", true}, {"title block", true}}, {}};
+    for (const auto& [label, words] : title_block_words(solution.scene)) title.rows.push_back({label, words});
+    add("title_block", "Drawing", std::move(title));
     return all;
+}
+
+std::vector<std::pair<std::string, std::string>> title_block_words(const Scene& scene) {
+    if (!scene.drawing) return {};
+    const TitleBlock& block = scene.drawing->title_block;
+    std::vector<std::pair<std::string, std::string>> given;
+    for (const auto& [label, words] : std::initializer_list<std::pair<const char*, const std::string&>>{
+             {"part", block.part},
+             {"number", block.number},
+             {"revision", block.revision},
+             {"date", block.date},
+             {"drawn by", block.drawn_by},
+             {"organisation", block.organisation},
+             {"material", block.material},
+             {"tolerances", block.tolerance},
+             {"profile tolerance", block.profile_tolerance},
+             {"surface finish", block.surface_finish},
+             {"bore fit", block.bore_fit},
+             {"keyway tolerance", block.keyway_tolerance}})
+        if (!words.empty()) given.emplace_back(label, printable(words));
+    return given;
 }
 
 }  // namespace camopt

@@ -7,6 +7,7 @@
 #include "studies/delivered/solution.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -31,8 +32,12 @@ struct ViewTable {
     std::string note = {};
 };
 
-/// changes, peaks, segments, limits, set_points, dimensions, cam: those that have rows, in this order.
+/// changes, measured, peaks, segments, limits, set_points, dimensions, cam, title_block: those that have
+/// rows, in this order.
 [[nodiscard]] std::vector<ViewTable> result_tables(const Solution& solution);
+
+/// Labels and words of the fields of the title block that are given.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> title_block_words(const Scene& scene);
 
 /// Peaks beside those of the reference and of the best curve of any kind, one row a peak. Of a program those
 /// of the whole motion, then the largest over its spline segments.
@@ -53,6 +58,9 @@ struct ViewTable {
 
 /// One row a wanted number, in the unit it was written in. No rows: the scene has none.
 [[nodiscard]] TextTable set_point_table(const Solution& solution);
+
+/// Fewer than twice as many rows as free numbers of the fit.
+[[nodiscard]] bool follows_noise(const MeasuredReport& measured);
 
 /// "measured.csv: 181 rows as a spline, error at most 0.004 mm (rms 0.001 mm); the optimum's objective is
 /// 12 % less than its 1.07". The solution has a measured motion.

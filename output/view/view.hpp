@@ -9,6 +9,7 @@
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/solution.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -52,6 +53,8 @@ struct Curve {
     std::optional<ComparedCurve> reference = {}, measured = {};
     std::vector<CurveLimit> limits = {};
     std::vector<CurveMark> marks = {};
+    std::vector<std::array<double, 2>> points =
+        {};                 ///< deg and value: rows of the measured table, some thousand
     std::string note = {};  ///< how it compares: "V = 1.5 · modified sine V = 1.76 · change −15 %"
 };
 
@@ -84,7 +87,7 @@ struct View {
 
 inline constexpr int curve_mark_digits = 6;  ///< of the texts of marks, as in the tables
 
-/// Displacement, velocity, acceleration and jerk.
+/// Displacement, velocity, acceleration and jerk; with a measured motion the residual of its table.
 [[nodiscard]] std::vector<Curve> motion_curves(const View& view);
 /// Pressure angle, curvature or regularity, loads: what this cam has.
 [[nodiscard]] std::vector<Curve> cam_curves(const View& view);

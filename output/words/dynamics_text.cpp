@@ -28,17 +28,6 @@ std::string hertz_text(double frequency) {
     return short_text(hertz_shown.of(frequency));
 }
 
-struct AmplitudeUnit {
-    double per_lift;
-    const char* name;
-};
-
-/// Micrometres, or thousandths of a degree.
-AmplitudeUnit amplitude_unit(const MotionSpec& motion) {
-    if (motion.lift_is_angle) return {motion.lift / (1e-3 * units::degree), "mdeg"};
-    return {motion.lift / 1e-6, "um"};
-}
-
 /// Of the output at this speed of the camshaft, from lifts by x².
 double acceleration_at(const Scene& scene, double normalised, double speed) {
     const double faster = speed / scene.motion.speed.value();
@@ -63,9 +52,9 @@ std::string speeds_words(const std::array<double, 2>& speeds) {
 }  // namespace
 
 std::string dynamics_text(const TrainStudy& study) {
-    const MotionSpec& motion = study.scene.motion;
-    const AmplitudeUnit amplitude = amplitude_unit(motion);
     const ShownUnits shown = shown_units(study.scene);
+    const ShownUnit& amplitude = shown.vibration;
+    const double lift = study.scene.motion.lift;
     std::string text = study.scene.title.empty() ? std::string() : study.scene.title + "\n";
     text += "Natural frequencies with the cam held:";
     for (const double one : study.natural_frequencies) text += fmt::format(" {} Hz", hertz_text(one));
@@ -96,13 +85,13 @@ std::string dynamics_text(const TrainStudy& study) {
                               [](const TrainRow& a, const TrainRow& b) { return a.residual < b.residual; });
         std::vector<std::string> cells = {
             study.motions[i].second,
-            fixed_text(row.residual * amplitude.per_lift, 2),
-            fixed_text(row.peak_deflection * amplitude.per_lift, 2),
+            fixed_text(amplitude.of(row.residual * lift), 2),
+            fixed_text(amplitude.of(row.peak_deflection * lift), 2),
             fixed_text(acceleration_at(study.scene, row.peak_acceleration, row.speed), 2),
-            fixed_text(worst.residual * amplitude.per_lift, 2),
+            fixed_text(amplitude.of(worst.residual * lift), 2),
             fixed_text(rpm(worst.speed), 1)};
         if (pressed) {
-            cells.push_back(fixed_text(row.least_force, 2));
+            cells.push_back(row.least_force ? fixed_text(shown.load.of(*row.least_force), 2) : "–");
             cells.push_back(study.lift_off_speeds[i] ? fixed_text(rpm(*study.lift_off_speeds[i]), 1)
                                                      : std::string("–"));
         }
@@ -121,7 +110,6 @@ std::vector<std::string> train_sentences(const Solution& solution) {
     const TrainReport& train = *solution.train;
     const Scene& scene = solution.scene;
     const ShownUnits shown = shown_units(scene);
-    const AmplitudeUnit amplitude = amplitude_unit(scene.motion);
     std::string frequencies;
     for (const double one : train.natural_frequencies)
         frequencies += (frequencies.empty() ? "" : ", ") + hertz_text(one);
@@ -136,9 +124,9 @@ std::vector<std::string> train_sentences(const Solution& solution) {
     }
     const std::string range = speeds_words(train.speeds);
     if (train.residual)
-        sentences.push_back(fmt::format("residual vibration at most {} {} {} (worst at {} rpm)",
-                                        short_text(train.residual->value * amplitude.per_lift, 4),
-                                        amplitude.name, range, rpm_text(train.residual->speed)));
+        sentences.push_back(fmt::format("residual vibration at most {} {} (worst at {} rpm)",
+                                        shown.vibration.text(train.residual->value * scene.motion.lift, 4),
+                                        range, rpm_text(train.residual->speed)));
     sentences.push_back(fmt::format(
         "acceleration of the output at most {} (normalised), {} {} {}, at {} deg",
         short_text(train.acceleration->value, 5),

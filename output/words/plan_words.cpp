@@ -14,11 +14,13 @@ std::string counted(int count, std::string_view noun) {
 }
 
 std::string searched_line(const SolvePlan& plan) {
-    std::vector<std::string> parts = {"the motion"};
+    std::vector<std::string> parts;
+    if (!plan.prescribed) parts.emplace_back("the motion");
     if (plan.displacements > 0) parts.push_back(counted(plan.displacements, "free displacement"));
     if (plan.dimensions > 0) parts.push_back(counted(plan.dimensions, "dimension") + " of the cam");
     if (plan.breakpoints > 0) parts.push_back(counted(plan.breakpoints, "breakpoint"));
     if (plan.angles > 0) parts.push_back("the angles of " + counted(plan.angles, "segment"));
+    if (parts.empty()) return "Searched: nothing, the motion is prescribed";
     return fmt::format("Searched: {}", fmt::join(parts, ", "));
 }
 

@@ -28,8 +28,6 @@ namespace {
 
 using units::degree;
 
-constexpr double gigapascal = 1e9;  // Pa
-
 void append(std::string& list, const std::string& part) {
     list += (list.empty() ? "" : ", ") + part;
 }
@@ -212,9 +210,8 @@ std::string cam_line(const Scene& scene) {
     return text;
 }
 
-std::string material_text(const char* part, double modulus, double poisson) {
-    return fmt::format("modulus of the {} {} GPa, its Poisson's ratio {}", part,
-                       short_text(modulus / gigapascal), short_text(poisson));
+std::string material_text(const char* part, const std::string& modulus, double poisson) {
+    return fmt::format("modulus of the {} {}, its Poisson's ratio {}", part, modulus, short_text(poisson));
 }
 
 std::string damping_text(const Scene& scene, double damping) {
@@ -239,8 +236,9 @@ std::string force_line(const Scene& scene) {
     }
     if (!forces.contact_width) return text;
     append(text, fmt::format("contact width {}", shown.length.text(*forces.contact_width)));
-    append(text, material_text("cam", forces.cam_modulus, forces.cam_poisson));
-    append(text, material_text("follower", forces.follower_modulus, forces.follower_poisson));
+    append(text, material_text("cam", shown.modulus.text(forces.cam_modulus), forces.cam_poisson));
+    append(text,
+           material_text("follower", shown.modulus.text(forces.follower_modulus), forces.follower_poisson));
     return text;
 }
 

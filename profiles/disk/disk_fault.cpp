@@ -145,7 +145,11 @@ std::vector<std::array<double, dimension_count>> corners_of(const DiskSpec& cam)
     return all;
 }
 
-constexpr double shown_mm = 1e-3;
+/// In the unit in which the base radius is written: "12.5 mm".
+std::string shown_length(const DiskSpec& cam, double length) {
+    const LengthUnit unit = cam[base_radius].unit == units::inch ? LengthUnit::inch : LengthUnit::millimetre;
+    return fmt::format("{:.6g} {}", length / metres_of(unit), name_of(unit));
+}
 
 Fault second_slide_fault(const DiskSpec& cam, const std::array<double, dimension_count>& corner,
                          double highest) {
@@ -158,11 +162,11 @@ Fault second_slide_fault(const DiskSpec& cam, const std::array<double, dimension
     if (rest - highest > 0.0 && std::hypot(rest - highest, across) > second) return std::nullopt;
     return SceneFault{
         "cam.roller_distance",
-        fmt::format("{:.6g} mm, which leaves the second roller {:.6g} mm from the cam's centre at "
+        fmt::format("{}, which leaves the second roller {} from the cam's centre at "
                     "the largest displacement",
-                    cam.form.roller_distance / shown_mm, (rest - highest) / shown_mm),
-        fmt::format("more than its radius of {:.6g} mm, for every base and roller radius allowed",
-                    second / shown_mm)};
+                    shown_length(cam, cam.form.roller_distance), shown_length(cam, rest - highest)),
+        fmt::format("more than its radius of {}, for every base and roller radius allowed",
+                    shown_length(cam, second))};
 }
 
 Fault second_arm_fault(const DiskSpec& cam, const std::array<double, dimension_count>& corner,
@@ -180,17 +184,17 @@ Fault second_arm_fault(const DiskSpec& cam, const std::array<double, dimension_c
     return SceneFault{
         "cam.arm_angle",
         fmt::format("{:.6g} deg, which puts the second arm {:.6g} to {:.6g} deg from the line of "
-                    "centres, its roller {:.6g} mm from the cam's centre",
-                    cam.form.arm_angle / deg, lowest / deg, rest / deg, distance / shown_mm),
-        fmt::format("between 0 and 180 deg, with more than its radius of {:.6g} mm, for every "
+                    "centres, its roller {} from the cam's centre",
+                    cam.form.arm_angle / deg, lowest / deg, rest / deg, shown_length(cam, distance)),
+        fmt::format("between 0 and 180 deg, with more than its radius of {}, for every "
                     "dimension allowed",
-                    second / shown_mm)};
+                    shown_length(cam, second))};
 }
 
 Fault groove_fault(const DiskSpec& cam) {
     const double inner = cam[base_radius].low - 0.5 * cam.form.groove_clearance;
     if (inner > 0.0) return std::nullopt;
-    return SceneFault{"cam.groove_clearance", fmt::format("{:.6g} mm", cam.form.groove_clearance / shown_mm),
+    return SceneFault{"cam.groove_clearance", shown_length(cam, cam.form.groove_clearance),
                       "less than twice the base radius"};
 }
 

@@ -11,6 +11,11 @@ namespace {
 using enum KeyType;
 using namespace spellings;
 
+constexpr Spelling densities[] = {
+    {"_kg_m3", "kg/m^3", 1.0},
+    {"_g_cm3", "g/cm^3", 1e3},
+    {"_lb_in3", "lb/in^3", units::pound / (units::inch * units::inch * units::inch)}};
+
 const Range arm_angle_range = {.low = 0.0, .high = 360.0, .low_included = false, .high_included = false};
 
 // A row is read as a row.
@@ -75,6 +80,9 @@ std::vector<KeyRow> drawing_rows() {
         {"drawing", "datum", number, angle, any, {}, "0",
          "Where the cam is marked: the ray that points along +y when the cam has turned by this cam angle. The "
          "drawing's table of radii counts from it, as the cam angle grows."},
+        {"drawing", "density", number, densities, positive, {}, "none", "Of the material: with it the drawing gives the mass."},
+        {"drawing", "projection", text, plain, any, {"first_angle", "third_angle"}, "\"first_angle\"",
+         "Method of projection: its symbol (ISO 5456-2) and the side from which the section is seen."},
         {"drawing", "title_block", table, plain, any, {}, "empty", "Text of the title block in addition to the scene's title."},
         {"drawing.keyway", "width", number, length, positive, {}, "required", "Width of the keyway, below the bore's diameter."},
         {"drawing.keyway", "depth", number, length, positive, {}, "required",
@@ -84,7 +92,15 @@ std::vector<KeyRow> drawing_rows() {
         {"drawing.title_block", "part", text, plain, any, {}, "the title", "Name of the part."},
         {"drawing.title_block", "material", text, plain, any, {}, "empty", "Material and treatment."},
         {"drawing.title_block", "tolerance", text, plain, any, {}, "empty", "General tolerances."},
-        {"drawing.title_block", "drawn_by", text, plain, any, {}, "empty", "Who drew it."},
+        {"drawing.title_block", "drawn_by", text, plain, any, {}, "empty", "Who drew it; the author of STEP files."},
+        {"drawing.title_block", "organisation", text, plain, any, {}, "empty", "Legal owner; also in STEP files."},
+        {"drawing.title_block", "number", text, plain, any, {}, "empty", "Drawing number."},
+        {"drawing.title_block", "revision", text, plain, any, {}, "empty", "Revision index."},
+        {"drawing.title_block", "date", text, plain, any, {}, "empty", "Date of issue, as it is to be printed."},
+        {"drawing.title_block", "surface_finish", text, plain, any, {}, "empty", "Of the cam's surface: `Ra 0.8`."},
+        {"drawing.title_block", "profile_tolerance", text, plain, any, {}, "empty", "Of the cam's outline: `0.02`."},
+        {"drawing.title_block", "bore_fit", text, plain, any, {}, "empty", "Fit, after the diameter of the bore: `H7`."},
+        {"drawing.title_block", "keyway_tolerance", text, plain, any, {}, "empty", "After the width of the keyway: `JS9`."},
     };
 }
 // clang-format on

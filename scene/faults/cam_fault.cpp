@@ -84,14 +84,14 @@ Fault force_fault(const Scene& scene) {
     return std::nullopt;
 }
 
+std::string length_text(double length, LengthUnit unit) {
+    return fmt::format("{:.6g} {}", length / metres_of(unit), name_of(unit));
+}
+
 // The [drawing] table: numbers, and whether bore and keyway fit into the cam. The delivered cam is checked
 // again when it is drawn: dimensions may be ranges here.
 
 namespace {
-
-std::string drawn_mm(double length) {
-    return fmt::format("{:.6g} mm", length / units::millimetre);
-}
 
 Fault drawing_number_fault(const DrawingSpec& drawing) {
     const auto fault = [](const Range& range, double value, const char* member) -> Fault {
@@ -112,24 +112,24 @@ Fault drawing_number_fault(const DrawingSpec& drawing) {
     return std::nullopt;
 }
 
-Fault keyway_fault(const DrawingSpec& drawing) {
+Fault keyway_fault(const DrawingSpec& drawing, LengthUnit unit) {
     if (!drawing.keyway) return std::nullopt;
     if (!drawing.bore)
         return SceneFault{"drawing.keyway", "a keyway without a bore", "only where drawing.bore is given"};
     if (!(drawing.keyway->width < *drawing.bore))
-        return SceneFault{"drawing.keyway.width", drawn_mm(drawing.keyway->width),
-                          fmt::format("less than the bore's {}", drawn_mm(*drawing.bore))};
+        return SceneFault{"drawing.keyway.width", length_text(drawing.keyway->width, unit),
+                          fmt::format("less than the bore's {}", length_text(*drawing.bore, unit))};
     return std::nullopt;
 }
 
-Fault groove_depth_fault(const DrawingSpec& drawing, const CamSpec& cam) {
+Fault groove_depth_fault(const DrawingSpec& drawing, const CamSpec& cam, LengthUnit unit) {
     if (!drawing.groove_depth) return std::nullopt;
     if (cam.find("groove_clearance") == nullptr)
         return SceneFault{"drawing.groove_depth", "a depth without a groove",
                           "only with cam.form = \"grooved\""};
     if (drawing.thickness && !(*drawing.groove_depth < *drawing.thickness))
-        return SceneFault{"drawing.groove_depth", drawn_mm(*drawing.groove_depth),
-                          fmt::format("less than the thickness, {}", drawn_mm(*drawing.thickness))};
+        return SceneFault{"drawing.groove_depth", length_text(*drawing.groove_depth, unit),
+                          fmt::format("less than the thickness, {}", length_text(*drawing.thickness, unit))};
     return std::nullopt;
 }
 
@@ -143,16 +143,17 @@ Fault drawing_fault(const Scene& scene) {
                           "only with a cam that has a base radius"};
     const DrawingSpec& drawing = *scene.drawing;
     if (Fault fault = drawing_number_fault(drawing)) return fault;
-    if (Fault fault = keyway_fault(drawing)) return fault;
-    if (Fault fault = groove_depth_fault(drawing, *scene.cam)) return fault;
+    if (Fault fault = keyway_fault(drawing, scene.length_unit)) return fault;
+    if (Fault fault = groove_depth_fault(drawing, *scene.cam, scene.length_unit)) return fault;
     // The base circle is the cam's at displacement 0, where every motion begins.
     const double largest = base->high;
     if (drawing.reach() < largest) return std::nullopt;
-    return SceneFault{drawing.keyway ? "drawing.keyway" : "drawing.bore",
-                      fmt::format("{} that {} {} from the centre", drawing.keyway ? "a keyway" : "a bore",
-                                  drawing.keyway ? "reaches" : "lies", drawn_mm(drawing.reach())),
-                      fmt::format("less than {}, the {}radius of the base circle", drawn_mm(largest),
-                                  base->is_variable() ? "largest " : "")};
+    return SceneFault{
+        drawing.keyway ? "drawing.keyway" : "drawing.bore",
+        fmt::format("{} that {} {} from the centre", drawing.keyway ? "a keyway" : "a bore",
+                    drawing.keyway ? "reaches" : "lies", length_text(drawing.reach(), scene.length_unit)),
+        fmt::format("less than {}, the {}radius of the base circle", length_text(largest, scene.length_unit),
+                    base->is_variable() ? "largest " : "")};
 }
 
 }  // namespace camopt

@@ -131,11 +131,14 @@ Fault response_limit_fault(const Scene& scene) {
         return SceneFault{"limits.dynamic_contact_force_min", "a train without a force towards the cam",
                           "together with dynamics.return_spring or dynamics.preload"};
     if (limits.dynamic_contact_force_min &&
-        (limits.dynamic_contact_force_min->unit == "N m") != scene.motion.lift_is_angle &&
+        std::ranges::any_of(spellings::moment,
+                            [&](const Spelling& spelling) {
+                                return spelling.unit == limits.dynamic_contact_force_min->unit;
+                            }) != scene.motion.lift_is_angle &&
         !limits.dynamic_contact_force_min->unit.empty())
         return SceneFault{"limits.dynamic_contact_force_min",
                           fmt::format("a limit in {}", limits.dynamic_contact_force_min->unit),
-                          scene.motion.lift_is_angle ? "a moment in N m" : "a force in N"};
+                          scene.motion.lift_is_angle ? "a moment in N m or lbf in" : "a force in N or lbf"};
     const bool wants_residual = limits.residual || scene.objective.residual > 0.0;
     if (wants_residual && scene.dynamics->formulas && !scene.dynamics->formulas->vibrates())
         return SceneFault{limits.residual ? "limits.residual" : "objective.residual",

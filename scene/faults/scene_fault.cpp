@@ -257,7 +257,8 @@ Fault objective_fault(const Scene& scene) {
         std::ranges::none_of(response_terms(),
                              [&](const ResponseTerm& term) { return term.weight_in(objective) > 0.0; }))
         return SceneFault{"objective", "no weight > 0",
-                          fmt::format("at least one of {} > 0, or of a dimension of the cam that is a range",
+                          fmt::format("at least one of {}, area > 0, or of a dimension of the cam that is a "
+                                      "range",
                                       fmt::join(cost_term_names(), ", "))};
     for (const CostTerm& term : cost_terms()) {
         const double weight = term.weight_in(objective);

@@ -37,8 +37,11 @@ std::vector<std::pair<double, double>> given_displacements(const MotionSpec& mot
 
 class MeasuredCheck {
  public:
-    MeasuredCheck(const MotionSpec& motion, const MeasuredMotion& table)
-        : motion_(motion), table_(table), whole_(motion.length() * motion.unit_angle()) {}
+    explicit MeasuredCheck(const Scene& scene)
+        : motion_(scene.motion),
+          table_(*scene.measured),
+          lengths_(scene.length_unit),
+          whole_(motion_.length() * motion_.unit_angle()) {}
 
     [[nodiscard]] Fault fault() const {
         if (Fault fault = rows_fault()) return fault;
@@ -49,14 +52,14 @@ class MeasuredCheck {
  private:
     const MotionSpec& motion_;
     const MeasuredMotion& table_;
+    LengthUnit lengths_;
     double whole_;  ///< rad
 
     [[nodiscard]] static std::string degrees(double angle) {
         return fmt::format("{:.6g} deg", angle / units::degree);
     }
     [[nodiscard]] std::string shown(double displacement) const {
-        return motion_.lift_is_angle ? degrees(displacement)
-                                     : fmt::format("{:.6g} mm", displacement / units::millimetre);
+        return motion_.lift_is_angle ? degrees(displacement) : length_text(displacement, lengths_);
     }
     [[nodiscard]] static std::string member(const char* column, std::size_t row) {
         return fmt::format("measured.{}[{}]", column, row);
@@ -86,14 +89,17 @@ class MeasuredCheck {
         return std::nullopt;
     }
 
+    /// Rows beyond the motion are allowed. A periodic motion goes on after its last row: to its first.
     [[nodiscard]] Fault ends_fault() const {
-        const std::size_t last = table_.angle.size() - 1;
-        const double slack = missing_end * whole_;
-        if (std::abs(table_.angle.front()) > slack)
-            return SceneFault{member("theta", 0), degrees(table_.angle.front()),
-                              "0 deg, the start of the motion"};
-        if (std::abs(table_.angle.back() - whole_) > slack)
-            return SceneFault{member("theta", last), degrees(table_.angle.back()),
+        const std::vector<double>& angle = table_.angle;
+        double slack = missing_end * whole_;
+        if (motion_.periodic())
+            for (std::size_t i = 1; i < angle.size(); ++i)
+                slack = std::max(slack, (1.0 + missing_end) * (angle[i] - angle[i - 1]));
+        if (angle.front() > slack)
+            return SceneFault{member("theta", 0), degrees(angle.front()), "0 deg, the start of the motion"};
+        if (angle.back() < whole_ - slack)
+            return SceneFault{member("theta", angle.size() - 1), degrees(angle.back()),
                               fmt::format("{}, the end of the motion", degrees(whole_))};
         return std::nullopt;
     }
@@ -104,7 +110,10 @@ class MeasuredCheck {
         double largest = 0.0;
         for (const auto& [angle, lifts] : given) largest = std::max(largest, std::abs(lifts));
         const double slack = wrong_lift * largest * motion_.lift;
-        for (const auto& [angle, lifts] : given) {
+        for (const auto& [place, lifts] : given) {
+            // The first row of a closed motion is its end, too.
+            const bool closes = motion_.periodic() && !motion_.relative && place > table_.angle.back();
+            const double angle = closes ? place - whole_ : place;
             const auto after = std::ranges::lower_bound(table_.angle, angle);
             auto row = static_cast<std::size_t>(after - table_.angle.begin());
             row = std::min(row, table_.angle.size() - 1);
@@ -115,7 +124,7 @@ class MeasuredCheck {
                     member("s", row),
                     fmt::format("{} at {}", shown(table_.displacement[row]), degrees(table_.angle[row])),
                     fmt::format("{}, to {}: what the scene requires at {}", shown(wanted), shown(slack),
-                                degrees(angle))};
+                                degrees(place))};
         }
         return std::nullopt;
     }
@@ -128,7 +137,7 @@ Fault measured_fault(const Scene& scene) {
         return SceneFault{"measured", "a measured motion in a prescribed program",
                           "a program with at least one segment of kind \"spline\", which is fitted to it"};
     if (!scene.measured) return std::nullopt;
-    return MeasuredCheck(scene.motion, *scene.measured).fault();
+    return MeasuredCheck(scene).fault();
 }
 
 }  // namespace camopt

@@ -132,6 +132,7 @@ std::array<double, 2> end_velocities(const MotionSpec& motion, bool at_end) {
                     : 1.0;
         return {given->velocity.value_or(0.0) / own, given->acceleration.value_or(0.0) / (own * own)};
     }
+    if (motion.type != MotionType::program) return {};  // between dwells
     const double end = at_end ? motion.length() : 0.0;
     for (const PlacedPoint& point : placed_points(motion))
         if (point.is_region() && std::abs((at_end ? point.end : point.begin) - end) <= same_place)

@@ -61,8 +61,8 @@ struct WrittenValue {
 /// In the order of the scene.
 [[nodiscard]] std::vector<PlacedPoint> placed_points(const MotionSpec& motion);
 
-/// y' and y'' where a motion that is not periodic starts or ends: as given; of a region of constant velocity
-/// that reaches the end that velocity; else 0.
+/// y' and y'' where a motion that is not periodic starts or ends: as given; in a program the velocity of a
+/// region that reaches the end; else 0.
 [[nodiscard]] std::array<double, 2> end_velocities(const MotionSpec& motion, bool at_end);
 
 /// The spelling of the wanted number of derivative `order`.

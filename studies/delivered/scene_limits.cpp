@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace camopt {
@@ -52,6 +53,21 @@ void add_set_points(std::vector<LimitOutcome>& all, const Scene& scene, const Mo
                        off,
                        std::max(std::abs(report.wanted), off),
                        true});
+    }
+}
+
+/// The states that a motion starts and ends with, where they are not rest.
+void add_ends(std::vector<LimitOutcome>& all, const Scene& scene, const Motion& motion) {
+    if (scene.motion.periodic()) return;
+    for (const bool at_end : {false, true}) {
+        const std::array<double, 2> state = end_velocities(scene.motion, at_end);
+        if (state == std::array<double, 2>{}) continue;
+        const double x = at_end ? motion.end() : motion.begin();
+        const MotionPoint found = motion.at(x, at_end ? Side::left : Side::right);
+        const std::string name = at_end ? "end" : "start";
+        all.push_back(exact_point(name + "_velocity", "motion." + name, state[0], found.derivative[1], x));
+        all.push_back(
+            exact_point(name + "_acceleration", "motion." + name, state[1], found.derivative[2], x));
     }
 }
 
@@ -152,6 +168,7 @@ std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures&
     for (const ConstraintReport& reached : bound_reports(scene, figures.motion))
         all.push_back(outcome_of(scene, nullptr, reached));
     add_set_points(all, scene, figures.motion);
+    add_ends(all, scene, figures.motion);
     add_symmetry(all, scene, figures.motion);
     add_end_jerk(all, scene, figures.motion);
     return all;

@@ -36,11 +36,11 @@ void report_peak_limit(Solution& solution, const char* name, const std::optional
         {name, limit->key, limit->given, peak.value * unit, limit->unit, peak.at, false, true});
 }
 
-/// The highest derivative that is continuous at x, to rounding.
-int continuity_at(const Motion& motion, double left_x, double right_x) {
+/// The highest derivative that is continuous at x, to rounding; `known`: this one is.
+int continuity_at(const Motion& motion, double left_x, double right_x, int known = -1) {
     const MotionPoint left = motion.at(left_x, Side::left);
     const MotionPoint right = motion.at(right_x, Side::right);
-    int order = -1;
+    int order = known;
     while (order < 3) {
         const double jump = std::abs(left.derivative[order + 1] - right.derivative[order + 1]);
         const double size = std::max({1.0, std::abs(left.derivative[order + 1])});
@@ -93,7 +93,8 @@ void report_segments(Solution& solution) {
         const bool first = s == 0;
         report.continuity = first && !solution.scene.motion.periodic()
                                 ? -1
-                                : continuity_at(motion, first ? motion.end() : part.begin, part.begin);
+                                : continuity_at(motion, first ? motion.end() : part.begin, part.begin,
+                                                first && solution.scene.motion.relative ? 0 : -1);
         if (written.kind == SegmentKind::spline) {
             report.curve = curve_of(part);
             const Peaks own = peaks_of(*report.curve);

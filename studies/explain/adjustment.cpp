@@ -201,6 +201,21 @@ Adjustment force_adjustment(const Scene& scene, const ForceNumber& number) {
         [number](Scene& changed, double value) { (*changed.forces).*number.member = value * number.unit; });
 }
 
+/// Keys of preload and rate with their SI values.
+struct SpringKeys {
+    const char* preload;
+    double preload_unit;
+    const char* rate;
+    double rate_unit;
+};
+using units::inch, units::pound_force;
+/// Metric or of inches; pushed straight or swinging.
+constexpr SpringKeys spring_keys[2][2] = {
+    {{"forces.preload_n", 1.0, "forces.spring_rate_n_mm", 1.0 / units::millimetre},
+     {"forces.preload_nm", 1.0, "forces.spring_rate_nm_rad", 1.0}},
+    {{"forces.preload_lbf", pound_force, "forces.spring_rate_lbf_in", pound_force / inch},
+     {"forces.preload_lbf_in", pound_force* inch, "forces.spring_rate_nm_rad", 1.0}}};
+
 void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
     const ForceSpec& forces = *scene.forces;
     const bool swings = scene.motion.lift_is_angle;
@@ -210,11 +225,11 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
     const double limit = least_force ? std::abs(least_force->value) : 0.0;
     const double force =
         std::max({std::abs(forces.preload), forces.spring_rate * lift, limit, limit > 0.0 ? 0.0 : 1.0});
+    const SpringKeys& keys = spring_keys[scene.length_unit == LengthUnit::inch][swings];
     all.push_back(force_adjustment(
-        scene, {swings ? "forces.preload_nm" : "forces.preload_n", &ForceSpec::preload, 1.0, force}));
-    const double rate_unit = swings ? 1.0 : 1.0 / units::millimetre;
-    all.push_back(force_adjustment(scene, {swings ? "forces.spring_rate_nm_rad" : "forces.spring_rate_n_mm",
-                                           &ForceSpec::spring_rate, rate_unit, force / lift / rate_unit}));
+        scene, {keys.preload, &ForceSpec::preload, keys.preload_unit, force / keys.preload_unit}));
+    all.push_back(force_adjustment(
+        scene, {keys.rate, &ForceSpec::spring_rate, keys.rate_unit, force / lift / keys.rate_unit}));
 }
 
 void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {

@@ -180,6 +180,7 @@ MeasuredReport measured_report(const Scene& scene, const Peaks& reference) {
     report.motion = motion;
     const std::vector<MeasuredRow> rows = rows_of(family, scene.motion, measured);
     report.rows = static_cast<int>(rows.size());
+    report.freedom = family.freedom();
     double squares = 0.0;
     for (const MeasuredRow& row : rows) {
         const double error = std::abs(motion->at(row.x).derivative[0] - row.y);

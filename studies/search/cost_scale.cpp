@@ -122,8 +122,10 @@ std::shared_ptr<const BoxProof> scaled_box_proof(const BoxProof& given, double f
 void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& reference) const {
     solution.scene = scene;
     solution.reference_peaks = reference;
-    for (std::size_t i = 0; i < solution.own_terms.size(); ++i)
-        solution.own_terms[i].weight = scene.own_terms[i].weight;
+    for (std::size_t i = 0; i < solution.own_terms.size(); ++i) {
+        OwnTermReport& term = solution.own_terms[i];
+        term.weight = term.of_whole_motion ? scene.objective.area : scene.own_terms[i].weight;
+    }
     if (solution.train)
         for (ResponseTermReport& term : solution.train->terms) term.weight *= factor_;
     if (solution.any_curve_limit) solution.any_curve_limit->objective *= factor_;

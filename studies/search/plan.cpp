@@ -43,17 +43,11 @@ bool is_general(const PlacedRule& rule, double least, double most) {
     return rule->curvature(least, most) == Curvature::general;
 }
 
-bool scene_has_free_dimension(const Scene& scene) {
-    return scene.cam && std::ranges::any_of(scene.cam->dimensions, [](const CamDimension& dimension) {
-               return dimension.value.is_variable();
-           });
-}
-
 void plan_solver(SolvePlan& plan, const Scene& scene, bool general) {
     plan.solver = scene.solver.name;
     if (scene.solver.name != "auto") return;
     plan.solver = general ? general_solver() : "structured";
-    if (scene.motion.prescribed() && !scene_has_free_dimension(scene)) {
+    if (plan.prescribed && plan.dimensions == 0) {
         plan.reason = "prescribed motion, nothing to optimize: laws and dwells fix every displacement";
         return;
     }
@@ -119,6 +113,7 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
     const CamModel& model = posed.model;
     const bool general = needs_starts(model);
     SolvePlan plan;
+    plan.prescribed = scene.motion.prescribed();
     plan_searched_numbers(plan, posed);
     plan_solver(plan, scene, general);
     plan.design = design_of(scene);

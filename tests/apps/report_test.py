@@ -240,9 +240,12 @@ def check_inches():
     report = (folder / "report.md").read_text(encoding="utf-8")
     told = report[:report.index("## The scene, key by key")]
     for name, text in (("console", console), ("report", told)):
-        # Springs keep N/mm: no key of a scene has another rate by length.
-        check(not re.search(r"(?<!N/)\bmm\b", text), name, "of a scene in inches speaks of mm:",
-              *[line for line in text.splitlines() if re.search(r"(?<!N/)\bmm\b", line)])
+        metric = r"\bmm\b|\d (?:N|N m|N/mm|MPa|GPa|kg)(?= |,|$)"
+        written = "limit|cap|<=|>="  # in the unit of their keys
+        check(not any(re.search(metric, line) for line in text.splitlines() if not re.search(written, line, re.I)),
+              name, "of a scene in inches speaks of metric units:",
+              *[line for line in text.splitlines() if re.search(metric, line)])
+        check("lbf" in text, name, "of a scene in inches has no lbf")
         check("in/s²" in text, name, "of a scene in inches has no in/s²")
     check_pictures("inches", folder, True)
     check_peaks("inches", folder, report, False, True)

@@ -18,7 +18,8 @@ const std::string known_keys =
     "roller_radius_in, roller_radius_m, offset_mm, offset_in, offset_m, center_distance_mm, "
     "center_distance_in, center_distance_m, arm_length_mm, arm_length_in, arm_length_m, "
     "face_offset_mm, face_offset_in, face_offset_m, face_half_width_mm, face_half_width_in, "
-    "face_half_width_m, form, groove_clearance_mm, groove_clearance_in, groove_clearance_m, "
+    "face_half_width_m, face_radius_mm, face_radius_in, face_radius_m, form, groove_clearance_mm, "
+    "groove_clearance_in, groove_clearance_m, "
     "groove_wall_mm, groove_wall_in, groove_wall_m, roller_distance_mm, roller_distance_in, "
     "roller_distance_m, arm_angle_deg, arm_angle_rad, second_roller_radius_mm, "
     "second_roller_radius_in, second_roller_radius_m, second_offset_mm, second_offset_in, "
@@ -306,7 +307,7 @@ std::vector<BrokenScene> broken_cams() {
          "base_radius_mm = 40\n"
          "roller_radius_mm = 10\n",
          "s.toml:1:1: objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
-         "torque, rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
+         "torque, rms_acceleration, rms_jerk, area > 0, or of a dimension of the cam that is a range"},
     };
 }
 

@@ -310,8 +310,9 @@ std::vector<BrokenScene> broken_combinations() {
          "angle_deg = 60\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:4:1: motion.segments: found no segment to optimise; allowed: at least one with kind = "
-         "\"spline\", its angle and, where needed, the displacement `to` at its end"},
+         "s.toml:4:1: motion.segments: found dwells only; allowed: at least one segment with kind = \"law\" "
+         "or "
+         "kind = \"spline\""},
         {"program_key",
          "[motion]\n"
          "type = \"DRD\"\n"

@@ -8,7 +8,8 @@ namespace broken_files_parts {
 
 /// As the key table lists them.
 const std::string set_point_keys =
-    "at, at_deg, at_rad, from, from_deg, from_rad, to, to_deg, to_rad, displacement, displacement_mm, "
+    "at, at_deg, at_rad, at_crank_deg, from, from_deg, from_rad, from_crank_deg, to, to_deg, to_rad, "
+    "to_crank_deg, displacement, displacement_mm, "
     "displacement_in, displacement_m, displacement_deg, displacement_rad, velocity, velocity_mm_s, "
     "velocity_in_s, "
     "velocity_m_s, velocity_deg_s, velocity_rad_s, velocity_mm_rad, velocity_in_rad, velocity_m_rad, "
@@ -99,7 +100,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "tie_break = \"none\"\n",
          "s.toml:3:1: objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
-         "torque, rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
+         "torque, rms_acceleration, rms_jerk, area > 0, or of a dimension of the cam that is a range"},
         {"weights_zero",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -107,7 +108,7 @@ std::vector<BrokenScene> broken_files() {
          "velocity = 0\n"
          "jerk = 0.0\n",
          "s.toml:3:1: objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
-         "torque, rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
+         "torque, rms_acceleration, rms_jerk, area > 0, or of a dimension of the cam that is a range"},
         {"via_without_at",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -133,8 +134,10 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:3:1: motion.lift_mn: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, "
-         "lift_deg, lift_rad, rise_deg, rise_rad, return_deg, return_rad, speed_rpm, speed_rad_s, symmetric, "
-         "within_lift, monotone, via, segments, closed; did you mean 'lift_mm'?"},
+         "lift_deg, lift_rad, rise_deg, rise_rad, rise_crank_deg, return_deg, return_rad, return_crank_deg, "
+         "speed_rpm, speed_rad_s, symmetric, "
+         "within_lift, monotone, via, segments, closed, repeat, stops, start, end, corridor; did you mean "
+         "'lift_mm'?"},
         {"unknown_unit",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -142,8 +145,10 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:3:1: motion.lift_cm: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, "
-         "lift_deg, lift_rad, rise_deg, rise_rad, return_deg, return_rad, speed_rpm, speed_rad_s, symmetric, "
-         "within_lift, monotone, via, segments, closed; did you mean 'lift_mm'?"},
+         "lift_deg, lift_rad, rise_deg, rise_rad, rise_crank_deg, return_deg, return_rad, return_crank_deg, "
+         "speed_rpm, speed_rad_s, symmetric, "
+         "within_lift, monotone, via, segments, closed, repeat, stops, start, end, corridor; did you mean "
+         "'lift_mm'?"},
         {"unknown_without_unit",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -151,8 +156,10 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:3:1: motion.rise: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, lift_deg, "
-         "lift_rad, rise_deg, rise_rad, return_deg, return_rad, speed_rpm, speed_rad_s, symmetric, "
-         "within_lift, monotone, via, segments, closed; did you mean 'rise_deg'?"},
+         "lift_rad, rise_deg, rise_rad, rise_crank_deg, return_deg, return_rad, return_crank_deg, speed_rpm, "
+         "speed_rad_s, symmetric, "
+         "within_lift, monotone, via, segments, closed, repeat, stops, start, end, corridor; did you mean "
+         "'rise_deg'?"},
         {"unknown_spline",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -186,7 +193,8 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerks = 1\n",
          "s.toml:4:1: objective.jerks: found an unknown key; allowed: velocity, acceleration, jerk, "
-         "rms_acceleration, rms_jerk, torque, residual, dynamic_acceleration, base_radius, roller_radius, "
+         "rms_acceleration, rms_jerk, torque, residual, dynamic_acceleration, area, base_radius, "
+         "roller_radius, "
          "offset, center_distance, "
          "arm_length, face_offset, reference, tie_break; did you mean 'jerk'?"},
         {"unknown_reference",
@@ -196,7 +204,7 @@ std::vector<BrokenScene> broken_files() {
          "jerk = 1\n"
          "reference = { jrk = 69 }\n",
          "s.toml:5:15: objective.reference.jrk: found an unknown key; allowed: velocity, acceleration, jerk, "
-         "rms_acceleration, rms_jerk, torque, residual, dynamic_acceleration; did you mean 'jerk'?"},
+         "rms_acceleration, rms_jerk, torque, residual, dynamic_acceleration, area; did you mean 'jerk'?"},
         {"unknown_limit",
          "[motion]\n"
          "type = \"DRD\"\n"

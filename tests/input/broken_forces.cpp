@@ -69,17 +69,21 @@ std::vector<BrokenScene> broken_forces() {
          "mass_kg = 1\n",
          "s.toml:9:1: forces: found forces without a speed; allowed: only where motion.speed is given"},
         {"forces_key_unknown", forces + "mass_g = 1\n",
-         "s.toml:11:1: forces.mass_g: found an unknown key; allowed: mass_kg, inertia_kg_m2, "
-         "spring_rate_n_mm, spring_rate_n_m, spring_rate_nm_rad, spring_rate_nm_deg, preload_n, preload_nm, "
-         "contact_width_mm, contact_width_in, contact_width_m, cam_modulus_gpa, cam_modulus_mpa, "
-         "cam_modulus_pa, follower_modulus_gpa, follower_modulus_mpa, follower_modulus_pa, cam_poisson, "
-         "follower_poisson; did you mean 'mass_kg'?"},
+         "s.toml:11:1: forces.mass_g: found an unknown key; allowed: mass_kg, mass_lb, inertia_kg_m2, "
+         "spring_rate_n_mm, spring_rate_n_m, spring_rate_lbf_in, spring_rate_nm_rad, spring_rate_nm_deg, "
+         "preload_n, preload_nm, preload_lbf, preload_lbf_in, damping_n_s_m, damping_nm_s_rad, load_n, "
+         "load_nm, load_lbf, load_lbf_in, contact_width_mm, contact_width_in, contact_width_m, "
+         "cam_modulus_gpa, cam_modulus_mpa, cam_modulus_pa, cam_modulus_ksi, follower_modulus_gpa, "
+         "follower_modulus_mpa, follower_modulus_pa, follower_modulus_ksi, cam_poisson, follower_poisson; "
+         "did you mean 'mass_kg'?"},
         {"forces_unit_missing", forces + "spring_rate = 1\n",
-         "s.toml:11:1: forces.spring_rate: found an unknown key; allowed: mass_kg, inertia_kg_m2, "
-         "spring_rate_n_mm, spring_rate_n_m, spring_rate_nm_rad, spring_rate_nm_deg, preload_n, preload_nm, "
-         "contact_width_mm, contact_width_in, contact_width_m, cam_modulus_gpa, cam_modulus_mpa, "
-         "cam_modulus_pa, follower_modulus_gpa, follower_modulus_mpa, follower_modulus_pa, cam_poisson, "
-         "follower_poisson; did you mean 'spring_rate_n_mm'?"},
+         "s.toml:11:1: forces.spring_rate: found an unknown key; allowed: mass_kg, mass_lb, inertia_kg_m2, "
+         "spring_rate_n_mm, spring_rate_n_m, spring_rate_lbf_in, spring_rate_nm_rad, spring_rate_nm_deg, "
+         "preload_n, preload_nm, preload_lbf, preload_lbf_in, damping_n_s_m, damping_nm_s_rad, load_n, "
+         "load_nm, load_lbf, load_lbf_in, contact_width_mm, contact_width_in, contact_width_m, "
+         "cam_modulus_gpa, cam_modulus_mpa, cam_modulus_pa, cam_modulus_ksi, follower_modulus_gpa, "
+         "follower_modulus_mpa, follower_modulus_pa, follower_modulus_ksi, cam_poisson, follower_poisson; "
+         "did you mean 'spring_rate_n_mm'?"},
         {"forces_mass_negative", forces + "mass_kg = -1\n",
          "s.toml:11:11: forces.mass_kg: found -1; allowed: a number >= 0"},
         {"forces_mass_and_inertia",
@@ -96,22 +100,22 @@ std::vector<BrokenScene> broken_forces() {
          "allowed: only one of the two"},
         {"forces_inertia_of_translating", forces + "inertia_kg_m2 = 1\n",
          "s.toml:11:1: forces.inertia_kg_m2: found a value in kg m^2 where the follower translates; allowed: "
-         "mass_kg"},
+         "mass_kg or mass_lb"},
         {"forces_mass_of_oscillating", moments + "mass_kg = 1\n",
          "s.toml:13:1: forces.mass_kg: found a value in kg where the follower oscillates; allowed: "
          "inertia_kg_m2"},
         {"forces_spring_of_translating", forces + "spring_rate_nm_deg = 1\n",
          "s.toml:11:1: forces.spring_rate_nm_deg: found a value in N m/deg where the follower translates; "
-         "allowed: spring_rate_n_mm or spring_rate_n_m"},
+         "allowed: spring_rate_n_mm or spring_rate_n_m or spring_rate_lbf_in"},
         {"forces_spring_of_oscillating", moments + "spring_rate_n_mm = 1\n",
          "s.toml:13:1: forces.spring_rate_n_mm: found a value in N/mm where the follower oscillates; "
          "allowed: spring_rate_nm_rad or spring_rate_nm_deg"},
         {"forces_preload_of_translating", forces + "preload_nm = 1\n",
          "s.toml:11:1: forces.preload_nm: found a value in N m where the follower translates; allowed: "
-         "preload_n"},
+         "preload_n or preload_lbf"},
         {"forces_preload_of_oscillating", moments + "preload_n = 1\n",
          "s.toml:13:1: forces.preload_n: found a value in N where the follower oscillates; allowed: "
-         "preload_nm"},
+         "preload_nm or preload_lbf_in"},
         {"forces_preload_infinite", forces + "preload_n = -inf\n",
          "s.toml:11:13: forces.preload_n: found -inf; allowed: a finite number"},
         {"forces_width_zero", forces + "contact_width_mm = 0\n",
@@ -194,12 +198,12 @@ std::vector<BrokenScene> broken_forces() {
          forces + "[limits]\n"
                   "contact_moment_min_nm = 1\n",
          "s.toml:12:1: limits.contact_moment_min_nm: found a value in N m where the follower translates; "
-         "allowed: contact_force_min_n"},
+         "allowed: contact_force_min_n or contact_force_min_lbf"},
         {"limit_force_of_oscillating",
          moments + "[limits]\n"
                    "contact_force_min_n = 1\n",
          "s.toml:14:1: limits.contact_force_min_n: found a value in N where the follower oscillates; "
-         "allowed: contact_moment_min_nm"},
+         "allowed: contact_moment_min_nm or contact_moment_min_lbf_in"},
         {"limit_force_and_moment",
          moments + "[limits]\n"
                    "contact_moment_min_nm = 1\n"

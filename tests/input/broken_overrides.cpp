@@ -152,7 +152,7 @@ std::vector<BrokenScene> broken_overrides() {
         {"set_entry_unknown_key",
          program_scene,
          "--set motion.segments[1].ot=1: motion.segments[1].ot: found an unknown key; allowed: kind, "
-         "angle_deg, angle_rad, law, to, to_mm, to_in, to_m, to_deg, to_rad, via",
+         "angle_deg, angle_rad, angle_crank_deg, law, to, to_mm, to_in, to_m, to_deg, to_rad, end, via",
          {"motion.segments[1].ot=1"}},
         {"set_entry_bad_value",
          program_scene,

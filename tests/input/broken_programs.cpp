@@ -68,8 +68,9 @@ std::vector<BrokenScene> broken_programs() {
         {"program_segments_number", program + "segments = 3\n",
          "s.toml:5:12: motion.segments: found 3; allowed: an array of tables"},
         {"program_segment_number", program + "segments = [3]\n",
-         "s.toml:5:13: motion.segments[0]: found 3; allowed: a table of kind, angle_deg, angle_rad, law, to, "
-         "to_mm, to_in, to_m, to_deg, to_rad, via"},
+         "s.toml:5:13: motion.segments[0]: found 3; allowed: a table of kind, angle_deg, angle_rad, "
+         "angle_crank_deg, law, to, "
+         "to_mm, to_in, to_m, to_deg, to_rad, end, via"},
         {"program_segment_empty", program + "segments = [{}]\n",
          "s.toml:5:13: motion.segments[0].kind: missing; allowed: \"dwell\", \"law\" or \"spline\""},
         {"program_kind_missing",
@@ -112,14 +113,15 @@ std::vector<BrokenScene> broken_programs() {
                    "kind = \"spline\"\n"
                    "angle = 1\n",
          "s.toml:7:1: motion.segments[0].angle: found an unknown key; allowed: kind, angle_deg, angle_rad, "
-         "law, to, to_mm, to_in, to_m, to_deg, to_rad, via; did you mean 'angle_deg'?"},
+         "law, to, to_mm, to_in, to_m, to_deg, to_rad, end, via; did you mean 'angle_deg'?"},
         {"program_segment_key_unknown",
          program + "[[motion.segments]]\n"
                    "kind = \"spline\"\n"
                    "angle_deg = 360\n"
                    "velocity = 1\n",
          "s.toml:8:1: motion.segments[0].velocity: found an unknown key; allowed: kind, angle_deg, "
-         "angle_rad, law, to, to_mm, to_in, to_m, to_deg, to_rad, via; did you mean 'motion.via.velocity'?"},
+         "angle_rad, angle_crank_deg, law, to, to_mm, to_in, to_m, to_deg, to_rad, end, via; did you mean "
+         "'motion.via.velocity'?"},
         {"program_law_missing",
          rise + "[[motion.segments]]\n"
                 "kind = \"law\"\n"
@@ -188,15 +190,16 @@ std::vector<BrokenScene> broken_programs() {
          program + "[[motion.segments]]\n"
                    "kind = \"dwell\"\n"
                    "angle_deg = 360\n",
-         "s.toml:5:1: motion.segments: found no segment to optimise; allowed: at least one with kind = "
-         "\"spline\", its angle and, where needed, the displacement `to` at its end"},
+         "s.toml:5:1: motion.segments: found dwells only; allowed: at least one segment with kind = \"law\" "
+         "or "
+         "kind = \"spline\""},
         {"program_only_laws",
          program + "[[motion.segments]]\n"
                    "kind = \"law\"\n"
                    "angle_deg = 360\n"
                    "law = \"cycloidal\"\n",
-         "s.toml:5:1: motion.segments: found no segment to optimise; allowed: at least one with kind = "
-         "\"spline\", its angle and, where needed, the displacement `to` at its end"},
+         "s.toml:5:1: motion.segments[0].to: found no displacement, in a program of laws and dwells only; "
+         "allowed: the displacement at its end: nothing is optimised that could choose it"},
         {"program_turn_not_full",
          rise + "[[motion.segments]]\n"
                 "kind = \"spline\"\n"

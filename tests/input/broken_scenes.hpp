@@ -17,9 +17,11 @@ inline const std::string known_limit_keys =
     "pressure_angle_deg, pressure_angle_rad, rise_pressure_angle_deg, rise_pressure_angle_rad, "
     "return_pressure_angle_deg, return_pressure_angle_rad, cam_radius_min_mm, cam_radius_min_in, "
     "cam_radius_min_m, concave_radius_min_mm, concave_radius_min_in, concave_radius_min_m, "
-    "undercut_margin, contact_force_min_n, contact_moment_min_nm, torque_max_nm, "
-    "hertz_pressure_max_mpa, hertz_pressure_max_gpa, hertz_pressure_max_pa, residual_um, residual_mm, "
-    "residual_in, residual_deg, residual_rad, dynamic_contact_force_min_n, dynamic_contact_force_min_nm";
+    "undercut_margin, contact_force_min_n, contact_force_min_lbf, contact_moment_min_nm, "
+    "contact_moment_min_lbf_in, torque_max_nm, torque_max_lbf_in, hertz_pressure_max_mpa, "
+    "hertz_pressure_max_gpa, hertz_pressure_max_pa, hertz_pressure_max_ksi, residual_um, residual_mm, "
+    "residual_in, residual_deg, residual_rad, dynamic_contact_force_min_n, dynamic_contact_force_min_nm, "
+    "dynamic_contact_force_min_lbf, dynamic_contact_force_min_lbf_in";
 
 struct BrokenScene {
     std::string name;

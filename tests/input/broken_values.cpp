@@ -120,7 +120,8 @@ std::vector<BrokenScene> broken_values() {
          "jerk = 1\n"
          "[limits]\n"
          "velocity = 0\n",
-         "s.toml:6:12: limits.velocity: found 0; allowed: a number > 0"},
+         "s.toml:6:12: limits.velocity: found 0; allowed: a number > 0, or a table { min = …, max = … }, "
+         "where one may be missing"},
         {"limit_negative_in_time",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -128,7 +129,8 @@ std::vector<BrokenScene> broken_values() {
          "jerk = 1\n"
          "[limits]\n"
          "velocity_mm_s = -3\n",
-         "s.toml:6:17: limits.velocity_mm_s: found -3; allowed: a number > 0"},
+         "s.toml:6:17: limits.velocity_mm_s: found -3; allowed: a number > 0, or a table { min = …, max = … "
+         "}, where one may be missing"},
         {"tolerance_too_small",
          "[motion]\n"
          "type = \"DRD\"\n"

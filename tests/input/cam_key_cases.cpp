@@ -191,8 +191,24 @@ std::vector<KeyCase> cam_cases() {
 std::vector<KeyCase> force_cases() {
     using namespace cam_key_cases;
     const auto width = [](const Scene& s) { return s.forces.value().contact_width.value(); };
+    const auto load = [](const Scene& s) { return s.forces.value().load.back()[1]; };
     return {
         {"forces.mass_kg", "1.5", 1.5, of_forces(&ForceSpec::mass), forces(roller)},
+        {"forces.mass_lb", "2", 0.90718474, of_forces(&ForceSpec::mass), forces(roller)},
+        {"forces.spring_rate_lbf_in", "1", 175.12683524647636, of_forces(&ForceSpec::spring_rate),
+         forces(flat)},
+        {"forces.preload_lbf", "1", 4.4482216152605, of_forces(&ForceSpec::preload), forces(roller)},
+        {"forces.preload_lbf_in", "1", 0.1129848290276167, of_forces(&ForceSpec::preload), forces(arm)},
+        {"forces.damping_n_s_m", "7", 7, of_forces(&ForceSpec::damping), forces(roller)},
+        {"forces.damping_nm_s_rad", "7", 7, of_forces(&ForceSpec::damping), forces(arm)},
+        {"forces.load_n", "3", 3, load, forces(roller)},
+        {"forces.load_nm", "[[0, 1], [90, 3]]", 3, load, forces(arm)},
+        {"forces.load_lbf", "1", 4.4482216152605, load, forces(roller)},
+        {"forces.load_lbf_in", "[[0, 2], [90, 1]]", 0.1129848290276167, load, forces(arm)},
+        {"forces.cam_modulus_ksi", "1", 6894757.293168361, of_forces(&ForceSpec::cam_modulus),
+         forces(roller)},
+        {"forces.follower_modulus_ksi", "1", 6894757.293168361, of_forces(&ForceSpec::follower_modulus),
+         forces(roller)},
         {"forces.inertia_kg_m2", "0.01", 0.01, of_forces(&ForceSpec::mass), forces(arm)},
         {"forces.spring_rate_n_mm", "12", 12000, of_forces(&ForceSpec::spring_rate), forces(flat)},
         {"forces.spring_rate_n_m", "12", 12, of_forces(&ForceSpec::spring_rate), forces(knife)},
@@ -251,6 +267,12 @@ std::vector<KeyCase> cam_limit_cases() {
         {"limits.concave_radius_min_m", "0.05", 0.05, of_limit(&LimitSpec::concave_radius_min), cam(knife)},
         {"limits.undercut_margin", "0.2", 0.2, of_limit(&LimitSpec::undercut_margin), cam(flat)},
         {"limits.contact_force_min_n", "10", 10, of_limit(&LimitSpec::contact_force_min), mass},
+        {"limits.contact_force_min_lbf", "1", 4.4482216152605, of_limit(&LimitSpec::contact_force_min), mass},
+        {"limits.contact_moment_min_lbf_in", "1", 0.1129848290276167, of_limit(&LimitSpec::contact_force_min),
+         inertia},
+        {"limits.torque_max_lbf_in", "1", 0.1129848290276167, of_limit(&LimitSpec::torque_max), mass},
+        {"limits.hertz_pressure_max_ksi", "100", 689475729.3168361, of_limit(&LimitSpec::hertz_pressure_max),
+         width},
         {"limits.contact_moment_min_nm", "0.5", 0.5, of_limit(&LimitSpec::contact_force_min), inertia},
         {"limits.torque_max_nm", "25", 25, of_limit(&LimitSpec::torque_max), mass},
         {"limits.hertz_pressure_max_mpa", "1200", 1.2e9, of_limit(&LimitSpec::hertz_pressure_max), width},

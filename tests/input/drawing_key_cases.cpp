@@ -43,6 +43,7 @@ std::vector<KeyCase> drawing_cases() {
     const auto bore = [](const Scene& s) { return s.drawing.value().bore.value(); };
     const auto thickness = [](const Scene& s) { return s.drawing.value().thickness.value(); };
     const auto groove = [](const Scene& s) { return s.drawing.value().groove_depth.value(); };
+    const auto density = [](const Scene& s) { return s.drawing.value().density.value(); };
     const auto datum = [](const Scene& s) { return s.drawing.value().datum; };
     const auto width = [](const Scene& s) { return keyway_of(s).width; };
     const auto depth = [](const Scene& s) { return keyway_of(s).depth; };
@@ -54,6 +55,12 @@ std::vector<KeyCase> drawing_cases() {
         {"drawing.bore_mm", "25", 0.025, bore, drawn_cam("bore")},
         {"drawing.bore_in", "1", 0.0254, bore, drawn_cam("bore")},
         {"drawing.bore_m", "0.03", 0.03, bore, drawn_cam("bore")},
+        {"drawing.density_kg_m3", "7850", 7850, density, drawn_cam()},
+        {"drawing.density_g_cm3", "7.85", 7850, density, drawn_cam()},
+        {"drawing.density_lb_in3", "1", 27679.904710203125, density, drawn_cam()},
+        {"drawing.projection", "\"third_angle\"", 1,
+         [](const Scene& s) { return s.drawing.value().projection == Projection::third_angle ? 1.0 : 0.0; },
+         drawn_cam()},
         {"drawing.thickness_mm", "20", 0.02, thickness, drawn_cam()},
         {"drawing.thickness_in", "0.5", 0.0127, thickness, drawn_cam()},
         {"drawing.thickness_m", "0.03", 0.03, thickness, drawn_cam()},
@@ -74,6 +81,16 @@ std::vector<KeyCase> drawing_cases() {
         {"drawing.title_block.material", "\"x\"", 1, title(&TitleBlock::material), drawn_cam()},
         {"drawing.title_block.tolerance", "\"x\"", 1, title(&TitleBlock::tolerance), drawn_cam()},
         {"drawing.title_block.drawn_by", "\"x\"", 1, title(&TitleBlock::drawn_by), drawn_cam()},
+        {"drawing.title_block.organisation", "\"x\"", 1, title(&TitleBlock::organisation), drawn_cam()},
+        {"drawing.title_block.number", "\"x\"", 1, title(&TitleBlock::number), drawn_cam()},
+        {"drawing.title_block.revision", "\"x\"", 1, title(&TitleBlock::revision), drawn_cam()},
+        {"drawing.title_block.date", "\"x\"", 1, title(&TitleBlock::date), drawn_cam()},
+        {"drawing.title_block.surface_finish", "\"x\"", 1, title(&TitleBlock::surface_finish), drawn_cam()},
+        {"drawing.title_block.profile_tolerance", "\"x\"", 1, title(&TitleBlock::profile_tolerance),
+         drawn_cam()},
+        {"drawing.title_block.bore_fit", "\"x\"", 1, title(&TitleBlock::bore_fit), drawn_cam()},
+        {"drawing.title_block.keyway_tolerance", "\"x\"", 1, title(&TitleBlock::keyway_tolerance),
+         drawn_cam()},
     };
 }
 

@@ -50,6 +50,15 @@ std::vector<KeyCase> dynamics_cases() {
                       turned = angle + "dynamics.preload_nm = 9\n";
     return {
         {"dynamics.mass_kg", "2.5", 2.5, mass, train(false, "mass")},
+        {"dynamics.mass_lb", "2", 0.90718474, mass, train(false, "mass")},
+        {"dynamics.stiffness_lbf_in", "1", 175.12683524647636, stiffness, train(false, "stiffness")},
+        {"dynamics.return_spring_lbf_in", "1", 175.12683524647636, spring, length},
+        {"dynamics.preload_lbf", "1", 4.4482216152605, preload, length},
+        {"dynamics.preload_lbf_in", "1", 0.1129848290276167, preload, angle},
+        {"dynamics.stage.mass_lb", "2", 0.90718474, stage(&TrainStage::mass), length},
+        {"dynamics.stage.stiffness_lbf_in", "1", 175.12683524647636, stage(&TrainStage::stiffness), length},
+        {"limits.dynamic_contact_force_min_lbf", "1", 4.4482216152605, force, pressed},
+        {"limits.dynamic_contact_force_min_lbf_in", "1", 0.1129848290276167, force, turned},
         {"dynamics.inertia_kg_m2", "0.25", 0.25, mass, train(true, "mass")},
         {"dynamics.natural_frequency_hz", "50", 100.0 * std::numbers::pi, frequency,
          train(false, "stiffness")},

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Tables of measured motions: columns by their names, faults with their lines, and scenes that stand alone.
 #include "core/errors.hpp"
+#include "core/units.hpp"
 #include "input/scene_parts.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/cam_formulas.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -42,21 +45,59 @@ TEST(MeasuredTable, SaysWhatIsWrongAndWhere) {
               "s_mm, and rows of numbers");
     EXPECT_EQ(
         refusal("angle,s_mm\n"),
-        "m.csv:1: found the columns \"angle\", \"s_mm\"; allowed: one of them named theta_deg or theta_rad");
+        "m.csv:1: found the columns \"angle\", \"s_mm\"; allowed: one of them named theta_deg, theta_rad or "
+        "crank_deg, or step_deg in [measured]");
     EXPECT_EQ(refusal("theta_deg,s_cm\n"),
               "m.csv:1: found the columns \"theta_deg\", \"s_cm\"; allowed: one of them "
               "named s_mm, s_in, s_m, s_deg or s_rad");
-    EXPECT_EQ(refusal("theta_deg,theta_rad,s_mm\n"),
-              "m.csv:1: found two columns, theta_deg and theta_rad; allowed: one of theta_deg or theta_rad");
     EXPECT_EQ(refusal("theta_deg,s_mm\n0,0\n1\n"),
               "m.csv:3: found 1 cells; allowed: 2, as the first line names columns");
     EXPECT_EQ(refusal("theta_deg,s_mm\n0,0\n\n1,nan\n"),
               "m.csv:4: found \"nan\" in the column s_mm; allowed: a finite number");
     EXPECT_EQ(
         refusal("theta_deg;s_mm\n0;0\n1;0,5\n"),
-        "m.csv:3: found \"0,5\" in the column s_mm; allowed: a finite number, written with a decimal point");
-    EXPECT_EQ(refusal("theta_deg,s_mm\n0,0\n2,1\n2,3\n"),
-              "m.csv:4: found theta_deg = 2 after 2; allowed: ascending angles");
+        "m.csv:3: found \"0,5\" in the column s_mm; allowed: a finite number, written with a decimal point; "
+        "with a comma where [measured] has decimal = \",\"");
+    EXPECT_EQ(
+        refusal("theta_deg,s_mm\n0,0\n2,1\n2,3\n"),
+        "m.csv:4: found theta_deg = 2 after 2; allowed: angles that ascend, or descend, all along the table");
+    EXPECT_EQ(
+        refusal("0,0\n1,1\n"),
+        "m.csv:1: found numbers where the columns are named; allowed: a line such as theta_deg,s_mm, or "
+        "columns = [\"theta_deg\", \"s_mm\"] in [measured]");
+}
+
+TEST(MeasuredTable, ReadsOtherForms) {
+    const MeasuredTable bare = measured_table_of("0\n0.5\n1\n", "m.csv", {{"s_in"}, true});
+    EXPECT_EQ(bare.s, (std::vector<double>{0, 0.5, 1}));
+    EXPECT_TRUE(bare.theta.empty());
+    EXPECT_TRUE(bare.theta_key.empty());
+    const TableForm comma{{"theta_deg", "-", "s_mm"}, false, ','};
+    const MeasuredTable german = measured_table_of("Winkel;Kraft;Hub\n0;1;0\n1,5;2;0,25\n", "m.csv", comma);
+    EXPECT_EQ(german.theta, (std::vector<double>{0, 1.5}));
+    EXPECT_EQ(german.s, (std::vector<double>{0, 0.25}));
+    EXPECT_EQ(german.lines, (std::vector<int>{2, 3}));
+    const MeasuredTable crank = measured_table_of("crank_deg\ts_mm\n20\t1\n10\t2\n", "m.csv");
+    EXPECT_EQ(crank.theta_key, "theta_crank_deg");
+    EXPECT_EQ(crank.theta, (std::vector<double>{20, 10}));
+    const MeasuredTable joint = measured_table_of("theta_deg,theta_rad,s_mm\n0,0,0\n1,1,2\n1,1,2\n", "m.csv");
+    EXPECT_EQ(joint.theta_key, "theta_deg");
+    EXPECT_EQ(joint.lines, (std::vector<int>{2, 3}));
+    const auto refused = [](const std::string& text, const TableForm& form) {
+        try {
+            (void)measured_table_of(text, "m.csv", form);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_EQ(
+        refused("1,0;0.5\n", {{"theta_deg", "s_mm"}, false, ','}),
+        "m.csv:1: found \"0.5\" in the column s_mm; allowed: a finite number, written with a decimal comma");
+    EXPECT_EQ(refused("theta_deg,s_mm\n", {{}, true}),
+              "m.csv:1: found the column theta_deg together with measured.step; allowed: one of the two");
+    EXPECT_EQ(refused("1,2\n", {{"s_mm"}, true}),
+              "m.csv:1: found 2 cells; allowed: 1, as measured.columns names columns");
 }
 
 class MeasuredScene : public ::testing::Test {
@@ -89,6 +130,30 @@ class MeasuredScene : public ::testing::Test {
         return "accepted";
     }
 
+    /// The same table in another form must give the same motion.
+    void expect_same(const std::string& csv, const std::string& measured) const {
+        write("m.csv", csv);
+        write("s.toml", scene + measured);
+        const Scene read = read_scene_file(folder_ / "s.toml", known);
+        const Scene alone = read_scene(whole_scene_text(folder_ / "s.toml"), "s.toml", known);
+        for (const Scene* one : {&read, &alone}) {
+            const MeasuredMotion& motion = one->measured.value();
+            std::vector<double> inside, lifts;
+            for (std::size_t k = 0; k < motion.angle.size(); ++k)
+                if (motion.angle[k] > -1e-9 && motion.angle[k] < one->motion.rise + 1e-9) {
+                    inside.push_back(motion.angle[k] / units::degree);
+                    lifts.push_back(1e3 * motion.displacement[k]);
+                }
+            ASSERT_EQ(inside.size(), 9u) << measured;
+            for (std::size_t k = 0; k < 9; ++k) {
+                EXPECT_NEAR(inside[k], 10.0 * static_cast<double>(k), 1e-9) << measured;
+                EXPECT_NEAR(lifts[k], expected[k], 1e-12) << measured;
+            }
+            EXPECT_TRUE(std::ranges::is_sorted(motion.angle));
+        }
+    }
+
+    const std::vector<double> expected = {0, 0.5, 1.5, 3, 5, 7, 8.5, 9.5, 10};
     std::filesystem::path folder_;
     const std::string table =
         "theta_deg,s_mm\n0,0\n10,0.5\n20,1.5\n30,3\n40,5\n50,7\n60,8.5\n70,9.5\n80,10\n";
@@ -104,6 +169,49 @@ TEST_F(MeasuredScene, IsReadFromItsFolder) {
     EXPECT_EQ(read.measured->angle.size(), 9u);
     EXPECT_DOUBLE_EQ(read.measured->displacement[5], 7e-3);
     EXPECT_EQ(read.measured->name, "m.csv");
+}
+
+TEST_F(MeasuredScene, EveryFormGivesTheSameMotion) {
+    const std::string lifts = "0\n0.5\n1.5\n3\n5\n7\n8.5\n9.5\n10\n";
+    expect_same(table, "");
+    expect_same(lifts, "measured.columns = [\"s_mm\"]\nmeasured.step_deg = 10\n");
+    expect_same(lifts,
+                "measured.columns = [\"s_mm\"]\nmeasured.step_deg = 20\nmeasured.angles = \"crank\"\n");
+    expect_same(lifts,
+                "measured.columns = [\"s_mm\"]\nmeasured.step_crank_deg = 20\nmeasured.angles = \"crank\"\n");
+    expect_same(
+        "angle;lift\n-80;0\n-70;0,5\n-60;1,5\n-50;3\n-40;5\n-30;7\n-20;8,5\n-10;9,5\n0;10\n",
+        "measured.columns = [\"theta_deg\", \"s_mm\"]\nmeasured.decimal = \",\"\nmeasured.zero = \"nose\"\n");
+    expect_same("crank_deg,s_mm\n220,10\n200,9.5\n180,8.5\n160,7\n140,5\n120,3\n100,1.5\n80,0.5\n60,0\n",
+                "measured.zero = { deg = -30 }\n");
+    // One revolution from the nose on: the dwell at the top, what is between, the dwell at the bottom, the
+    // rise.
+    std::string turn = "theta_deg,s_mm\n";
+    for (int k = 0; k <= 36; ++k)
+        turn += fmt::format("{},{}\n", 10 * k,
+                            k < 10   ? 10.0
+                            : k < 28 ? 0.0
+                                     : expected[static_cast<std::size_t>(k - 28)]);
+    expect_same(turn, "measured.zero = \"nose\"\n");
+}
+
+TEST_F(MeasuredScene, NoseIsMiddleOfTopDwell) {
+    write("s.toml",
+          "objective.jerk = 1\n[motion]\ntype = \"program\"\nlift_mm = 10\n"
+          "segments = [{ kind = \"spline\", angle_deg = 100, to = 1 }, { kind = \"dwell\", angle_deg = 40 }, "
+          "{ kind = \"spline\", angle_deg = 100, to = 0 }, { kind = \"dwell\", angle_deg = 120 }]\n"
+          "[measured]\ntable = \"m.csv\"\nzero = \"nose\"\n");
+    std::string turn = "theta_deg,s_mm\n";  // 72 rows: 0 to 355 deg
+    for (int k = 0; k < 72; ++k) {
+        const double away = std::min(5.0 * k, 360.0 - 5.0 * k);
+        turn += fmt::format("{},{}\n", 5 * k, 10 * std::clamp((120.0 - away) / 100.0, 0.0, 1.0));
+    }
+    write("m.csv", turn);
+    const MeasuredMotion motion = read_scene_file(folder_ / "s.toml", known).measured.value();
+    ASSERT_EQ(motion.angle.size(), 72u);
+    EXPECT_NEAR(motion.angle.front() / units::degree, 5.0, 1e-9);
+    EXPECT_NEAR(motion.angle.back() / units::degree, 360.0, 1e-9);
+    EXPECT_NEAR(motion.displacement[23], 10e-3, 1e-12);  // 120 deg
 }
 
 TEST_F(MeasuredScene, TableFaultsNameTheirLines) {

@@ -187,6 +187,23 @@ std::vector<KeyCase> measured_cases() {
          motion + theta},
         {"measured.s_deg", "[0, 1, 3, 9, 15, 20, 25, 28.6]", pi / 20, displacement, swing + theta},
         {"measured.s_rad", "[0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.47, 0.5]", 0.2, displacement, swing + theta},
+        {"measured.theta_crank_deg", "[0, 20, 60, 90, 120, 160, 200, 229.2]", pi / 4, angle, motion + s},
+        {"measured.step_deg", "16.4", 49.2 * pi / 180, angle, motion + s},
+        {"measured.step_rad", "0.29", 0.87, angle, motion + s},
+        {"measured.step_crank_deg", "32.8", 49.2 * pi / 180, angle, motion + s},
+        {"measured.angles", "\"crank\"", 0.87, angle, motion + s + "measured.step_rad = 0.58\n"},
+        {"measured.zero", "\"nose\"", 0.8, angle,
+         motion + s + "measured.theta_rad = [-2, -1.8, -1.5, -1.2, -0.9, -0.6, -0.3, 0]\n"},
+        {"measured.zero.deg", "-90", 0.8, angle,
+         motion + s +
+             "measured.theta_rad = [1.5707963267948966, 1.7707963267948966, 2.0707963267948966, "
+             "2.3707963267948966, 2.6707963267948966, 2.9707963267948966, 3.2707963267948966, "
+             "3.5707963267948966]\n"},
+        {"measured.columns", "[\"s_in\", \"theta_rad\"]", 7 * 0.0254, displacement,
+         "motion.rise_rad = 2\nmotion.lift_in = 20\nmeasured.table = \"measured.csv\"\n"},
+        {"measured.decimal", "\".\"", 8,
+         [](const Scene& scene) { return double(scene.measured.value().angle.size()); },
+         motion + "measured.table = \"measured.csv\"\n"},
         {"measured.use", "\"start\"", 1,
          [](const Scene& scene) { return scene.measured.value().start ? 1.0 : 0.0; }, both},
         {"measured.name", "\"old cam\"", 1,

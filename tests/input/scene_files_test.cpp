@@ -16,10 +16,10 @@ namespace camopt::input {
 namespace scene_files_test {
 
 const std::filesystem::path source_folder = CAMOPT_SOURCE_DIR;
-const KnownNames known = {
-    .laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid", "constant_velocity"},
-    .solvers = {},
-    .cam_formulas = cam_formulas};
+const KnownNames known = {.laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid",
+                                   "constant_velocity", "simple_harmonic", "parabolic"},
+                          .solvers = {},
+                          .cam_formulas = cam_formulas};
 
 std::string text_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -85,7 +85,7 @@ TEST(Scene, WrongMembersAreNamed) {
          "spline.end_jerk: found \"zero\" with degree 3; allowed: \"free\", or degree 5"},
         {[](Scene& s) { s.objective.jerk = 0; },
          "objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
-         "torque, rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
+         "torque, rms_acceleration, rms_jerk, area > 0, or of a dimension of the cam that is a range"},
         {[](Scene& s) { s.objective.velocity = -1; }, "objective.velocity: found -1; allowed: a number >= 0"},
         {[](Scene& s) { s.objective.reference.numeric = true; },
          "objective.reference.jerk: found no number; allowed: a number > 0, because objective.jerk = 1"},

@@ -253,7 +253,8 @@ void add_verdict(py::class_<SolvedScene>& type) {
             "convex", [](const SolvedScene& s) { return of(s).solver.convex; },
             "Whether the problem is convex: the optimum is then the global one.")
         .def_property_readonly(
-            "seconds", [](const SolvedScene& s) { return of(s).seconds_total; }, "Wall time of the whole solve, s.")
+            "seconds", [](const SolvedScene& s) { return of(s).seconds_total; },
+            "Wall time of the whole solve, s.")
         .def_property_readonly(
             "notes", [](const SolvedScene& s) { return of(s).notes; }, "Notes on the result.")
         .def_property_readonly(

@@ -30,7 +30,7 @@ bool is_shown(const TrainStudy& study, const std::string& key) {
 }
 
 /// One series a motion that is shown.
-PaperFigure over_speed(const TrainStudy& study, const char* title, const char* unit,
+PaperFigure over_speed(const TrainStudy& study, const char* title, const std::string& unit,
                        const std::function<double(const TrainRow&)>& value) {
     PaperFigure figure{"", title, "speed of the cam, rpm", unit, {}};
     const std::size_t count = study.speeds.size();
@@ -45,7 +45,7 @@ PaperFigure over_speed(const TrainStudy& study, const char* title, const char* u
     return figure;
 }
 
-PaperFigure over_angle(const TrainStudy& study, const std::string& title, const char* unit,
+PaperFigure over_angle(const TrainStudy& study, const std::string& title, const std::string& unit,
                        const std::function<double(const TrainInstant&)>& value) {
     PaperFigure figure{"", title, "cam angle from the beginning of the rise, deg", unit, {}};
     for (const TrainHistory& history : study.histories) {
@@ -163,12 +163,13 @@ std::string paper_figure_svg(const PaperFigure& figure) {
 
 std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainStudy& study) {
     const MotionSpec& motion = study.scene.motion;
-    const bool angle = motion.lift_is_angle;
-    const double amplitude = angle ? 1e3 * degrees_shown.of(motion.lift) : motion.lift / 1e-6;
-    const char* const amplitude_unit = angle ? "mdeg" : "µm";
-    const char* const acceleration_unit = angle ? "rad/s²" : "m/s²";
+    const ShownUnits shown = shown_units(study.scene);
+    const double amplitude = shown.vibration.of(motion.lift);
+    const std::string& amplitude_unit = shown.vibration.name;
+    const MotionUnit& acceleration_unit = shown.motion[2].first;
     const auto physical = [&](double value, double speed) {
-        return value * motion.lift * speed * speed / (motion.unit_angle() * motion.unit_angle());
+        return acceleration_unit.of(value * motion.lift * speed * speed /
+                                    (motion.unit_angle() * motion.unit_angle()));
     };
     std::vector<std::pair<std::string, std::string>> pictures;
     const auto add = [&](const char* name, const PaperFigure& figure) {
@@ -178,7 +179,7 @@ std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainSt
         over_speed(study, "Residual vibration after one rise from rest", amplitude_unit,
                    [&](const TrainRow& row) { return row.residual * amplitude; }));
     add("acceleration_over_speed.svg",
-        over_speed(study, "Largest acceleration of the output during the rise", acceleration_unit,
+        over_speed(study, "Largest acceleration of the output during the rise", acceleration_unit.name,
                    [&](const TrainRow& row) { return physical(row.peak_acceleration, row.speed); }));
     if (study.histories.empty()) return pictures;
     const std::string at = fmt::format(" at {:.6g} rpm", rpm_shown.of(study.histories.front().speed));
@@ -187,10 +188,10 @@ std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainSt
         over_angle(study, "Output minus cam path" + at, amplitude_unit,
                    [&](const TrainInstant& one) { return (one.output - one.input) * amplitude; }));
     add("acceleration.svg",
-        over_angle(study, "Acceleration of the output" + at, acceleration_unit,
+        over_angle(study, "Acceleration of the output" + at, acceleration_unit.name,
                    [&](const TrainInstant& one) { return physical(one.acceleration, speed); }));
-    add("force.svg", over_angle(study, "Force of the train on the cam" + at, angle ? "N m" : "N",
-                                [](const TrainInstant& one) { return one.force; }));
+    add("force.svg", over_angle(study, "Force of the train on the cam" + at, shown.load.name,
+                                [&](const TrainInstant& one) { return shown.load.of(one.force); }));
     return pictures;
 }
 

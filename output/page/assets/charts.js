@@ -18,6 +18,7 @@
     for (const name of ['reference', 'measured'])
       if (shown[name] && curve[name]) curve[name].values.forEach((value) => { if (value !== null && Math.abs(value) < 3 * own) take(value); });
     curve.marks.forEach((mark) => take(mark.value));
+    if (shown.measured && curve.points) curve.points.forEach((point) => take(point[1]));
     if (shown.limits) curve.limits.forEach((limit) => { if (Math.abs(limit.at) < 2.2 * own) take(limit.at); });
     if (low > 0 && low < 0.6 * high) low = 0;
     if (high < 0 && high > 0.6 * low) high = 0;
@@ -112,6 +113,19 @@
       const done = label(u, curve, taken, limit.words, right - 4, y, limit.outside > 0, 'right') ||
         label(u, curve, taken, limit.words, left + 4, y, limit.outside > 0, 'left');
       if (done) said.add(limit.words);
+    }
+  }
+
+  /** Rows of a measured table. */
+  function drawPoints(u, curve) {
+    const context = u.ctx, ratio = u.pxRatio || devicePixelRatio, box = u.bbox;
+    context.fillStyle = colour('given');
+    for (const [at, value] of curve.points || []) {
+      const x = u.valToPos(at, 'x', true), y = u.valToPos(value, 'y', true);
+      if (x < box.left - 1 || x > box.left + box.width + 1 || y < box.top || y > box.top + box.height) continue;
+      context.beginPath();
+      context.arc(x, y, 1.8 * ratio, 0, 2 * Math.PI);
+      context.fill();
     }
   }
 
@@ -258,6 +272,7 @@
             const taken = [];
             u.ctx.save();
             drawSegments(u, self.curve, all.data.segments, taken);
+            if (all.shown.measured) drawPoints(u, self.curve);
             if (all.shown.marks) drawMarks(u, self.curve, taken);
             if (all.shown.limits) nameLimits(u, self.curve, taken);
             u.ctx.restore();
@@ -363,7 +378,7 @@
       const reference = data.curves.find((curve) => curve.reference);
       const extras = [];
       if (reference) extras.push(['reference', reference.reference.title + ' (dashed)']);
-      if (data.curves.some((curve) => curve.measured)) extras.push(['measured', 'measured (dotted)']);
+      if (data.curves.some((curve) => curve.measured)) extras.push(['measured', 'measured (dotted, rows as dots)']);
       if (data.curves.some((curve) => curve.limits.length)) extras.push(['limits', 'limits']);
       extras.push(['marks', 'marked points']);
       for (const [name, words] of extras)

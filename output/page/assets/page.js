@@ -13,6 +13,17 @@
     return button;
   }
 
+  /** At the foot of printed pages: these words, today's date, page numbers. */
+  let footRule = null;
+  function printFoot(words) {
+    const sheet = document.styleSheets[document.styleSheets.length - 1];
+    if (footRule !== null) sheet.deleteRule(footRule);
+    const text = JSON.stringify(words + ' · printed ' + new Date().toISOString().slice(0, 10));
+    const font = 'font: 8px sans-serif; color: #555;';
+    footRule = sheet.insertRule('@page { @bottom-left { content: ' + text + '; ' + font + ' } ' +
+      '@bottom-right { content: "page " counter(page) " of " counter(pages); ' + font + ' } }', footRule ?? sheet.cssRules.length);
+  }
+
   camopt.header = function (kind) {
     const title = element('h1', {});
     const host = element('header', { class: 'top' },
@@ -55,6 +66,7 @@
         words.dataset.open = open ? data.verdict.headline + '. ' + data.verdict.sentences.join(' ') : '';
         document.title = data.title;
         top.title.textContent = data.title;
+        printFoot(data.foot);
         const hasMotion = Boolean(data.angle);
         const keeps = !hasMotion && self.keepsPictures && shown;
         pictures.classList.toggle('of-before', keeps);

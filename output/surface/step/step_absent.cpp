@@ -20,7 +20,8 @@ bool step_available() {
     return false;
 }
 
-void write_step_file(const std::filesystem::path& /*path*/, std::span<const BsplineSurface> /*surfaces*/) {
+void write_step_file(const std::filesystem::path& /*path*/, std::span<const BsplineSurface> /*surfaces*/,
+                     const std::string& /*part*/) {
     refuse();
 }
 

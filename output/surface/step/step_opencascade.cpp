@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
+#include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
 #include "core/units.hpp"
+#include "core/version.hpp"
 #include "output/surface/step/step_file.hpp"
 #include "output/surface/step/step_solid.hpp"
 
 #include <fmt/format.h>
 
+#include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -73,8 +76,22 @@ class SilentLibrary {
     Message_SequenceOfPrinters printers_;
 };
 
+/// Of FILE_NAME.
+struct StepHeader {
+    std::string part, author = {}, organisation = {};
+};
+
 /// What was transferred to the writer, as text first: the file is written and checked as every other is.
-void write_step_model(const std::filesystem::path& path, STEPControl_Writer& writer) {
+void write_step_model(const std::filesystem::path& path, STEPControl_Writer& writer,
+                      const StepHeader& words) {
+    const auto text_of = [](const std::string& said) {
+        return new TCollection_HAsciiString(ascii_text(said).c_str());
+    };
+    APIHeaderSection_MakeHeader header(writer.Model());
+    header.SetName(text_of(words.part));
+    header.SetAuthorValue(1, text_of(words.author));
+    header.SetOrganizationValue(1, text_of(words.organisation));
+    header.SetOriginatingSystem(text_of(fmt::format("camopt {}", version())));
     StepData_StepWriter text(writer.Model());
     text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
     std::ostringstream bytes;
@@ -129,7 +146,8 @@ void name_face(const STEPControl_Writer& writer, const TopoDS_Face& face, const 
     if (!item.IsNull()) item->SetName(new TCollection_HAsciiString(name.c_str()));
 }
 
-void write(const std::filesystem::path& path, std::span<const BsplineSurface> surfaces) {
+void write(const std::filesystem::path& path, std::span<const BsplineSurface> surfaces,
+           const std::string& part) {
     const SilentLibrary silent;
     STEPControl_Writer writer;
     Interface_Static::SetCVal("write.step.unit", "MM");
@@ -145,7 +163,7 @@ void write(const std::filesystem::path& path, std::span<const BsplineSurface> su
     if (writer.Transfer(compound, STEPControl_AsIs) != IFSelect_RetDone)
         throw InputError("STEP: Open CASCADE could not translate the surfaces");
     for (std::size_t i = 0; i < faces.size(); ++i) name_face(writer, faces[i], surfaces[i].name);
-    write_step_model(path, writer);
+    write_step_model(path, writer, {part});
 }
 
 /// On the plate's lower face.
@@ -254,7 +272,7 @@ double write_plate(const std::filesystem::path& path, const Plate& plate) {
     Interface_Static::SetCVal("write.step.product.name", plate.name.c_str());
     if (writer.Transfer(solid, STEPControl_ManifoldSolidBrep) != IFSelect_RetDone)
         throw InputError("STEP: Open CASCADE could not translate the solid");
-    write_step_model(path, writer);
+    write_step_model(path, writer, {plate.name, plate.author, plate.organisation});
     return std::abs(properties.Mass()) * std::pow(units::millimetre, 3);
 }
 
@@ -264,10 +282,11 @@ bool step_available() {
     return true;
 }
 
-void write_step_file(const std::filesystem::path& path, std::span<const BsplineSurface> surfaces) {
+void write_step_file(const std::filesystem::path& path, std::span<const BsplineSurface> surfaces,
+                     const std::string& part) {
     if (surfaces.empty()) throw InputError("STEP: there is no surface to write");
     try {
-        write(path, surfaces);
+        write(path, surfaces, part);
     } catch (const Standard_Failure& failure) {
         throw InputError(
             fmt::format("STEP: Open CASCADE refuses the surfaces: {}", failure.GetMessageString()));

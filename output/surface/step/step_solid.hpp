@@ -29,7 +29,7 @@ struct PlateGroove {
 
 /// Between z = −thickness and z = 0. Every edge begins where the one before it ends.
 struct Plate {
-    std::string name;
+    std::string name, author = {}, organisation = {};  ///< in the header of the file
     double thickness = 20e-3;
     std::vector<PlateEdge> outline, hole;  ///< the hole may be empty
     std::optional<PlateGroove> groove = {};

@@ -71,6 +71,63 @@ TEST(Sheet, SaysItsLengthsInInchesWhereAsked) {
         std::ranges::any_of(sheet.texts, [](const SheetText& text) { return text.words == "A4, in"; }));
 }
 
+TEST(Sheet, TitleBlockWordsFitTheirCells) {
+    Sheet sheet;
+    sheet.format = "A4";
+    sheet.scale_words = "1:2";
+    TitleBlock title;
+    title.part = "Cam disk of the feeder, rising and returning without a dwell";
+    title.number = "4711-0815";
+    title.revision = "C";
+    title.date = "2026-11-26";
+    title.organisation = "Cam Works";
+    title.surface_finish = "Ra 0.8";
+    title.profile_tolerance = "0.02";
+    add_frame(sheet, title, "1.25 kg");
+    for (const char* const words : {"4711-0815", "C", "2026-11-26", "Cam Works", "Ra 0.8", "0.02", "1.25 kg",
+                                    "1:2", "projection", "mass", "profile tolerance"})
+        EXPECT_TRUE(std::ranges::any_of(sheet.texts, [&](const SheetText& text) {
+            return text.words == words;
+        })) << words;
+    const double left = sheet.width - sheet_margin - title_block_width;
+    for (const SheetText& text : sheet.texts) {
+        EXPECT_GE(text.at.x(), left);
+        EXPECT_LE(text.at.x() + widest_text(text.words, text.height), sheet.width - sheet_margin);
+        EXPECT_GT(text.at.y(), sheet_margin);
+        EXPECT_LT(text.at.y() + text.height, sheet_margin + title_block_height);
+    }
+}
+
+/// ISO 5456-2: the circles stand right of the frustum in first angle, left of it in third angle, and its
+/// small end points to the left.
+TEST(Sheet, ProjectionSymbolTellsFirstFromThirdAngle) {
+    for (const Projection projection : {Projection::first_angle, Projection::third_angle}) {
+        Sheet sheet;
+        add_frame(sheet, {}, "", projection);
+        ASSERT_EQ(sheet.circles.size(), 2u);
+        const auto cone = std::ranges::find_if(sheet.paths, [](const SheetPath& path) {
+            return path.closed && path.vertices.size() == 4 &&
+                   path.vertices[0].position.y() != path.vertices[1].position.y() &&
+                   path.vertices[0].position.x() != path.vertices[1].position.x();
+        });
+        ASSERT_NE(cone, sheet.paths.end());
+        const double small = cone->vertices[0].position.x(), large = cone->vertices[1].position.x();
+        EXPECT_LT(small, large);
+        const double circles = sheet.circles[0].center.x();
+        EXPECT_EQ(circles > large, projection == Projection::first_angle);
+        EXPECT_EQ(circles < small, projection == Projection::third_angle);
+    }
+}
+
+TEST(Sheet, DimensionCarriesItsFit) {
+    SheetDimension dimension;
+    dimension.second = {0.0, 0.025};
+    dimension.direction = 0.5 * pi;
+    dimension.across = true;
+    dimension.tolerance = "H7";
+    EXPECT_EQ(dimension.words(), "⌀25 H7");
+}
+
 TEST(Sheet, BulgeArcPassesThroughItsPoints) {
     for (const double bulge : {0.2, -0.7, 1.0, 2.5}) {
         const Vector2d from(1.0, 2.0), to(3.0, -1.0);

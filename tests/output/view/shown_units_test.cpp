@@ -104,9 +104,16 @@ TEST(ShownUnits, DegreesInputGivesDegreesOutput) {
 
 TEST(ShownUnits, ForcesAreThoseOfTheFollower) {
     const ShownUnits straight = shown_units(scene_of(true, false, LengthUnit::inch));
-    EXPECT_EQ(straight.load.text(40.0), "40 N");
-    EXPECT_EQ(straight.spring_rate.text(12000.0), "12 N/mm");
-    EXPECT_EQ(straight.pressure.text(8e8), "800 MPa");
+    EXPECT_EQ(straight.load.text(4.4482216152605), "1 lbf");
+    EXPECT_EQ(straight.torque.text(0.1129848290276167), "1 lbf in");
+    EXPECT_EQ(straight.spring_rate.text(175.12683524647636), "1 lbf/in");
+    EXPECT_EQ(straight.pressure.text(6894757.293168361), "1 ksi");
+    EXPECT_EQ(straight.mass.text(0.45359237), "1 lb");
+    EXPECT_EQ(straight.vibration.text(2.54e-5), "1 mil");
+    const ShownUnits metric = shown_units(scene_of(true, false, LengthUnit::millimetre));
+    EXPECT_EQ(metric.load.text(40.0), "40 N");
+    EXPECT_EQ(metric.spring_rate.text(12000.0), "12 N/mm");
+    EXPECT_EQ(metric.pressure.text(8e8), "800 MPa");
     const ShownUnits swing = shown_units(scene_of(true, true, LengthUnit::millimetre));
     EXPECT_EQ(swing.load.text(3.0), "3 N m");
     EXPECT_EQ(swing.force.text(3.0), "3 N");

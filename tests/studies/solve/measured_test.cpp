@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Measured motions: fitted by least squares in the scene's own space, with a true error.
 #include "core/errors.hpp"
+#include "input/loading/load_scene.hpp"
+#include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
+#include "output/csv/motion_csv.hpp"
+#include "output/view/tables.hpp"
+#include "output/view/view.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/measured/measured_fit.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
@@ -11,6 +17,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 
 namespace camopt {
@@ -61,6 +69,88 @@ TEST(Measured, MotionInSpaceIsReproduced) {
     ASSERT_TRUE(solution.measured->objective);
     EXPECT_NEAR(*solution.measured->objective, optimum.certificate.objective, 1e-5);
     EXPECT_NEAR(solution.measured->peaks.velocity.value, optimum.peaks.velocity.value, 1e-6);
+}
+
+TEST(Measured, SparseTableIsReportedAsFollowingNoise) {
+    const Solution sparse = solve(measured_scene(24, cycloid, 16));
+    ASSERT_TRUE(sparse.measured);
+    EXPECT_EQ(sparse.measured->freedom, 13);  // 16 + 3 coefficients, six of them fixed by the ends
+    EXPECT_TRUE(follows_noise(*sparse.measured));
+    EXPECT_NE(measured_sentence(sparse).find("follows the noise"), std::string::npos);
+    const Solution dense = solve(measured_scene(25, cycloid, 16));
+    EXPECT_FALSE(follows_noise(*dense.measured));
+    EXPECT_EQ(measured_sentence(dense).find("follows the noise"), std::string::npos);
+}
+
+TEST(Measured, ResidualCurveIsTableMinusFit) {
+    const Scene scene =
+        measured_scene(90, [](double x) { return cycloid(x) + 1e-3 * std::sin(91.0 * x) * x * (1 - x); });
+    const Solution solution = solve(scene);
+    const View view(solution);
+    const auto residual = std::ranges::find(view.curves, "residual", &Curve::key);
+    ASSERT_NE(residual, view.curves.end());
+    ASSERT_EQ(residual->points.size(), 91u);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < residual->points.size(); ++k) {
+        const double x = static_cast<double>(k) / 90;
+        const double error =
+            1e3 * (scene.measured->displacement[k] - lift * solution.measured->motion->at(x).derivative[0]);
+        EXPECT_NEAR(residual->points[k][1], error, 1e-10);
+        largest = std::max(largest, std::abs(error));
+    }
+    ASSERT_EQ(residual->marks.size(), 1u);
+    EXPECT_NEAR(std::abs(residual->marks[0].value), largest, 1e-10);
+    EXPECT_NEAR(solution.measured->largest_error * lift * 1e3, largest, 1e-10);
+    EXPECT_EQ(view.curves.front().points.size(), 91u);
+}
+
+TEST(Measured, LobeInInchesIsReadWithoutHeader) {
+    const Scene scene = input::read_scene_file(
+        std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/measured_lobe.toml", known_names());
+    ASSERT_EQ(scene.measured->angle.size(), 131u);
+    EXPECT_NEAR(scene.measured->angle[65], 65.0 * units::degree, 1e-12);
+    EXPECT_DOUBLE_EQ(scene.measured->displacement[65], 0.393615 * units::inch);
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.measured);
+    EXPECT_EQ(solution.measured->rows, 131);
+    EXPECT_FALSE(follows_noise(*solution.measured));
+    EXPECT_LT(solution.measured->largest_error * scene.motion.lift, 0.0015 * units::inch);
+    EXPECT_NE(measured_sentence(solution).find(" in (rms "), std::string::npos)
+        << measured_sentence(solution);
+}
+
+/// Every table that camopt writes of a motion is a measured table of the same motion.
+TEST(Measured, OwnTablesGiveTheSameMotion) {
+    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "camopt_own_tables";
+    std::filesystem::create_directories(folder);
+    const std::string text =
+        "motion = { type = \"RR\", lift_mm = 9, rise_deg = 80, return_deg = 70, "
+        "speed_rpm = 100 }\nspline.segments = 12\nobjective.jerk = 1\n"
+        "cam = { type = \"disk\", follower = \"translating_roller\", base_radius_mm = "
+        "30, roller_radius_mm = 8 }\n";
+    const auto write = [&](const char* name, const std::string& words) {
+        std::ofstream(folder / name, std::ios::binary) << words;
+    };
+    write("s.toml", text);
+    const Solution solution = solve(input::read_scene_file(folder / "s.toml", known_names()));
+    const View view(solution);
+    UniformTableOptions inches;
+    inches.columns = {"theta_rad", "s_in", "theta_deg", "s_mm"};
+    UniformTableOptions steps;
+    steps.step_deg = 0.75;
+    steps.digits = 9;
+    write("s.toml", text + "measured.table = \"t.csv\"\n");
+    for (const std::string& table :
+         {motion_csv(view), uniform_table(view, {}).text, uniform_table(view, inches).text,
+          uniform_table(view, steps).text,
+          profile_csv(view, profile_rows(solution, view.delivered, default_sampling(*view.delivered.cam)))}) {
+        write("t.csv", table);
+        const Scene scene = input::read_scene_file(folder / "s.toml", known_names());
+        const MeasuredReport report = measured_report(scene, solution.reference_peaks);
+        EXPECT_GT(report.rows, 100);
+        EXPECT_LT(report.largest_error, 1e-8) << table.substr(0, 60);
+    }
+    std::filesystem::remove_all(folder);
 }
 
 TEST(Measured, FitKeepsEndsAndReportsError) {

@@ -88,6 +88,17 @@ TEST(LostArea, OfEveryLawIsOneHalf) {
         1e-8);
 }
 
+/// Small weights are solved scaled.
+TEST(LostArea, SmallWeightScalesTheObjective) {
+    Scene scene = scene_of("[motion]\ntype = \"DRD\"\n[objective]\narea = 1\n[limits]\njerk = 80\n");
+    const double whole = solve(scene).certificate.objective;
+    scene.objective.area = 0.01;
+    const Solution small = solve(scene);
+    EXPECT_EQ(small.certificate.verdict, Verdict::optimal);
+    EXPECT_NEAR(small.certificate.objective, 0.01 * whole, 1e-9);
+    EXPECT_EQ(small.own_terms.at(0).weight, 0.01);
+}
+
 /// Bounds of all four derivatives on stretches that no breakpoint meets; the ends belong to the stretch.
 TEST(Corridor, HoldsAtEveryAngleOfItsStretch) {
     const Scene scene = scene_of(R"(
