@@ -25,6 +25,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <stdlib.h>
 #include <system_error>
@@ -53,7 +54,7 @@ class PassingFolder {
  public:
     PassingFolder() {
         std::string name = (std::filesystem::temp_directory_path() / "camopt-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
+        if (::mkdtemp(name.data()) == nullptr)
             throw InputError(fmt::format("cannot create a folder like {}", name));
         path_ = name;
     }
@@ -71,16 +72,16 @@ class PassingFolder {
     std::filesystem::path path_;
 };
 
-/// The flanks of a three-dimensional cam as a file of that kind: a member of CamExportOptions.
-std::string flank_bytes(const Solution& solution, bool CamExportOptions::*kind) {
+/// The flanks of a three-dimensional cam as the file of that name; kind: a member of CamExportOptions.
+std::string flank_bytes(const Solution& solution, const char* name, bool CamExportOptions::*kind) {
     const PassingFolder folder;
     const MotionChain turn = whole_turn(solution);
     CamExportOptions options;
     options.*kind = true;
     options.title = export_title(solution);
-    return read_text_file(write_cam_files(folder.path(), solved_flanks(solution),
-                                          follower_motion(turn, motion_scale(solution.scene)), options)
-                              .front());
+    (void)write_cam_files(folder.path(), solved_flanks(solution),
+                          follower_motion(turn, motion_scale(solution.scene)), options);
+    return read_text_file(folder.path() / name);
 }
 
 std::string solid_bytes(const Plate& plate) {
@@ -215,9 +216,12 @@ class Exports {
         add_program(name, piece);
     }
     void add_flanks() {
-        add("flanks.csv", [this] { return flank_bytes(solution_, &CamExportOptions::csv); });
-        add("flanks.step", [this] { return flank_bytes(solution_, &CamExportOptions::step); });
-        add("groove.stl", [this] { return flank_bytes(solution_, &CamExportOptions::stl); });
+        const std::pair<const char*, bool CamExportOptions::*> kinds[] = {
+            {"flanks.csv", &CamExportOptions::csv},
+            {"flanks.step", &CamExportOptions::step},
+            {"groove.stl", &CamExportOptions::stl}};
+        for (const auto& [name, kind] : kinds)
+            add(name, [this, name, kind] { return flank_bytes(solution_, name, kind); });
         add_program("cam", 0);
     }
     void add_program(const std::string& name, std::size_t piece) {
