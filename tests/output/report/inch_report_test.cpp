@@ -43,9 +43,15 @@ TEST(InchReport, HasNoMetricUnit) {
         EXPECT_NE(text.find(unit), std::string::npos) << unit << "\n" << text;
     const View view(solution);
     for (const Curve& curve : view.curves) {
-        if (curve.key == "force" || curve.key == "normal_force") EXPECT_EQ(curve.unit.name, "lbf");
-        if (curve.key == "torque") EXPECT_EQ(curve.unit.name, "lbf in");
-        if (curve.key == "hertz_pressure") EXPECT_EQ(curve.unit.name, "ksi");
+        if (curve.key == "force" || curve.key == "normal_force") {
+            EXPECT_EQ(curve.unit.name, "lbf");
+        }
+        if (curve.key == "torque") {
+            EXPECT_EQ(curve.unit.name, "lbf in");
+        }
+        if (curve.key == "hertz_pressure") {
+            EXPECT_EQ(curve.unit.name, "ksi");
+        }
     }
 }
 
