@@ -168,7 +168,7 @@ class Answers(Served):
             self.assertTrue(text.startswith(beginnings[what]), (what, text[:40]))
         self.assertEqual(set(pathlib.Path(tempfile.gettempdir()).glob("camopt-*")), before)
         self.assertGreaterEqual(set(available), {"drawing_svg", "drawing_dxf", "nc", "plc_codesys"})
-        self.assertEqual(self.studio.post("export", {**body, "what": "nc"})[0], 422, "a sector is not milled")
+        self.assertEqual(self.studio.post("export", {**whole, "scene": DRD.read_text(), "what": "nc"})[0], 422, "no cam")
         scene = self.studio.post("export", {**body, "what": "scene"})[1].decode()
         self.assertIn("base_radius_mm = 18", scene)
         self.assertEqual(self.studio.post("export", {**body, "what": "../../etc/passwd"})[0], 422)

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/page/page_html.hpp"
+#include "output/report/cam_files.hpp"
 #include "output/view/shown_units.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/delivered.hpp"
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -238,6 +240,25 @@ TEST(PageData, UndercutCamHasNoLoads) {
         EXPECT_NE(one.at("key"), "hertz_pressure");
         EXPECT_NE(one.at("key"), "normal_force");
     }
+}
+
+TEST(PageData, UnloadedCamHasNoForceCharts) {
+    Solution solution = test::cam_solution();
+    const auto charts = [&] {
+        int count = 0;
+        for (const json& one : data_of(solution).at("curves")) count += one.at("group") == "forces" ? 1 : 0;
+        return count;
+    };
+    const auto has_file = [&] {
+        return std::ranges::any_of(cam_file_list(solution),
+                                   [](const CamFile& file) { return file.name == "forces.svg"; });
+    };
+    EXPECT_GT(charts(), 1);
+    EXPECT_TRUE(has_file());
+    ForceSummary& forces = *solution.cam->summary.forces;
+    forces.largest_force.value = forces.least_force.value = 0.0;
+    EXPECT_EQ(charts(), 0);
+    EXPECT_FALSE(has_file());
 }
 
 }  // namespace page_data_test
