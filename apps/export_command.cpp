@@ -8,9 +8,9 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/disk/disk_export.hpp"
 #include "output/disk/disk_solid.hpp"
 #include "output/drawing/profile_shape.hpp"
+#include "output/exports/exports.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/folder_update.hpp"
@@ -19,7 +19,6 @@
 #include "output/sheet/sheet_files.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/surface/mesh_files.hpp"
-#include "output/toolpath/tool_path_svg.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
@@ -43,7 +42,6 @@ namespace {
 
 constexpr int flank_points = 361;           // over the turn
 constexpr const char* first_piece = "cam";  // the files of a cam, or of its first disk
-constexpr double cubic_millimetre = units::millimetre * units::millimetre * units::millimetre;
 
 /// What was written, and what the check of a program found.
 struct Exported {
@@ -131,27 +129,14 @@ Solution delivered(const ExportRequest& request) {
     return solution;
 }
 
-std::string title_of(const Solution& solution) {
-    return solution.scene.title.empty() ? "cam" : solution.scene.title;
-}
-
-PostProcessor post_of(const ExportRequest& request, const Machine& machine) {
-    PostProcessor post = generic_post(machine);
-    return request.post.empty() ? post : read_post(request.post, std::move(post));
-}
-
-void write_program(const Solution& solution, const NcWork& work, const Machine& machine,
-                   const PostProcessor& post, const std::string& name, FolderUpdate& folder,
-                   Exported& result) {
-    const CheckedProgram program = checked_program(machine, post, work);
-    const std::string check = nc_check_text(program), fault = program.fault();
-    result.text += (name == first_piece ? "" : fmt::format("\n{}.nc\n", name)) + check;
-    if (result.fault.empty()) result.fault = fault;
-    folder.remove_earlier(name + ".nc");  // it does not go with this check
-    if (fault.empty()) folder.write(name + ".nc", program.program.text);
-    folder.write(name + "_nc_check.txt", check);
-    folder.write(name + "_nc.svg",
-                 tool_path_svg(program, work, machine, {work.job.title, shown_units(solution.scene).length}));
+void write_program(const ExportedProgram& program, FolderUpdate& folder, Exported& result) {
+    result.text +=
+        (program.name == first_piece ? "" : fmt::format("\n{}.nc\n", program.name)) + program.check;
+    if (result.fault.empty()) result.fault = program.fault;
+    folder.remove_earlier(program.name + ".nc");  // it does not go with this check
+    if (program.fault.empty()) folder.write(program.name + ".nc", program.program);
+    folder.write(program.name + "_nc_check.txt", program.check);
+    folder.write(program.name + "_nc.svg", program.picture);
 }
 
 /// The same of all cams.
@@ -184,21 +169,38 @@ void set_safety(const ExportRequest& request, MillingOptions& options) {
     milling.ramp_angle = request.ramp_deg * units::degree;
 }
 
-NcExportOptions nc_options(const ExportRequest& request) {
-    NcExportOptions options;
-    if (request.cutter_mm) options.cutter_diameter = *request.cutter_mm * units::millimetre;
-    options.stock = request.stock_mm * units::millimetre;
-    options.z_offset = request.z_offset_mm * units::millimetre;
-    options.feed = request.feed_mm_min * units::millimetre / 60.0;
-    options.rotary_speed = request.rotary_deg_s * units::degree;
-    options.spindle_rpm = request.spindle_rpm;
-    options.chord_tolerance = request.chord_mm * units::millimetre;
-    set_safety(request, options);
+CamSheetOptions sheet_options(const ExportRequest& request) {
+    CamSheetOptions options;
+    if (request.bore_mm) options.bore = *request.bore_mm * units::millimetre;
+    if (request.thickness_mm) options.thickness = *request.thickness_mm * units::millimetre;
     return options;
 }
 
-void export_flanks(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
-                   Exported& result) {
+NcChoice nc_choice(const ExportRequest& request) {
+    NcChoice choice;
+    if (request.cutter_mm) choice.cutter_diameter = *request.cutter_mm * units::millimetre;
+    choice.stock = request.stock_mm * units::millimetre;
+    choice.z_offset = request.z_offset_mm * units::millimetre;
+    choice.feed = request.feed_mm_min * units::millimetre / 60.0;
+    choice.rotary_speed = request.rotary_deg_s * units::degree;
+    choice.spindle_rpm = request.spindle_rpm;
+    choice.chord_tolerance = request.chord_mm * units::millimetre;
+    choice.post = request.post;
+    set_safety(request, choice);
+    return choice;
+}
+
+void export_programs(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
+                     Exported& result) {
+    if (!request.nc) return;
+    ExportOptions options;
+    options.plate = sheet_options(request);
+    options.nc = nc_choice(request);
+    for (const ExportedProgram& program : nc_programs(solution, options))
+        write_program(program, folder, result);
+}
+
+void export_flanks(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
     const CamFlanks cam = solved_flanks(solution);
     const MotionChain turn = whole_turn(solution);
     const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
@@ -209,16 +211,9 @@ void export_flanks(const ExportRequest& request, const Solution& solution, Folde
     options.step = request.step;
     options.picture = request.picture;
     options.sampling = {request.sections, request.points.value_or(flank_points), 0.0, 0.0};
-    options.title = title_of(solution);
+    options.title = export_title(solution);
     for (const std::filesystem::path& file : write_cam_files(folder.aside(), cam, motion, options))
         folder.add(file.filename().string());
-    if (request.nc) {
-        NcExportOptions nc = nc_options(request);
-        nc.title = options.title;
-        const auto machine = machine_for(cam, nc.z_offset);
-        write_program(solution, nc_work(cam, motion, nc), *machine, post_of(request, *machine), first_piece,
-                      folder, result);
-    }
 }
 
 bool is_wanted(const ExportRequest& request, CamView view) {
@@ -234,68 +229,36 @@ void export_plane(const ExportRequest& request, const Solution& solution, Folder
         if (is_wanted(request, file.view)) folder.write(file.name, file.text);
 }
 
-CamSheetOptions sheet_options(const ExportRequest& request) {
-    CamSheetOptions options;
-    if (request.bore_mm) options.bore = *request.bore_mm * units::millimetre;
-    if (request.thickness_mm) options.thickness = *request.thickness_mm * units::millimetre;
-    return options;
+/// "302972 mm3", "18.4885 in3".
+std::string volume_text(LengthUnit unit, double volume) {
+    return fmt::format("{:.6g} {}3", volume / std::pow(metres_of(unit), 3), name_of(unit));
 }
 
-std::string mesh_text(const std::string& file, const DiskMesh& solid) {
+std::string mesh_text(const std::string& file, const DiskMesh& solid, LengthUnit unit) {
     return fmt::format(
-        "  {}: {} triangles, at most {:.3g} um from the cam; {:.6g} mm3, {:.2g} of it {} than the "
-        "cam's own\n",
-        file, solid.mesh.triangles.size(), solid.deviation * 1e6, solid.volume / cubic_millimetre,
+        "  {}: {} triangles, at most {:.3g} um from the cam; {}, {:.2g} of it {} than the cam's own\n", file,
+        solid.mesh.triangles.size(), solid.deviation * 1e6, volume_text(unit, solid.volume),
         std::abs(solid.volume / solid.exact - 1.0), solid.volume < solid.exact ? "less" : "more");
-}
-
-void write_sheets(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
-    const std::vector<Sheet> sheets = cam_sheets(solution, sheet_options(request));
-    for (std::size_t i = 0; i < sheets.size(); ++i) {
-        const std::string name = fmt::format("drawing{}.{}", i > 0 ? "_second" : "", request.sheet);
-        if (request.sheet == "svg") folder.write(name, sheet_svg(sheets[i]));
-        if (request.sheet == "pdf") folder.write(name, sheet_pdf(sheets[i]));
-        if (request.sheet == "dxf") folder.write(name, sheet_dxf(sheets[i]));
-    }
-}
-
-DiskNcOptions disk_nc_options(const ExportRequest& request, const DrawingSpec& drawing) {
-    DiskNcOptions nc;
-    if (request.cutter_mm) nc.cutter_diameter = *request.cutter_mm * units::millimetre;
-    nc.stock = request.stock_mm * units::millimetre;
-    nc.thickness = drawing.thickness.value();
-    nc.groove_depth = drawing.groove_depth;
-    nc.feed = request.feed_mm_min * units::millimetre / 60.0;
-    nc.spindle_rpm = request.spindle_rpm;
-    nc.chord_tolerance = request.chord_mm * units::millimetre;
-    set_safety(request, nc);
-    return nc;
 }
 
 /// name: of its files.
 void export_piece(const ExportRequest& request, const Solution& solution, const ProfileShape& shape,
                   const std::string& name, FolderUpdate& folder, Exported& result) {
     const DrawingSpec drawing = drawing_of(solution, shape, sheet_options(request));
-    const std::string title = title_of(solution) + (name == first_piece ? "" : ", second disk");
+    const std::string title = export_title(solution) + (name == first_piece ? "" : ", second disk");
     if (request.stl) {
         DiskMeshOptions mesh;
         mesh.points = request.points;
         const DiskMesh solid = disk_mesh(shape, drawing, mesh);
         folder.write(name + ".stl", stl_bytes(solid.mesh, title));
-        result.text += mesh_text(name + ".stl", solid);
+        result.text += mesh_text(name + ".stl", solid, solution.scene.length_unit);
     }
     if (request.step) {
         const double volume =
             write_step_solid(folder.aside() / (name + ".step"), disk_plate(shape, drawing, title));
         folder.add(name + ".step");
-        result.text += fmt::format("  {}.step: a solid of {:.6g} mm3\n", name, volume / cubic_millimetre);
-    }
-    if (request.nc) {
-        DiskNcOptions nc = disk_nc_options(request, drawing);
-        nc.title = title;
-        const auto machine = plane_milling_machine();
-        write_program(solution, disk_nc_work(shape, nc), *machine, post_of(request, *machine), name, folder,
-                      result);
+        result.text +=
+            fmt::format("  {}.step: a solid of {}\n", name, volume_text(solution.scene.length_unit, volume));
     }
 }
 
@@ -306,7 +269,9 @@ void export_disk(const ExportRequest& request, const Solution& solution, FolderU
     const std::vector<ProfileShape> pieces = made_pieces(*shape);
     for (std::size_t i = 0; i < pieces.size(); ++i)
         export_piece(request, solution, pieces[i], i == 0 ? first_piece : "cam_second", folder, result);
-    if (!request.sheet.empty()) write_sheets(request, solution, folder);
+    if (!request.sheet.empty())
+        for (const FolderFile& file : drawing_files(solution, request.sheet, sheet_options(request)))
+            folder.write(file.name, file.text);
 }
 
 /// What every motion has, with or without a cam.
@@ -342,9 +307,10 @@ ExitCode export_command(const ExportRequest& request) {
     FolderUpdate folder(request.out);
     export_motion(request, solution, folder, exported);
     if (solution.cam) {
-        if (has_flanks(solution)) export_flanks(request, solution, folder, exported);
+        if (has_flanks(solution)) export_flanks(request, solution, folder);
         export_plane(request, solution, folder);
         export_disk(request, solution, folder, exported);
+        export_programs(request, solution, folder, exported);
     }
     exported.written = folder.finish();
     show_in(solution.scene, request.units);  // the files are written: for the words alone

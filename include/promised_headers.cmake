@@ -80,6 +80,12 @@ found and what is allowed), UnavailableError (an InputError: this build lacks wh
 ModelError (a broken model, a fault of who implements an interface). Numerical outcomes are enums, never
 exceptions.]]
   core/errors.hpp)
+camopt_promise(exports [[
+The files of a solved scene by their names, in memory or in a folder: exported_file(solution, "cam.nc"),
+write_exports(folder, solution, names). NC programs with their check, STEP and STL, workshop drawings (PDF,
+SVG, DXF), electronic cams for controllers, reports. Options in m, rad, s; files in mm and degrees. Errors:
+InputError, UnavailableError for STEP or PDF in a build without the library.]]
+  output/exports/exports.hpp)
 camopt_promise(extrema [[
 Exact extrema of piecewise polynomials and the peaks of a spline curve: every end of a segment from both
 sides, every stationary point inside. No sampling. No units.]]

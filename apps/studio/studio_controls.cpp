@@ -152,6 +152,13 @@ ControlJson choices_json(const KeyRow& row) {
     return choices;
 }
 
+ControlJson units_json(const KeyRow& row, const Spelling& spelling) {
+    ControlJson units = ControlJson::array();
+    for (const UnitChoice& one : units_of_field(row, spelling))
+        units.push_back({{"unit", one.unit}, {"factor", one.factor}});
+    return units;
+}
+
 ControlJson slider_json(const KeyRow& row, const Spelling& spelling, const Node& value) {
     const Range allowed = row.range.scaled(row.spellings.front().factor / spelling.factor);
     const SliderRange slider = slider_range(allowed, value.as_number(), row.type == KeyType::integer);
@@ -163,12 +170,19 @@ ControlJson control_json(const SceneTable& table, const KeyRow& row, const Spell
     const ControlJson choices = choices_json(row);
     const std::string type = type_of(row, !choices.empty(), value);
     const bool slides = value != nullptr && (type == "number" || type == "integer");
+    const ControlWords words = control_words(table.written, row.name, spelling.unit);
     return {{"table", table.written},
             {"key", row.key(spelling)},
+            {"item", row.name},
+            {"group", words.group},
+            {"name", words.name},
+            {"shown_unit", words.unit},
+            {"label", words.label},
             {"given", value != nullptr},
             {"type", type},
             {"value", value == nullptr ? ControlJson(nullptr) : value_json(*value)},
             {"unit", spelling.unit},
+            {"units", units_json(row, spelling)},
             {"choices", choices},
             {"default", row.default_text},
             {"allowed", row.allowed(spelling)},

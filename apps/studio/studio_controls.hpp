@@ -15,15 +15,49 @@ namespace camopt::apps {
 /// `text`: a scene that was read without an error. An array in the order of the table, one entry a key:
 ///
 ///   table, key   "motion.segments[1]", "angle_deg": with a dot between them as `--set` names it
+///   item         "angle": the key without its unit
+///   group, name, shown_unit, label   as control_words
 ///   given        whether the scene says it; value is null where it does not
 ///   type         "number", "integer", "boolean", "choice", "text", "range" (value: { min, max })
 ///   value, unit, choices, default, allowed, meaning
+///   units        { unit, factor } of every unit a number may be typed in: value = number · factor
 ///   may_range    a number that may be a range, searched by the optimizer
 ///   slider       { from, to, step } of a given number or integer, else null
 ///
 /// Tables and arrays are none. Of keys the scene does not have, those that need a cam or forces it has not,
 /// or another type of cam, are left out, and those in whose place another is given.
 [[nodiscard]] nlohmann::ordered_json studio_controls(const std::string& text);
+
+// What a control is called: words, no keys.
+struct ControlWords {
+    std::string group;  ///< of its table: "Motion", "Segment 1", "Segment 1, set point 2"
+    std::string name;   ///< "Largest camshaft torque"; in a list "cam angle"
+    std::string unit;   ///< "deg", "mm/s²"; empty: none
+    std::string label;  ///< "Segment 1: cam angle, deg", "Largest camshaft torque, N m"
+};
+
+/// table: as written, "motion.segments[0]"; key without its unit: "angle".
+[[nodiscard]] ControlWords control_words(std::string_view table, std::string_view key, std::string_view unit);
+
+// A unit that a number may be typed in: what the key is written in = number · factor.
+struct UnitChoice {
+    std::string unit;
+    double factor = 1.0;
+};
+
+/// Those of the same dimension, the key's own among them: mm, in, m of a length. None of a number without a
+/// unit.
+[[nodiscard]] std::vector<UnitChoice> units_of_field(const KeyRow& row, const Spelling& written);
+
+/// The same scene written in mm or in inches, with forces, masses and pressures where a key can be written in
+/// both; every number to 1e-9. The text as it is where nothing changes. Throws InputError for text that
+/// is not TOML.
+[[nodiscard]] std::string scene_in_units(const std::string& text, LengthUnit unit);
+
+/// `entry` (a TOML table) as a new one of a list: it stands at `path`, "motion.segments[2]", and what stood
+/// there follows it. Throws InputError for a path that leads to no place in a list.
+[[nodiscard]] std::string scene_with_entry(const std::string& text, const std::string& path,
+                                           const std::string& entry);
 
 // How far a slider goes and how fine: within what a key allows, around where its value stands.
 struct SliderRange {

@@ -23,12 +23,14 @@ struct StudioScene {
     std::string text;  ///< the same as one scene file
 };
 
-/// `settings`: an object, KEY: value. A number, true, false or a text is set as `--set KEY=VALUE` does; an
-/// object { "min": …, "max": … } is a range; null takes the key out. Throws InputError for whatever the
-/// reader of scene files refuses, in its words, and for values of other kinds; `name` stands in the place of
-/// the file. The text is all there is: nothing in it makes camopt open a file.
+/// `settings`: an object, KEY: value, applied in its order. A number, true, false or a text is set as `--set
+/// KEY=VALUE` does; an object { "min": …, "max": … } is a range; null takes the key or the entry of a list
+/// out; { "insert": { … } } is a new entry of a list before the one of that index. `unit`: the text is then
+/// written in it (scene_in_units), and the scene is shown in it. Throws InputError for whatever the reader of
+/// scene files refuses, in its words, and for values of other kinds; `name` stands in the place of the file.
+/// The text is all there is: nothing in it makes camopt open a file.
 [[nodiscard]] StudioScene studio_scene(const std::string& text, const nlohmann::ordered_json& settings,
-                                       const std::string& name);
+                                       const std::string& name, std::optional<LengthUnit> unit = {});
 
 /// What a fresh page begins with.
 struct StudioStart {
@@ -45,12 +47,19 @@ struct StudioStart {
 
 // Files of a scene, made in memory: a request names one of a list, never a path.
 
-/// "scene", "motion", "cam", "dxf", "result", "report": what a request may ask for.
-[[nodiscard]] std::vector<std::string_view> download_names();
+struct DownloadName {
+    std::string name;   ///< "drawing_pdf", "plc_codesys": what a request may ask for
+    std::string words;  ///< "Workshop drawing (PDF)"
+};
+
+[[nodiscard]] std::vector<DownloadName> download_names();
+
+/// Those that exist for this scene once it has a motion.
+[[nodiscard]] std::vector<std::string> downloads_of(const Scene& scene);
 
 /// The file, solved for where it needs a solve. Throws InputError for a name that is none, and for a file
 /// this scene has not (the cam of a scene without one, anything of a scene without a motion).
-[[nodiscard]] StudioAnswer studio_download(std::string_view what, const StudioScene& given,
+[[nodiscard]] StudioAnswer studio_download(const std::string& what, const StudioScene& given,
                                            const SolveControl& control);
 
 }  // namespace camopt::apps
@@ -70,13 +79,14 @@ namespace camopt::apps {
 //
 // A newer request of a page cancels the older one, which answers 409. Requests are JSON:
 //
-//   solve   { "page": its own name, "scene": TOML, "set": { KEY: value, … }, "laws": [key, …], "stage": … }
-//   export  { "page", "scene", "set", "what": one of download_names() }
+//   solve   { "page": its own name, "scene": TOML, "set": { KEY: value, … }, "units": "mm" | "in",
+//             "laws": [key, …], "stage": … }
+//   export  { "page", "scene", "set", "units", "what": one of download_names() }
 //
-// `set`, `laws` and `stage` may be left out. `stage` is "curve" (a look, to 1e-6 instead of the scene's
-// tolerance), "proof" (the default) or "rest" (what follows the proof; of the scene proved last nothing is
-// solved again). The answer to `solve` is the object that studio_session.cpp describes. What is wrong with a
-// scene answers 422, with a request 400: { "error": text }.
+// `set`, `units` (the scene's own), `laws` and `stage` may be left out. `stage` is "curve" (a look, to 1e-6
+// instead of the scene's tolerance), "proof" (the default) or "rest" (what follows the proof; of the scene
+// proved last nothing is solved again). The answer to `solve` is the object that studio_session.cpp
+// describes. What is wrong with a scene answers 422, with a request 400: { "error": text }.
 
 // What a request may take of this machine.
 struct StudioLimits {

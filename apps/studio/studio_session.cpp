@@ -35,6 +35,8 @@ namespace {
 //   laws      as page_laws, of the laws asked for
 //   scene     the scene as solved, TOML
 //   controls  as studio_controls
+//   units     "mm", "in": of its lengths
+//   downloads as downloads_of
 //   verdict, objective, seconds   of the solve, its own figures
 enum class AnswerStage : unsigned char { curve, proof, rest };
 
@@ -71,6 +73,8 @@ std::string studio_answer(const Solution& solution, const std::string& text, con
                       {"stage", name_of_stage(wishes.stage)},
                       {"more", wishes.stage == AnswerStage::proof && has_rest(solution)},
                       {"scene", text},
+                      {"units", name_of(solution.scene.length_unit)},
+                      {"downloads", downloads_of(solution.scene)},
                       {"controls", studio_controls(text)}};
     // Texts of JSON side by side: the curves need not be read to be sent on.
     std::string answer = own.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -101,6 +105,7 @@ class Superseded : public std::exception {};
 struct Request {
     std::string page, scene, what;
     RequestJson set = RequestJson::object();
+    std::optional<LengthUnit> units;
     std::vector<std::string> laws;
     AnswerStage stage = AnswerStage::proof;
 };
@@ -133,6 +138,14 @@ AnswerStage stage_member(const RequestJson& body) {
     bad_member("stage", R"("curve", "proof", "rest")");
 }
 
+std::optional<LengthUnit> units_member(const RequestJson& body) {
+    const auto found = body.find("units");
+    if (found == body.end()) return std::nullopt;
+    for (const LengthUnit unit : {LengthUnit::millimetre, LengthUnit::inch})
+        if (*found == name_of(unit)) return unit;
+    bad_member("units", R"("mm", "in")");
+}
+
 Request read_request(const std::string& text, const StudioLimits& limits, bool is_download) {
     const RequestJson body = RequestJson::parse(text, nullptr, false);
     if (!body.is_object()) throw RequestError("the request is no JSON object");
@@ -147,6 +160,7 @@ Request read_request(const std::string& text, const StudioLimits& limits, bool i
         request.set = *set;
     }
     request.laws = law_members(body, limits.laws);
+    request.units = units_member(body);
     request.stage = stage_member(body);
     return request;
 }
@@ -238,7 +252,7 @@ struct StudioSession::State {
         const auto outdated = [&] { return stopping || page->newest != number; };
         const std::lock_guard turn(page->turn);
         if (outdated()) throw Superseded();
-        StudioScene given = studio_scene(request.scene, request.set, "scene");
+        StudioScene given = studio_scene(request.scene, request.set, "scene", request.units);
         if (request.stage == AnswerStage::rest && page->knows(given))
             return {.body = studio_answer(*page->proved, given.text, {request.laws, request.stage})};
         if (request.stage == AnswerStage::curve) loosen(given.scene);
@@ -288,7 +302,7 @@ struct StudioSession::State {
         const std::lock_guard turn(page->turn);
         const auto ending = [this] { return stopping.load(); };
         if (ending()) throw Superseded();
-        StudioScene given = studio_scene(request.scene, request.set, "scene");
+        StudioScene given = studio_scene(request.scene, request.set, "scene", request.units);
         return studio_download(request.what, given, control(given.scene, limits.download_seconds, ending));
     }
 };

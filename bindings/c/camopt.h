@@ -376,6 +376,37 @@ typedef enum camopt_document {
 CAMOPT_C_API camopt_error camopt_solution_text(const camopt_solution* solution, camopt_document document,
                                                camopt_text* text);
 
+// Files of the workshop: drawings, solids, NC programs, electronic cams, reports.
+
+/// How they are made; all may be 0: `camopt_file_options options = {0}; options.size = sizeof options;`
+typedef struct camopt_file_options {
+    size_t size;
+    double bore_mm, thickness_mm;  ///< of a disk cam; 0: the scene's [drawing]
+    double cutter_mm;              ///< diameter; 0: the roller's, of a plane cam 16
+    double feed_mm_min;            ///< of the cutter; 0: 300
+    double spindle_rpm;            ///< 0: the program has no word for it
+    const char* post;              ///< file of a post-processor (docs/nc.md); NULL: the generic one
+    size_t plc_points;             ///< of an electronic cam, evenly; 0: the joints of the motion
+} camopt_file_options;
+
+/// The names of the files that the solution has, one a line, each with a line feed: report.html, codesys.st
+/// and so on of each controller; of a disk cam drawing.pdf, drawing.svg, drawing.dxf, cam.step, cam.stl,
+/// cam.nc, cam_nc_check.txt; of a three-dimensional cam flanks.step, cam.nc (docs/embedding_c.md has all).
+CAMOPT_C_API camopt_error camopt_file_names(const camopt_solution* solution, camopt_text* names);
+
+/// The bytes of one of them, what `camopt export` writes: drawing.pdf, cam.stl hold zeros, length counts.
+/// options: may be NULL. Errors: ABSENT for a name that this solution does not have, INPUT for an NC program
+/// that its check refuses, a cam that is open or undercut, options that are not valid, UNAVAILABLE for STEP
+/// or PDF in a build without the library.
+CAMOPT_C_API camopt_error camopt_file(const camopt_solution* solution, const char* name,
+                                      const camopt_file_options* options, camopt_text* bytes);
+
+/// Writes `count` of them into the folder, which is created: all or none. Errors as camopt_file, and INPUT
+/// where a file cannot be written.
+CAMOPT_C_API camopt_error camopt_write_files(const camopt_solution* solution, const char* folder,
+                                             const char* const* names, size_t count,
+                                             const camopt_file_options* options);
+
 // Sweeps.
 
 /// Keys that vary together, and the points they take: values[point * key_count + key], in the unit of each

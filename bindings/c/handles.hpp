@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -86,6 +87,9 @@ void hand_out(const Element* elements, std::size_t length, Element* buffer, std:
                                                  "; allowed: for " + std::to_string(length) + " or more");
     std::copy_n(elements, length, buffer);
 }
+
+/// Copies the bytes. Throws Failure for a NULL, std::bad_alloc. name: of the argument.
+void hand_out_text(std::string_view text, camopt_text* target, const char* name);
 
 /// Throws Failure where index is not below count.
 void check_index(std::size_t index, std::size_t count, const char* name);

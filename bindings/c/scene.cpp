@@ -60,16 +60,6 @@ std::string document_of(const camopt_solution& result, camopt_document document)
                                              std::to_string(CAMOPT_PROFILE_SVG));
 }
 
-/// Throws Failure for a NULL, std::bad_alloc. name: of the argument.
-void hand_out_text(std::string_view text, camopt_text* target, const char* name) {
-    require(target, name);
-    auto* const data = static_cast<char*>(std::malloc(text.size() + 1));
-    if (data == nullptr) throw std::bad_alloc();
-    if (!text.empty()) std::memcpy(data, text.data(), text.size());
-    data[text.size()] = '\0';
-    *target = {data, text.size()};
-}
-
 /// A scene that is right as a whole.
 std::unique_ptr<camopt_scene> scene_of(std::string_view toml, std::string_view name) {
     auto made = std::make_unique<camopt_scene>(camopt_scene{input::SceneDocument(toml, name, known_names())});
@@ -97,6 +87,15 @@ camopt_error set_words(camopt_scene* scene, const char* key, const char* value) 
 }
 
 }  // namespace
+
+void hand_out_text(std::string_view text, camopt_text* target, const char* name) {
+    require(target, name);
+    auto* const data = static_cast<char*>(std::malloc(text.size() + 1));
+    if (data == nullptr) throw std::bad_alloc();
+    if (!text.empty()) std::memcpy(data, text.data(), text.size());
+    data[text.size()] = '\0';
+    *target = {data, text.size()};
+}
 
 Scene complete_scene(const camopt_scene& scene, std::span<const std::string> settings) {
     Scene read = scene.document.scene(settings);

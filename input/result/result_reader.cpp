@@ -123,7 +123,7 @@ constexpr std::size_t longest_shown = 60;
 
 }  // namespace
 
-ResultRecord read_result(std::string_view json, std::string_view source_name) {
+ResultRecord read_result(std::string_view json, std::string_view source_name, RecordedMotion needed) {
     const JsonSource source(json, source_name);
     if (const JsonSource written = source.at("camopt"); written.words() != version())
         written.fail(fmt::format("found a result of camopt {}; allowed: of {}: solve its scene again",
@@ -132,12 +132,14 @@ ResultRecord read_result(std::string_view json, std::string_view source_name) {
     record.scene_file = source.at("scene").words();
     record.command = source.at("command").words();
     record.verdict = source.at("verdict").text();
-    read_motion(source.at("motion"), record);
+    const JsonSource motion = source.at("motion");
+    const bool moves = needed == RecordedMotion::required || !motion.is_null();
+    if (moves) read_motion(motion, record);
     const JsonSource limit = source.at("bound").at("any_curve_limit");
     if (!limit.is_null()) record.any_curve_limit = limit.number();
     record.cam = read_cam(source.at("cam"));
-    const JsonSource design = source.at("design");
-    record.design = {design.at("kind").text(), design.at("names").texts(), design.at("values").numbers()};
+    if (const JsonSource design = source.at("design"); moves)
+        record.design = {design.at("kind").text(), design.at("names").texts(), design.at("values").numbers()};
     record.solver = read_solver(source.at("solver"));
     record.solver.proof_source = source.at("bound").at("source").words();
     record.evaluations = read_evaluations(source.at("evaluations"));

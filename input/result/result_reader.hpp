@@ -78,7 +78,12 @@ struct ResultRecord {
     std::vector<std::string> notes;
 };
 
-/// Throws InputError for text that is not a result of this version of camopt, and for one without a motion.
-[[nodiscard]] ResultRecord read_result(std::string_view json, std::string_view source_name);
+/// Whether a result without a motion (infeasible, failed) is read: its record has no parts.
+enum class RecordedMotion { required, optional };
+
+/// Throws InputError for text that is not a result of this version of camopt, and for one without a required
+/// motion.
+[[nodiscard]] ResultRecord read_result(std::string_view json, std::string_view source_name,
+                                       RecordedMotion motion = RecordedMotion::required);
 
 }  // namespace camopt::input

@@ -25,5 +25,7 @@ namespace camopt {
 /// All of it, with or without a proof: certificate_json of it is the file again. Throws like
 /// read_certificate.
 [[nodiscard]] Certificate read_whole_certificate(const std::filesystem::path& path);
+/// The same of a text; name: for messages.
+[[nodiscard]] Certificate certificate_of_text(std::string_view json, std::string_view name);
 
 }  // namespace camopt

@@ -204,25 +204,28 @@ Certificate certificate_of(const Json& json) {
 }
 
 template <class Read>
-auto read_file(const std::filesystem::path& path, const Read& read) {
-    const std::string text = read_text_file(path);
+auto read_text(std::string_view text, std::string_view name, const Read& read) {
     try {
         return read(Json::parse(text));
     } catch (const Json::exception& error) {
-        throw InputError(fmt::format("{}: not a certificate of camopt: {}", path.string(), error.what()));
+        throw InputError(fmt::format("{}: not a certificate of camopt: {}", name, error.what()));
     } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+        throw InputError(fmt::format("{}: {}", name, error.what()));
     }
 }
 
 }  // namespace
 
 Certificate read_whole_certificate(const std::filesystem::path& path) {
-    return read_file(path, certificate_of);
+    return certificate_of_text(read_text_file(path), path.string());
+}
+
+Certificate certificate_of_text(std::string_view json, std::string_view name) {
+    return read_text(json, name, certificate_of);
 }
 
 DualityProof read_certificate(const std::filesystem::path& path) {
-    return read_file(path, [](const Json& json) {
+    return read_text(read_text_file(path), path.string(), [](const Json& json) {
         const Json& proof = json.at("proof");
         if (proof.is_null()) throw InputError("the certificate holds no proof");
         return read_proof(proof);

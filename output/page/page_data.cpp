@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/version.hpp"
-#include "motions/laws/law_catalogue.hpp"
-#include "objectives/scene_model.hpp"
 #include "output/page/page_html.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/drum_pictures.hpp"
+#include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
 #include "output/words/solution_text.hpp"
-#include "studies/laws/law_motion.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <cmath>
@@ -35,12 +33,6 @@ Json segments_part(const View& view) {
                        {"to", rounded_json(segment.to)},
                        {"title", segment.title}});
     return all;
-}
-
-std::vector<LawStroke> strokes_for(const Solution& solution) {
-    if (solution.scene.motion.type != MotionType::program) return strokes_of(solution.scene.motion);
-    const CamModel model = scene_model(solution.scene, DesignKind::states, solution.reference_peaks);
-    return strokes_of(solution.scene, model, solution.motion.get());
 }
 
 Json law_curves(const Motion& law, const View& view) {
@@ -170,11 +162,9 @@ std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin)
 std::string page_laws(const View& view, std::span<const std::string> keys) {
     const Solution& solution = view.solution;
     Json all = Json::array();
-    if (solution.motion && !keys.empty()) {
-        const std::vector<LawStroke> strokes = strokes_for(solution);
-        const bool closed = solution.scene.motion.type == MotionType::program && solution.scene.motion.closed;
+    if (solution.motion)
         for (const std::string& key : keys) {
-            const LawMotion placed = law_motion(strokes, closed, make_law(key));
+            const LawMotion placed = law_in_place(solution, key);
             Json law = {{"key", key}, {"title", words_of(key)}, {"misfit", words_json(placed.misfit)}};
             law["curves"] = placed.motion ? law_curves(*placed.motion, view) : Json(nullptr);
             law["peaks"] = {{"velocity", rounded_json(placed.peaks.velocity.value)},
@@ -182,7 +172,6 @@ std::string page_laws(const View& view, std::span<const std::string> keys) {
                             {"jerk", rounded_json(placed.peaks.jerk.value)}};
             all.push_back(std::move(law));
         }
-    }
     return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -6,6 +6,7 @@
 #include "output/csv/motion_csv.hpp"
 #include "output/drawing/cam_svg.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
+#include "output/view/cam_words.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ std::vector<CamFile> cam_file_list(const Solution& solution) {
     const KindFiles* const kind = kind_of(solution);
     if (kind == nullptr) return {};
     std::vector<CamFile> files = kind->files;
-    if (solution.cam->summary.forces) files.push_back(force_file);
+    if (is_loaded(solution.cam->summary)) files.push_back(force_file);
     return files;
 }
 
@@ -88,7 +89,7 @@ std::vector<CamFile> cam_files(const View& view, const CamFileOptions& options) 
     std::vector<CamFile> files = cam_file_list(solution);
     if (files.empty()) return files;
     std::vector<std::string> texts = kind_of(solution)->texts(view, options);
-    if (solution.cam->summary.forces) texts.push_back(force_diagrams_svg(view));
+    if (is_loaded(solution.cam->summary)) texts.push_back(force_diagrams_svg(view));
     for (std::size_t i = 0; i < files.size(); ++i) files[i].text = std::move(texts[i]);
     if (options.drawing)
         files.push_back({drawing, drawing_name, "", cam_dxf(view, options.dxf_tolerance).text});

@@ -158,7 +158,7 @@ Curve load_curve(const View& view, LoadRow load) {
 
 void add_loads(std::vector<Curve>& all, const View& view) {
     const std::optional<ForceSummary>& summary = view.solution.cam->summary.forces;
-    if (!summary || !view.delivered.rows.front().loads) return;
+    if (!is_loaded(view.solution.cam->summary) || !view.delivered.rows.front().loads) return;
     const bool swings = view.solution.cam->cam.formulas->swings();
     all.push_back(load_curve(
         view, {{"force", "forces",

@@ -182,6 +182,11 @@ std::string cam_text(const CamSpec& cam) {
                        name_of(cam.rotation));
 }
 
+bool is_loaded(const CamSummary& summary) {
+    const std::optional<ForceSummary>& forces = summary.forces;
+    return forces && (forces->largest_force.value != 0.0 || forces->least_force.value != 0.0);
+}
+
 std::optional<CamExtreme> convex_radius(const CamSummary& summary) {
     return drawn_radius(summary.convex_radius);
 }

@@ -32,6 +32,9 @@ struct DimensionValue {
 /// clockwise"
 [[nodiscard]] std::string cam_text(const CamSpec& cam);
 
+/// Something presses the follower on the cam: forces are given, and not all of them are 0.
+[[nodiscard]] bool is_loaded(const CamSummary& summary);
+
 /// The least convex radius of the cam; none where it is nowhere convex, or straight where it is most so.
 [[nodiscard]] std::optional<CamExtreme> convex_radius(const CamSummary& summary);
 

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace camopt {
 
@@ -88,6 +90,14 @@ void add_set_points(std::vector<CurveMark>& marks, const View& view, const Motio
         if (point.is_region() && unit.order == 1) mark.to = view.degrees(point.end);
         marks.push_back(std::move(mark));
     }
+}
+
+/// The curve beside the motion; none: the reference is given as numbers, or nothing is optimised.
+std::shared_ptr<const Motion> reference_curve(const Solution& solution, ReferenceMotion& reference) {
+    if (reference.motion || reference.title.empty()) return std::move(reference.motion);
+    const auto is_spline = [](const ProgramSegment& one) { return one.kind == SegmentKind::spline; };
+    if (std::ranges::none_of(solution.scene.motion.segments, is_spline)) return nullptr;
+    return law_in_place(solution, solution.scene.objective.reference.law).motion;
 }
 
 std::string note_of(const View& view, const PeakRow& row, const ReferenceMotion& reference) {
@@ -174,7 +184,8 @@ Curve residual_curve(const View& view) {
 }  // namespace
 
 std::vector<Curve> motion_curves(const View& view) {
-    const ReferenceMotion reference = reference_motion(view.solution.scene);
+    ReferenceMotion reference = reference_motion(view.solution.scene);
+    const std::shared_ptr<const Motion> law = reference_curve(view.solution, reference);
     const std::vector<PeakRow> peaks = peak_comparison(view.solution, reference);
     const Motion* const measured = view.solution.measured ? view.solution.measured->motion.get() : nullptr;
     std::vector<Curve> all;
@@ -188,8 +199,7 @@ std::vector<Curve> motion_curves(const View& view) {
         curve.beside = shown.beside;
         if (shown.beside) curve.beside_factor = shown.beside->per_normalised / unit.per_normalised;
         curve.normalised_factor = 1.0 / unit.per_normalised;
-        if (reference.motion)
-            curve.reference = ComparedCurve{reference.title, view.along(*reference.motion, unit)};
+        if (law != nullptr) curve.reference = ComparedCurve{reference.title, view.along(*law, unit)};
         if (measured != nullptr) curve.measured = ComparedCurve{"measured", view.along(*measured, unit)};
         if (measured != nullptr && order == 0) curve.points = thinned(table_points(view));
         curve.limits = limits_of(view, unit);

@@ -4,11 +4,11 @@
 #include "core/motion.hpp"
 #include "core/numbers/extremum.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/scene_model.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
-#include "studies/laws/law_motion.hpp"
 
 #include <fmt/format.h>
 
@@ -161,6 +161,14 @@ ReferenceMotion reference_motion(const Scene& scene) {
         reference.motion = std::move(law);
     }
     return reference;
+}
+
+LawMotion law_in_place(const Solution& solution, std::string_view law) {
+    const Scene& scene = solution.scene;
+    if (scene.motion.type != MotionType::program)
+        return law_motion(strokes_of(scene.motion), false, make_law(law));
+    const CamModel model = scene_model(scene, DesignKind::states, solution.reference_peaks);
+    return law_motion(strokes_of(scene, model, solution.motion.get()), scene.motion.closed, make_law(law));
 }
 
 }  // namespace camopt

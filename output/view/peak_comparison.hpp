@@ -6,10 +6,12 @@
 #include "output/view/shown_units.hpp"
 #include "scene/scene.hpp"
 #include "studies/delivered/solution.hpp"
+#include "studies/laws/law_motion.hpp"
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace camopt {
@@ -23,8 +25,13 @@ struct ReferenceMotion {
 };
 
 /// motion is empty where the reference is given as numbers, and for a program, whose normalised peaks compare
-/// with the law's but which has no single curve beside it. Throws InputError for an unknown law.
+/// with the law's and whose curve follows from a solution (law_in_place). Throws InputError for an unknown
+/// law.
 [[nodiscard]] ReferenceMotion reference_motion(const Scene& scene);
+
+/// A law of the catalogue in the place of a solution's motion; in a program on every spline segment, by its
+/// own angle and between the displacements found. Throws InputError for an unknown law.
+[[nodiscard]] LawMotion law_in_place(const Solution& solution, std::string_view law);
 
 // How far the delivered motion goes to either side: the signed extremes of its derivatives, and where it
 // leaves the range of a stroke.

@@ -4,11 +4,15 @@ from fractions import Fraction
 
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, Unverified, derivative, integral, number, product
+from .motion_bounds import lost_area
+from .prescribed import ends_of, state_at
+from .strokes import farthest, stroke_of
 from .train_rows import use_ringing_rows
 
 
 MOST_LEANING = 30           # tangents whose slopes are chosen anew
 STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
+FARTHEST = Fraction(1000)    # lifts: no motion beyond is considered where nothing else bounds it
 
 
 class Row:
@@ -45,23 +49,32 @@ class Bound:
         self.leaning = {}                                 # what leans on each dimension that is searched, 1/m
         self.relaxed, self.left_out = relaxed, {}
         self.rows, self.remainders, self.tangents = [], [], []
+        self.area = Fraction(0), []  # the lost area in the objective: a number, and a function of each run
         self.ringing = []  # rows of an elastic follower's vibration: train_rows.py
-        self.most = [self.most_of(term) for term in problem.terms]
-        self.supremum = [self.supremum_of(run) for run in problem.runs]
+        self.highest = FARTHEST
+        for _ in range(3 if any(term.kind == "area" for term in problem.terms) else 1):  # less area is lost the higher y can be
+            self.most = [self.most_of(term) for term in problem.terms]
+            self.supremum = [self.supremum_of(run) for run in problem.runs]
+            self.highest = max([own[0] for own in self.supremum] + [abs(s.to) for s in problem.stretches])
         self.own_peaks()
 
     def most_of(self, term):
         """The largest a peak can be, in units of its reference; None: nothing is known."""
         options = []
         if term.weight and self.incumbent is not None:
-            options.append((self.incumbent - self.problem.least_cost()) / term.weight)
+            others = sum((self.least_of(other) for other in self.problem.terms if other is not term), Fraction(0))
+            options.append((self.incumbent - self.problem.least_cost() - others) / term.weight)
         if term.cap is not None:
             options.append(term.cap * (1 + self.relaxed) / term.reference)
         return min(options) if options else None
 
+    def least_of(self, term):
+        """What a term adds to the objective at least."""
+        return min(Fraction(0), term.weight * (1 - self.highest) / term.reference) if term.kind == "area" else Fraction(0)
+
     def supremum_of(self, run):
         """Bounds of |y|, |y'|, |y''|, |y'''| on a run (None: none)."""
-        known = [Fraction(1000), None, None, None]
+        known = [farthest(self.problem, run, self.relaxed) or FARTHEST, None, None, None]
         for term, most in zip(self.problem.terms, self.most):
             if most is None or term.kind != "peak":
                 continue
@@ -72,8 +85,12 @@ class Bound:
             cap *= 1 + self.relaxed
             if known[order] is None or cap < known[order]:
                 known[order] = cap
+        for order, cap in self.bounded_on_both_sides(run):
+            if known[order] is None or cap < known[order]:
+                known[order] = cap
         length = run.space.breakpoints[-1] - run.space.breakpoints[0]
-        ends = max(abs(s) for stretch in run.stretches for s in (stretch.start, stretch.to))
+        ends = max(abs(s) for s in run.ends())
+        ends = max([ends] + [abs(level + run.level(s)) for s in run.stretches for level in (s.start, s.to)])
         for term, most in zip(self.problem.terms, self.most):
             # From rest, and by Cauchy and Schwarz: |y^(r-1)| <= length * root mean square of y^(r).
             if term.kind == "rms" and most is not None and run.rests[0] and len(self.problem.runs) == 1:
@@ -81,10 +98,14 @@ class Bound:
                 if known[term.order - 1] is None or size < known[term.order - 1]:
                     known[term.order - 1] = size
         for order in (3, 2, 1):
-            if known[order] is None or (order > 1 and not run.rests[0]):
+            if known[order] is None:
                 continue
-            reach = length / 2 if order == 1 or run.rests[1] else length  # to the nearer of two ends that are known
-            below = known[order] * reach + (ends if order == 1 else 0)
+            reach, beside = length / 2, ends  # to the nearer of two ends that are known
+            if order > 1 and run.is_ring():  # somewhere the derivative has its mean
+                reach, beside = length, abs(run.ends()[1] - run.ends()[0]) / length if order == 2 else 0
+            elif order > 1:
+                beside = max(abs(state[order - 2]) for state in run.states)
+            below = known[order] * reach + beside
             if known[order - 1] is None or below < known[order - 1]:
                 known[order - 1] = below
         narrowest = min(run.space.width(i) for i in range(run.space.segments))
@@ -96,10 +117,25 @@ class Bound:
                 known[order] = above
         return known
 
+    def bounded_on_both_sides(self, run):
+        """(order, the largest |y^(order)|) where limits of one side on all of the run come in pairs."""
+        for order in (1, 2, 3):
+            sizes = []
+            for sign in (-1, 1):
+                own = [[b.most + b.scale * self.relaxed for b in self.problem.bounds
+                        if (b.order, b.sign) == (order, sign) and b.stretch in (None, stretch) and b.begin <= stretch.begin and
+                        b.end >= stretch.end] for stretch in run.stretches]
+                sizes.append(max(min(found) for found in own) if all(own) else None)
+            if None not in sizes:
+                yield order, max(abs(size) for size in sizes)
+
     def displacements_at(self, k, x):
         """What y can be at a place, from the ends of the run (and the top of a rise and return) and the velocity."""
         run, velocity = self.problem.runs[k], self.supremum[k][1]
-        known = [(run.stretches[0].begin, run.stretches[0].start), (run.stretches[-1].end, run.stretches[-1].to)]
+        if run.raised:
+            raise Unverified("a cam that goes on in the next turn from where it is")
+        x = run.space.folded(x)
+        known = list(zip((run.space.breakpoints[0], run.space.breakpoints[-1]), run.ends()))
         known += [(Fraction(1), Fraction(1))] if self.problem.type == "RR" else []
         return max(y - velocity * abs(x - at) for at, y in known), min(y + velocity * abs(x - at) for at, y in known)
 
@@ -112,16 +148,10 @@ class Bound:
                 self.most[i] = max(sizes)
 
     def run_at(self, x, side):
-        for k, run in enumerate(self.problem.runs):
-            begin, end = run.space.breakpoints[0], run.space.breakpoints[-1]
-            if (begin < x < end) or (abs(x - begin) <= SAME_PLACE and side == "right") or \
-                    (abs(x - end) <= SAME_PLACE and side == "left"):
-                for stretch in run.stretches:
-                    inner = stretch.begin < x < stretch.end and min(x - stretch.begin, stretch.end - x) > SAME_PLACE
-                    if inner or (abs(x - stretch.begin) <= SAME_PLACE and side == "right") or \
-                            (abs(x - stretch.end) <= SAME_PLACE and side == "left"):
-                        return k, run, stretch
-        return None, None, None
+        """(k, the run, the stretch) of a place on a spline; (None, None, None) elsewhere."""
+        stretch = self.problem.stretch_at(self.problem.folded(x, side), side)
+        found = ((k, run, stretch) for k, run in enumerate(self.problem.runs) if stretch in run.stretches)
+        return next(found, (None, None, None))
 
     def use(self, row, multiplier):
         """function + searched . dimensions - peak <= most, times a multiplier."""
@@ -142,8 +172,8 @@ class Bound:
     def add_row(self, row, factor=1):
         """A row of the certificate, by its name alone: rule, place, side, derivative, sign."""
         origin, multiplier = row["origin"], factor * number(row["multiplier"])
-        if "at" not in origin or not multiplier:
-            return  # conditions and limits of peaks: their multipliers are chosen here
+        if "at" not in origin or not multiplier or origin["rule"] == "area":
+            return  # conditions, limits of peaks, the area: their multipliers are chosen here
         if multiplier < 0:
             raise Refuted(f"{row['name']}: a multiplier below 0 of a row that has no lower side")
         if self.problem.train and origin["rule"].startswith(("residual", "limits.residual_")):
@@ -174,36 +204,78 @@ class Bound:
             weight = sign / (term.reference * stretch.scale(order))
             function = {j: w * weight for j, w in run.space.functional(at, order, side).items()}
             return Row(name, k, function, Fraction(0), peak), Fraction(1)
+        if run is None and sign and self.problem.runs:
+            return self.row_beside_splines(name, rule, order, sign, at, side)
         cap = next((c for o, c, key in self.problem.motion_caps if key == rule and o == order), None)
         if cap is not None and run is not None and sign:
             function = {j: w * sign / cap for j, w in run.space.functional(at, order, side).items()}
             return Row(name, k, function, 1 + self.relaxed), Fraction(1)
+        bound = next((b for b in self.problem.bounds if b.is_meant(rule, order, sign, stretch)), None)
+        if bound is None and any(b.key == rule for b in self.problem.bounds):
+            raise Refuted(f"{name}: the scene has no such rule")
+        if bound is not None:
+            return self.bound_row(bound, name, k, run, stretch, at, side)
+        if rule == "area" and self.problem.runs:
+            return self.area_row(name)
         if rule in ("motion.within_lift", "motion.monotone"):
             return self.stroke_row(rule, order, sign, name, k, run, stretch, at, side)
         if self.problem.cam and run is not None:
             return self.problem.cam.row(self, k, run, name, origin, at)
         return None
 
+    def row_beside_splines(self, name, rule, order, sign, at, side):
+        """A bound or a cap of the motion where it is prescribed, along a law or in a dwell: a row without control points."""
+        state, stretch = state_at(self.problem, at, side)
+        rules = [(cap, cap, sign) for o, cap, key in self.problem.motion_caps if (key, o) == (rule, order)]
+        rules += [(b.most, b.scale, b.sign) for b in self.problem.bounds if b.is_meant(rule, order, sign, stretch) and
+                  b.begin - SAME_PLACE <= at <= b.end + SAME_PLACE]
+        for most, scale, own in rules[:1]:
+            reached = min(own * end for end in ends_of(state[order]))
+            return Row(name, 0, {}, (most - reached) / scale + self.relaxed), Fraction(1)
+        return None
+
+    def bound_row(self, bound, name, k, run, stretch, at, side):
+        if not bound.begin - SAME_PLACE <= at <= bound.end + SAME_PLACE:
+            raise Refuted(f"{name}: the rule does not hold there")
+        at = self.problem.folded(min(max(at, bound.begin), bound.end), side)
+        function = {j: w * bound.sign / bound.scale for j, w in run.space.functional(at, bound.order, side).items()}
+        most = bound.most if bound.order else bound.most + bound.sign * run.level(stretch)
+        return Row(name, k, function, most / bound.scale + self.relaxed), Fraction(1)
+
+    def area_row(self, name):
+        """lost area / reference - its variable <= 0."""
+        place = next((i for i, t in enumerate(self.problem.terms) if t.kind == "area"), None)
+        if place is None:
+            raise Refuted(f"{name}: the scene has no such rule")
+        lost, functions = lost_area(self.problem)
+        if len(functions) > 1:
+            raise Unverified("the area over several splines in a bound over boxes")
+        reference = self.problem.terms[place].reference
+        return Row(name, 0, {j: w / reference for j, w in functions[0].items()}, -lost / reference, place), Fraction(1)
+
     def stroke_row(self, rule, order, sign, name, k, run, stretch, at, side):
-        """A row of a stroke that stays between its ends, or does not turn back; None where set points, or a law beside it,
-        may open the range."""
-        found = self.problem.stroke_at(stretch, at) if run is not None else None
-        if found is None or not sign:
+        """A row of a stroke that stays in its range, or does not turn back; None where set points, or what is beside it, open
+        the range."""
+        at = self.problem.folded(at, side)
+        stroke = stroke_of(self.problem, stretch, at) if run is not None else None
+        if stroke is None or not sign:
             return None
-        start, to, length = found
+        moved, length = abs(stroke.to - stroke.start), stroke.end - stroke.begin
         if rule == "motion.monotone":
-            if not self.problem.motion.get("monotone", False) or order != 1 or sign != (-1 if to > start else 1):
+            if not self.problem.motion.get("monotone", False) or order != 1 or sign != (-1 if stroke.to > stroke.start else 1):
                 raise Refuted(f"{name}: the scene has no such rule")
-            scale, most = abs(to - start) / length, Fraction(0)
+            scale, most = moved / length, Fraction(0)
         else:
+            ends = stroke.least, stroke.most
             if not self.problem.motion.get("within_lift", True) or order != 0:
                 raise Refuted(f"{name}: the scene has no such rule")
-            scale, most = abs(to - start), max(sign * start, sign * to)
-        begin = Fraction(0) if self.problem.type != "program" else stretch.begin
-        begin = Fraction(1) if self.problem.type == "RR" and at > 1 else begin
-        along = (at - begin) / length
+            if ends[sign > 0] is None:
+                return None
+            scale = moved if None in ends else stroke.most - stroke.least
+            most = sign * (ends[sign > 0] + run.level(stretch))
+        along = (at - stroke.begin) / length
         near = (4 * along * (1 - along))**(3 - order)  # camopt's row is this much larger
-        if near <= 0:
+        if near <= 0 or not scale:
             return None
         function = {j: w * sign / scale for j, w in run.space.functional(at, order, side).items()}
         return Row(name, k, function, most / scale + self.relaxed * near), 1 / near
@@ -211,6 +283,20 @@ class Bound:
     def leave_out(self, rule, multiplier):
         """A row that is not used only weakens the bound."""
         self.left_out[rule] = self.left_out.get(rule, Fraction(0)) + multiplier
+
+    def add_area(self):
+        """The lost area is linear in the motion: its part of the objective is added as it is."""
+        for i, term in enumerate(self.problem.terms):
+            if term.kind != "area":
+                continue
+            factor = term.weight / term.reference
+            lost, functions = lost_area(self.problem)
+            self.constant += factor * lost
+            self.peaks[i] += term.weight
+            self.area = factor * lost, [{j: factor * w for j, w in function.items()} for function in functions]
+            for own, function in zip(self.functions, self.area[1]):
+                for j, w in function.items():
+                    own[j] = own.get(j, Fraction(0)) + w
 
     def add_root_mean_squares(self, curve):
         """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""
@@ -342,4 +428,4 @@ class Bound:
         """|y^(order)| at the start of the run."""
         if order == 0:
             return abs(run.stretches[0].start)
-        return Fraction(0) if run.rests[0] else supremum[order]
+        return supremum[order] if run.is_ring() or order > 2 else abs(run.states[0][order - 1])

@@ -94,7 +94,8 @@ class BoxProof:
         self.variables, self.place = [], {}
         peaks = {"peak " + next(n for n, o in ORDERS.items() if o == t.order): i
                  for i, t in enumerate(self.problem.terms) if t.kind == "peak"}
-        peaks |= {"peak torque": i for i, t in enumerate(self.problem.terms) if t.kind == "torque"}
+        peaks |= {name: i for i, t in enumerate(self.problem.terms)
+                  for name, kind in (("peak torque", "torque"), ("area", "area")) if t.kind == kind}
         for j, name in enumerate(self.proof["variables"]):
             point = re.fullmatch(r"c\[(\d+)\](?: of run (\d+))?", name)
             if point:
@@ -125,9 +126,11 @@ class BoxProof:
         if variable[0] == "c":
             return self.ranges_of_run(variable[1])[0][variable[2]]
         if variable[0] == "peak":
-            most = self.bound.most[variable[1]]
+            most, term = self.bound.most[variable[1]], self.problem.terms[variable[1]]
             if most is None:
                 raise Unverified("a peak that nothing bounds")
+            if term.kind == "area":
+                return self.bound.least_of(term) / term.weight, most
             return Fraction(0), min(most, self.own_peak(self.problem.terms[variable[1]]) or most)
         low, high = self.problem.cam.searched[variable[1]]
         return low / high, Fraction(1)
@@ -159,7 +162,7 @@ class BoxProof:
             own = [(-size, size) if size is not None else None] * count
             if ranges is not None:
                 steps = [tuple(sorted((a * h, b * h))) for (a, b), h in zip(ranges, space.steps(order + 1))]
-                levels = (run.stretches[0].start, run.stretches[-1].to)
+                levels = run.ends()
                 for end, places in ((0, range(count)), (1, range(count - 1, -1, -1))):
                     if order and not run.rests[end]:
                         continue

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Cams whose limits are checked."""
+import itertools
 import math
 from fractions import Fraction
 
@@ -11,8 +12,10 @@ from .spatial_rules import SpatialRules
 from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides, constant
 from .exact import (
     KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
-    largest, largest_magnitude, middle_of, number, on_grid, product, root, tangent, times)
+    largest, largest_magnitude, middle_of, number, on_grid, product, root, shifted, tangent, times)
+from .forces import Forces, quantity
 from .laws import at_time, motion_along
+from .motion_bounds import keeps
 from .problem import angle_of, dimension_of
 
 
@@ -22,6 +25,7 @@ DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat"
               "oscillating_flat": ("base_radius", "center_distance", "face_offset")}
 
 
+LOADED = ("contact_force_min_n", "contact_force_min_lbf", "torque_max_nm", "hertz_pressure_max_mpa")
 OTHER_RULES = {"barrel": SpatialRules, "cylindrical": SpatialRules, "remote": RemoteRules, "inverse": InverseRules}
 
 
@@ -35,7 +39,7 @@ class Cam:
         self.judged, self.swings = self.kind == "disk", (self.follower or "").startswith("oscillating")
         self.fixed, self.searched, self.weights, self.rules = Fraction(0), {}, {}, None
         self.lift = problem.lift[0]
-        weights = {n: number(scene["objective"].get(n, 0)) for n in
+        weights = {n: number(problem.objective.get(n, 0)) for n in
                    ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
         self.cost = exactly(Fraction(0))  # of the dimensions as they were found
         if self.kind != "disk":
@@ -55,9 +59,10 @@ class Cam:
                          Fraction(0))
         self.cost = exactly(self.fixed + sum((self.weights[name] * self.sizes[name] for name in self.searched
                                               if self.sizes[name] is not None), Fraction(0)))
+        self.forces = Forces(problem, scene) if "forces" in scene and not self.swings else None
         unit = problem.unit_angle
         self.beta = exactly(unit[0]) if unit[1] == "rad" else times(exactly(unit[0] / 180), PI)
-        self.width = dimension_of(cam, "face_half_width") or None
+        self.width = self.width_of(cam, scene)
         self.pressure = self.pressure_limits()
         self.form = cam.get("form", "open")
         self.rules = self.rules_of(scene, given, Fraction(0))
@@ -144,6 +149,13 @@ class Cam:
         square = (base + self.roller)**2 - self.offset**2
         return root(square) if self.offset else exactly(base + self.roller)
 
+    @staticmethod
+    def width_of(cam, scene):
+        """(low, high) around half the width of a flat face, of a round one that of its chord beside the contact line; or None."""
+        half, radius = dimension_of(cam, "face_half_width"), dimension_of(cam, "face_radius")
+        contact = quantity(scene.get("forces", {}), "contact_width") if radius else Fraction(0)
+        return root(radius**2 - contact**2 / 4) if radius else exactly(half) if half else None
+
     def least_cost(self):
         return self.fixed + sum((self.weights[name] * low for name, (low, _) in self.searched.items()), Fraction(0))
 
@@ -193,10 +205,10 @@ class Cam:
                     number(factor)
             most = steep[1] * self.start(self.base)[1] / self.lift + lean + half * most_y
             return Row(name, k, function, most), number(factor)
-        if rule == "cam.face_half_width" and order == 1 and sign and self.width:
+        if rule in ("cam.face_half_width", "cam.face_radius") and order == 1 and sign and self.width:
             add(1, Fraction(sign))
-            return Row(name, k, function, self.width * self.beta[1] / self.lift), \
-                self.lift / self.width / number(float(self.beta[0]))
+            return Row(name, k, function, self.width[1] * self.beta[1] / self.lift), \
+                self.lift / self.width[1] / number(float(self.beta[0]))
         if rule.startswith("limits.cam_radius_min") and self.follower == "translating_flat" and not self.searched:
             # -(base + s + s'') <= -least, times beta^2 / lift.
             square = times(self.beta, self.beta)
@@ -207,19 +219,13 @@ class Cam:
             most = max(room * b for b in square) + half * most_y
             return Row(name, k, function, most), number(float(self.lift / self.base / square[0]))
         if rule.startswith("limits.contact_force_min"):
-            mass, rate, preload, least = self.forces()
-            speed = self.problem.turns_per_second()
-            unit = max(abs(least), preload, mass * speed**2 * self.lift, Fraction(1, 1000))
-            add(2, -mass * speed**2 * self.lift / unit)
-            add(0, -rate * self.lift / unit)
-            return Row(name, k, function, (preload - least) / unit), Fraction(1)
+            forces, speed = self.forces, self.problem.turns_per_second()
+            unit = forces.unit(self.problem)
+            add(2, -forces.mass * speed**2 * self.lift / unit)
+            add(1, -forces.damping * speed * self.lift / unit)
+            add(0, -forces.rate * self.lift / unit)
+            return Row(name, k, function, (forces.preload + forces.load_at(at, side) - forces.least) / unit), Fraction(1)
         return None
-
-    def forces(self):
-        forces, limits = self.scene["forces"], self.problem.limits
-        rate = number(forces.get("spring_rate_n_mm", 0)) * 1000 + number(forces.get("spring_rate_n_m", 0))
-        return number(forces["mass_kg"]), rate, number(forces.get("preload_n", 0)), \
-            number(limits.get("contact_force_min_n", 0))
 
     # -- limits of the delivered motion
 
@@ -229,6 +235,7 @@ class Cam:
         if not self.judged:
             return [], [f"limits.{key} of a {self.kind} cam" for key in self.problem.limits if key not in ORDERS]
         laws = [s for s in self.problem.stretches if s.kind == "law"]
+        rests = [s for s in self.problem.stretches if s.kind == "dwell"]
         for key in self.problem.limits:
             if key.split("_")[0] in ORDERS:
                 continue
@@ -236,18 +243,20 @@ class Cam:
             if keep is None:
                 missing.append("limits." + key)
                 continue
-            if laws and not self.keep_along_laws(key, laws):
+            loaded = rests if laws or (self.forces and not self.forces.is_constant() and key in LOADED) else []
+            if laws + loaded and not self.keep_along_laws(key, laws + loaded):
                 missing.append(f"limits.{key} on segments with a law")
                 continue
             keep(curve)
             kept.append("limits." + key)
-        if self.width and (laws or self.swings):
-            missing.append("cam.face_half_width of an arm, or on segments with a law")
+        if self.width and self.swings:
+            missing.append("cam.face_half_width of an arm")
         elif self.width:
-            slope = largest_magnitude(curve.along(1))[1] * self.lift / self.beta[0]
-            if slope > self.width * (1 + KEPT):
-                raise Refuted(f"cam.face_half_width: the contact moves {float(slope)} m from the axis")
-            kept.append("cam.face_half_width")
+            most = self.width[0] * (1 + KEPT) * self.beta[0] / self.lift
+            if largest_magnitude(curve.along(1))[1] > most or \
+                    not all(keeps(law, 1, sign, most, law.begin, law.end) for law in laws for sign in (1, -1)):
+                raise Refuted(f"the contact leaves the face, {float(self.width[0])} m from the axis")
+            kept.append("the width of the face")
         return kept, missing
 
     def keeper_of(self, key):
@@ -256,11 +265,11 @@ class Cam:
         if self.kind != "disk":
             formulas, more = self.as_found.kept(key)
             return (lambda curve: self.keep_formulas(curve, key, formulas, more)) if formulas else None
-        if self.form != "open" and key not in ("contact_force_min_n", "torque_max_nm"):
+        if self.form != "open" and key not in LOADED:
             return self.keeper_on_sides(key)
         if key.endswith("pressure_angle_deg"):
             return self.keep_pressure if pushed else lambda curve: self.keep_pressure_of_arm(curve, key)
-        if key == "contact_force_min_n" and pushed:
+        if key.startswith("contact_force_min_") and pushed:
             return self.keep_force
         if key == "torque_max_nm" and pushed:
             return lambda curve: self.keep_torque(curve, number(limits[key]))
@@ -281,18 +290,29 @@ class Cam:
             return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
         return None
 
-    def keep_along_laws(self, key, laws):
-        """False: nothing here looks at the limit there."""
+    def formulas_along(self, key):
+        """Formulas of a limit that any stretch of a motion can be held against; none: there are none here."""
         signs = (1, -1) if key.endswith("pressure_angle_deg") else (0,)
-        formulas = [f for sign in signs for f in self.as_found.formulas("limits." + key, 1 if sign else None, sign)]
-        for stretch in laws:
+        return [f for sign in signs for f in self.as_found.formulas("limits." + key, 1 if sign else None, sign)]
+
+    def keep_along_laws(self, key, stretches):
+        """Along laws and dwells. False: nothing here looks at the limit there."""
+        formulas = self.formulas_along(key)
+        for copy, stretch, formula in itertools.product(range(self.problem.copies), stretches, formulas):
+            by, length, begin = copy * self.problem.stretches[-1].end, stretch.end - stretch.begin, Fraction(0)
             for width, motion in motion_along(stretch):
-                for formula in formulas:
-                    def room(numbers, formula=formula, motion=motion):
+                place = stretch.begin + by + begin * length
+                for low, high, load, slope in self.loads(place, place + width * length):
+                    def room(numbers, motion=motion, place=place, load=load, slope=slope):
+                        self.as_found.load = constant(load + slope * place) + constant(slope * length) * numbers[0]
                         return -formula(motion(numbers[0]))
-                    if enclosures.least(room, [enclosures.interval(Fraction(0), width)], 0) is None:
-                        raise Refuted(f"limits.{key} is passed along a law")
+                    if enclosures.least(room, [enclosures.interval((low - place) / length, (high - place) / length)], 0) is None:
+                        raise Refuted(f"limits.{key} is passed along a {stretch.kind}")
+                begin += width
         return bool(formulas)
+
+    def loads(self, begin, end):
+        return self.forces.lines(begin, end) if self.forces else [(begin, end, Fraction(0), Fraction(0))]
 
     def keep_formulas(self, curve, key, formulas, more=()):
         """Formulas of one cam angle along the motion: nowhere above 0. `more`: ranges of further numbers of a formula; what moves
@@ -314,6 +334,7 @@ class Cam:
         words = origin["rule"], origin.get("order"), origin.get("sign", 0), origin.get("remark", "")
         if self.rules is None:
             return []
+        self.rules.load = constant(self.forces.load_at(at, origin.get("side", "right")) if self.forces else 0)
         return self.rules.formulas(*words, at) if self.kind != "disk" and self.rules.moves else self.rules.formulas(*words)
 
     def keep_pressure_of_arm(self, curve, key):
@@ -465,20 +486,30 @@ class Cam:
                 raise Refuted(fault)
             stack += [(a, b, depth + 1) for a, b in zip(halves(sides), halves(rooms))]
 
-    def force(self, p):
-        mass, rate, preload, _ = self.forces()
-        speed = self.problem.turns_per_second()
-        return combination((mass * speed**2 * self.lift, derivative(p, 2)), (rate * self.lift, p), (1, [preload]))
+    def loaded_pieces(self, curve):
+        """[(polynomial, width, the force along it)]: pieces of the splines, on all copies, where the load is a line."""
+        forces, speed, pieces = self.forces, self.problem.turns_per_second(), []
+        for copy, (run, own) in itertools.product(range(self.problem.copies if not forces.is_constant() else 1),
+                                                  zip(self.problem.runs, curve.pieces)):
+            for p, width, left, stretch in own:
+                x = left - run.begin_of(stretch) + stretch.begin + copy * self.problem.stretches[-1].end
+                for begin, end, load, slope in forces.lines(x, x + width):
+                    part = shifted(p, begin - x)
+                    force = combination((forces.mass * speed**2 * self.lift, derivative(part, 2)),
+                                        (forces.damping * speed * self.lift, derivative(part)), (forces.rate * self.lift, part),
+                                        (1, [forces.preload + load + slope * begin, slope]))
+                    pieces.append((part, end - begin, force))
+        return pieces
 
     def keep_force(self, curve):
-        least, unit = self.forces()[3], max(abs(self.forces()[3]), self.forces()[2], Fraction(1, 1000))
-        pieces = [([-c / unit for c in self.force(p)], w) for run in curve.pieces for p, w, _, _ in run]
-        if largest(pieces)[1] > -least / unit + KEPT * 10:
+        unit = self.forces.unit(self.problem)
+        pieces = [([-c / unit for c in force], width) for _, width, force in self.loaded_pieces(curve)]
+        if pieces and largest(pieces)[1] > -self.forces.least / unit + KEPT * 10:
             raise Refuted("the contact force passes its limit")
 
     def keep_torque(self, curve, most):
-        pieces = [(product(self.force(p), [c * self.lift / self.beta[0] / most for c in derivative(p)]), w)
-                  for run in curve.pieces for p, w, _, _ in run]
+        pieces = [(product(force, [c * self.lift / self.beta[0] / most for c in derivative(p)]), width)
+                  for p, width, force in self.loaded_pieces(curve)]
         if largest_magnitude(pieces)[1] > 1 + KEPT * 10:
             raise Refuted("the torque passes its limit")
 
@@ -491,14 +522,11 @@ class Cam:
                          (number(forces.get(f"{side}_modulus_gpa", 210)) * 10**9) for side in ("cam", "follower"))
         if any(key.startswith(("cam_modulus", "follower_modulus")) and not key.endswith("_gpa") for key in forces):
             raise Unverified("moduli of elasticity in another unit than GPa")
-        width = dimension_of(forces, "contact_width")
-        pressed = 1 / (sum(PI) / 2 * width * compliance * self.roller * most**2)
-        for run in curve.pieces:
-            for p, w, _, _ in run:
-                high, _, square, bent = self.geometry(p)
-                if min(bernstein(high, w)) <= 0:
-                    raise Unverified("limits.hertz_pressure where the contact may lie below the cam's centre")
-                side = combination((pressed, product(self.force(p), product(square, square))),
-                                   (self.roller, product(bent, high)))
-                root_of = product(product(high, high), product(square, product(square, square)))
-                self.decide(side, root_of, w, "the Hertz pressure passes its limit")
+        pressed = 1 / (sum(PI) / 2 * self.forces.width * compliance * self.roller * most**2)
+        for p, w, force in self.loaded_pieces(curve):
+            high, _, square, bent = self.geometry(p)
+            if min(bernstein(high, w)) <= 0:
+                raise Unverified("limits.hertz_pressure where the contact may lie below the cam's centre")
+            side = combination((pressed, product(force, product(square, square))), (self.roller, product(bent, high)))
+            root_of = product(product(high, high), product(square, product(square, square)))
+            self.decide(side, root_of, w, "the Hertz pressure passes its limit")

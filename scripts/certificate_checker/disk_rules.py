@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from .enclosures import Over
 from .exact import PI, Unverified, exactly, middle_of, number, tangent, times
+from .forces import Forces, quantity
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
 TOUCHES = Fraction(1, 10**6)      # contact: regularity, and height over the centre in parts of the cam's length
@@ -47,6 +48,7 @@ class DiskRules:
         angle, unit = problem.unit_angle
         self.beta = times(exactly(angle), degree if unit == "deg" else exactly(1))
         self.roller = follower in ("translating_roller", "oscillating_roller")
+        self.load = constant(0)  # on the follower at the cam angle that is looked at, N
 
     @staticmethod
     def displacements():
@@ -156,6 +158,8 @@ class DiskRules:
         for start, make in (("cam_radius_min_", self.convex_radius), ("concave_radius_min_", self.concave_radius)):
             if name.startswith(start):
                 return make(self.length(name))
+        if name.startswith("contact_force_min_") and not self.swings:
+            return self.contact()
         if name == "undercut_margin":
             return self.margin(number(self.limits[name]))
         if name == "hertz_pressure_max_mpa":
@@ -202,7 +206,12 @@ class DiskRules:
                 return (constant(least) - radius * turning.inverse()) * constant(1 / base) - self.room
             return rule
         if self.follower == "translating_flat":
-            return None
+            inverse = constant(1 / self.reach())
+
+            def flat(numbers):
+                s, _, bend = self.states(numbers)
+                return (constant(least) - self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
+            return flat
         return lambda numbers: self.excess(numbers, self.surface(numbers) + constant(least), constant(1))
 
     def concave_radius(self, least):
@@ -227,22 +236,30 @@ class DiskRules:
         return lambda numbers: constant(TOUCHES) - self.pitch(numbers)[1] * inverse
 
     def force(self, numbers):
-        """F = mass speed^2 s'' + rate s + preload; of an arm the moment."""
-        rate, preload, swing = self.pressing()
+        """F = mass speed^2 s'' + damping speed s' + rate s + preload + load; of an arm the moment."""
+        rate, preload, swing, drag = self.pressing()
         lift = Over.number(*self.lift)
-        return numbers[2] * Over.number(*swing) + numbers[0] * lift * constant(rate) + constant(preload)
+        return numbers[2] * Over.number(*swing) + numbers[1] * Over.number(*drag) + numbers[0] * lift * constant(rate) + \
+            constant(preload) + self.load
+
+    def contact(self):
+        """F >= least."""
+        forces = Forces(self.problem, self.problem.scene)
+        inverse = constant(1 / forces.unit(self.problem))
+        return lambda numbers: (constant(forces.least) - self.force(numbers)) * inverse - self.room
 
     def pressing(self):
-        """Rate, preload and the enclosure of mass speed^2 lift."""
+        """Rate, preload and the enclosures of mass speed^2 lift and damping speed lift."""
         forces, speed = self.forces, self.problem.turns_per_second()
         if self.swings:
             known = ("inertia_kg_m2", "contact_width_mm", "contact_width_m")
             if any(key not in known and "modulus" not in key and "poisson" not in key for key in forces):
                 raise Unverified("a spring or a preload on an arm")
-            return Fraction(0), Fraction(0), times(exactly(number(forces["inertia_kg_m2"]) * speed**2), self.lift)
-        rate = number(forces.get("spring_rate_n_mm", 0)) * 1000 + number(forces.get("spring_rate_n_m", 0))
-        return rate, number(forces.get("preload_n", 0)), \
-            times(exactly(number(forces["mass_kg"]) * speed**2), self.lift)
+            return Fraction(0), Fraction(0), times(exactly(number(forces["inertia_kg_m2"]) * speed**2), self.lift), \
+                exactly(Fraction(0))
+        own = Forces(self.problem, self.problem.scene)
+        return own.rate, own.preload, times(exactly(own.mass * speed**2), self.lift), \
+            times(exactly(own.damping * speed), self.lift)
 
     def hertz(self, most):
         """F <= carried * radius * lever, carried = pi b C most^2, in parts of a unit of force (of an arm: of a moment). A roller
@@ -255,11 +272,10 @@ class DiskRules:
                 raise Unverified("moduli of elasticity in another unit than GPa")
             poisson = number(self.forces.get(f"{side}_poisson", Fraction(3, 10)))
             compliance += (1 - poisson**2) / (number(self.forces.get(f"{side}_modulus_gpa", 210)) * 10**9)
-        width = next(number(self.forces[key]) * size for key, size in (("contact_width_mm", Fraction(1, 1000)),
-                                                                       ("contact_width_m", Fraction(1)))
-                     if key in self.forces)
-        _, preload, swing = self.pressing()
-        unit = middle_of((max(preload, swing[0] / 100, Fraction(1, 1000)),) * 2)[0]
+        width = quantity(self.forces, "contact_width")
+        _, preload, swing, _ = self.pressing()
+        load = Fraction(0) if self.swings else Forces(self.problem, self.problem.scene).largest_load()
+        unit = middle_of((max(preload, (swing[0] + load) / 100, Fraction(1, 1000)),) * 2)[0]
         carried = Over.number(*times(PI, exactly(compliance * width * most**2 / unit)))
 
         def rule(numbers):

@@ -12,6 +12,7 @@ BITS = 128
 ONE = 1 << BITS
 GUARD = 32       # more bits for series, whose rounding is then below the last bit that is kept
 MOST_PARTS = 20000
+NARROW = ONE >> 10  # a box in which a formula must have a value
 
 
 def interval(low, high=None):
@@ -208,7 +209,14 @@ def least(formula, box, enough):
         parts += 1
         if parts > MOST_PARTS:
             raise Unverified("a plane that comes too near to its rule")
-        found = over_box(formula, part)
+        try:
+            found = over_box(formula, part)
+        except Unverified:  # too wide a box for a quotient or a root
+            worst = max(range(len(part)), key=lambda i: part[i][1] - part[i][0])
+            if part[worst][1] - part[worst][0] < NARROW:
+                raise
+            stack += halved(part, worst)
+            continue
         while True:
             side = [(a, a) if i in found.slopes and found.slopes[i][0] >= 0 else
                     (b, b) if i in found.slopes and found.slopes[i][1] <= 0 else (a, b)
@@ -228,10 +236,12 @@ def least(formula, box, enough):
         if there[1] < enough or not fall:
             return None
         worst = max(fall, key=fall.get)
-        a, b = part[worst]
-        if b - a < 4:
+        if part[worst][1] - part[worst][0] < 4:
             raise Unverified("a plane that comes too near to its rule")
-        half = (a + b) // 2
-        stack.append(part[:worst] + [(a, half)] + part[worst + 1:])
-        stack.append(part[:worst] + [(half, b)] + part[worst + 1:])
+        stack += halved(part, worst)
     return lowest
+
+
+def halved(box, i):
+    half = sum(box[i]) // 2
+    return [box[:i] + [ends] + box[i + 1:] for ends in ((box[i][0], half), (half, box[i][1]))]

@@ -6,6 +6,9 @@ from .disk_rules import constant
 from .enclosures import Over
 from .exact import PI, Unverified, derivative
 
+# Laws with y(u) + y(1 - u) = 1.
+SYMMETRIC = ("constant_velocity", "polynomial_345", "polynomial_4567", "polynomial_56789", "cycloidal", "simple_harmonic",
+             "parabolic", "modified_sine", "modified_trapezoid")
 POLYNOMIALS = {"constant_velocity": [0, 1], "polynomial_345": [0, 0, 0, 10, -15, 6],
                "polynomial_4567": [0, 0, 0, 0, 35, -84, 70, -20],
                "polynomial_56789": [0, 0, 0, 0, 0, 126, -420, 540, -315, 70]}
@@ -42,9 +45,9 @@ def at_time(polynomial, t):
 
 
 def pieces_of(law):
-    """[(width, v -> [f, f', f''])]."""
+    """[(width, v -> [f, f', f'', f'''])]; nothing of where f'' jumps."""
     if law in POLYNOMIALS:
-        orders = [[constant(c) for c in derivative([Fraction(c) for c in POLYNOMIALS[law]], order)] for order in range(3)]
+        orders = [[constant(c) for c in derivative([Fraction(c) for c in POLYNOMIALS[law]], order)] for order in range(4)]
         return [(Fraction(1), lambda v: [at_time(c, v) for c in orders])]
     pieces, begin = [], [constant(0), constant(0)]
     for width, a, b, c, w in harmonic(law):
@@ -55,22 +58,24 @@ def pieces_of(law):
             rest = constant(1) - cosine
             return [begin[0] + begin[1] * v + a * v.square() * constant(Fraction(1, 2)) +
                     b * inverse * (v - sine * inverse) + c * inverse * inverse * rest,
-                    begin[1] + a * v + (b * rest + c * sine) * inverse, a + b * sine + c * cosine]
+                    begin[1] + a * v + (b * rest + c * sine) * inverse, a + b * sine + c * cosine,
+                    (b * cosine - c * sine) * w]
 
         pieces.append((width, piece))
         begin = piece(constant(width))[:2]
     return pieces
 
 
-def motion_along(stretch):
-    """[(width, v -> [y, y', y''])] of a stretch with a law, v in parts of the stretch."""
+def motion_along(stretch, orders=3):
+    """[(width, v -> [y, y' ...])] of a law or a dwell, v in parts of the stretch."""
+    if stretch.kind == "dwell":
+        return [(Fraction(1), lambda v: [constant(stretch.start)] + [constant(0)] * (orders - 1))]
     rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
 
     def scaled(piece):
         def states(v):
-            f = piece(v)
-            return [constant(stretch.start) + constant(rise) * f[0], constant(rise / length) * f[1],
-                    constant(rise / length**2) * f[2]]
+            found = [constant(rise / length**order) * f for order, f in enumerate(piece(v)[:orders])]
+            return [constant(stretch.start) + found[0]] + found[1:]
         return states
 
     return [(width, scaled(piece)) for width, piece in pieces_of(stretch.law)]

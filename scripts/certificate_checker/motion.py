@@ -4,9 +4,12 @@ from fractions import Fraction
 
 from .conditions import Conditions
 from .exact import (
-    JOINED, KEPT, Refuted, SAME_PLACE, STATED, Unverified, combination, derivative, integral,
+    JOINED, KEPT, Refuted, SAME_PLACE, STATED, Unverified, combination, derivative, integral, largest,
     largest_magnitude, number, product, root, shifted, value_at)
+from .motion_bounds import keep_bounds, keeps, lost_area
+from .prescribed import peak_of
 from .spaces import Space
+from .strokes import stroke_of
 
 
 class Curve:
@@ -16,12 +19,15 @@ class Curve:
     def __init__(self, problem, result):
         self.problem = problem
         curves = result["motion"]["curves"]
-        if len(curves) != len(problem.runs):
-            raise Refuted(f"the motion has {len(curves)} splines, the scene {len(problem.runs)}")
+        count = sum(len(run.curves) for run in problem.runs)
+        if len(curves) != count:
+            raise Refuted(f"the motion has {len(curves)} splines, the scene {count}")
         self.pieces, self.control, self.distance = [], [], [Fraction(0)] * 4
-        for run, curve in zip(problem.runs, curves):
-            self.add(run, curve)
+        for run in problem.runs:
+            self.add(run, [(curves[index], further) for index, further in run.curves])
         self.parts(result["motion"]["parts"])
+        if not problem.runs:
+            return
         peaks = [largest_magnitude([(derivative(p, r), w) for run in self.pieces for p, w, _, _ in run])[1]
                  for r in range(4)]
         self.relative = [d / max(p, Fraction(1, 10**6)) for d, p in zip(self.distance, peaks)]
@@ -33,11 +39,18 @@ class Curve:
                 raise Refuted(f"the motion meets its conditions and joins only to {float(self.relative[order]):.1e} of "
                               f"the peak of its derivative {order}, or is not of the scene's spline space")
 
-    def add(self, run, curve):
-        space = run.space
-        points = [number(x) for x in curve["breakpoints"]]
-        delivered = [[number(a) for a in piece] for piece in curve["pieces"]]
-        if (curve["degree"], curve["continuity"]) != (space.degree, space.continuity) or \
+    def add(self, run, curves):
+        """Of curves one after another, each with by how much its x is less than the run's."""
+        space, points, delivered = run.space, [], []
+        for curve, further in curves:
+            own = [number(x) + further for x in curve["breakpoints"]]
+            if points and abs(own.pop(0) - points[-1]) > SAME_PLACE:
+                raise Refuted("the motion's splines do not join")
+            points += own
+            for piece in curve["pieces"]:
+                piece = [number(a) for a in piece]
+                delivered.append([piece[0] + (run.raised if further else 0)] + piece[1:])
+        if any((curve["degree"], curve["continuity"]) != (space.degree, space.continuity) for curve, _ in curves) or \
                 len(points) != len(space.breakpoints) or len(delivered) != space.segments or \
                 any(abs(a - b) > SAME_PLACE for a, b in zip(points, space.breakpoints)) or \
                 any(len(piece) != space.degree + 1 for piece in delivered):
@@ -60,8 +73,7 @@ class Curve:
                 error = derivative(combination((1, piece), (-1, moved)), order)
                 size = sum((abs(c) * width**m for m, c in enumerate(error)), Fraction(0))
                 self.distance[order] = max(self.distance[order], size)
-            stretch = next(s for s in run.stretches if s.begin <= left < s.end)
-            own.append((piece, width, left, stretch))
+            own.append((piece, width, left, run.stretch_at(left)))
         self.pieces.append(own)
 
     @staticmethod
@@ -84,33 +96,35 @@ class Curve:
 
     def parts(self, parts):
         """The chain that the file describes is that of the scene."""
-        stretches = self.problem.stretches
-        if len(parts) != len(stretches):
+        stretches, copies = self.problem.stretches, self.problem.copies
+        if len(parts) != copies * len(stretches):
             raise Refuted("the motion does not have the scene's segments")
-        curve = -1
-        for part, stretch in zip(parts, stretches):
-            near = abs(number(part["begin"]) - stretch.begin) + abs(number(part["end"]) - stretch.end)
+        for i, part in enumerate(parts):
+            stretch, by = stretches[i % len(stretches)], i // len(stretches) * stretches[-1].end
+            near = abs(number(part["begin"]) - stretch.begin - by) + abs(number(part["end"]) - stretch.end - by)
             if near > STATED or (part["curve"] is not None) != (stretch.kind == "spline"):
                 raise Refuted("the motion's segments are not those of the scene")
             if stretch.kind == "spline":
-                run = next(k for k, run in enumerate(self.problem.runs) if stretch in run.stretches)
-                if part["curve"] != run or number(part["x0"]) or part["x_scale"] != 1 or part["y0"] or \
+                run = next(run for run in self.problem.runs if stretch in run.stretches)
+                curve, further = run.curves[-1 if stretch in run.passed else 0]
+                x0 = by + further - (run.begin_of(stretch) - stretch.begin)
+                if part["curve"] != curve or abs(number(part["x0"]) - x0) > STATED or part["x_scale"] != 1 or part["y0"] or \
                         part["y_scale"] != 1:
                     raise Refuted("the motion's parts do not join its splines")
-                curve = run
             else:
-                law = getattr(stretch, "law", None) if stretch.kind == "law" else None
-                rise = stretch.to - stretch.start
+                law = stretch.law if stretch.kind == "law" else None
+                rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
                 if part["law"] != law or abs(number(part["y0"]) - stretch.start) > STATED or \
-                        (law and abs(number(part["y_scale"]) - rise) > STATED):
+                        (law and (abs(number(part["y_scale"]) - rise) > STATED or abs(number(part["x_scale"]) - length) > STATED or
+                                  abs(number(part["x0"]) - stretch.begin - by) > STATED)):
                     raise Refuted("the motion's dwells or laws are not those of the scene")
-        if curve < 0:
-            raise Refuted("the motion has no spline")
 
     def value_at(self, k, x, side, order):
         """The derivative of this order of spline k at a place."""
         i, x = self.problem.runs[k].space.segment_of(x, side)
         piece, _, left, _ = self.pieces[k][i]
+        if self.problem.runs[k].raised and not order:
+            raise Unverified("a cam that goes on in the next turn from where it is")
         return value_at(derivative(piece, order), x - left)
 
     def along(self, order, stretch=None):
@@ -120,6 +134,8 @@ class Curve:
     def term(self, term):
         """(low, high) around a term's own figure, in units of its reference."""
         problem, low, high = self.problem, Fraction(0), Fraction(0)
+        if not problem.runs and term.kind in ("peak", "rms", "torque"):
+            return peak_of(problem, term)
         if term.kind == "rms":
             total, length = Fraction(0), Fraction(0)
             for run in self.pieces:
@@ -129,6 +145,10 @@ class Curve:
                     length += w
             low, high = root(total / length)
             return low / term.reference, high / term.reference
+        if term.kind == "area":
+            lost, functions = lost_area(problem)
+            lost += sum((w * control[j] for control, f in zip(self.control, functions) for j, w in f.items()), Fraction(0))
+            return lost / term.reference, lost / term.reference
         if term.kind == "residual":
             low, high = problem.train.residual(self)
             return low / term.reference, high / term.reference
@@ -166,7 +186,38 @@ class Curve:
             own = largest_magnitude(self.along(order))[1]
             if own > cap * (1 + KEPT + relaxed):
                 raise Refuted(f"{key}: the motion reaches {float(own / cap)} of it")
-            if any(s.kind == "law" for s in self.problem.stretches):
-                raise Unverified(f"{key} on a segment with a law")
+            for law in [s for s in self.problem.stretches if s.kind == "law"]:
+                for sign in (1, -1):
+                    if not keeps(law, order, sign, cap * (1 + KEPT + relaxed), law.begin, law.end):
+                        raise Refuted(f"{key} is passed along a law")
             kept.append(key)
-        return kept
+        return kept + self.keep_strokes(relaxed) + keep_bounds(self.problem, self, relaxed)
+
+    def keep_strokes(self, relaxed):
+        """motion.within_lift and motion.monotone, to within KEPT of the stroke."""
+        motion, room = self.problem.motion, KEPT + relaxed
+        monotone, kept = motion.get("monotone", False), set()
+        if not monotone and not motion.get("within_lift", True):
+            return []
+        for run, own in zip(self.problem.runs, self.pieces):
+            for p, width, left, stretch in own:
+                begin = left - run.begin_of(stretch) + stretch.begin
+                for a, b in ((begin, min(begin + width, 1)), (max(begin, 1), begin + width)) if self.problem.type == "RR" else \
+                        ((begin, begin + width),):
+                    stroke = stroke_of(self.problem, stretch, b) if a < b else None
+                    if stroke is None:
+                        continue
+                    part = shifted(p, a - begin)
+                    moved = stroke.to - stroke.start
+                    if monotone and moved:
+                        rules = [([-c * (stroke.end - stroke.begin) / moved for c in derivative(part)], Fraction(0))]
+                    else:
+                        size = abs(moved) or stroke.most - stroke.least
+                        rules = [([sign * c / size for c in part], (end + run.level(stretch)) * sign / size)
+                                 for sign, end in ((-1, stroke.least), (1, stroke.most)) if end is not None]
+                    for rule, most in rules:
+                        if largest([(rule, b - a)])[1] > most + room:
+                            raise Refuted(f"a stroke {'turns back' if monotone else 'leaves its range'}")
+                    kept.add("motion.monotone" if monotone else "motion.within_lift")
+        return sorted(kept)
+

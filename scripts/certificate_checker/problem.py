@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The problem, from the scene alone."""
+import itertools
 from fractions import Fraction
 
 from .conditions import Conditions
-from .exact import (
-    ORDERS, PI, Refuted, STATED, Unverified, derivative, exactly, integral, largest_magnitude,
-    middle_of, number, product, root, times)
+from .exact import ORDERS, PI, SAME_PLACE, Unverified, exactly, middle_of, number, times
+from .motion_bounds import area_reference, motion_bounds
 from .spaces import Space
 
 CLOSE = Fraction(1, 10**6)  # set points nearer than this, in x, fix a slope that a last digit moves
@@ -26,12 +26,12 @@ def dimension_of(table, *names):
 
 def angle_of(table, key):
     """(value, "deg" or "rad"), or None."""
-    for unit in ("deg", "rad"):
-        if f"{key}_{unit}" in table:
-            value = table[f"{key}_{unit}"]
+    for spelling, unit, size in (("deg", "deg", 1), ("rad", "rad", 1), ("crank_deg", "deg", Fraction(1, 2))):
+        if f"{key}_{spelling}" in table:
+            value = table[f"{key}_{spelling}"]
             if isinstance(value, dict):
-                raise Unverified(f"{key}_{unit}: an angle that is searched")
-            return number(value), unit
+                raise Unverified(f"{key}_{spelling}: an angle that is searched")
+            return number(value) * size, unit
     return None
 
 
@@ -59,11 +59,37 @@ class Stretch:
 
 
 class Run:
-    """A spline over neighbouring stretches: its space, and conditions (row, value, name) it meets exactly."""
+    """A spline over neighbouring stretches: its space, and conditions (row, value, name) it meets exactly. Those of `passed`
+    come after the start of the next turn: there the run's own x is a turn further, and its y higher by `raised` (a relative
+    motion). `curves`: those of the delivered motion in the run's order, with by how much x of each is less than the run's."""
 
-    def __init__(self, space, stretches):
-        self.space, self.stretches, self.conditions = space, stretches, []
-        self.rests = (True, True)
+    def __init__(self, space, stretches, passed=(), raised=Fraction(0), curves=()):
+        self.space, self.stretches, self.passed, self.raised, self.conditions = space, stretches, passed, raised, []
+        self.curves = curves
+        # y' and y'' at both ends; None: where one turn goes on in the next.
+        self.states = [(Fraction(0), Fraction(0)), (Fraction(0), Fraction(0))]
+
+    @property
+    def rests(self):
+        return tuple(state == (0, 0) for state in self.states)
+
+    def is_ring(self):
+        return self.states[0] is None
+
+    def level(self, stretch):
+        """The run's own y less that of the motion."""
+        return self.raised if stretch in self.passed else Fraction(0)
+
+    def ends(self):
+        """Its own y at both ends."""
+        return self.stretches[0].start, self.stretches[-1].to + self.level(self.stretches[-1])
+
+    def begin_of(self, stretch):
+        """Its own x where a stretch begins."""
+        return stretch.begin + (self.space.period if stretch in self.passed else 0)
+
+    def stretch_at(self, x):
+        return next(s for s in self.stretches if self.begin_of(s) <= x < self.begin_of(s) + s.end - s.begin)
 
     def is_fine(self):
         """Where a segment is far narrower than others, or than the whole, the last digit of y is much of its third derivative."""
@@ -105,7 +131,7 @@ class Problem:
         self.motion = scene["motion"]
         self.spline = scene.get("spline", {})
         self.limits = scene.get("limits", {})
-        self.objective = scene["objective"]
+        self.objective = scene.get("objective", {})
         self.solver = scene.get("solver", {})
         self.gap = number(self.solver.get("gap", Fraction(1, 10**7)))
         self.type = self.motion["type"]
@@ -116,14 +142,16 @@ class Problem:
         self.lift = self.lift_of()
         self.unit_angle = None
         self.stretches, self.runs = [], []
+        self.copies = self.motion.get("repeat", 1)  # of all stretches, in a turn
         if self.type == "program":
             self.build_program()
         else:
             self.build_stroke()
         self.motion_caps = []  # (order, cap, key): caps in time on a program's motion itself
+        self.bounds = motion_bounds(self)
         self.references = references
         self.terms = self.terms_of(references)
-        self.cam = None
+        self.cam, self.left_out = None, {}
         self.train = None  # an elastic follower
 
     def least_cost(self):
@@ -132,9 +160,11 @@ class Problem:
 
     def has_close_points(self):
         """Two set points nearer than a millionth to each other."""
-        tables = [self.motion.get("via", [])] + [segment.get("via", []) for segment in self.motion.get("segments", [])]
-        for via in tables:
-            places = sorted(p for p in (self.place(point, "at", Fraction(0)) for point in via) if p is not None)
+        tables = [(self.motion.get("via", []), 1)]
+        tables += [(segment.get("via", []), s.end - s.begin) for segment, s in
+                   zip(self.motion.get("segments", []), self.stretches)]
+        for via, width in tables:
+            places = sorted(p for p in (self.place(point, "at", Fraction(0), width) for point in via) if p is not None)
             if any(b - a < CLOSE for a, b in zip(places, places[1:])):
                 return True
         return False
@@ -150,18 +180,22 @@ class Problem:
                 return number(self.motion[f"lift_{unit}"]), unit
         return Fraction(1, 1000), "m"
 
-    def in_lifts(self, table, key):
-        """A displacement: normalised, or in a unit of the lift."""
-        if key in table:
-            return number(table[key])
+    def lifts_of(self, table, name):
+        """(how a displacement is written in a table, lifts of one in that unit), or (None, None)."""
+        if name in table:
+            return name, Fraction(1)
         size, kind = self.lift
         for unit, length in LENGTHS.items():
-            if f"{key}_{unit}" in table and kind == "m":
-                return number(table[f"{key}_{unit}"]) * length / size
+            if f"{name}_{unit}" in table and kind == "m":
+                return f"{name}_{unit}", length / size
         for unit in ("deg", "rad"):
-            if f"{key}_{unit}" in table:
-                return ratio((number(table[f"{key}_{unit}"]), unit), self.lift)
-        return None
+            if f"{name}_{unit}" in table:
+                return f"{name}_{unit}", ratio((Fraction(1), unit), self.lift)
+        return None, None
+
+    def in_lifts(self, table, name):
+        key, unit = self.lifts_of(table, name)
+        return None if key is None else number(table[key]) * unit
 
     def turns_per_second(self):
         """Unit angles a second. rpm with degrees and rad/s with radians are exact."""
@@ -171,32 +205,39 @@ class Problem:
             return number(self.motion["speed_rad_s"]) / self.unit_angle[0]
         raise Unverified("a speed that has no exact ratio to the angles (rpm goes with degrees, rad/s with radians)")
 
-    def derivative_in_unit(self, table, name):
-        """A velocity (acceleration, jerk) of a table: normalised, by time or by the cam angle; and its key."""
+    def derivative_of(self, table, name):
+        """(how a velocity, acceleration or jerk is written in a table, y^(r) for one in that unit): normalised, by time or by the
+        cam angle."""
         order = ORDERS[name]
         if name in table:
-            return number(table[name]), name
+            return name, Fraction(1)
         power = "" if order == 1 else str(order)
         size, kind = self.lift
-        units = {**LENGTHS} if kind == "m" else {kind: Fraction(1)}
-        for unit, length in units.items():
+        for unit, length in (LENGTHS if kind == "m" else {kind: Fraction(1)}).items():
             key = f"{name}_{unit}_s{power}"
             if key in table:
-                return number(table[key]) * length / (size * self.turns_per_second()**order), key
+                return key, length / (size * self.turns_per_second()**order)
             for by in ("rad", "deg"):
                 key = f"{name}_{unit}_{by}{power}"
-                if key in table:
-                    if self.unit_angle[1] != by:
-                        if by != "rad":
-                            raise Unverified(f"{key} with angles in radians")
-                        angle = times(exactly(self.unit_angle[0] / 180), PI)
-                        middle = middle_of(angle)[0]  # pi to 35 digits: far below what a condition is met to
-                        return number(table[key]) * length / size * middle**order, key
-                    return number(table[key]) * length / size * self.unit_angle[0]**order, key
+                if key not in table:
+                    continue
+                angle = self.unit_angle[0]
+                if self.unit_angle[1] != by:
+                    if by != "rad":
+                        raise Unverified(f"{key} with angles in radians")
+                    angle = middle_of(times(exactly(angle / 180), PI))[0]  # to 35 digits: far below what conditions are met to
+                return key, length / size * angle**order
         found = [key for key in table if key.startswith(name + "_")]
         if found:
             raise Unverified(f"{found[0]}: this unit")
         return None, None
+
+    def derivative_in_unit(self, table, name, width=Fraction(1)):
+        """Its value; a normalised one is by the angle of a stretch of this width."""
+        key, unit = self.derivative_of(table, name)
+        if key is None:
+            return None
+        return number(table[key]) * (unit if key != name else 1 / width**ORDERS[name])
 
     # -- one stroke: DRD, RR
 
@@ -212,24 +253,41 @@ class Problem:
         stretch = Stretch("spline", Fraction(0), length, Fraction(0), top)
         stretch.scale = lambda order: Fraction(1)
         self.stretches = [stretch]
-        regions = self.regions(self.motion.get("via", []), Fraction(0))
+        regions = self.regions(self.motion.get("via", []), Fraction(0), Fraction(1))
         if self.motion.get("symmetric", False):
             regions += [(length - b, length - a) for a, b in regions]
         run = Run(Space(self.degree, self.continuity, self.breakpoints(Fraction(0), length, regions)), [stretch])
+        run.curves = ((0, Fraction(0)),)
+        run.states = [self.state_at_end(False), self.state_at_end(True)]
         for order in range(3):
-            run.demand(Fraction(0), order, "right", Fraction(0), "start at rest")
-            run.demand(length, order, "left", top if order == 0 else Fraction(0), "end at rest")
+            run.demand(Fraction(0), order, "right", run.states[0][order - 1] if order else Fraction(0), "state at the start")
+            run.demand(length, order, "left", run.states[1][order - 1] if order else top, "state at the end")
         if self.type == "RR":
             run.demand(Fraction(1), 0, "right", Fraction(1), "top of the rise: y(1) = 1")
             run.demand(Fraction(1), 1, "right", Fraction(0), "top of the rise: y'(1) = 0")
         self.end_jerk(run)
-        self.set_points(run, self.motion.get("via", []), Fraction(0), length)
+        self.set_points(run, self.motion.get("via", []), stretch, Fraction(1))
         if self.motion.get("symmetric", False):
             self.symmetry(run)
         self.runs = [run]
 
+    def state_at_end(self, at_end):
+        """y' and y'' where a motion that is not closed starts or ends: what is asked, or that of a region there; else rest."""
+        name, whole = ("end" if at_end else "start"), self.type != "program"
+        own = self.stretches[-1 if at_end else 0]
+        width = Fraction(1) if whole else own.end - own.begin
+        if name in self.motion:
+            found = [self.derivative_in_unit(self.motion[name], value, width) for value in ("velocity", "acceleration")]
+            return tuple(value or Fraction(0) for value in found)
+        via = self.motion.get("via", []) if whole else self.motion["segments"][-1 if at_end else 0].get("via", [])
+        for point in via:
+            begin, end = (self.place(point, key, own.begin, width) for key in ("from", "to"))
+            if begin is not None and (end == own.end if at_end else begin == own.begin):
+                return self.derivative_in_unit(point, "velocity", width), Fraction(0)
+        return Fraction(0), Fraction(0)
+
     def end_jerk(self, run):
-        if self.spline.get("end_jerk", "free") == "zero":
+        if self.spline.get("end_jerk", "free") == "zero" and not run.is_ring():
             run.demand(run.space.breakpoints[0], 3, "right", Fraction(0), "spline.end_jerk")
             run.demand(run.space.breakpoints[-1], 3, "left", Fraction(0), "spline.end_jerk")
 
@@ -249,28 +307,29 @@ class Problem:
     def build_program(self):
         segments = self.motion["segments"]
         angles = [angle_of(segment, "angle") for segment in segments]
-        first = [i for i, segment in enumerate(segments) if segment["kind"] == "spline"]
-        self.unit_angle = angles[first[0]]
+        kinds = [segment["kind"] for segment in segments]
+        unit = next((i for kind in ("spline", "law") for i, own in enumerate(kinds) if own == kind), None)
+        if unit is None:
+            raise Unverified("a program of dwells only")
+        self.unit_angle = angles[unit]
         joints = [Fraction(0)]
         for angle in angles:
             joints.append(joints[-1] + ratio(angle, self.unit_angle))
         closed, count = self.motion.get("closed", True), len(segments)
-        levels = self.levels(segments, closed)
+        self.wraps = closed is True or closed == "relative"
+        levels = self.levels(segments, closed is True)
         for i, segment in enumerate(segments):
             self.stretches.append(Stretch(segment["kind"], joints[i], joints[i + 1], levels[i], levels[i + 1]))
             self.stretches[-1].law = segment.get("law")
-        if closed and segments[0]["kind"] == "spline" and segments[-1]["kind"] == "spline":
-            raise Unverified("a closed program whose spline lies across the start of the turn")
-        i = 0
-        while i < count:
-            if segments[i]["kind"] != "spline":
-                i += 1
-                continue
-            last = i
-            while last + 1 < count and segments[last + 1]["kind"] == "spline":
-                last += 1
-            self.add_run(segments, i, last, closed)
-            i = last + 1
+        groups = [[i for i, _ in group] for kind, group in itertools.groupby(enumerate(kinds), lambda own: own[1])
+                  if kind == "spline"]
+        joined = self.wraps and len(groups) > 1 and kinds[0] == kinds[-1] == "spline"
+        first = groups.pop(0) if joined else []
+        apart = int(joined and closed == "relative")  # then the delivered motion has a curve on either side of the start
+        for k, group in enumerate(groups):
+            passed = first if group is groups[-1] else []
+            curves = [(k + apart, Fraction(0))] + [(0, joints[-1])] * (apart if passed else 0)
+            self.add_run(segments, group + passed, passed, curves)
 
     def levels(self, segments, closed):
         known = [None] * (len(segments) + 1)
@@ -292,71 +351,86 @@ class Problem:
             raise Unverified("displacements that are free")
         return known
 
-    def add_run(self, segments, first, last, closed):
-        points, conditions = [], []
-        for i in range(first, last + 1):
-            own = self.stretches[i]
-            via = segments[i].get("via", [])
-            regions = self.regions(via, own.begin)
-            points += [x for x in self.breakpoints(own.begin, own.end, regions) if not points or x > points[-1]]
-            conditions.append((via, own.begin, own.end))
-        run = Run(Space(self.degree, self.continuity, points), self.stretches[first:last + 1])
-        begin, end = self.stretches[first].begin, self.stretches[last].end
-        for at, side, neighbour, level in ((begin, "right", first - 1, self.stretches[first].start),
-                                           (end, "left", last + 1, self.stretches[last].to)):
-            slope, bend = self.state_beside(neighbour % len(segments) if closed else neighbour)
-            run.demand(at, 0, side, level, "displacement at the end of a spline")
-            run.demand(at, 1, side, slope, "velocity at the end of a spline")
-            run.demand(at, 2, side, bend, "acceleration at the end of a spline")
-            if slope or bend:
-                run.rests = (run.rests[0] and side != "right", run.rests[1] and side != "left")
-        for i in range(first, last):
-            run.demand(self.stretches[i].end, 0, "right", self.stretches[i].to, "displacement at a joint")
-            if self.turns_back(segments, i):
-                run.demand(self.stretches[i].end, 1, "right", Fraction(0), "turning point")
+    def add_run(self, segments, group, passed, curves):
+        """The run of the segments that `group` counts; those of `passed` follow the start of the next turn."""
+        turn, stretches, count = self.stretches[-1].end, [self.stretches[i] for i in group], len(segments)
+        points = []
+        for i, own in zip(group, stretches):
+            regions = self.regions(segments[i].get("via", []), own.begin, own.end - own.begin)
+            begin = turn if i in passed else 0
+            points += [x + begin for x in self.breakpoints(own.begin, own.end, regions) if not points or x + begin > points[-1]]
+        run = Run(Space(self.degree, self.continuity, points, turn if self.wraps else None), stretches,
+                  [self.stretches[i] for i in passed], self.stretches[-1].to, tuple(curves))
+        if self.wraps and len(group) == count:
+            self.close(run)
+        else:
+            for place, neighbour in ((0, group[0] - 1), (1, group[-1] + 1)):
+                run.states[place] = self.state_beside(neighbour)
+                at, side = points[-place], ("right", "left")[place]
+                for order, value in enumerate((run.ends()[place], *run.states[place])):
+                    run.demand(at, order, side, value, "state at the end of a spline")
+        for i, following in zip(group, group[1:] + group[:1]):
+            if following == group[0] and not run.is_ring():
+                break
+            if following != group[0]:
+                own = self.stretches[i]
+                run.demand(run.begin_of(own) + own.end - own.begin, 0, "left", own.to + run.level(own), "displacement at a joint")
+            if self.turns_back(segments, i, following):
+                run.demand(run.begin_of(self.stretches[following]), 1, "right", Fraction(0), "turning point")
         self.end_jerk(run)
-        for via, own_begin, own_end in conditions:
-            self.set_points(run, via, own_begin, own_end)
+        for i, own in zip(group, stretches):
+            self.set_points(run, segments[i].get("via", []), own, own.end - own.begin)
+            if "end" in segments[i]:
+                self.set_points(run, [segments[i]["end"] | {"at": 1}], own, own.end - own.begin)
         self.runs.append(run)
 
+    def close(self, run):
+        """Splines all around: one turn goes on in the next as smoothly as anywhere."""
+        begin, end = run.space.breakpoints[0], run.space.breakpoints[-1]
+        run.states = [None, None]
+        for at, side, level in ((begin, "right", run.ends()[0]), (end, "left", run.ends()[1])):
+            run.demand(at, 0, side, level, "displacement at the start of the turn")
+        for order in range(1, self.continuity + 1):
+            row = run.space.functional(begin, order, "right")
+            for j, weight in run.space.functional(end, order, "left").items():
+                row[j] = row.get(j, Fraction(0)) - weight
+            run.conditions.append((row, Fraction(0), f"derivative {order} at the start of the turn"))
+
     def state_beside(self, neighbour):
-        """y' and y'' where a spline meets what is beside it: rest, or what a law has at its end."""
-        if not 0 <= neighbour < len(self.stretches) or self.stretches[neighbour].kind == "dwell":
-            return Fraction(0), Fraction(0)
+        """y' and y'' where a spline meets what is beside it: rest, what a law has at its end, or what is asked where the motion
+        starts or ends."""
+        if not 0 <= neighbour < len(self.stretches):
+            if not self.wraps:
+                return self.state_at_end(neighbour > 0)
+            neighbour %= len(self.stretches)
         own = self.stretches[neighbour]
-        if own.law in ("cycloidal", "polynomial_345", "polynomial_4567", "polynomial_56789", "modified_sine",
-                       "modified_trapezoid"):
+        if own.kind != "law" or own.law in ("cycloidal", "polynomial_345", "polynomial_4567", "polynomial_56789", "modified_sine",
+                                            "modified_trapezoid"):
             return Fraction(0), Fraction(0)
         if own.law == "constant_velocity":
             return (own.to - own.start) / (own.end - own.begin), Fraction(0)
         raise Unverified(f"a spline next to the law {own.law}")
 
-    def stroke_at(self, stretch, at):
-        """(displacement at its start, at its end, length) of the stroke at x; None where its set points are not between them,
-        it moves next to a law, or ends where it began."""
-        if self.type == "program":
-            i = self.stretches.index(stretch)
-            segments, beside = self.motion["segments"], (i - 1, (i + 1) % len(self.stretches))
-            if segments[i].get("via") or any(self.stretches[j].kind == "law" for j in beside) or stretch.to == stretch.start:
-                return None
-            return stretch.start, stretch.to, stretch.end - stretch.begin
-        for point in self.motion.get("via", []):
-            displacement, is_region = self.in_lifts(point, "displacement"), self.place(point, "at", Fraction(0)) is None
-            if displacement is not None and (is_region or not 0 < displacement < 1):
-                return None
-        if at <= 1:
-            return Fraction(0), Fraction(1), Fraction(1)
-        return Fraction(1), Fraction(0), stretch.end - 1
-
-    def turns_back(self, segments, i):
+    def turns_back(self, segments, i, following):
         """Two splines that reverse the motion, neither of which may pass the joint between them."""
         if not self.motion.get("within_lift", True) and not self.motion.get("monotone", False):
             return False
-        if any(key.startswith("displacement") for j in (i, i + 1)
+        if following == 0 and self.motion.get("closed", True) is not True:
+            return False
+        if any(key.startswith("displacement") for j in (i, following)
                for point in segments[j].get("via", []) for key in point):
             return False
-        before, after = self.stretches[i], self.stretches[i + 1]
+
+        before, after = self.stretches[i], self.stretches[following]
         return (before.to - before.start) * (after.to - after.start) < 0
+
+    def folded(self, x, side):
+        """The place in the part of the turn that is repeated."""
+        end = self.stretches[-1].end
+        while self.copies > 1 and (x > end + SAME_PLACE or (side == "right" and x >= end - SAME_PLACE)) and \
+                x < self.copies * end - SAME_PLACE:
+            x -= end
+        return x
 
     # -- breakpoints and set points
 
@@ -390,28 +464,29 @@ class Problem:
                 not any(a - closest < x < b + closest for a, b in merged)]
         return sorted(set(kept) | {x for ab in merged for x in ab})
 
-    def place(self, table, key, begin):
+    def place(self, table, key, begin, width):
+        """x of a place in a stretch; a normalised one is in parts of its width (DRD, RR: of the rise)."""
         if key in table:
-            return begin + number(table[key])
+            return begin + number(table[key]) * width
         angle = angle_of(table, key)
         return None if angle is None else begin + ratio(angle, self.unit_angle)
 
-    def regions(self, via, begin):
-        return [(self.place(p, "from", begin), self.place(p, "to", begin)) for p in via
-                if self.place(p, "from", begin) is not None]
+    def regions(self, via, begin, width):
+        return [(self.place(p, "from", begin, width), self.place(p, "to", begin, width)) for p in via
+                if self.place(p, "from", begin, width) is not None]
 
-    def set_points(self, run, via, begin, end):
+    def set_points(self, run, via, stretch, width):
+        begin, end = run.begin_of(stretch), run.begin_of(stretch) + stretch.end - stretch.begin
         for point in via:
-            at = self.place(point, "at", begin)
+            at = self.place(point, "at", begin, width)
             region = at is None
             if region:
-                at, until = self.place(point, "from", begin), self.place(point, "to", begin)
+                at, until = (self.place(point, key, begin, width) for key in ("from", "to"))
             side = "right" if at < end else "left"
             displacement = self.in_lifts(point, "displacement")
             if displacement is not None:
-                run.demand(at, 0, side, displacement, "via")
-            velocity = self.derivative_in_unit(point, "velocity")[0]
-            acceleration = self.derivative_in_unit(point, "acceleration")[0]
+                run.demand(at, 0, side, displacement + run.level(stretch), "via")
+            velocity, acceleration = (self.derivative_in_unit(point, name, width) for name in ("velocity", "acceleration"))
             if acceleration is not None:
                 run.demand(at, 2, side, acceleration, "via")
             if velocity is None:
@@ -430,7 +505,8 @@ class Problem:
         terms = []
         for name, order in ORDERS.items():
             weight = number(self.objective.get(name, 0))
-            cap, key = self.derivative_in_unit(self.limits, name)
+            key, cap = self.derivative_of(self.limits, name)
+            cap = None if key is None or isinstance(self.limits[key], dict) else number(self.limits[key]) * cap
             if cap is not None and self.type == "program" and key != name:
                 self.motion_caps.append((order, cap, "limits." + key))
                 cap = None
@@ -440,6 +516,8 @@ class Problem:
             weight = number(self.objective.get(name, 0))
             if weight:
                 terms.append(Peak("rms", ORDERS[name[4:]], weight, references[name]))
+        if number(self.objective.get("area", 0)):
+            terms.append(Peak("area", 0, number(self.objective["area"]), area_reference(self)))
         if number(self.objective.get("torque", 0)):
             terms.append(Peak("torque", 2, number(self.objective["torque"]), references["torque"]))
         return terms
@@ -447,73 +525,11 @@ class Problem:
     def rms_weight(self, stretch, order):
         return 1 / stretch.scale(order)**2
 
-
-def references_of(scene, stated):
-    """What the objective divides by: the scene's numbers, or the peaks of a law. camopt writes these as doubles; they
-    are checked against their formulas and then are the definition of the objective."""
-    objective = scene["objective"]
-    asked = objective.get("reference", "modified_sine")
-    names = [n for n in (*ORDERS, "torque", "rms_acceleration", "rms_jerk") if number(objective.get(n, 0))]
-    references = {}
-    for name in names:
-        if isinstance(asked, dict):
-            if name not in asked:
-                raise Unverified(f"objective.reference without {name}")
-            references[name] = number(asked[name])
-        else:
-            low, high = law_peak(asked, name)
-            references[name] = number(stated[name])
-            if not low * (1 - STATED) <= references[name] <= high * (1 + STATED):
-                raise Refuted(f"the reference {name} is {float(references[name])}, but that of the law is {float(low)}")
-    for name in ORDERS:  # the unit of a peak that is only capped
-        if name not in references:
-            unit = stated.get(name)
-            references[name] = number(float(sum(law_peak("modified_sine", name)) / 2) if unit is None else unit)
-    return references
-
-
-def modified_sine_torque():
-    """max of A^2/(4 pi) cos p (1 + 3 sin p) over the middle of the law: at sin p = (sqrt 73 - 1)/12."""
-    sine = tuple((r - 1) / 12 for r in root(Fraction(73)))
-    cosine = root(1 - sine[1]**2)[0], root(1 - sine[0]**2)[1]
-    acceleration = law_peak("modified_sine", "acceleration")
-    factor = times(times(acceleration, acceleration), (1 / (4 * PI[1]), 1 / (4 * PI[0])))
-    return times(factor, times(cosine, tuple(1 + 3 * s for s in sine)))
-
-
-def law_peak(law, name):
-    """(low, high) around a peak of a law of the catalogue."""
-    one = exactly(Fraction(1))
-    inverse = (1 / (4 + PI[1]), 1 / (4 + PI[0]))
-    bent = (1 / (2 + PI[1]), 1 / (2 + PI[0]))
-    square = times(PI, PI)
-    cube = times(square, PI)
-    known = {
-        ("modified_sine", "velocity"): lambda: times(exactly(4), times(PI, inverse)),
-        ("modified_sine", "acceleration"): lambda: times(exactly(4), times(square, inverse)),
-        ("modified_sine", "jerk"): lambda: times(exactly(16), times(cube, inverse)),
-        ("modified_sine", "torque"): modified_sine_torque,
-        ("modified_trapezoid", "velocity"): lambda: times(exactly(2), one),
-        ("modified_trapezoid", "acceleration"): lambda: times(exactly(8), times(PI, bent)),
-        ("modified_trapezoid", "jerk"): lambda: times(exactly(32), times(square, bent)),
-        ("parabolic", "velocity"): lambda: times(exactly(2), one),
-        ("parabolic", "acceleration"): lambda: times(exactly(4), one),
-        ("simple_harmonic", "velocity"): lambda: times(exactly(Fraction(1, 2)), PI),
-        ("simple_harmonic", "acceleration"): lambda: times(exactly(Fraction(1, 2)), square),
-        ("cycloidal", "velocity"): lambda: times(exactly(2), one),
-        ("cycloidal", "acceleration"): lambda: times(exactly(2), PI),
-        ("cycloidal", "jerk"): lambda: times(exactly(4), square),
-    }
-    polynomials = {"polynomial_345": [0, 0, 0, 10, -15, 6], "polynomial_4567": [0, 0, 0, 0, 35, -84, 70, -20],
-                   "polynomial_56789": [0, 0, 0, 0, 0, 126, -420, 540, -315, 70]}
-    if (law, name) in known:
-        return known[(law, name)]()
-    if law in polynomials:
-        y = [Fraction(c) for c in polynomials[law]]
-        if name in ORDERS:
-            return largest_magnitude([(derivative(y, ORDERS[name]), Fraction(1))])
-        if name.startswith("rms_"):
-            bent = derivative(y, ORDERS[name[4:]])
-            return root(integral(product(bent, bent), Fraction(1)))
-        return largest_magnitude([(product(derivative(y), derivative(y, 2)), Fraction(1))])
-    raise Unverified(f"the {name} of the law {law}, which the objective divides by")
+    def stretch_at(self, x, side):
+        """The stretch at a place of the part of the turn that is repeated, as seen from a side; None: outside the motion."""
+        for stretch in self.stretches:
+            inner = stretch.begin < x < stretch.end and min(x - stretch.begin, stretch.end - x) > SAME_PLACE
+            if inner or (abs(x - stretch.begin) <= SAME_PLACE and side == "right") or \
+                    (abs(x - stretch.end) <= SAME_PLACE and side == "left"):
+                return stretch
+        return None

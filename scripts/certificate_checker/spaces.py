@@ -8,9 +8,11 @@ from .exact import Refuted, SAME_PLACE, combination, derivative, product, value_
 
 class Space:
     """Piecewise polynomials of a degree on exact breakpoints, with a number of continuous derivatives; a spline is
-    its control points over the clamped knots (ends degree + 1 fold, inside degree - continuity fold)."""
+    its control points over the clamped knots (ends degree + 1 fold, inside degree - continuity fold). `period`: places before
+    or beyond it are meant so much further or nearer."""
 
-    def __init__(self, degree, continuity, breakpoints):
+    def __init__(self, degree, continuity, breakpoints, period=None):
+        self.period = period
         self.degree, self.continuity, self.breakpoints = degree, continuity, breakpoints
         fold = degree - continuity
         self.knots = [breakpoints[0]] * (degree + 1)
@@ -48,6 +50,7 @@ class Space:
 
     def segment_of(self, x, side):
         """The segment of x, and x; a double that is meant as a breakpoint becomes it."""
+        x = self.folded(x)
         for i, point in enumerate(self.breakpoints):
             if abs(point - x) <= SAME_PLACE:
                 i = i - 1 if (side == "left" and i > 0) or i == self.segments else i
@@ -56,6 +59,13 @@ class Space:
             if self.breakpoints[i] < x < self.breakpoints[i + 1]:
                 return i, x
         raise Refuted(f"a row speaks of x = {float(x)}, outside the motion")
+
+    def folded(self, x):
+        while self.period and x < self.breakpoints[0] - SAME_PLACE:
+            x += self.period
+        while self.period and x > self.breakpoints[-1] + SAME_PLACE:
+            x -= self.period
+        return x
 
     def functional(self, x, order, side="right"):
         """The derivative at x as a row {control point: weight}."""

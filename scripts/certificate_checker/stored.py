@@ -41,21 +41,33 @@ def factor_of(proof, problem):
 
 
 def check_box(proof, result, problem, factor):
-    """The box is said to hold the best motion: the delivered one lies in it."""
+    """The box is said to hold the best motion: the delivered one lies in it. States at the joints of several strokes may be in
+    units of either."""
     sizes = {"'" * order: problem.references[name] / factor for name, order in ORDERS.items()} | {"": Fraction(1)}
     values = {}
     for name, value in zip(result["design"]["names"], result["design"]["values"]):
-        marks = "'" * name.split(" of run ")[0].count("'")
+        own = name.split(" of run ")[0]
+        marks = "'" * own.count("'")
         if name.startswith("y") and marks in sizes:
-            values[name] = number(value) / sizes[marks]
+            values[name] = [number(value) / sizes[marks] / size for size in strokes_at(result, problem, name, len(marks))]
     for name, order in ORDERS.items():
         size = sizes.get("'" * order)
         term = next((t for t in problem.terms if t.kind == "peak" and t.order == order), None)
         if size and term:
-            values["peak " + name] = number(result["peaks"][name]["value"]) / size
+            values["peak " + name] = [number(result["peaks"][name]["value"]) / size]
     for name, low, high in zip(proof["variables"], proof["box"]["lower"], proof["box"]["upper"], strict=True):
-        if name in values:
-            room = STATED * 1000 * max(1, abs(values[name]))
-            if (low is not None and values[name] < number(low) - room) or \
-                    (high is not None and values[name] > number(high) + room):
-                raise Refuted(f"the box of {name} does not hold the delivered motion")
+        if name in values and not any((low is None or v >= number(low) - STATED * 1000 * max(1, abs(v))) and
+                                      (high is None or v <= number(high) + STATED * 1000 * max(1, abs(v)))
+                                      for v in values[name]):
+            raise Refuted(f"the box of {name} does not hold the delivered motion")
+
+
+def strokes_at(result, problem, name, order):
+    """What a state of a breakpoint, "y''[3] of run 2", may be in units of: of one stroke, or of two that join there."""
+    if len(problem.stretches) == 1 or not order:
+        return [Fraction(1)]
+    index, _, run = name.split("[")[1].partition("]")
+    curve = result["motion"]["curves"][int(run.removeprefix(" of run ") or 1) - 1]
+    x = number(curve["breakpoints"][int(index)])
+    return [Fraction(1)] + [s.scale(order) for s in problem.stretches
+                            if s.kind == "spline" and s.begin - STATED <= x <= s.end + STATED]

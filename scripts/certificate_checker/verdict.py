@@ -13,7 +13,9 @@ from .cam import Cam
 from .conditions import Conditions
 from .exact import KEPT, NOT_CONVEX, PI, Refuted, STATED, Unverified, middle_of, number
 from .motion import Curve
-from .problem import Problem, angle_of, references_of
+from .prescribed import bound_of, is_prescribed, judge_passed_limit
+from .problem import Problem, angle_of
+from .references import references_of
 from .stored import check_box, factor_of, stored_bound
 from .train import Train
 from .vipr import vipr
@@ -58,7 +60,7 @@ def close(stated, low, high):
 # What a scene may say, as far as this checker knows what it means.
 KNOWN_TABLES = {"title", "motion", "spline", "objective", "cam", "linkage", "forces", "measured", "limits", "drawing",
                 "solver", "dynamics"}
-KNOWN_TERMS = {"velocity", "acceleration", "jerk", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break",
+KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break",
                "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset"}
 
 
@@ -121,12 +123,14 @@ def judge(folder, report, vipr_path):
     if "dynamics" in scene:
         problem.train = Train(problem)
         problem.terms += problem.train.residual_term(result.get("dynamics") or {"terms": []})
-    elif number(scene["objective"].get("residual", 0)):
+    elif number(problem.objective.get("residual", 0)):
         raise Unverified("objective.residual without [dynamics]")
     relaxed = number(proof["limits_relaxed_by"]) if proof else Fraction(0)
     if relaxed < 0 or relaxed > KEPT * 100:
         raise Refuted(f"limits are relaxed by {float(relaxed)}")
     if verdict == "infeasible":
+        if is_prescribed(scene):
+            return judge_passed_limit(problem, proof, report)
         if "boxes" in certificate:
             return judge_empty_boxes(problem, certificate["boxes"], report)
         return judge_infeasible(problem, proof, report, vipr_path)
@@ -177,14 +181,27 @@ def write_vipr(path, bound, problem, cost, value):
 def judge_objective(problem, certificate, result, report):
     """The delivered motion, and the largest its objective can be."""
     curve = Curve(problem, result)
-    report.say("motion: an exact spline of the space, on all conditions, lies within " +
-               ", ".join(f"{float(r):.0e}" for r in curve.relative) + " (of y, y', y'', y''', relative)")
+    if problem.runs:
+        report.say("motion: an exact spline of the space, on all conditions, lies within " +
+                   ", ".join(f"{float(r):.0e}" for r in curve.relative) + " (of y, y', y'', y''', relative)")
+    else:
+        report.say("motion: prescribed, laws and dwells")
+    check_area(problem, curve, result)
     low, high = curve.objective()
     stated = number(certificate["objective"])
     report.say(f"objective: between {float(low):.15g} and {float(high):.15g}")
     if not close(stated, low, high):
         raise Refuted(f"the objective is {float(high)}, not {float(stated)}")
     return curve, high
+
+
+def check_area(problem, curve, result):
+    """The figures of the lost area that the result states."""
+    for term in problem.terms:
+        stated = next((t for t in result.get("own_terms") or [] if t["name"] == "area"), None)
+        if term.kind == "area" and (stated is None or not close(number(stated["reference"]), term.reference, term.reference) or
+                                    not close(number(stated["value"]), *(v * term.reference for v in curve.term(term)))):
+            raise Refuted("the lost area is not that of the motion")
 
 
 def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
@@ -230,15 +247,20 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
             raise Refuted("a proof by the limit of any curve has no rows")
         value, left_out = any_curve_bound(problem, curve), {}
         report.say(f"bound: no curve of any kind is below {float(value):.15g}")
+    elif proof is None or proof["statement"] != "objective":
+        raise Refuted("there is no stored proof of the bound")
+    elif not problem.runs:
+        value = bound_of(problem, curve, proof)
+        left_out = problem.left_out
+        report.say(f"bound: of a prescribed motion, with any cam: {float(min(value, high)):.15g}")
     else:
-        if proof is None or proof["statement"] != "objective":
-            raise Refuted("there is no stored proof of the bound")
         factor = factor_of(proof, problem)
         check_box(proof, result, problem, factor)
         bound = Bound(problem, high, relaxed, curve)
         for row in proof["rows"]:
             bound.add_row(row, factor)
         bound.add_root_mean_squares(curve)
+        bound.add_area()
         value, left_out = bound.value(), bound.left_out
         rest = bound.residual
         report.say(f"bound: no motion of the scene is below {float(min(value, high)):.15g}, "
@@ -254,7 +276,7 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
         if left_out:
             raise Unverified("rows of " + ", ".join(sorted(left_out)))
         raise Refuted(f"optimal is not proved: the gap is {float(high - value):.1e}, allowed {float(allowed_gap):.1e}")
-    if certificate["proof_kind"] == "duality":
+    if certificate["proof_kind"] == "duality" and problem.runs:
         write_vipr(vipr_path, bound, problem, True, value)
     return missing
 

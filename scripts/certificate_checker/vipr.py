@@ -65,10 +65,11 @@ def vipr(bound, problem, cost, proved):
     def text(row):
         return " ".join([str(len(row))] + [f"{j} {w}" for j, w in sorted(row.items())])
 
-    objective = {peaks + i: t.weight for i, t in enumerate(problem.terms) if t.weight} if cost else {}
+    objective = {peaks + i: t.weight for i, t in enumerate(problem.terms) if t.weight and t.kind != "area"} if cost else {}
     if cost:
+        objective |= {first[k] + j: w for k, function in enumerate(bound.area[1]) for j, w in function.items()}
         objective |= {variable: cam.weights[name] for name, variable in searched.items() if cam.weights[name]}
-    target = proved - (cam.fixed if cam and cost else Fraction(0))
+    target = proved - (cam.fixed if cam and cost else Fraction(0)) - bound.area[0]
     lines = ["% The bound of certificate.json over the B-spline control points, in exact arithmetic.", "VER 1.0",
              f"VAR {len(names)}", " ".join(names), "INT 0", "OBJ min", text(objective), f"CON {len(rows)} {bounds}"]
     lines += [f"R{i} {sense} {right} {text(row)}" for i, (sense, right, row) in enumerate(rows)]

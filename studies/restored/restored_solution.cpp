@@ -145,11 +145,12 @@ void tell_of_run(Solution& solution, const ResultRecord& record) {
     solution.evaluations = {count.cost,     count.gradient, count.constraints,
                             count.jacobian, count.hessian,  count.profile_points};
     const std::vector<double>& values = record.design.values;
-    solution.design = {
-        choice_of(record.design.kind, {DesignKind::automatic, DesignKind::ordinates, DesignKind::coefficients,
-                                       DesignKind::states}),
-        record.design.names,
-        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))};
+    if (!record.parts.empty())
+        solution.design = {
+            choice_of(record.design.kind, {DesignKind::automatic, DesignKind::ordinates,
+                                           DesignKind::coefficients, DesignKind::states}),
+            record.design.names,
+            Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))};
     solution.seconds_total = record.seconds_total;
     solution.seconds_solve = record.seconds_solve;
     solution.notes = record.notes;
@@ -185,10 +186,10 @@ Solution restored_solution(const Scene& scene, const ResultRecord& record) {
     solution.plan = std::make_shared<const SolvePlan>(plan(scene, {.explain = true}));
     if (searches_angles(scene)) solution.scene = with_found_angles(scene, record);
     if (scene.measured) solution.measured = measured_report(scene, solution.reference_peaks);
-    report_delivered(solution, delivered_of(solution.scene, record));
+    if (!record.parts.empty()) report_delivered(solution, delivered_of(solution.scene, record));
     tell_of_run(solution, record);
-    if (solution.measured) solution.measured->started = began_from_measured(solution);
-    if (record.cam && record.cam->forward_check)
+    if (solution.measured && solution.motion) solution.measured->started = began_from_measured(solution);
+    if (solution.cam && record.cam && record.cam->forward_check)
         solution.cam->forward_check = forward_check_of(scene, *record.cam->forward_check);
     return solution;
 }

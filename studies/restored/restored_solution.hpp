@@ -14,6 +14,9 @@
 
 namespace camopt {
 
+/// Of a record without a motion what a solve says of the scene without one; what it found out about changes
+/// (relaxation, explanation, conflict) is not in a record and left empty.
+///
 /// The scene must have the formulas of its mechanism. Throws InputError where the record is no motion of this
 /// scene: parts that do not fit its segments, dimensions that its cam has not or fixes otherwise.
 [[nodiscard]] Solution restored_solution(const Scene& scene, const input::ResultRecord& record);

@@ -8,6 +8,7 @@ import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -156,6 +157,18 @@ class Answers(Served):
             self.assertTrue(text.startswith(beginning), (what, text[:40]))
             self.assertTrue(headers["Content-Disposition"].startswith('attachment; filename="'))
             self.assertEqual(headers["Content-Security-Policy"], "default-src 'none'; frame-ancestors 'none'")
+        # Of a cam that closes: drawings, solid, program, controller tables. No file stays behind.
+        before = set(pathlib.Path(tempfile.gettempdir()).glob("camopt-*"))
+        whole = {"page": "test", "scene": (SCENES / "cam_drdrd.toml").read_text()}
+        available = self.studio.solve(whole["scene"])[1]["downloads"]
+        beginnings = {"drawing_pdf": b"%PDF-", "drawing_svg": b"<", "drawing_dxf": b"  0\n", "step": b"ISO-10303-21", "nc": b"%", "plc_codesys": b"// camopt"}
+        for what in sorted(set(beginnings) & set(available)):
+            status, text, _ = self.studio.post("export", {**whole, "what": what})
+            self.assertEqual(status, 200, (what, text[:200]))
+            self.assertTrue(text.startswith(beginnings[what]), (what, text[:40]))
+        self.assertEqual(set(pathlib.Path(tempfile.gettempdir()).glob("camopt-*")), before)
+        self.assertGreaterEqual(set(available), {"drawing_svg", "drawing_dxf", "nc", "plc_codesys"})
+        self.assertEqual(self.studio.post("export", {**body, "what": "nc"})[0], 422, "a sector is not milled")
         scene = self.studio.post("export", {**body, "what": "scene"})[1].decode()
         self.assertIn("base_radius_mm = 18", scene)
         self.assertEqual(self.studio.post("export", {**body, "what": "../../etc/passwd"})[0], 422)

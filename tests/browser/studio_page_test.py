@@ -55,7 +55,7 @@ class StudioPage:
 
     def type(self, key, value):
         self.after(lambda: self.run("""
-            const field = document.querySelector(`[data-key="${arguments[0]}"] input[type=number]`);
+            const field = document.querySelector(`[data-key="${arguments[0]}"] input.number`);
             field.value = arguments[1];
             field.dispatchEvent(new Event('change'));""", key, str(value)))
 
@@ -63,7 +63,7 @@ class StudioPage:
         self.run("document.querySelector(arguments[0]).click()", selector)
 
     def shown(self, key):
-        return float(self.run('return document.querySelector(`[data-key="${arguments[0]}"] input[type=number]`).value', key))
+        return float(self.run('return document.querySelector(`[data-key="${arguments[0]}"] input.number`).value', key))
 
     def objective(self):
         return float(self.run("return document.querySelector('.headline').dataset.objective"))
@@ -71,7 +71,7 @@ class StudioPage:
     def write(self, key, text, leave=True):
         """As by keyboard: the field has the focus, and what it had is replaced."""
         from selenium.webdriver.common.keys import Keys
-        field = self.driver.find_element("css selector", f'[data-key="{key}"] input[type=number]')
+        field = self.driver.find_element("css selector", f'[data-key="{key}"] input.number')
         self.run("arguments[0].focus(); arguments[0].select()", field)
         field.send_keys(Keys.DELETE, text, *([Keys.ENTER] if leave else []))
         return field
@@ -82,9 +82,9 @@ class StudioPage:
             return Camopt.studio.answer.controls.filter((one) => one.given).flatMap((one) => {
                 const path = Camopt.controlPath(one), row = document.querySelector(`[data-key="${CSS.escape(path)}"]`);
                 const wanted = one.type === 'range' ? [one.value.min, one.value.max] : [one.value];
-                const shown = [...row.querySelectorAll('input[type=number]')].map((field) => field.value);
+                const shown = [...row.querySelectorAll('input.number')].map((field) => field.value);
                 const found = shown.length ? shown.map(Number) : row.querySelector('select') ? [row.querySelector('select').value]
-                    : row.querySelector('input[type=checkbox]') ? [row.querySelector('input[type=checkbox]').checked] : [row.querySelector('input[type=text]').value];
+                    : row.querySelector('input[type=checkbox]') ? [row.querySelector('input[type=checkbox]').checked] : [row.querySelector('input[type=text]:not(.number)').value];
                 const slider = row.querySelector('input[type=range]');
                 const right = found.length === wanted.length && found.every((text, i) => String(text) === String(wanted[i]) && shown[i] !== '');
                 const placed = !slider || Math.abs(Number(slider.value) - one.value) <= 1e-12 * Math.abs(one.value);
@@ -265,7 +265,7 @@ class CamScene(OnePage):
         from selenium.webdriver.common.keys import Keys
         page.after(lambda: page.write("limits.pressure_angle_deg", "25"))
         self.assertEqual(page.shown("limits.pressure_angle_deg"), 25)
-        field = page.driver.find_element("css selector", '[data-key="limits.pressure_angle_deg"] input[type=number]')
+        field = page.driver.find_element("css selector", '[data-key="limits.pressure_angle_deg"] input.number')
         page.run("arguments[0].focus()", field)
         page.after(lambda: field.send_keys(Keys.CONTROL, "z"))
         self.assertEqual(page.differences(), [])

@@ -83,35 +83,46 @@ std::vector<BrokenScene> broken_set_points() {
          "segments[0], a dwell, gives the velocity"},
         {"end_state_of_a_closed_program",
          turn.substr(0, turn.find("segments")) + "end = { velocity = 1 }\n" +
-             turn.substr(turn.find("segments")) + "]\n",
-         "X"},
+             turn.substr(turn.find("segments")) + "{ kind = \"dwell\", angle_deg = 120 }]\n",
+         "s.toml:5:7: motion.end: found a state in a program that goes on where it ends; allowed: "
+         "motion.closed = false, or set points in its segments"},
         {"state_next_to_a_dwell",
          "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nsegments = [\n"
          "{ kind = \"spline\", angle_deg = 60, to = 1, end = { velocity = 0 } },\n"
          "{ kind = \"dwell\", angle_deg = 20 }]\n",
-         "X"},
+         "s.toml:6:50: motion.segments[0].end: found a state between segments of kind \"spline\" and "
+         "\"dwell\"; allowed: only between two segments of kind \"spline\": dwells and laws give the state "
+         "where they join"},
         {"corridor_backwards",
          "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nrise_deg = 90\n"
          "corridor = [{ from_deg = 50, to_deg = 40, displacement = { max = 0.5 } }]\n",
-         "X"},
+         "s.toml:5:13: motion.corridor[0]: found a stretch from 50 to 40 deg; allowed: from below to, both "
+         "from 0 to 90 deg"},
         {"corridor_without_bound",
          "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nrise_deg = 90\ncorridor = [{ from_deg = 50 }]\n",
-         "X"},
+         "s.toml:5:13: motion.corridor[0]: found no bound; allowed: min or max of displacement, velocity, "
+         "acceleration or jerk"},
         {"corridor_of_a_length_for_an_angle",
          "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nlift_deg = 30\n"
          "corridor = [{ velocity_mm_deg = { max = 0.5 } }]\n",
-         "X"},
+         "s.toml:5:15: motion.corridor[0].velocity_mm_deg: found a value in mm/deg where the lift is an "
+         "angle; allowed: a unit with deg or rad, or a normalised value"},
         {"limit_of_one_side_upside_down",
-         "objective.jerk = 1\n[motion]\ntype = \"DRD\"\n[limits]\nvelocity = { min = 2, max = 1 }\n", "X"},
+         "objective.jerk = 1\n[motion]\ntype = \"DRD\"\n[limits]\nvelocity = { min = 2, max = 1 }\n",
+         "s.toml:5:12: limits.velocity: found a range from 2 to 1; allowed: min below max"},
         {"load_backwards",
          "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nspeed_rpm = 60\n[cam]\ntype = \"disk\"\n"
          "follower = \"translating_flat\"\nbase_radius_mm = 20\n[forces]\nload_n = [[20, 5], [10, 6]]\n",
-         "X"},
+         "s.toml:10:20: forces.load_n[1]: found the angle 10; allowed: a pair [angle, number], the angles "
+         "ascending"},
         {"repeat_of_an_open_program",
          "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nrepeat = 2\n"
          "segments = [{ kind = \"spline\", angle_deg = 60, to = 1 }]\n",
-         "X"},
-        {"stops_and_a_lift", "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nlift_deg = 45\nstops = 8\n", "X"},
+         "s.toml:5:10: motion.repeat: found 2 in a program that is not closed; allowed: 1, or motion.closed "
+         "= true"},
+        {"stops_and_a_lift", "objective.jerk = 1\n[motion]\ntype = \"DRD\"\nlift_deg = 45\nstops = 8\n",
+         "s.toml:5:1: motion.stops: found together with motion.lift_deg, which means the same; allowed: only "
+         "one of the two"},
         {"segment_point_in_a_dwell",
          turn + "{ kind = \"dwell\", angle_deg = 120, via = [{ at = 0.5, velocity = 0 }] }]\n",
          "s.toml:9:42: motion.segments[3].via: found set points in a segment of kind \"dwell\"; allowed: "

@@ -14,6 +14,7 @@ LINKED = re.compile(r"\bcamopt::([a-z_]+)\b")
 TARGETS = {module.replace("/", "_"): module for module in source_tree.MAY_INCLUDE}
 TARGETS |= {f"studies_{part}": "studies" for part in ("inverse", "restored", "spatial")}
 TARGETS["output_step"] = "output/surface"
+TARGETS["output_pdf"] = "output"
 
 
 def faults_of_code(root, path):

@@ -45,6 +45,9 @@ MAY_INCLUDE["output/toolpath"] = {"core", "output", "output/nc"}
 MAY_INCLUDE["output/plc"] = {"core", "scene", "splines", "studies", "output"}
 # A page shows cams of every kind: of plane ones what their leaf says, of spatial ones what is drawn of them.
 MAY_INCLUDE["output/page"] = MAY_INCLUDE["output"] | {"output", "output/spatial"}
+# Every file of a solution by its name.
+MAY_INCLUDE["output/exports"] = MAY_INCLUDE["output"] | {
+    "output", "output/nc", "output/surface", "output/spatial", "output/disk", "output/toolpath", "output/plc", "output/page"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "bindings", "notebooks_cpp", "tests")

@@ -5,16 +5,30 @@
   const { element } = camopt;
 
   const pathOf = (control) => (control.table ? control.table + '.' : '') + control.key;
-  /** "base_radius_mm" in mm is "base radius". */
-  const wordsOf = (control) => {
-    const ending = '_' + control.unit.toLowerCase().replace(/[^a-z0-9]+/g, '_');
-    const name = control.unit && control.key.endsWith(ending) ? control.key.slice(0, -ending.length) : control.key;
-    return name.replaceAll('_', ' ');
-  };
   const plain = (text) => text.replaceAll('`', '').replaceAll('*', '');
   const hintOf = (control) => plain(control.meaning) + ' Allowed: ' + control.allowed + '. Default: ' + control.default + '.';
   /** What a slider's steps make of 0.1 + 0.2. */
   const tidy = (value) => Number(value.toPrecision(12));
+  const choiceWords = { DRD: 'rise between two dwells', RR: 'rise and return', program: 'program of segments', spline: 'optimized (spline)' };
+
+  /** Told why what was written is no value. */
+  camopt.refused = camopt.signal();
+
+  /** The same unit, however it is typed: "N m" and "Nm", "mm/s²" and "mm/s^2", 1" and 1 in. */
+  const plainUnit = (unit) => unit.toLowerCase().replace(/["″]|inch(es)?/g, 'in').replace(/°/g, 'deg').replace(/²/g, '^2').replace(/³/g, '^3').replace(/[µμ]/g, 'u').replace(/[\s·*]/g, '');
+
+  /** "1 in" in a field of mm is 25.4; null: no number, and the reason was told. */
+  function typedNumber(text, control) {
+    const found = /^([-+−]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*)$/i.exec(text.trim());
+    const unit = found ? plainUnit(found[2]) : '', value = found ? Number(found[1].replace('−', '-')) : NaN;
+    if (found && !unit) return value;
+    const known = found && control.units.find((one) => plainUnit(one.unit) === unit);
+    if (known) return Number((value * known.factor).toPrecision(10));
+    const units = control.units.map((one) => one.unit), own = control.shown_unit;
+    const allowed = units.length > 1 ? 'a number in ' + own + ', or a number with one of the units ' + units.join(', ') : own ? 'a number in ' + own : 'a number without a unit';
+    camopt.refused.send(control.label + ': found "' + text.trim() + '"; allowed: ' + allowed + (/\d,\d/.test(text) ? ', with a decimal point' : '') + '.');
+    return null;
+  }
 
   /**
    * A field that shows what the scene holds, but while the user writes in it. take(): what was written is asked for;
@@ -30,8 +44,14 @@
   }
 
   function numberField(value, control, change) {
-    const field = element('input', { type: 'number', step: 'any', value: String(value ?? ''), 'aria-label': wordsOf(control) + (control.unit ? ' in ' + control.unit : ''), title: hintOf(control) });
-    const show = mirror(field, () => { const isNumber = field.value !== '' && Number.isFinite(field.valueAsNumber); if (isNumber) change(field.valueAsNumber); return isNumber; });
+    const field = element('input', { type: 'text', inputmode: 'decimal', class: 'number', autocomplete: 'off', value: String(value ?? ''), 'aria-label': control.label, title: hintOf(control) });
+    const show = mirror(field, () => {
+      const typed = field.value.trim() === '' ? null : typedNumber(field.value, control);
+      if (typed === null) return false;
+      field.value = String(typed);
+      change(typed);
+      return true;
+    });
     return { field, show };
   }
 
@@ -41,7 +61,7 @@
     const number = numberField(control.value, control, (value) => { place(value); set(path, value, false); });
     if (!control.slider) return { parts: [number.field], show: (fresh, refused) => number.show(fresh.value, refused) };
     let range = control.slider;
-    const slider = element('input', { type: 'range', step: control.type === 'integer' ? '1' : 'any', 'aria-label': wordsOf(control) + ', slider', title: hintOf(control) });
+    const slider = element('input', { type: 'range', step: control.type === 'integer' ? '1' : 'any', 'aria-label': control.label + ', slider', title: hintOf(control) });
     const place = (value) => {
       // Beyond its ends the slider goes further.
       slider.min = String(Math.min(range.from, value));
@@ -76,8 +96,8 @@
   }
 
   function choice(control, set) {
-    const select = element('select', { 'aria-label': wordsOf(control), title: hintOf(control) },
-      ...control.choices.map((one) => element('option', { value: String(one) }, String(one).replaceAll('_', ' '))));
+    const select = element('select', { 'aria-label': control.label, title: hintOf(control) },
+      ...control.choices.map((one) => element('option', { value: String(one) }, choiceWords[one] || String(one).replaceAll('_', ' '))));
     const valueOf = (text) => control.choices.find((one) => String(one) === text) ?? text;
     select.addEventListener('change', () => set(pathOf(control), valueOf(select.value), false));
     const show = (fresh) => {
@@ -90,7 +110,7 @@
   }
 
   function tick(control, set) {
-    const box = element('input', { type: 'checkbox', 'aria-label': wordsOf(control), title: hintOf(control) });
+    const box = element('input', { type: 'checkbox', 'aria-label': control.label, title: hintOf(control) });
     box.addEventListener('change', () => set(pathOf(control), box.checked, false));
     const show = (fresh) => { box.checked = fresh.value === true; };
     show(control);
@@ -98,7 +118,7 @@
   }
 
   function textField(control, set) {
-    const field = element('input', { type: 'text', value: control.value, 'aria-label': wordsOf(control), title: hintOf(control) });
+    const field = element('input', { type: 'text', value: control.value, 'aria-label': control.label, title: hintOf(control) });
     const show = mirror(field, () => { set(pathOf(control), field.value, false); return true; });
     return { parts: [field], show: (fresh, refused) => show(fresh.value, refused) };
   }
@@ -119,9 +139,9 @@
   camopt.controlRow = function (control, set) {
     const made = makers[control.type](control, set);
     const away = control.default === 'required' ? null
-      : element('button', { type: 'button', class: 'small away', 'aria-label': 'Leave out ' + wordsOf(control), title: 'Leave out: ' + control.default, onclick: () => set(pathOf(control), null, false) }, '×');
+      : element('button', { type: 'button', class: 'small away', 'aria-label': 'Leave out ' + control.label, title: 'Leave out: ' + control.default, onclick: () => set(pathOf(control), null, false) }, '×');
     const row = element('div', { class: 'control type-' + control.type, 'data-key': pathOf(control) },
-      element('span', { class: 'control-name', title: hintOf(control) }, wordsOf(control), control.unit ? element('span', { class: 'unit' }, control.unit) : null),
+      element('span', { class: 'control-name', title: hintOf(control) }, control.name + (control.shown_unit ? ', ' : ''), control.shown_unit ? element('span', { class: 'unit' }, control.shown_unit) : null),
       ...made.parts, element('span', { class: 'control-buttons' }, searchButton(control, set), away));
     return { row, show: made.show };
   };
@@ -139,15 +159,15 @@
   camopt.addKey = function (table, controls, set) {
     if (!controls.length) return null;
     const place = element('div', { class: 'add-key' });
-    const select = element('select', { 'aria-label': 'Add to ' + (table || 'the scene'), 'data-add': table }, element('option', { value: '' }, 'add …'),
-      ...controls.map((control) => element('option', { value: pathOf(control), title: hintOf(control) }, wordsOf(control) + (control.unit ? ', ' + control.unit : ''))));
+    const select = element('select', { 'aria-label': 'Add to ' + controls[0].group, 'data-add': table }, element('option', { value: '' }, 'add …'),
+      ...controls.map((control) => element('option', { value: pathOf(control), title: hintOf(control) }, control.name + (control.shown_unit ? ', ' + control.shown_unit : ''))));
     select.addEventListener('change', () => {
       const control = controls.find((one) => pathOf(one) === select.value);
       if (!control) return;
       const value = firstValue(control);
       if (value !== null) { set(pathOf(control), value, false); return; }
       const field = control.type === 'text' ? textField(Object.assign({}, control, { value: '' }), set) : { parts: [numberField('', control, (number) => set(pathOf(control), number, false)).field] };
-      place.replaceChildren(select, element('span', { class: 'new-value' }, ...field.parts, ' ' + control.unit), element('p', { class: 'note' }, hintOf(control)));
+      place.replaceChildren(select, element('span', { class: 'new-value' }, ...field.parts, ' ' + control.shown_unit), element('p', { class: 'note' }, hintOf(control)));
       field.parts[0].focus();
     });
     place.append(select);

@@ -10,7 +10,7 @@
   const laws = new Set();
 
   /** What is asked: a scene's text and what was set since. */
-  let now = { scene: begin.scene, set: {} };
+  let now = { scene: begin.scene, set: {} }; // and units, once they are chosen; typed: the user's own text
   let kept = now, good = now;
   const giver = { path: '' };
   const before = [], after = [];
@@ -92,8 +92,9 @@
     camopt.page.show(answer.data, open);
     if (answer.data.angle) overlay(answer);
     panel.status(answer);
-    panel.controls(answer, state.scene);
+    panel.controls(answer, state);
     camopt.studio.answer = answer;
+    layer.show(answer, camopt.page.charts.charts);
   }
 
   function forgetChangedLaws(answer) {
@@ -120,7 +121,8 @@
     if (kept === state && before.length) kept = before.pop();
     if (now === state) {
       now = good;
-      panel.controls(camopt.studio.answer, good.scene, true);
+      panel.controls(camopt.studio.answer, good, true);
+      layer.show(camopt.studio.answer, camopt.page.charts.charts);
       // Of what was seen while a slider moved only the curve is there.
       if (camopt.studio.answer.stage === 'curve' && !wanted) wanted = { stage: 'curve', proof: true, since: performance.now(), laws: [...laws], state: now };
     }
@@ -148,7 +150,7 @@
   }
 
   async function download(name) {
-    const response = await post('export', { page, scene: now.scene, set: now.set, what: name }).catch(() => null);
+    const response = await post('export', { page, ...now, what: name }).catch(() => null);
     if (!response) { panel.fault('No answer. Is camopt studio still running?'); return; }
     if (!response.ok) { panel.fault((await response.json()).error); return; }
     panel.fault('');
@@ -158,22 +160,44 @@
     setTimeout(() => URL.revokeObjectURL(address), 10000);
   }
 
+  /** What is set last is applied last. */
+  function setAll(settings, moving) {
+    const set = { ...now.set };
+    for (const key of Object.keys(settings)) delete set[key];
+    change({ ...now, set: { ...set, ...settings } }, moving);
+  }
+
+  /** One number of the scene, and what an angle of a closed program takes from another. */
+  const settingsOf = (key, value, from) => camopt.withGiver(camopt.studio.answer.controls, key, value, from, valueOf);
+
+  /** Entries of lists come and go: what was set before is in the scene's text, so that their numbers stay those of the page. */
+  function edit(make) {
+    const answer = camopt.studio.answer, page = camopt.page, chart = page.charts.charts.get('displacement');
+    const edits = camopt.edits(answer.controls, layer.curveAt, page.angle.at, answer.data.segments);
+    if (now === good) now = { ...now, scene: answer.scene, set: {} };
+    setAll(make(edits, chart.curve.unit), false);
+  }
+
   const actions = {
-    laws, download, giver,
-    set: (key, value, moving) => change({ scene: now.scene, set: { ...now.set, ...camopt.withGiver(camopt.studio.answer.controls, key, value, giver.path, valueOf) } }, moving),
-    use: (scene) => change({ scene, set: {} }, false),
+    laws, download, giver, edit,
+    set: (key, value, moving) => setAll(settingsOf(key, value, giver.path), moving),
+    units: (units) => change({ ...now, units }, false),
+    use: (scene) => change({ scene, set: {}, typed: true }, false),
     lawsChanged: () => ask(false),
     undo: () => step(before, after),
     redo: () => step(after, before),
   };
   const panel = camopt.studioPanel(begin, actions);
+  const layer = camopt.handleLayer(
+    (sizes, moving) => setAll(Object.assign({}, ...Object.entries(sizes).map(([key, value]) => settingsOf(key, value, ''))), moving),
+    (table) => edit((edits) => edits.remove(table)));
   document.body.classList.add('with-studio');
   document.body.prepend(panel.host);
   if (window.matchMedia('(max-width: 980px)').matches) panel.host.querySelector('.all-groups').open = false;
   for (const swatch of panel.host.querySelectorAll('.swatch')) swatch.style.background = lawColours[Number(swatch.dataset.colour) % lawColours.length];
   panel.history(false, false);
   document.addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || event.target.matches('textarea, input[type=text]')) return;
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || event.target.matches('textarea, input[type=text]:not(.number)')) return;
     event.preventDefault();
     if (event.shiftKey) actions.redo(); else actions.undo();
   });
@@ -181,7 +205,8 @@
   camopt.page.keepsPictures = true;
   const first = { ...begin, data: JSON.parse(document.getElementById('page-data').textContent) };
   panel.status(first);
-  panel.controls(first, now.scene);
+  panel.controls(first, now);
   camopt.studio.answer = first;
+  layer.show(first, camopt.page.charts.charts);
   document.documentElement.dataset.studio = 'ready';
 })(window.Camopt);

@@ -40,6 +40,7 @@ struct ReadScene {
     std::vector<std::string> settings;
     OwnRules own;
     Scene scene;
+    pybind11::list terms, limits;  ///< `own` as given: what a copy in another process is made of
 
     /// Throws InputError "FILE:LINE:COLUMN: key: found …; allowed: …"; about a setting "KEY=VALUE: …".
     ReadScene(std::string toml, std::string source_name, std::vector<std::string> all_settings,
@@ -70,6 +71,10 @@ using Number = SecondOrder<number_variables>;
 /// come out as py::error_already_set; ModelError for a value of the wrong kind or shape, or not finite.
 [[nodiscard]] MotionFormula formula_of(const py::object& rule);
 
+/// A scene of a text, settings and lists of camopt.OwnTerm, camopt.OwnLimit (ReadScene, OwnRules).
+[[nodiscard]] ReadScene read_of(std::string text, std::string source, std::vector<std::string> settings,
+                                const py::list& terms, const py::list& limits, bool alone);
+
 /// From the attributes of camopt.OwnTerm, camopt.OwnLimit.
 [[nodiscard]] OwnTerm own_term(const py::object& rule);
 [[nodiscard]] OwnLimit own_limit(const py::object& rule);
@@ -87,6 +92,9 @@ void add_own_rules(pybind11::module_& module);
 void add_motions(pybind11::module_& module);
 void add_scenes(pybind11::module_& module);
 void add_solutions(pybind11::module_& module);
+/// Files and pickles of a solution, members of its class.
+void add_files(pybind11::class_<struct SolvedScene>& type);
+void add_pickles(pybind11::class_<struct SolvedScene>& type);
 void add_solving(pybind11::module_& module);
 void add_sweeps(pybind11::module_& module);
 void add_comparisons(pybind11::module_& module);
@@ -95,6 +103,7 @@ void add_comparisons(pybind11::module_& module);
 struct SolvedScene {
     std::shared_ptr<const Solution> solution;
     RunOrigin origin;
+    pybind11::object given = pybind11::none();  ///< the ReadScene that was solved
 };
 
 // Motions as Python holds them: shared with the solution they come from, constant.

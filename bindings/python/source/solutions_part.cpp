@@ -253,7 +253,8 @@ void add_verdict(py::class_<SolvedScene>& type) {
             "convex", [](const SolvedScene& s) { return of(s).solver.convex; },
             "Whether the problem is convex: the optimum is then the global one.")
         .def_property_readonly(
-            "seconds", [](const SolvedScene& s) { return of(s).seconds_total; }, "Wall time of everything.")
+            "seconds", [](const SolvedScene& s) { return of(s).seconds_total; },
+            "Wall time of the whole solve, s.")
         .def_property_readonly(
             "notes", [](const SolvedScene& s) { return of(s).notes; }, "Notes on the result.")
         .def_property_readonly(
@@ -305,9 +306,6 @@ void add_texts(py::class_<SolvedScene>& type) {
         .def(
             "summary", [](const SolvedScene& s) { return summary_text(of(s), {}); },
             "What `camopt solve` prints: a dozen lines.")
-        .def(
-            "report", [](const SolvedScene& s) { return report_markdown(of(s), s.origin); },
-            "The text of report.md: the result in words and tables, Markdown.")
         .def("dxf", &dxf, py::arg("tolerance_mm") = 1e-3,
              "The cam as DXF text: arcs within the tolerance of the exact curve. Raises InputError without a "
              "plane cam.")
@@ -333,6 +331,8 @@ void add_solutions(py::module_& module) {
     add_verdict(type);
     add_motion_of(type);
     add_texts(type);
+    add_files(type);
+    add_pickles(type);
 }
 
 }  // namespace camopt::python

@@ -28,6 +28,7 @@ SolvedScene watched(const ReadScene& given, py::object progress, const Solve& so
     Watch watch(std::move(progress));
     SolvedScene solved;
     solved.origin = given.origin();
+    solved.given = py::cast(given);  // the object of Python that it is
     {
         const py::gil_scoped_release others_run;
         solved.solution = std::make_shared<const Solution>(solve_it(given.scene, watch.control()));
@@ -54,16 +55,21 @@ class Sequence {
     KnownSolutions known_;
 };
 
-ReadScene read_of(std::string text, std::string source, std::vector<std::string> settings,
-                  const std::vector<py::object>& terms, const std::vector<py::object>& limits, bool alone) {
-    OwnRules own;
-    for (const py::object& term : terms) own.terms.push_back(own_term(term));
-    for (const py::object& limit : limits) own.limits.push_back(own_limit(limit));
-    own.alone = alone;
-    return {std::move(text), std::move(source), std::move(settings), std::move(own)};
-}
-
 }  // namespace
+
+ReadScene read_of(std::string text, std::string source, std::vector<std::string> settings,
+                  const py::list& terms, const py::list& limits, bool alone) {
+    OwnRules own;
+    for (const py::handle term : terms)
+        own.terms.push_back(own_term(py::reinterpret_borrow<py::object>(term)));
+    for (const py::handle limit : limits)
+        own.limits.push_back(own_limit(py::reinterpret_borrow<py::object>(limit)));
+    own.alone = alone;
+    ReadScene read(std::move(text), std::move(source), std::move(settings), std::move(own));
+    read.terms = terms;
+    read.limits = limits;
+    return read;
+}
 
 void add_solving(py::module_& module) {
     py::class_<ProgressValue>(module, "Progress", "How far a solve is. str() of it is its line.")
@@ -105,6 +111,16 @@ void add_scenes(py::module_& module) {
         .def_readonly("text", &ReadScene::text, "The text as given.")
         .def_readonly("source", &ReadScene::source, "Its name in messages.")
         .def_readonly("settings", &ReadScene::settings, "What was set on top of it.")
+        .def(py::pickle(
+            [](const ReadScene& read) {
+                return py::make_tuple(read.text, read.source, read.settings, read.terms, read.limits,
+                                      read.own.alone);
+            },
+            [](const py::tuple& state) {
+                return read_of(state[0].cast<std::string>(), state[1].cast<std::string>(),
+                               state[2].cast<std::vector<std::string>>(), state[3], state[4],
+                               state[5].cast<bool>());
+            }))
         .def("toml", &ReadScene::toml, "One TOML text that reads back as this scene, bit for bit.");
     module.def(
         "settled_text",
@@ -132,12 +148,14 @@ namespace {
 struct ComparedScene {
     Comparison comparison;
     RunOrigin origin;
+    py::object given = py::none();
 };
 
 ComparedScene compared(const ReadScene& given, py::object progress) {
     Watch watch(std::move(progress));
     ComparedScene result;
     result.origin = given.origin();
+    result.given = py::cast(given);
     {
         const py::gil_scoped_release others_run;
         result.comparison = compare(given.scene, watch.control());
@@ -148,7 +166,7 @@ ComparedScene compared(const ReadScene& given, py::object progress) {
 }
 
 SolvedScene optimum(const ComparedScene& compared) {
-    return {std::make_shared<const Solution>(compared.comparison.optimum), compared.origin};
+    return {std::make_shared<const Solution>(compared.comparison.optimum), compared.origin, compared.given};
 }
 
 }  // namespace

@@ -270,6 +270,17 @@ SweepTable swept(const ReadScene& given, const std::vector<Axis>& axes, std::opt
 
 void add_sweeps(py::module_& module) {
     py::class_<SweepTable>(module, "SweepTable", "The rows of a sweep, by number: one solve each.")
+        .def(py::pickle(
+            [](const SweepTable& table) {
+                return py::make_tuple(sweep_csv(table), table.columns.criteria,
+                                      static_cast<int>(table.columns.length_unit));
+            },
+            [](const py::tuple& state) {
+                SweepTable table = read_sweep_csv(state[0].cast<std::string>(), "pickled sweep");
+                table.columns.criteria = state[1].cast<std::vector<std::string>>();
+                table.columns.length_unit = static_cast<LengthUnit>(state[2].cast<int>());
+                return table;
+            }))
         .def("__len__", [](const SweepTable& table) { return table.rows.size(); })
         .def_property_readonly(
             "keys", [](const SweepTable& table) { return table.columns.keys; }, "The keys that vary.")

@@ -3,13 +3,16 @@
 
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
+#include "core/units.hpp"
 #include "input/keys/scene_keys.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace camopt::apps {
 namespace studio_controls_test {
@@ -69,6 +72,97 @@ TEST(StudioControls, CoverEveryKeyOfAScene) {
         }
         EXPECT_GT(given, 4U) << name;
     }
+}
+
+TEST(StudioControls, HaveLabelsWithoutKeys) {
+    const Json controls = studio_controls(text_of("cam_drdrd.toml"));
+    const Json angle = control_of(controls, "motion.segments[0]", "angle_deg");
+    EXPECT_EQ(angle["label"], "Segment 1: cam angle, deg");
+    EXPECT_EQ(angle["group"], "Segment 1");
+    EXPECT_EQ(control_words("limits", "torque_max", "N m").label, "Largest camshaft torque, N m");
+    EXPECT_EQ(control_words("limits", "acceleration", "mm/s^2").label, "Largest acceleration, mm/s²");
+    EXPECT_EQ(control_words("motion.segments[1].via[2]", "velocity", "").label,
+              "Segment 2, set point 3: velocity");
+    EXPECT_EQ(control_words("drawing.keyway", "width", "mm").group, "Keyway");
+    for (const char* name : {"cam_forces.toml", "barrel_paper_cup.toml", "inverse_feeder.toml",
+                             "drd_via_points.toml", "dynamics_fast_slide.toml"})
+        for (const Json& control : studio_controls(text_of(name)))
+            for (const char* member : {"label", "group"}) {
+                const std::string words = control[member].get<std::string>();
+                EXPECT_EQ(words.find_first_of("_[."), std::string::npos) << name << ": " << words;
+                EXPECT_FALSE(words.empty());
+            }
+}
+
+TEST(StudioControls, TakeUnitsOfOneDimension) {
+    const Json controls = studio_controls(text_of("cam_roller.toml"));
+    const Json units = control_of(controls, "cam", "base_radius_mm")["units"];
+    EXPECT_EQ(units, Json::parse(R"([{"unit":"mm","factor":1.0},{"unit":"in","factor":25.4},
+                                     {"unit":"m","factor":1000.0}])"));
+    EXPECT_EQ(control_of(controls, "objective", "velocity")["units"], Json::array());
+    const std::vector<UnitChoice> by_angle =
+        units_of_field(*input::find_row("motion.via", "velocity"),
+                       *input::match_key("motion.via", "velocity_mm_rad").spelling);
+    for (const UnitChoice& one : by_angle)
+        EXPECT_EQ(one.unit.find("/s"), std::string::npos) << "by the cam angle, not in time: " << one.unit;
+    EXPECT_GE(by_angle.size(), 4U);
+}
+
+TEST(StudioScene, IsRewrittenInInchesAndBack) {
+    const std::string text = text_of("cam_drdrd.toml");
+    const StudioScene metric = studio_scene(text, Json::object(), "scene", LengthUnit::millimetre);
+    EXPECT_EQ(metric.text, text) << "in these units already";
+    const StudioScene inches = studio_scene(text, Json::object(), "scene", LengthUnit::inch);
+    EXPECT_EQ(inches.text.find("_mm"), std::string::npos) << inches.text;
+    EXPECT_EQ(inches.scene.length_unit, LengthUnit::inch);
+    EXPECT_NEAR(inches.scene.motion.lift, metric.scene.motion.lift, 1e-9 * metric.scene.motion.lift);
+    EXPECT_NEAR(*inches.scene.motion.segments[1].to, *metric.scene.motion.segments[1].to, 1e-9);
+    const StudioScene back = studio_scene(inches.text, Json::object(), "scene", LengthUnit::millimetre);
+    EXPECT_EQ(back.scene.motion.lift, metric.scene.motion.lift);
+    EXPECT_EQ(back.scene.cam->middle(), metric.scene.cam->middle());
+    const std::string points = text_of("handbook_nine_points.toml");
+    EXPECT_NE(scene_in_units(points, LengthUnit::inch).find("acceleration_in_rad2"), std::string::npos);
+}
+
+TEST(StudioScene, GainsAndLosesEntriesOfLists) {
+    const std::string text = text_of("cam_drdrd.toml");
+    const StudioScene cut = studio_scene(
+        text,
+        {{"motion.segments[1].angle_deg", 30},
+         {"motion.segments[2]", {{"insert", {{"kind", "dwell"}, {"angle_deg", 40}}}}},
+         {"motion.segments[1].via[0]", {{"insert", {{"at_deg", 10}, {"displacement_mm", 2.5}}}}}},
+        "scene");
+    ASSERT_EQ(cut.scene.motion.segments.size(), 7U);
+    EXPECT_EQ(cut.scene.motion.segments[2].kind, SegmentKind::dwell);
+    EXPECT_DOUBLE_EQ(cut.scene.motion.segments[2].angle, 40 * units::degree);
+    ASSERT_EQ(cut.scene.motion.segments[1].via.size(), 1U);
+    const StudioScene less = studio_scene(cut.text,
+                                          {{"motion.segments[1].via[0]", nullptr},
+                                           {"motion.segments[2]", nullptr},
+                                           {"motion.segments[1].angle_deg", 70}},
+                                          "scene");
+    EXPECT_EQ(less.scene.motion.segments.size(), 6U);
+    const auto insert = [&](const char* path) {
+        (void)studio_scene(text, {{path, {{"insert", {{"kind", "dwell"}, {"angle_deg", 40}}}}}}, "scene");
+    };
+    EXPECT_THROW(insert("motion.segments[9]"), InputError);
+    EXPECT_THROW(insert("motion.segments"), InputError);
+    EXPECT_THROW(insert("motion.segments[7].via[0]"), InputError);
+    EXPECT_THROW(insert("title[0]"), InputError);
+}
+
+TEST(StudioDownloads, AreThoseOfTheSceneAlone) {
+    const auto files = [](const char* name) {
+        const std::vector<std::string> all =
+            downloads_of(studio_scene(text_of(name), Json::object(), "").scene);
+        return std::set<std::string>(all.begin(), all.end());
+    };
+    const auto motion = files("drd_cubic_12.toml"), disk = files("cam_drdrd.toml");
+    EXPECT_TRUE(motion.contains("plc_codesys") && !motion.contains("nc") && !motion.contains("dxf"));
+    EXPECT_TRUE(disk.contains("nc") && disk.contains("drawing_svg") && !disk.contains("second_nc"));
+    EXPECT_TRUE(files("cam_conjugate.toml").contains("second_nc"));
+    const auto drum = files("barrel_paper_cup.toml");
+    EXPECT_TRUE(drum.contains("nc") && !drum.contains("drawing_svg"));
 }
 
 TEST(StudioScene, SetsAsTheCommandLineDoes) {

@@ -71,6 +71,65 @@ class Keys(unittest.TestCase):
         self.assertNotEqual(again, scene)
 
 
+class Motions(unittest.TestCase):
+    """What a scene says of motions, as dicts: of laws alone, with ends in motion, bounds, repeated parts."""
+    LAWS = [dict(kind="law", law="cycloidal", angle_deg=120, to_mm=8), dict(kind="dwell", angle_deg=60),
+            dict(kind="law", law="cycloidal", angle_deg=120, to_mm=0), dict(kind="dwell", angle_deg=60)]
+
+    def optimum(self, **keys):
+        found = camopt.solve(weights=keys.pop("weights", dict(a=.6, j=.4)), lift_mm=10, rise_deg=120, speed_rpm=600, **keys)
+        self.assertEqual(found.verdict, "optimal", found.message)
+        return found
+
+    def test_program_of_laws_needs_no_weights(self):
+        found = camopt.solve(motion=dict(type="program", lift_mm=8, segments=self.LAWS))
+        self.assertEqual(found.verdict, "optimal")
+        self.assertAlmostEqual(found.motion(0.5), 0.5, places=12)
+        self.assertIn("nothing to optimize", found.report())
+
+    def test_ends_in_motion_have_their_states(self):
+        found = self.optimum(degree=5, start=dict(velocity=0.5), end=dict(velocity=0.25, acceleration=-1))
+        self.assertAlmostEqual(found.motion(0, order=1), 0.5, places=8)
+        self.assertAlmostEqual(found.motion(1, order=1), 0.25, places=8)
+        self.assertAlmostEqual(found.motion(1, order=2), -1, places=7)
+
+    def test_corridor_holds(self):
+        self.assertGreater(self.optimum().motion(0.5), 0.49)
+        found = self.optimum(corridor=[dict(from_deg=40, to_deg=60, displacement_mm=dict(max=4))])
+        self.assertAlmostEqual(found.motion(0.5), 0.4, places=8)
+
+    def test_limit_of_one_side_holds(self):
+        free = self.optimum()
+        per_normalised = 0.010 * (600 * 2 * np.pi / 60 / np.radians(120)) ** 2
+        x = np.linspace(0, 1, 1001)
+        self.assertLess(free.motion(x, order=2).min() * per_normalised, -40)
+        found = self.optimum(limits=dict(acceleration_m_s2=dict(min=-38, max=400)))
+        self.assertGreaterEqual(found.motion(x, order=2).min() * per_normalised, -38 * (1 + 1e-8))
+        self.assertEqual([row.key for row in found.constraints][0], "limits.acceleration_m_s2.min")
+
+    def test_area_is_a_term(self):
+        keys = dict(type="RR", return_deg=120)
+        area = [self.optimum(weights=weights, **keys).motion(np.linspace(0, 2, 2001)).mean()
+                for weights in (dict(a=.6, j=.4), dict(a=.6, j=.4, area=3))]
+        self.assertGreater(area[1], area[0] + 0.01)
+
+    def test_repeated_parts_are_equal(self):
+        parts = [dict(kind="spline", angle_deg=60, to_mm=8), dict(kind="dwell", angle_deg=60),
+                 dict(kind="spline", angle_deg=60, to_mm=0)]
+        found = camopt.solve(motion=dict(type="program", lift_mm=8, repeat=2, segments=parts), weights=dict(a=.6, j=.4))
+        self.assertEqual(found.verdict, "optimal")
+        x = np.linspace(0.1, 2.9, 29)
+        np.testing.assert_allclose(found.motion(x + 3), found.motion(x), atol=1e-9)
+
+    def test_load_over_the_cam_angle_presses_the_follower(self):
+        keys = dict(motion=dict(type="program", lift_mm=8, speed_rpm=60, segments=self.LAWS),
+                    cam=dict(type="disk", follower="translating_roller", base_radius_mm=30, roller_radius_mm=8))
+        forces = [camopt.solve(forces=dict(preload_n=100, **load), **keys).to_dict()["cam"]["forces"]
+                  for load in ({}, dict(load_n=[[60, 0], [90, 250], [120, 0]]))]
+        self.assertAlmostEqual(forces[0]["largest_force_n"]["value"], 100, places=6)
+        self.assertAlmostEqual(forces[1]["largest_force_n"]["value"], 350, places=6)
+
+
 class Words(unittest.TestCase):
     SETTINGS = [("limits.velocity_mm_s", 300), ("limits.velocity", -2), ("limit.velocity", 2), ("motion.lift_mm", "x"),
                 ("spline.degree", 4), ("motion.lift", 3), ("solver.name", "gauss"), ("objective.reference", "nobody"),

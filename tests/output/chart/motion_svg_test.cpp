@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
+#include "output/view/view.hpp"
 #include "output/words/solution_text.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -74,12 +77,12 @@ TEST(MotionSvg, LawImpulsesAreOmitted) {
     }
 }
 
-TEST(MotionSvg, ProgramShowsSegmentsWithoutLaw) {
+TEST(MotionSvg, ProgramShowsSegmentsAndLaw) {
     Solution solution = test::program_solution();
     solution.scene.limits.velocity = PeakLimit{2.5, "limits.velocity", 2.5, ""};
     const std::string svg = motion_svg(solution);
     EXPECT_TRUE(well_formed(svg));
-    EXPECT_EQ(count_of(svg, "<path"), 4);                      // no reference
+    EXPECT_EQ(count_of(svg, "<path"), 8);                      // four panels, optimum and reference
     EXPECT_EQ(count_of(svg, "class=\"segment\""), 4 * 3 + 1);  // three boundaries a panel, one in the legend
     for (const char* part :
          {">dwell<", ">spline<", "modified sine V = 1.7596", "V = 2 of the spline segments",
@@ -93,11 +96,59 @@ TEST(MotionSvg, TimeLimitCoversWholeProgram) {
     EXPECT_NE(motion_svg(solution).find(">limit 800 mm/s<"), std::string::npos);
 }
 
-TEST(ReferenceMotion, ProgramHasPeaksButNoCurve) {
+TEST(ReferenceMotion, ProgramSceneHasNoCurve) {
     const ReferenceMotion reference = reference_motion(test::program_solution().scene);
     EXPECT_EQ(reference.motion, nullptr);
     EXPECT_EQ(reference.title, "modified sine");
     EXPECT_NEAR(reference.peaks.acceleration.value, 5.527957070544091, 1e-12);
+}
+
+TEST(ReferenceMotion, FollowsSplineSegmentsOfAProgram) {
+    const Solution solution = test::program_solution();
+    const View view(solution);
+    const auto law = make_law("modified_sine");
+    const double up = 2.0 / 3.0;  // where the spline begins; its unit angle is that of x
+    for (const Curve& curve : view.curves) {
+        ASSERT_TRUE(curve.reference.has_value()) << curve.key;
+        EXPECT_EQ(curve.reference->title, "modified sine");
+        int compared = 0;
+        for (std::size_t i = 0; i < view.delivered.rows.size(); ++i) {
+            const DeliveredRow& row = view.delivered.rows[i];
+            const bool inside = row.x > up && row.x < up + 1.0;
+            const double own = curve.values[i], other = curve.reference->values[i];
+            const std::size_t order = view.units.motion[0].name == curve.key   ? 0
+                                      : view.units.motion[1].name == curve.key ? 1
+                                      : view.units.motion[2].name == curve.key ? 2
+                                                                               : 3;
+            const double y = law->at(row.x - up, row.side).derivative[order];
+            const double per = view.units.motion[order].first.per_normalised;
+            if (inside) EXPECT_NEAR(other, per * y, 1e-9 * per) << curve.key << " at " << row.x;
+            if (row.x < up || row.x > up + 1.0) EXPECT_NEAR(other, own, 1e-9 * per) << curve.key;
+            compared += inside ? 1 : 0;
+        }
+        EXPECT_GT(compared, 50);
+    }
+    Solution numbers = solution;
+    numbers.scene.objective.reference.numeric = true;
+    EXPECT_FALSE(View(numbers).curves[1].reference.has_value());
+}
+
+TEST(MotionCurves, MarkThePeaksOfBothSigns) {
+    for (const Solution& solution : {test::sample_solution(), test::program_solution()}) {
+        const View view(solution);
+        for (std::size_t order = 1; order <= 3; ++order) {
+            const Curve& curve = view.curves[order];
+            const auto [least, largest] = std::ranges::minmax_element(curve.values);
+            for (const double extreme : {*least, *largest}) {
+                const double size = std::max(std::abs(*least), std::abs(*largest));
+                if (std::abs(extreme) < 1e-9 * size) continue;
+                EXPECT_TRUE(std::ranges::any_of(
+                    curve.marks,
+                    [&](const CurveMark& mark) { return std::abs(mark.value - extreme) < 1e-3 * size; }))
+                    << curve.key << " " << extreme;
+            }
+        }
+    }
 }
 
 TEST(MotionSvg, NeedsACurve) {

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// The files of a solution in Python: drawings, solids, NC programs, electronic cams, reports.
+#include "bindings/python/source/parts.hpp"
+#include "output/exports/exports.hpp"
+
+#include <fmt/format.h>
+
+#include <camopt/errors.hpp>
+#include <camopt/units.hpp>
+#include <functional>
+#include <map>
+#include <pybind11/stl.h>
+#include <string>
+#include <vector>
+
+namespace camopt::python {
+
+namespace {
+
+constexpr const char* options_words =
+    "\n\nOptions: bore_mm, thickness_mm of a disk cam, in place of the scene's [drawing]; cutter_mm "
+    "(diameter; "
+    "default: the\nroller's, of a plane cam 16), feed_mm_min (300), spindle_rpm (no word), post (a file, "
+    "docs/nc.md) of an NC\nprogram; points (evenly over the revolution; default: the joints of the motion) "
+    "of an "
+    "electronic cam. Lengths in mm.";
+
+/// Keywords as options.
+ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
+    constexpr double minute = 60.0;
+    ExportOptions options;
+    options.origin = solved.origin;
+    const std::map<std::string, std::function<void(const py::handle&)>> known = {
+        {"bore_mm", [&](py::handle value) { options.plate.bore = value.cast<double>() * units::millimetre; }},
+        {"thickness_mm",
+         [&](py::handle value) { options.plate.thickness = value.cast<double>() * units::millimetre; }},
+        {"cutter_mm",
+         [&](py::handle value) { options.nc.cutter_diameter = value.cast<double>() * units::millimetre; }},
+        {"feed_mm_min",
+         [&](py::handle value) { options.nc.feed = value.cast<double>() * units::millimetre / minute; }},
+        {"spindle_rpm", [&](py::handle value) { options.nc.spindle_rpm = value.cast<double>(); }},
+        {"post", [&](py::handle value) { options.nc.post = py::str(value).cast<std::string>(); }},
+        {"points", [&](py::handle value) { options.plc.points = value.cast<int>(); }}};
+    for (const auto& [key, value] : given) {
+        const auto option = known.find(key.cast<std::string>());
+        if (option == known.end()) {
+            std::string allowed;
+            for (const auto& [name, set] : known) allowed += (allowed.empty() ? "" : ", ") + name;
+            throw py::type_error(
+                fmt::format("found the option {}; allowed: {}", key.cast<std::string>(), allowed));
+        }
+        if (!value.is_none()) option->second(value);
+    }
+    return options;
+}
+
+py::bytes file(const SolvedScene& solved, const std::string& name, const py::kwargs& given) {
+    const ExportOptions options = options_of(solved, given);
+    std::string bytes;
+    {
+        const py::gil_scoped_release others_run;
+        bytes = exported_file(*solved.solution, name, options);
+    }
+    return bytes;
+}
+
+py::str text(const SolvedScene& solved, const std::string& name, const py::kwargs& given) {
+    return file(solved, name, given).attr("decode")("utf-8");
+}
+
+std::vector<std::string> export_files(const SolvedScene& solved, const py::object& folder,
+                                      const std::vector<std::string>& names, const py::kwargs& given) {
+    const ExportOptions options = options_of(solved, given);
+    const std::string place = py::str(folder).cast<std::string>();
+    const py::gil_scoped_release others_run;
+    std::vector<std::string> written;
+    for (const auto& path : write_exports(place, *solved.solution, names, options))
+        written.push_back(path.string());
+    return written;
+}
+
+/// report.html, report.md.
+py::str report(const SolvedScene& solved, const std::string& format) {
+    if (format != "md" && format != "html")
+        throw InputError(fmt::format(R"(report: found "{}"; allowed: "md" or "html")", format));
+    return text(solved, "report." + format, {});
+}
+
+std::string with_options(const char* words) {
+    return std::string(words) + options_words;
+}
+
+}  // namespace
+
+void add_files(py::class_<SolvedScene>& type) {
+    type.def(
+            "files", [](const SolvedScene& s) { return export_names(*s.solution); },
+            "The names of the files that file() and export() make of this solution: \"report.html\", "
+            "\"codesys.st\",\n\"drawing.pdf\", \"cam.step\", \"cam.nc\", …")
+        .def("file", &file, py::arg("name"),
+             with_options(
+                 "The bytes of one of files().\n\nRaises InputError for another name, an NC program "
+                 "that its check refuses, a cam that is open or\nundercut; UnavailableError for STEP or "
+                 "PDF in a build without the library.")
+                 .c_str())
+        .def("export", &export_files, py::arg("folder"), py::arg("names"),
+             with_options("Writes some of files() into a folder, all or none; returns the paths. Raises as "
+                          "file().")
+                 .c_str())
+        .def(
+            "drawing",
+            [](const SolvedScene& s, const std::string& format, const py::kwargs& options) {
+                return file(s, "drawing." + format, options);
+            },
+            py::arg("format") = "pdf",
+            "The workshop drawing of a disk cam as bytes: \"pdf\", \"svg\" or \"dxf\", to scale, mm. Options "
+            "bore_mm, thickness_mm.\n\nOf the second disk of a conjugate cam: file(\"drawing_second.pdf\").")
+        .def(
+            "nc", [](const SolvedScene& s, const py::kwargs& options) { return text(s, "cam.nc", options); },
+            with_options(
+                "The NC program of the cam as text (G-code), after its check. Raises InputError where the "
+                "check finds a fault;\nfile(\"cam_nc_check.txt\") says what it found.")
+                .c_str())
+        .def(
+            "step",
+            [](const SolvedScene& s, const py::kwargs& options) {
+                const bool plane = s.solution->cam && s.solution->cam->cam.formulas->is_plane_curve();
+                return text(s, plane ? "cam.step" : "flanks.step", options);
+            },
+            "STEP, as text, mm: a disk cam as a solid, the flanks of a three-dimensional cam as surfaces. "
+            "Options "
+            "bore_mm,\nthickness_mm. Raises UnavailableError in a build without Open CASCADE.")
+        .def(
+            "plc",
+            [](const SolvedScene& s, const std::string& controller, const py::kwargs& options) {
+                return text(s, plc_format(controller).file, options);
+            },
+            py::arg("controller"),
+            "The motion as an electronic cam, as text: of \"codesys\", \"twincat\", \"siemens\", \"br\", "
+            "\"rockwell\", \"omron\",\n\"lenze\" or \"csv\". Master in deg, slave in mm or deg. Option "
+            "points: evenly over the revolution; default: the joints of\nthe motion.")
+        .def("report", &report, py::arg("format") = "md",
+             "The report as text: \"md\" is report.md, Markdown, \"html\" is report.html, a page that needs "
+             "nothing else.");
+}
+
+}  // namespace camopt::python

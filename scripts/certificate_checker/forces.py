@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""The load of a follower that is pushed straight: mass, spring, preload, viscous damping, and a load over the cam angle."""
+from fractions import Fraction
+
+from .exact import PI, Unverified, middle_of, number
+
+INCH, POUND, POUND_FORCE = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction("4.4482216152605")
+LENGTH = {"mm": Fraction(1, 1000), "m": 1, "in": INCH}
+FORCE = {"n": 1, "lbf": POUND_FORCE}
+UNITS = {"mass": {"kg": 1, "lb": POUND}, "spring_rate": {"n_mm": 1000, "n_m": 1, "lbf_in": POUND_FORCE / INCH},
+         "preload": FORCE, "damping": {"n_s_m": 1}, "load": FORCE, "contact_width": LENGTH, "contact_force_min": FORCE}
+
+
+def unit_of(table, name):
+    """(the key of a quantity, SI of one in its unit), or (None, None)."""
+    for unit, size in UNITS[name].items():
+        if f"{name}_{unit}" in table:
+            return f"{name}_{unit}", Fraction(size)
+    found = [key for key in table if key.startswith(name + "_")]
+    if found:
+        raise Unverified(f"{found[0]}: this unit")
+    return None, None
+
+
+def quantity(table, name):
+    """SI; 0 where it is not given."""
+    key, size = unit_of(table, name)
+    return number(table[key]) * size if key else Fraction(0)
+
+
+class Forces:
+    """F = mass speed^2 s'' + damping speed s' + rate s + preload + load, in N; speed in unit angles a second."""
+
+    def __init__(self, problem, scene):
+        given = scene.get("forces", {})
+        self.mass, self.rate, self.preload, self.damping = (
+            quantity(given, name) for name in ("mass", "spring_rate", "preload", "damping"))
+        self.least = quantity(problem.limits, "contact_force_min")
+        self.width = quantity(given, "contact_width")
+        self.end = problem.stretches[-1].end * problem.copies
+        self.points = self.points_of(problem, given)  # (x, load), ascending over one turn of the cam
+        self.turn = self.points[-1][0] - self.points[0][0]
+
+    @staticmethod
+    def points_of(problem, given):
+        """The last point passes on to the first of the next turn."""
+        key, size = unit_of(given, "load")
+        value = given[key] if key else 0
+        if not isinstance(value, list):
+            return [(Fraction(0), number(value) * size if key else Fraction(0))]
+        degree = Fraction(1) / problem.unit_angle[0]
+        if problem.unit_angle[1] != "deg":
+            degree = middle_of(PI)[0] / 180 / problem.unit_angle[0]
+        points = [(number(angle) * degree, number(load) * size) for angle, load in value]
+        turn = points[0][0] + 360 * degree
+        return points + ([(turn, points[0][1])] if points[-1][0] < turn else [])
+
+    def is_constant(self):
+        return len({load for _, load in self.points}) == 1
+
+    def largest_load(self):
+        return max(abs(load) for _, load in self.points)
+
+    def lines(self, begin, end):
+        """[(from, until, load at x = 0, slope by x)]: the load between two places, as lines."""
+        if self.is_constant():
+            return [(begin, end, self.points[0][1], Fraction(0))]
+        found = []
+        turns = (begin - self.points[0][0]) // self.turn
+        while self.points[0][0] + turns * self.turn < end:
+            for (a, low), (b, high) in zip(self.points, self.points[1:]):
+                a, b = a + turns * self.turn, b + turns * self.turn
+                if a < b and max(a, begin) < min(b, end):
+                    slope = (high - low) / (b - a)
+                    found.append((max(a, begin), min(b, end), low - slope * a, slope))
+            turns += 1
+        return found
+
+    def load_at(self, x, side):
+        step = Fraction(1, 10**6)
+        around = self.lines(x, x + step)[0] if side == "right" else self.lines(x - step, x)[-1]
+        return around[2] + around[3] * x
+
+    def unit(self, problem):
+        """What camopt divides a row of the contact force by."""
+        swing = self.largest_load() + self.mass * problem.turns_per_second()**2 * problem.lift[0]
+        return max(abs(self.least), self.preload, swing, Fraction(1, 1000))

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""Linear rules on the motion itself: limits of one side, corridors, and the lost area."""
+from fractions import Fraction
+
+from . import enclosures
+from .disk_rules import constant
+from .exact import KEPT, ORDERS, Refuted, Unverified, derivative, integral, largest, number, shifted
+from .laws import SYMMETRIC, motion_along
+
+TYPICAL = (1, 2, 6, 60)  # of y ... y''' over one lift: what a bound near 0 is measured by
+SIDES = {"min": -1, "max": 1}
+JUMPING = ("parabolic", "simple_harmonic")  # laws whose y'' jumps
+
+
+class MotionBound:
+    """sign * y^(order) <= most from `begin` to `end`; of a stretch alone where one is given. Exceeding it by `scale` is a
+    violation of 100 %."""
+
+    def __init__(self, key, order, sign, most, begin, end, stretch=None):
+        self.key, self.order, self.sign, self.most, self.begin, self.end = key, order, sign, sign * most, begin, end
+        self.stretch = stretch
+        self.scale = max(abs(most), TYPICAL[order] * (stretch.scale(order) if stretch else 1))
+
+    def is_meant(self, rule, order, sign, stretch):
+        return (rule, order, sign) == (self.key, self.order, self.sign) and self.stretch in (None, stretch)
+
+
+def motion_bounds(problem):
+    """Of a scene: normalised limits of a program hold for each spline (of a prescribed motion each law)."""
+    whole = Fraction(0), problem.stretches[-1].end * problem.copies
+    kind = "spline" if problem.runs else "law"
+    all_bounds = []
+    for name, order in ORDERS.items():
+        key, unit = problem.derivative_of(problem.limits, name)
+        if key is None or not isinstance(problem.limits[key], dict):
+            continue
+        own = [None]
+        if problem.type == "program" and key == name:
+            own = [s for s in problem.stretches if s.kind == kind]
+        for side, value in problem.limits[key].items():
+            for stretch in own:
+                most = number(value) * (stretch.scale(order) if stretch else unit)
+                all_bounds.append(MotionBound(f"limits.{key}.{side}", order, SIDES[side], most, *whole, stretch))
+    for i, corridor in enumerate(problem.motion.get("corridor", [])):
+        begin = problem.place(corridor, "from", Fraction(0), Fraction(1)) or Fraction(0)
+        end = problem.place(corridor, "to", Fraction(0), Fraction(1)) or whole[1]
+        for order, name in enumerate(("displacement", *ORDERS)):
+            key, unit = problem.derivative_of(corridor, name) if order else problem.lifts_of(corridor, name)
+            for side, value in corridor[key].items() if key else ():
+                all_bounds.append(MotionBound(f"motion.corridor[{i}].{key}.{side}", order, SIDES[side], number(value) * unit,
+                                              begin, min(end, whole[1])))
+    return all_bounds
+
+
+def keep_bounds(problem, curve, relaxed):
+    """Names of the bounds that the delivered motion keeps at every place, ends included."""
+    for bound in problem.bounds:
+        room = bound.scale * (KEPT + relaxed)
+        for copy in range(problem.copies):
+            by = copy * problem.stretches[-1].end
+            if largest(along_splines(curve, bound, by))[1] > bound.most + room:
+                raise Refuted(f"{bound.key}: the motion passes it")
+            for stretch in problem.stretches:
+                ends = max(bound.begin, stretch.begin + by) - by, min(bound.end, stretch.end + by) - by
+                if stretch.kind != "spline" and bound.stretch in (None, stretch) and ends[0] <= ends[1] and \
+                        not keeps(stretch, bound.order, bound.sign, bound.most + room, *ends):
+                    raise Refuted(f"{bound.key} is passed along a law or in a dwell")
+    return sorted({bound.key for bound in problem.bounds})
+
+
+def along_splines(curve, bound, by):
+    """sign * y^(order) - most where the bound holds, on a copy of the turn's part."""
+    pieces = [([-abs(bound.most) - 1 + bound.most], Fraction(1))]  # one that is kept
+    for run, own in zip(curve.problem.runs, curve.pieces):
+        for p, width, left, stretch in own:
+            x = left - run.begin_of(stretch) + stretch.begin + by
+            begin, end = max(bound.begin, x), min(bound.end, x + width)
+            if begin > end or (begin == end and bound.begin < bound.end) or bound.stretch not in (None, stretch):
+                continue
+            rule = [bound.sign * c for c in derivative(shifted(p, begin - x), bound.order)]
+            if not bound.order:
+                rule[0] -= bound.sign * run.level(stretch)
+            pieces.append((rule, end - begin))
+    return pieces
+
+
+def keeps(stretch, order, sign, most, begin, end):
+    """Whether sign * y^(order) <= most along a dwell or a law from `begin` to `end`."""
+    if order == 3 and stretch.kind == "law" and stretch.law in JUMPING:
+        raise Unverified(f"the jerk of the law {stretch.law}")
+    length, at = stretch.end - stretch.begin, Fraction(0)
+    for width, motion in motion_along(stretch, order + 1):
+        low, high = max((begin - stretch.begin) / length, at), min((end - stretch.begin) / length, at + width)
+        if low <= high:
+            def room(numbers, motion=motion):
+                return constant(most) - constant(sign) * motion(numbers[0])[order]
+            if enclosures.least(room, [enclosures.interval(low - at, high - at)], 0) is None:
+                return False
+        at += width
+    return True
+
+
+# -- the lost area: 1 - the mean displacement in lifts
+
+def mean_of_law(stretch):
+    if stretch.law not in SYMMETRIC:
+        raise Unverified(f"the area under the law {stretch.law}")
+    return (stretch.start + stretch.to) / 2
+
+
+def lost_area(problem):
+    """(constant, a function of the control points of each run): the lost area is their sum."""
+    length = problem.stretches[-1].end
+    total, functions = Fraction(0), []
+    for stretch in problem.stretches:
+        if stretch.kind != "spline":
+            total += (stretch.end - stretch.begin) * (mean_of_law(stretch) if stretch.kind == "law" else stretch.start)
+    for run in problem.runs:
+        total -= sum(((s.end - s.begin) * run.level(s) for s in run.stretches), Fraction(0))
+        function = {}
+        for i in range(run.space.segments):
+            for k, basis in enumerate(run.space.basis(i)):
+                j = run.space.first(i) + k
+                function[j] = function.get(j, Fraction(0)) - integral(basis, run.space.width(i)) / length
+        functions.append(function)
+    return 1 - total / length, functions
+
+
+def area_reference(problem):
+    """The scene's number, or the lost area of the reference law on the strokes of the scene: every law that this checker knows is
+    symmetric about its middle."""
+    asked = problem.objective.get("reference", "modified_sine")
+    if isinstance(asked, dict):
+        if "area" not in asked:
+            raise Unverified("objective.reference without area")
+        return number(asked["area"])
+    if asked not in SYMMETRIC:
+        raise Unverified(f"the area of the law {asked}, which the objective divides by")
+    if problem.type != "program":
+        return Fraction(1, 2)
+    area = sum(((s.end - s.begin) * (s.start + s.to) / 2 for s in problem.stretches), Fraction(0))
+    return 1 - area / problem.stretches[-1].end

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
+from fractions import Fraction
+
+from . import enclosures
+from .disk_rules import constant
+from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, number, root, tangent
+from .laws import motion_along
+from .problem import dimension_of
+from .references import law_peak
+
+
+def is_prescribed(scene):
+    segments = scene["motion"].get("segments", [])
+    return bool(segments) and all(segment["kind"] != "spline" for segment in segments)
+
+
+def peak_of(problem, term):
+    """(low, high) around a peak (the largest of all laws), or a root mean square (over all laws), in units of the reference."""
+    laws = [s for s in problem.stretches if s.kind == "law"]
+    if term.kind == "peak":
+        name = next(n for n, order in ORDERS.items() if order == term.order)
+        ends = [law_peak(s.law, name) for s in laws]
+    elif term.kind == "torque":
+        ends = [law_peak(s.law, "torque") for s in laws]
+    else:
+        name = "rms_" + next(n for n, order in ORDERS.items() if order == term.order)
+        ends = [law_peak(s.law, name) for s in laws]
+        length = sum((s.end - s.begin for s in laws), Fraction(0))
+        squares = [sum(((s.end - s.begin) * own[i]**2 for s, own in zip(laws, ends)), Fraction(0)) / length for i in (0, 1)]
+        return root(squares[0])[0] / term.reference, root(squares[1])[1] / term.reference
+    return max(low for low, _ in ends) / term.reference, max(high for _, high in ends) / term.reference
+
+
+def state_at(problem, at, side):
+    """[y, y', y'', y'''] at a place of the motion, enclosed, and its stretch."""
+    at = problem.folded(at, side)
+    stretch = problem.stretch_at(at, side)
+    if stretch is None:
+        raise Refuted(f"a row speaks of x = {float(at)}, outside the motion")
+    v = min(max((at - stretch.begin) / (stretch.end - stretch.begin), Fraction(0)), Fraction(1))
+    begin, pieces = Fraction(0), motion_along(stretch, 4)
+    for width, motion in pieces:
+        if v < begin + width or (v == begin + width and (side == "left" or motion is pieces[-1][1])):
+            return motion(constant(v - begin)), stretch
+        begin += width
+    raise Refuted(f"x = {float(at)} is not on its stretch")
+
+
+def ends_of(value):
+    """The ends of what is enclosed, as fractions."""
+    return enclosures.fraction(value.value[0]), enclosures.fraction(value.value[1])
+
+
+# -- no motion: the one there is passes a limit
+
+def judge_passed_limit(problem, proof, report):
+    """The proof names a limit and a place."""
+    if proof is None or proof["statement"] != "least_common_violation" or len(proof["rows"]) != 1:
+        raise Unverified("infeasibility of a prescribed motion without a row that says where")
+    origin = proof["rows"][0]["origin"]
+    rule, at = origin["rule"], number(origin["at"])
+    sides = [side for side in ("right", "left") if side == origin.get("side", side)]
+    passed, unknown = False, None
+    for side in sides:
+        try:
+            passed = passed or passes(problem, rule, at, side)
+        except Unverified as fault:
+            unknown = fault
+    if not passed:
+        raise unknown or Refuted(f"{rule} is satisfied at x = {float(at)}")
+    report.say(f"{rule} is passed at x = {float(at):.9g}, where the motion is prescribed")
+    return []
+
+
+def passes(problem, rule, at, side):
+    """Whether a limit is certainly passed at a place."""
+    (state, stretch), own = state_at(problem, at, side), []
+    for term in problem.terms:
+        name = next((n for n, order in ORDERS.items() if term.kind == "peak" and order == term.order), None)
+        if term.cap is not None and rule == f"limits.{name}" and stretch.kind == "law":
+            own += [(term.order, sign, term.cap * stretch.scale(term.order)) for sign in (1, -1)]
+    for order, cap, key in problem.motion_caps:
+        if key == rule:
+            own += [(order, sign, cap) for sign in (1, -1)]
+    for bound in problem.bounds:
+        if bound.key == rule and bound.stretch in (None, stretch) and \
+                bound.begin - SAME_PLACE <= at <= bound.end + SAME_PLACE:
+            own.append((bound.order, bound.sign, bound.most))
+    if problem.cam and rule.startswith("cam.face_") and problem.cam.width:
+        own += [(1, sign, problem.cam.width[1] * problem.cam.beta[1] / problem.cam.lift) for sign in (1, -1)]
+    if own:
+        return any(ends_of(constant(sign) * state[order])[0] > most for order, sign, most in own)
+    if problem.cam is None or problem.cam.rules is None or not problem.cam.judged:
+        raise Unverified(f"{rule} along a law")
+    found = problem.cam.formulas_along(rule.removeprefix("limits."))
+    if not found:
+        raise Unverified(f"{rule} along a law")
+    problem.cam.as_found.load = constant(problem.cam.forces.load_at(at, side) if problem.cam.forces else 0)
+    return any(ends_of(formula(state))[0] > 0 for formula in found)
+
+
+# -- the bound: what limits leave of a dimension that is searched
+
+def bound_of(problem, curve, proof):
+    """No cam of this motion has a smaller objective: each place that the proof names bounds the dimension."""
+    terms = sum((term.weight * curve.term(term)[0] for term in problem.terms if term.weight), Fraction(0))
+    cam = problem.cam
+    if cam is None or not cam.searched:
+        return terms + (cam.cost[0] if cam else Fraction(0))
+    if len(cam.searched) > 1 or cam.kind != "disk" or cam.swings:
+        raise Unverified("a bound of a prescribed motion over these dimensions")
+    (name, (least, _)), = cam.searched.items()
+    left_out = set()
+    for row in proof["rows"]:
+        origin = row["origin"]
+        if "at" not in origin or not row["multiplier"]:
+            continue
+        at, side = number(origin["at"]), origin.get("side", "right")
+        found = least_dimension(cam, origin, state_at(problem, at, side)[0], name)
+        if found is None:
+            left_out.add(origin["rule"])
+        else:
+            least = max(least, found)
+    problem.left_out = left_out
+    return terms + cam.fixed + cam.weights[name] * least
+
+
+def least_dimension(cam, origin, state, name):
+    """What a limit at a place demands of the base radius or the roller radius, m; None: nothing is made of it here."""
+    rule, sign, lift = origin["rule"], origin.get("sign", 0), cam.lift
+    s, slope, bend = (ends_of(own) for own in state[:3])
+    fixed = sum((size for other, size in cam.sizes.items() if other != name and other != "offset"), Fraction(0))
+    squares = [b * b for b in cam.beta]
+    if rule.startswith("limits.cam_radius_min") and cam.follower == "translating_flat":
+        # base + s + s'' >= least
+        highest = lift * s[1] + max(lift * b / square for b in bend for square in squares)
+        return dimension_of(cam.problem.limits, "cam_radius_min") - highest
+    limit = cam.pressure[0 if sign > 0 else 1] if sign else None
+    if rule.endswith("pressure_angle_deg") and limit is not None and not cam.offset and cam.follower != "translating_flat":
+        # sign s' <= tan (base + roller + s)
+        least = min(sign * lift * v / b for v in slope for b in cam.beta)
+        return min(least / steep for steep in tangent(limit)) - fixed - lift * s[1]
+    return None

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""What a stroke may pass: motion.within_lift and motion.monotone."""
+from fractions import Fraction
+
+from .exact import STATED
+
+SLOW = STATED  # lifts by x: what passes a place no faster does not leave the range there
+
+
+class Stroke:
+    """From `start` to `to` between `begin` and `end`; `least` and `most` are what it keeps between, None where it may leave."""
+
+    def __init__(self, begin, end, start, to):
+        self.begin, self.end, self.start, self.to = begin, end, start, to
+        self.least, self.most = min(start, to), max(start, to)
+
+
+def stroke_of(problem, stretch, at):
+    """The stroke at x; None where none is kept to."""
+    if problem.type != "program":
+        rises = at <= 1
+        found = Stroke(Fraction(0), Fraction(1), Fraction(0), Fraction(1)) if rises else \
+            Stroke(Fraction(1), stretch.end, Fraction(1), Fraction(0))
+        slopes = [problem.runs[0].states[0][0] if rises else Fraction(0),
+                  problem.runs[0].states[1][0] if problem.type == "DRD" or not rises else Fraction(0)]
+        via, width, begin = problem.motion.get("via", []), Fraction(1), Fraction(0)
+    else:
+        i = problem.stretches.index(stretch)
+        found = Stroke(stretch.begin, stretch.end, stretch.start, stretch.to)
+        slopes = [slope_beside(problem, i - 1), slope_beside(problem, i + 1)]
+        via, width, begin = problem.motion["segments"][i].get("via", []), stretch.end - stretch.begin, stretch.begin
+    passed = [p for point in via for p in passed_points(problem, point, begin, width, found)]
+    return found if set_range(found, passed, slopes) else None
+
+
+def slope_beside(problem, neighbour):
+    if 0 <= neighbour < len(problem.stretches) or problem.wraps:
+        if problem.stretches[neighbour % len(problem.stretches)].kind == "spline":
+            return Fraction(0)
+    return problem.state_beside(neighbour)[0]
+
+
+def passed_points(problem, point, begin, width, stroke):
+    """[(y, y', y'' or None)] that a set point of the stroke gives, a region at both of its ends."""
+    y = problem.in_lifts(point, "displacement")
+    at = problem.place(point, "at", begin, width)
+    region = at is None
+    first, last = (problem.place(point, key, begin, width) for key in ("from", "to")) if region else (at, at)
+    if y is None or first < stroke.begin - STATED or last > stroke.end + STATED:
+        return []
+    slope = problem.derivative_in_unit(point, "velocity", width) or Fraction(0)
+    own = [(y, slope, problem.derivative_in_unit(point, "acceleration", width))]
+    return own + ([(y + slope * (last - first), slope, None)] if region else [])
+
+
+def set_range(stroke, passed, slopes):
+    """Whether there is a range: it opens where the motion passes its ends."""
+    if abs(stroke.to - stroke.start) < STATED and not passed:
+        return False
+    least = min([stroke.least] + [y for y, _, _ in passed])
+    most = max([stroke.most] + [y for y, _, _ in passed])
+    opened = [(stroke.start, slopes[0] < -SLOW, slopes[0] > SLOW), (stroke.to, slopes[1] > SLOW, slopes[1] < -SLOW)]
+    for y, slope, bend in passed:
+        moves = abs(slope) > SLOW
+        opened.append((y, moves or (bend is not None and bend <= SLOW), moves or (bend is not None and bend >= -SLOW)))
+    below = any(down and y <= least + STATED for y, down, _ in opened)
+    above = any(up and y >= most - STATED for y, _, up in opened)
+    stroke.least, stroke.most = None if below else least, None if above else most
+    return True
+
+
+def farthest(problem, run, relaxed):
+    """The largest |y| of a run whose strokes all keep to a range; None: some may leave it."""
+    if not problem.motion.get("within_lift", True) and not problem.motion.get("monotone", False):
+        return None
+    ends = []
+    for stretch in run.stretches:
+        for at in (stretch.begin, stretch.end):
+            stroke = stroke_of(problem, stretch, at)
+            if stroke is None or stroke.least is None or stroke.most is None:
+                return None
+            room = relaxed * (stroke.most - stroke.least)
+            ends += [stroke.least - room + run.level(stretch), stroke.most + room + run.level(stretch)]
+    return max(abs(end) for end in ends)

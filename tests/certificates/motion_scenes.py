@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+"""Scenes of every kind of end, bound and load of a motion, and changes of them that make what was claimed false."""
+
+OBJECTIVE = """[objective]
+acceleration = 1
+jerk = 0.2
+[spline]
+degree = 5
+segments = 12
+"""
+SPLINE, DWELL, LAW = ('[[motion.segments]]\nkind = "spline"\n', '[[motion.segments]]\nkind = "dwell"\n',
+                      '[[motion.segments]]\nkind = "law"\n')
+KNIFE = '[motion]\ntype = "program"\nlift_deg = 360\nspeed_rpm = 250\nclosed = "relative"\n'
+LINE = LAW + 'law = "constant_velocity"\nangle_deg = 30\n'
+ROLLER = '[cam]\ntype = "disk"\nfollower = "translating_roller"\nbase_radius_mm = 40\nroller_radius_mm = 10\n'
+SEARCHED = ROLLER.replace("= 40", "= { min = 10, max = 100 }")
+FLAT = '[cam]\ntype = "disk"\nfollower = "translating_flat"\n'
+FORCES = ("[forces]\nmass_kg = 0.8\nspring_rate_n_mm = 4\npreload_n = 120\ndamping_n_s_m = 30\ncontact_width_mm = 12\n"
+          "load_n = [[0, 100], [60, -60], [150, -20], [220, 200]]\n")
+PRESCRIBED = (
+    '[motion]\ntype = "program"\nlift_mm = 20\nspeed_rpm = 300\n' + LAW + 'law = "cycloidal"\nangle_deg = 90\nto_mm = 20\n' +
+    DWELL + "angle_deg = 60\n" + LAW + 'law = "polynomial_345"\nangle_deg = 120\nto_mm = 0\n' + DWELL + "angle_deg = 90\n")
+LOADED = ('[motion]\ntype = "RR"\nlift_mm = 12\nrise_deg = 110\nspeed_rpm = 400\n[spline]\ndegree = 5\nsegments = 16\n'
+          "[objective]\nacceleration = 1\n" + ROLLER + FORCES.replace("-60", "-160"))
+LOBE = ('[motion]\ntype = "RR"\n[spline]\nsegments = 24\n[objective]\narea = 0.7\njerk = 0.3\n'
+        "reference = { area = 0.5, jerk = 36.5 }\n[limits]\nacceleration = { min = -4.5, max = 9 }\njerk = 150\n")
+RISE_AND_RETURN = ('[motion]\ntype = "program"\nlift_mm = 20\nspeed_rpm = 200\nwithin_lift = false\n' + SPLINE +
+                   "angle_deg = 120\nto = 1\n" + DWELL + "angle_deg = 60\n" + SPLINE + "angle_deg = 180\n")
+
+# Name: (scene, verdict).
+TEXTS = {
+    "ends_drd": ('[motion]\ntype = "DRD"\nlift_mm = 10\nrise_deg = 90\nspeed_rpm = 60\nstart = { velocity_mm_s = 20 }\n'
+                 "end = { velocity = 0.5, acceleration = -1 }\n" + OBJECTIVE, "optimal"),
+    "ends_rr": ('[motion]\ntype = "RR"\nstart = { velocity = -0.5 }\nend = { velocity = -0.5 }\n' + OBJECTIVE, "optimal"),
+    "ends_open": ('[motion]\ntype = "program"\nlift_mm = 10\nclosed = false\nspeed_rpm = 60\nstart = { velocity = 0.4 }\n'
+                  "end = { velocity_mm_s = -10, acceleration = 2 }\n" + SPLINE + "angle_deg = 90\nto = 1\n"
+                  "via = [{ at = 0.4, displacement = 0.45 }]\n" + SPLINE + "angle_deg = 60\nto = 0.5\n"
+                  "via = [{ at = 0.5, velocity = -1 }]\n" + OBJECTIVE, "optimal"),
+    "regions": ('[motion]\ntype = "program"\nlift_deg = 360\nclosed = false\n' + SPLINE + "angle_deg = 360\nto_deg = 360\nvia = ["
+                "{ from_deg = 0, to_deg = 10, velocity_deg_deg = 0.5 }, { from_deg = 350, to_deg = 360, velocity_deg_deg = 0.5 }]\n"
+                "[spline]\ndegree = 5\nsegments = 24\n[objective]\nacceleration = 1\n", "optimal"),
+    "turning": ('[motion]\ntype = "program"\nlift_mm = 10\nclosed = false\nwithin_lift = false\n' + SPLINE + "angle_deg = 90\nto = 1\n"
+                "end = { velocity = 0 }\n" + SPLINE + "angle_deg = 60\nto = -1\n" + OBJECTIVE, "optimal"),
+    "ring": (KNIFE + SPLINE + "angle_deg = 200\nto = 0.8\nvia = [{ at = 0.5, velocity_deg_deg = 0.5 }]\n" + SPLINE +
+             "angle_deg = 160\nto = 1\n" + OBJECTIVE, "optimal"),
+    "seam": (KNIFE + SPLINE + "angle_deg = 150\nto = 0.5\n" + DWELL + "angle_deg = 60\n" + SPLINE + "angle_deg = 150\nto = 1\n"
+             "[[motion.corridor]]\nfrom_deg = 300\nto_deg = 330\ndisplacement = { min = 0.66 }\n" + OBJECTIVE, "optimal"),
+    "lines": (KNIFE + LINE + "to_deg = 40\n" + SPLINE + "angle_deg = 300\nto_deg = 320\n" + LINE + "to_deg = 360\n" + OBJECTIVE,
+              "optimal"),
+    "across": (RISE_AND_RETURN + "[spline]\ndegree = 5\nsegments = 16\n[objective]\njerk = 1\n[limits]\n"
+               "acceleration_m_s2 = { min = -9, max = 14 }\n", "optimal"),
+    "each": (RISE_AND_RETURN + "[spline]\ndegree = 5\nsegments = 16\n[objective]\njerk = 1\narea = 0.5\n[limits]\n"
+             "acceleration = { min = -5, max = 8 }\n", "optimal"),
+    "repeat": ('[motion]\ntype = "program"\nlift_mm = 10\nwithin_lift = false\nrepeat = 4\n' + SPLINE + "angle_deg = 40\nto = 1\n" +
+               DWELL + "angle_deg = 10\n" + SPLINE + "angle_deg = 40\n[[motion.corridor]]\nfrom_deg = 100\nto_deg = 110\n"
+               "displacement = { max = 0.2 }\n" + OBJECTIVE, "optimal"),
+    "lobe": (LOBE, "optimal"),
+    "area": ('[motion]\ntype = "DRD"\n[objective]\narea = 1\njerk = 1\n', "optimal"),
+    "corridor": ('[motion]\ntype = "DRD"\nlift_mm = 10\nrise_deg = 120\nspeed_rpm = 300\n[[motion.corridor]]\nfrom_deg = 21\n'
+                 "to_deg = 41\ndisplacement_mm = { max = 1 }\n[[motion.corridor]]\nfrom_deg = 61.5\nto_deg = 83.2\n"
+                 "velocity_mm_s = { min = 60, max = 260 }\nacceleration_m_s2 = { max = 4 }\n[spline]\ndegree = 5\nsegments = 24\n"
+                 "[objective]\nacceleration = 0.5\njerk = 0.5\n", "optimal"),
+    "corridor_no": ('[motion]\ntype = "DRD"\nlift_mm = 10\nrise_deg = 100\n[[motion.corridor]]\nto_deg = 60\n'
+                    "displacement_mm = { max = 0.5 }\n[objective]\njerk = 1\n[limits]\nacceleration = 8\n", "infeasible"),
+    "monotone": ('[motion]\ntype = "DRD"\nmonotone = true\nvia = [{ at = 0.5, displacement = 0.2 }]\n[spline]\nsegments = 16\n'
+                 "[objective]\njerk = 1\narea = 0.3\n", "optimal"),
+    "prescribed": (PRESCRIBED + "[limits]\nvelocity = 2.1\n[objective]\nvelocity = 1\narea = 0.2\n[[motion.corridor]]\n"
+                   "from_deg = 20\nto_deg = 40\ndisplacement_mm = { max = 9 }\nvelocity_mm_s = { max = 900 }\n", "optimal"),
+    "prescribed_no": (PRESCRIBED + "[limits]\nvelocity = 1.9\n", "infeasible"),
+    "prescribed_side": (PRESCRIBED + "[limits]\nacceleration_m_s2 = { min = -20 }\n", "infeasible"),
+    "prescribed_cam": (PRESCRIBED + ROLLER + FORCES + "[limits]\npressure_angle_deg = 40\ncontact_force_min_n = 50\n"
+                       "torque_max_nm = 12\nhertz_pressure_max_mpa = 700\n", "optimal"),
+    "prescribed_steep": (PRESCRIBED + ROLLER + "[limits]\npressure_angle_deg = 10\n", "infeasible"),
+    "prescribed_base": (PRESCRIBED + SEARCHED + "[objective]\nbase_radius = 1\n[limits]\npressure_angle_deg = 30\n", "optimal"),
+    "prescribed_flat": (PRESCRIBED + FLAT + "base_radius_mm = { min = 5, max = 300 }\n[objective]\nacceleration = 1\n"
+                        "base_radius = 1\n[limits]\ncam_radius_min_mm = 2\n", "optimal"),
+    "load": (LOADED + "[limits]\ncontact_force_min_n = 20\n", "optimal"),
+    "tappet": ('[motion]\ntype = "RR"\nlift_mm = 8\nrise_deg = 60\nspeed_rpm = 500\n[spline]\nsegments = 16\n[objective]\njerk = 1\n' +
+               FLAT + "base_radius_mm = 30\nface_radius_mm = 15\n[forces]\ncontact_width_mm = 14\npreload_n = 100\n", "optimal"),
+    "inch": ('[motion]\ntype = "RR"\nlift_in = 0.35\nrise_crank_deg = 120\nreturn_crank_deg = 130\nspeed_rpm = 2500\n'
+             "start = { velocity_in_deg = 0.0005 }\n[spline]\nsegments = 24\n[objective]\njerk = 1\nacceleration = 1\n[limits]\n"
+             "acceleration_in_s2 = { min = -120000, max = 240000 }\ncontact_force_min_lbf = 10\n" + FLAT + "base_radius_in = 0.7\n"
+             "face_radius_in = 0.5\n[forces]\nmass_lb = 0.5\nspring_rate_lbf_in = 300\npreload_lbf = 60\ncontact_width_in = 0.4\n",
+             "optimal"),
+}
+
+# (scene, what stands in its scene.toml, what it is replaced by): the files then claim what is not so.
+CHANGES = [
+    ("ends_drd", "velocity_mm_s = 20", "velocity_mm_s = 21"), ("ends_drd", "acceleration = -1 }", "acceleration = -1.1 }"),
+    ("ends_rr", "start = { velocity = -0.5 }", ""), ("ends_open", "velocity_mm_s = -10", "velocity_mm_s = -11"),
+    ("regions", "to_deg = 10, velocity_deg_deg = 0.5", "to_deg = 10, velocity_deg_deg = 0.51"),
+    ("turning", "end = { velocity = 0 }", "end = { velocity = 0.1 }"), ("turning", "end = { velocity = 0 }", ""),
+    ("ring", "to = 1\n", "to = 1.01\n"), ("ring", 'closed = "relative"', "closed = false"),
+    ("seam", 'closed = "relative"', "closed = false"), ("seam", "min = 0.66", "min = 0.67"),
+    ("lines", "to_deg = 320", "to_deg = 321"), ("across", "max = 14", "max = 9"), ("across", "min = -9", "min = -8.9"),
+    ("each", "min = -5", "min = -4.9"), ("repeat", "repeat = 4", "repeat = 3"), ("repeat", "max = 0.2", "max = 0.19"),
+    ("repeat", "to_deg = 110", "to_deg = 111"), ("lobe", "min = -4.5", "min = -4.4"), ("lobe", "min = -4.5", "min = -4.6"),
+    ("lobe", "area = 0.7", "area = 0.71"), ("lobe", "area = 0.5", "area = 0.49"), ("area", "area = 1", "area = 0.9"),
+    ("corridor", "max = 1 }", "max = 0.99 }"), ("corridor", "max = 1 }", "max = 1.01 }"), ("corridor", "max = 260", "max = 250"),
+    ("corridor", "to_deg = 41", "to_deg = 42"), ("corridor", "to_deg = 41", "to_deg = 40"),
+    ("corridor_no", "max = 0.5", "max = 5"), ("corridor_no", "to_deg = 60", "to_deg = 30"),
+    ("monotone", "displacement = 0.2", "displacement = 0.25"),
+    ("prescribed", "velocity = 2.1", "velocity = 1.9"), ("prescribed", "max = 900", "max = 300"),
+    ("prescribed", "max = 9 }", "max = 3 }"), ("prescribed", "area = 0.2", "area = 0.3"), ("prescribed", "cycloidal", "modified_sine"),
+    ("prescribed_no", "velocity = 1.9", "velocity = 2.1"), ("prescribed_side", "min = -20", "min = -80"),
+    ("prescribed_cam", "pressure_angle_deg = 40", "pressure_angle_deg = 20"),
+    ("prescribed_cam", "contact_force_min_n = 50", "contact_force_min_n = 150"),
+    ("prescribed_cam", "torque_max_nm = 12", "torque_max_nm = 3"), ("prescribed_cam", "damping_n_s_m = 30", "damping_n_s_m = 3000"),
+    ("prescribed_cam", "hertz_pressure_max_mpa = 700", "hertz_pressure_max_mpa = 300"),
+    ("prescribed_steep", "pressure_angle_deg = 10", "pressure_angle_deg = 40"),
+    ("prescribed_base", "pressure_angle_deg = 30", "pressure_angle_deg = 29"),
+    ("prescribed_base", "pressure_angle_deg = 30", "pressure_angle_deg = 31"),
+    ("prescribed_flat", "cam_radius_min_mm = 2", "cam_radius_min_mm = 3"),
+    ("prescribed_flat", "cam_radius_min_mm = 2", "cam_radius_min_mm = 1"),
+    ("load", "-160]", "-170]"), ("load", "[150, -20]", "[150, -40]"), ("load", "damping_n_s_m = 30", "damping_n_s_m = 300"),
+    ("load", "contact_force_min_n = 20", "contact_force_min_n = 21"),
+    ("tappet", "face_radius_mm = 15", "face_radius_mm = 14.9"), ("tappet", "contact_width_mm = 14", "contact_width_mm = 15"),
+    ("tappet", "face_radius_mm = 15", "face_radius_mm = 15.1"), ("inch", "velocity_in_deg = 0.0005", "velocity_in_deg = 0.0006"),
+    ("inch", "contact_force_min_lbf = 10", "contact_force_min_lbf = 60"),
+]
