@@ -38,7 +38,7 @@ class Cam:
         cam, self.problem, self.scene = scene["cam"], problem, scene
         self.kind, self.follower = cam.get("type", "disk"), cam.get("follower")
         self.judged, self.swings = self.kind == "disk", (self.follower or "").startswith("oscillating")
-        self.fixed, self.searched, self.weights, self.rules = Fraction(0), {}, {}, None
+        self.fixed, self.searched, self.weights, self.rules, self.forces = Fraction(0), {}, {}, None, None
         self.lift = problem.lift[0]
         weights = {n: number(problem.objective.get(n, 0)) for n in
                    ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
