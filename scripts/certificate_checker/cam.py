@@ -26,7 +26,8 @@ DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat"
               "oscillating_flat": ("base_radius", "center_distance", "face_offset")}
 
 
-LOADED = ("contact_force_min_n", "contact_force_min_lbf", "torque_max_nm", "hertz_pressure_max_mpa")
+FORCES = ("contact_force_min_n", "contact_force_min_lbf", "torque_max_nm")
+LOADED = (*FORCES, "hertz_pressure_max_mpa")
 OTHER_RULES = {"barrel": SpatialRules, "cylindrical": SpatialRules, "remote": RemoteRules, "inverse": InverseRules}
 
 
@@ -266,7 +267,7 @@ class Cam:
         if self.kind != "disk":
             formulas, more = self.as_found.kept(key)
             return (lambda curve: self.keep_formulas(curve, key, formulas, more)) if formulas else None
-        if self.form != "open" and key not in LOADED:
+        if self.form != "open" and key not in FORCES:
             return self.keeper_on_sides(key)
         if key.endswith("pressure_angle_deg"):
             return self.keep_pressure if pushed else lambda curve: self.keep_pressure_of_arm(curve, key)
