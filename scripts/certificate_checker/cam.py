@@ -288,12 +288,16 @@ class Cam:
     def keeper_on_sides(self, key):
         if key.endswith("pressure_angle_deg"):
             return lambda curve: self.keep_pressure_of_arm(curve, key)
+        if key.startswith("hertz_pressure_max") and self.forces and not self.forces.is_constant():
+            return None
         if key.startswith(("cam_radius_min", "concave_radius_min", "hertz_pressure_max_mpa")) or key == "undercut_margin":
             return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
         return None
 
     def formulas_along(self, key):
         """Formulas of a limit that any stretch of a motion can be held against; none: there are none here."""
+        if key in LOADED and self.form != "open" and self.forces and not self.forces.is_constant():
+            return []
         signs = (1, -1) if key.endswith("pressure_angle_deg") else (0,)
         return [f for sign in signs for f in self.as_found.formulas("limits." + key, 1 if sign else None, sign)]
 
@@ -336,7 +340,10 @@ class Cam:
         words = origin["rule"], origin.get("order"), origin.get("sign", 0), origin.get("remark", "")
         if self.rules is None:
             return []
-        self.rules.load = constant(self.forces.load_at(at, origin.get("side", "right")) if self.forces else 0)
+        if self.forces and not self.forces.is_constant():
+            if self.form != "open":
+                raise Unverified("a load over the cam angle on a cam of two sides")
+            self.rules.load = constant(self.forces.load_at(at, origin.get("side", "right")))
         return self.rules.formulas(*words, at) if self.kind != "disk" and self.rules.moves else self.rules.formulas(*words)
 
     def keep_pressure_of_arm(self, curve, key):
