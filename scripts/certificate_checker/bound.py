@@ -12,6 +12,8 @@ from .train_rows import use_ringing_rows
 
 MOST_LEANING = 30           # tangents whose slopes are chosen anew
 STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
+LITTLE, ALIKE = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows less alike
+ROUNDED = Fraction(1, 10**9)  # what rounding may leave of a bound before multipliers are corrected
 FARTHEST = Fraction(1000)    # lifts: no motion beyond is considered where nothing else bounds it
 
 
@@ -85,12 +87,12 @@ class Bound:
             cap *= 1 + self.relaxed
             if known[order] is None or cap < known[order]:
                 known[order] = cap
-        for order, cap in self.bounded_on_both_sides(run):
-            if known[order] is None or cap < known[order]:
-                known[order] = cap
         length = run.space.breakpoints[-1] - run.space.breakpoints[0]
         ends = max(abs(s) for s in run.ends())
         ends = max([ends] + [abs(level + run.level(s)) for s in run.stretches for level in (s.start, s.to)])
+        for order, size in self.bounded_by_sides(run, length, ends):
+            if known[order] is None or size < known[order]:
+                known[order] = size
         for term, most in zip(self.problem.terms, self.most):
             # From rest, and by Cauchy and Schwarz: |y^(r-1)| <= length * root mean square of y^(r).
             if term.kind == "rms" and most is not None and run.rests[0] and len(self.problem.runs) == 1:
@@ -117,17 +119,21 @@ class Bound:
                 known[order] = above
         return known
 
-    def bounded_on_both_sides(self, run):
-        """(order, the largest |y^(order)|) where limits of one side on all of the run come in pairs."""
+    def bounded_by_sides(self, run, length, ends):
+        """(order, what |y^(order)| can be): limits of one side that come in pairs bound a derivative; one of them the derivative
+        below it, which cannot come back from further than what is left of the run allows."""
         for order in (1, 2, 3):
             sizes = []
             for sign in (-1, 1):
                 own = [[b.most + b.scale * self.relaxed for b in self.problem.bounds
                         if (b.order, b.sign) == (order, sign) and b.stretch in (None, stretch) and b.begin <= stretch.begin and
                         b.end >= stretch.end] for stretch in run.stretches]
-                sizes.append(max(min(found) for found in own) if all(own) else None)
-            if None not in sizes:
+                sizes += [max(min(found) for found in own)] if all(own) else []
+            if len(sizes) == 2:
                 yield order, max(abs(size) for size in sizes)
+            if sizes and (order == 1 or not run.is_ring()):
+                beside = ends if order == 1 else max(abs(state[order - 2]) for state in run.states)
+                yield order - 1, beside + max(Fraction(0), min(sizes)) * length
 
     def displacements_at(self, k, x):
         """What y can be at a place, from the ends of the run (and the top of a rise and return) and the velocity."""
@@ -361,8 +367,47 @@ class Bound:
         self.lean_tangents()
         if self.ringing:
             use_ringing_rows(self)
+        total, most_refined = self.total(cost), 3
+        while self.residual > ROUNDED * max(1, abs(total)) and most_refined:
+            most_refined -= 1
+            before = self.constant, list(self.peaks), dict(self.leaning), [dict(f) for f in self.functions], list(self.rows)
+            self.refine()
+            refined = self.total(cost)
+            if refined <= total:
+                self.constant, self.peaks, self.leaning, self.functions, self.rows = before
+                return self.total(cost)
+            total = refined
+        return total
+
+    def refine(self):
+        """Rows near the ends of strokes are stored to few digits. Any multipliers will do: those of the heaviest rows that
+        differ from each other are corrected, by least squares, such that less is left of a function of the control points."""
+        rests = [run.conditions_in_top() for run in self.problem.runs]
+
+        def left_of(k, function):
+            rest = rests[k].reduced(self.problem.runs[k].in_top(function), Fraction(0))[0]
+            return {(k, j): number(float(w)) for j, w in rest.items() if w}
+
+        left, columns = {}, []
+        for k, function in enumerate(self.functions):
+            left |= left_of(k, function)
+        for row, multiplier in sorted((own for own in self.rows if own[0].function and own[1] > 0), key=lambda own: -own[1]):
+            column = left_of(row.run, row.function)
+            size = number(float(inner(column, column))**0.5)
+            if size and len(columns) < MOST_LEANING and \
+                    not any(abs(inner(column, other)) > ALIKE * size * norm for _, _, other, norm in columns):
+                columns.append((row, multiplier, column, size))
+        matrix = [[inner(a, b) / (m * n) for _, _, b, n in columns] + [-inner(a, left) / m] for _, _, a, m in columns]
+        for i, line in enumerate(matrix):
+            line[i] *= 1 + LITTLE
+        for (row, multiplier, _, size), by in zip(columns, solved(matrix) or []):
+            if multiplier + by / size >= 0:
+                self.use(row, by / size)
+
+    def total(self, cost):
+        """What follows from the rows as they are."""
         total = self.constant
-        self.slopes = []
+        self.slopes, self.remainders = [], []
         for i, term in enumerate(self.problem.terms):
             slope = (term.weight if cost else Fraction(0)) - self.peaks[i]
             self.slopes.append(slope)

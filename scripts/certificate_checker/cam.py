@@ -26,7 +26,8 @@ DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat"
               "oscillating_flat": ("base_radius", "center_distance", "face_offset")}
 
 
-LOADED = ("contact_force_min_n", "contact_force_min_lbf", "torque_max_nm", "hertz_pressure_max_mpa")
+FORCES = ("contact_force_min_n", "contact_force_min_lbf", "torque_max_nm")
+LOADED = (*FORCES, "hertz_pressure_max_mpa")
 OTHER_RULES = {"barrel": SpatialRules, "cylindrical": SpatialRules, "remote": RemoteRules, "inverse": InverseRules}
 
 
@@ -38,7 +39,7 @@ class Cam:
         cam, self.problem, self.scene = scene["cam"], problem, scene
         self.kind, self.follower = cam.get("type", "disk"), cam.get("follower")
         self.judged, self.swings = self.kind == "disk", (self.follower or "").startswith("oscillating")
-        self.fixed, self.searched, self.weights, self.rules = Fraction(0), {}, {}, None
+        self.fixed, self.searched, self.weights, self.rules, self.forces = Fraction(0), {}, {}, None, None
         self.lift = problem.lift[0]
         weights = {n: number(problem.objective.get(n, 0)) for n in
                    ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
@@ -266,7 +267,7 @@ class Cam:
         if self.kind != "disk":
             formulas, more = self.as_found.kept(key)
             return (lambda curve: self.keep_formulas(curve, key, formulas, more)) if formulas else None
-        if self.form != "open" and key not in LOADED:
+        if self.form != "open" and key not in FORCES:
             return self.keeper_on_sides(key)
         if key.endswith("pressure_angle_deg"):
             return self.keep_pressure if pushed else lambda curve: self.keep_pressure_of_arm(curve, key)
@@ -287,12 +288,16 @@ class Cam:
     def keeper_on_sides(self, key):
         if key.endswith("pressure_angle_deg"):
             return lambda curve: self.keep_pressure_of_arm(curve, key)
+        if key.startswith("hertz_pressure_max") and self.forces and not self.forces.is_constant():
+            return None
         if key.startswith(("cam_radius_min", "concave_radius_min", "hertz_pressure_max_mpa")) or key == "undercut_margin":
             return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
         return None
 
     def formulas_along(self, key):
         """Formulas of a limit that any stretch of a motion can be held against; none: there are none here."""
+        if key in LOADED and self.form != "open" and self.forces and not self.forces.is_constant():
+            return []
         signs = (1, -1) if key.endswith("pressure_angle_deg") else (0,)
         return [f for sign in signs for f in self.as_found.formulas("limits." + key, 1 if sign else None, sign)]
 
@@ -335,7 +340,10 @@ class Cam:
         words = origin["rule"], origin.get("order"), origin.get("sign", 0), origin.get("remark", "")
         if self.rules is None:
             return []
-        self.rules.load = constant(self.forces.load_at(at, origin.get("side", "right")) if self.forces else 0)
+        if self.forces and not self.forces.is_constant():
+            if self.form != "open":
+                raise Unverified("a load over the cam angle on a cam of two sides")
+            self.rules.load = constant(self.forces.load_at(at, origin.get("side", "right")))
         return self.rules.formulas(*words, at) if self.kind != "disk" and self.rules.moves else self.rules.formulas(*words)
 
     def keep_pressure_of_arm(self, curve, key):

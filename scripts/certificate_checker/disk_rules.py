@@ -49,7 +49,10 @@ class DiskRules:
         angle, unit = problem.unit_angle
         self.beta = times(exactly(angle), degree if unit == "deg" else exactly(1))
         self.roller = follower in ("translating_roller", "oscillating_roller")
-        self.load = constant(0)  # on the follower at the cam angle that is looked at, N
+        # On the follower at the cam angle that is looked at, N: set anew where it is not the same everywhere.
+        self.load = constant(0)
+        if "forces" in scene and not self.swings:
+            self.load = constant(Forces(problem, scene).points[0][1])
 
     @staticmethod
     def displacements():
