@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy
 from scipy.optimize import linprog
 
-SAME = 1e-7       # of objectives, relative to max(1, |objective|)
+SAME = 1e-7       # of objectives, relative
 EXCEEDED = 1e-12  # a bound exceeded by more than this part of its size becomes a row
 GRID = 6          # places of the first grid in a piece
 ROUNDS = 60
@@ -234,6 +234,8 @@ class RandomScene:
             del self.weights["acceleration"]
         if index % 7 == 3:
             self.weights["velocity"] = 0.2
+        if index % 10 == 9:  # so small that camopt scales the objective
+            self.weights = {name: round(0.05 * weight, 5) for name, weight in self.weights.items()}
 
     def choose_limits(self):
         text = ""
@@ -331,7 +333,7 @@ def main():
             print(words, flush=True)
             met[verdict] = met.get(verdict, 0) + 1
             same = verdict == ("infeasible" if expected is None else "optimal")
-            if not same or (expected is not None and abs(objective - expected) > SAME * max(1.0, abs(expected))):
+            if not same or (expected is not None and abs(objective - expected) > SAME * abs(expected)):
                 faults.append(words + "\n" + scene.text)
     print(met)
     if min(met["optimal"], met["infeasible"]) < arguments.count // 10:
