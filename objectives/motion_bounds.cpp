@@ -125,6 +125,7 @@ class AreaRule final : public WholeMotionRule {
     [[nodiscard]] int highest_order() const override { return 0; }
     [[nodiscard]] bool limit() const override { return false; }
     [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] bool is_one_row() const override { return true; }
     [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
         const double own = q.size() > 0 ? q[0] : 0.0;
         return {{{lost_area(motion) / reference_ - own, motion.begin()}, {0.0}}};

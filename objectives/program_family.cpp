@@ -191,9 +191,11 @@ bool turns_back(const MotionSpec& motion, std::size_t index) {
     const std::size_t count = motion.own_segments();
     if ((!motion.within_lift && !motion.monotone) || (index == 0 && !motion.closed)) return false;
     const std::size_t before = (index + count - 1) % count;
-    /// The displacement at a joint, if the segment that ends there gives it.
+    /// The displacement at a joint, if the segment that ends there, or before the dwells there, gives it.
     const auto level = [&](std::size_t joint) -> std::optional<double> {
-        if (joint == 0 || (joint == count && motion.closed)) return 0.0;
+        if (joint == count && motion.closed) return 0.0;
+        while (joint > 0 && motion.segments[joint - 1].kind == SegmentKind::dwell) --joint;
+        if (joint == 0) return 0.0;
         return motion.segments[joint - 1].to;
     };
     for (const std::size_t i : {before, index}) {

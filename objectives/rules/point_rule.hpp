@@ -148,6 +148,8 @@ class WholeMotionRule : public PointRule {
     /// The rows of the first grid: so many that a motion that satisfies them is nearly feasible between them.
     /// Values do not count.
     [[nodiscard]] virtual std::vector<Place> first() const = 0;
+    /// It is one row, that of first(): no motion needs another.
+    [[nodiscard]] virtual bool is_one_row() const { return false; }
     /// Further settings whose rows are added together with those of this one.
     [[nodiscard]] virtual std::vector<std::vector<double>> beside(std::span<const double> setting) const = 0;
     /// Identifies the row: "310 rpm".

@@ -14,7 +14,9 @@ constexpr double same_place = 1e-3;
 /// Without the rules that look at the motion as a whole: a relaxation whose rules all belong to places.
 CamModel part_of_places(const CamModel& model) {
     CamModel part = model;
-    std::erase_if(part.rules, [](const PlacedRule& rule) { return rule->whole() != nullptr; });
+    std::erase_if(part.rules, [](const PlacedRule& rule) {
+        return rule->whole() != nullptr && !rule->whole()->is_one_row();
+    });
     return part;
 }
 

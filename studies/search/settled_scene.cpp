@@ -2,8 +2,10 @@
 #include "studies/search/settled_scene.hpp"
 
 #include "core/units.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
@@ -167,6 +169,28 @@ constexpr double most_violation = 1e9;  // of a figure that is infinite
 
 }  // namespace
 
+namespace {
+
+/// A limit on a derivative that a law has infinite where it joins.
+std::optional<RestConflict> impulse_conflict(const Scene& scene, const MotionFamily& family,
+                                             const MotionChain& motion) {
+    for (const PeakLimitRow& row : peak_limit_rows()) {
+        const std::optional<PeakLimit>& limit = row.in(scene.limits);
+        for (std::size_t s = 0; limit && s < family.stretches().size(); ++s) {
+            const MotionFamily::Stretch& stretch = family.stretches()[s];
+            if (stretch.kind != StretchRequest::Kind::shape) continue;
+            const Extremum peak =
+                derivative_peak(make_law(scene.motion.segments[s].law)->peaks(), row.order());
+            if (std::isfinite(peak.value)) continue;
+            const double x = stretch.begin + peak.at * (stretch.end - stretch.begin);
+            return RestConflict{limit->key, {x, motion.at(x).derivative[0], false}, most_violation};
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
 bool settle_prescribed(Solution& solution, CamModel& model) {
     const MotionChain motion = model.design.motion(Eigen::VectorXd());
     const double tolerance = solution.scene.solver.tolerance;
@@ -187,6 +211,7 @@ bool settle_prescribed(Solution& solution, CamModel& model) {
             for (const Extremum& maximum : rule_maxima(rule, model.design, motion, {})) look(rule, maximum);
     }
     std::erase_if(model.rules, [](const PlacedRule& rule) { return rule->parameters().empty(); });
+    if (const auto impulse = impulse_conflict(solution.scene, model.design, motion)) worst = impulse;
     if (!worst) return false;
     report_conflict_at(solution, *worst, Reason::limits_contradict);
     solution.notes.push_back(

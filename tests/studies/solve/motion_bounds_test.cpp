@@ -99,6 +99,14 @@ TEST(LostArea, SmallWeightScalesTheObjective) {
     EXPECT_EQ(small.own_terms.at(0).weight, 0.01);
 }
 
+/// A cost that is not convex is bounded over boxes, the area with it.
+TEST(LostArea, IsProvedWithTorqueTerm) {
+    const Solution solution =
+        solve(scene_of("[motion]\ntype = \"DRD\"\n[spline]\nsegments = 6\n[objective]\narea = 0.5\ntorque = "
+                       "0.5\n[limits]\njerk = 90\n"));
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+}
+
 /// Bounds of all four derivatives on stretches that no breakpoint meets; the ends belong to the stretch.
 TEST(Corridor, HoldsAtEveryAngleOfItsStretch) {
     const Scene scene = scene_of(R"(
@@ -180,6 +188,8 @@ acceleration_m_s2 = { min = -9, max = 14 }
 )");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    EXPECT_NEAR(solution.motion->at(0.0).derivative[1], 0.0, 1e-9)
+        << "the turn ends and starts at its lowest point";
     const double rate = 200.0 * units::revolution_per_minute / (120.0 * units::degree);  // x in a second
     const double unit = 0.02 * rate * rate;
     EXPECT_LE(largest(*solution.motion, 2, 1, 0.0, 3.0) * unit, 14.0 + 1e-6);

@@ -78,6 +78,13 @@ TEST(PrescribedMotion, ViolatedLimitIsInfeasible) {
         EXPECT_TRUE(solution.relaxation.front().needed);
     }
     EXPECT_EQ(solve(scene_of(program + "[limits]\nvelocity = 2.1\n")).certificate.verdict, Verdict::optimal);
+    Scene jumps = input::read_scene_file(
+        std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/flat_all_laws.toml", known_names());
+    jumps.limits.jerk = PeakLimit(80.0);
+    const Solution solution = solve(jumps);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible)
+        << "the jerk of a simple harmonic is infinite";
+    EXPECT_EQ(solution.conflict.at(0).key, "limits.jerk");
 }
 
 TEST(PrescribedMotion, HasACamWithItsLimits) {
