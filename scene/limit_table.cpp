@@ -221,7 +221,9 @@ const char* limit_name_in(std::string_view key) {
 
 bool is_least_limit(std::string_view name) {
     if (const LimitRow* const row = limit_named(name)) return row->is_least();
-    return name.ends_with("_min");  // of a derivative, or of a corridor
+    if (name.starts_with("corridor_")) return name.ends_with("_min");
+    return std::ranges::any_of(peak_rows,
+                               [&](const PeakLimitRow& row) { return row.side < 0 && name == row.name(); });
 }
 
 bool limits_cam(const LimitSpec& limits) {
