@@ -245,8 +245,9 @@ TEST(PageData, UndercutCamHasNoLoads) {
 TEST(PageData, UnloadedCamHasNoForceCharts) {
     Solution solution = test::cam_solution();
     const auto charts = [&] {
+        const json data = data_of(solution);
         int count = 0;
-        for (const json& one : data_of(solution).at("curves")) count += one.at("group") == "forces" ? 1 : 0;
+        for (const json& one : data.at("curves")) count += one.at("group") == "forces" ? 1 : 0;
         return count;
     };
     const auto has_file = [&] {
