@@ -13,11 +13,12 @@ const std::string set_point_keys =
     "displacement_in, displacement_m, displacement_deg, displacement_rad, velocity, velocity_mm_s, "
     "velocity_in_s, "
     "velocity_m_s, velocity_deg_s, velocity_rad_s, velocity_mm_rad, velocity_in_rad, velocity_m_rad, "
-    "velocity_mm_deg, velocity_deg_deg, velocity_rad_rad, acceleration, acceleration_mm_s2, "
+    "velocity_mm_deg, velocity_in_deg, velocity_deg_deg, velocity_rad_rad, acceleration, acceleration_mm_s2, "
     "acceleration_in_s2, "
     "acceleration_m_s2, acceleration_deg_s2, acceleration_rad_s2, acceleration_mm_rad2, "
     "acceleration_in_rad2, "
-    "acceleration_m_rad2, acceleration_deg_deg2, acceleration_rad_rad2";
+    "acceleration_m_rad2, acceleration_mm_deg2, acceleration_in_deg2, acceleration_deg_deg2, "
+    "acceleration_rad_rad2";
 
 }  // namespace broken_files_parts
 
