@@ -95,7 +95,11 @@ TEST(WithinLift, CostsNothing) {
         scene.objective.velocity = known.weights[0];
         scene.objective.acceleration = known.weights[1];
         scene.objective.jerk = known.weights[2];
-        scene.objective.reference = {"", 1.76, 5.53, 69.0, {}, {}, {}, {}, {}, true};
+        scene.objective.reference = {};
+        scene.objective.reference.numeric = true;
+        scene.objective.reference.velocity = 1.76;
+        scene.objective.reference.acceleration = 5.53;
+        scene.objective.reference.jerk = 69.0;
         const Solution solution = solve(scene);
         EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
         EXPECT_NEAR(solution.certificate.objective, known.objective, 1e-8);
