@@ -126,9 +126,10 @@ void arrange(MeasuredInput& input, const MotionSpec& motion) {
     std::vector<std::size_t> order(rows.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return angle[i]; });
-    const auto again = std::ranges::unique(  // 0 and 360 deg
-        order, [&](std::size_t a, std::size_t b) { return angle[b] - angle[a] <= same_angle; });
-    order.erase(again.begin(), again.end());
+    const auto again =  // 0 and 360 deg
+        std::unique(order.begin(), order.end(),
+                    [&](std::size_t a, std::size_t b) { return angle[b] - angle[a] <= same_angle; });
+    order.erase(again, order.end());
     const MeasuredInput before = input;
     const auto reorder = [&](auto& to, const auto& from) {
         to.clear();

@@ -22,7 +22,6 @@ EXPECTED = {
     "cam_roller": ("optimal", "limits.pressure_angle_deg"),
     "cam_smallest": ("optimal", "limits.pressure_angle_deg"),
     "cam_undercut": ("optimal", "limits.cam_radius_min_mm"),
-    "prescribed_tappet": ("optimal", "limits.cam_radius_min_mm"),
 }
 
 

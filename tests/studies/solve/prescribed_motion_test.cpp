@@ -70,7 +70,9 @@ TEST(PrescribedMotion, ViolatedLimitIsInfeasible) {
     for (const char* limit : {"[limits]\nvelocity = 1.9\n", "[limits]\nacceleration_m_s2 = 20\n",
                               "[limits]\nacceleration_m_s2 = { min = -20 }\n"}) {
         SCOPED_TRACE(limit);
-        const Solution solution = solve(scene_of(program + limit));
+        Scene scene = scene_of(program + limit);
+        scene.solver.explain_seconds = 0.5;
+        const Solution solution = solve(scene);
         EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
         ASSERT_FALSE(solution.conflict.empty());
         EXPECT_TRUE(solution.conflict.front().key.starts_with("limits."));
@@ -81,6 +83,7 @@ TEST(PrescribedMotion, ViolatedLimitIsInfeasible) {
     Scene jumps = input::read_scene_file(
         std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/flat_all_laws.toml", known_names());
     jumps.limits.jerk = PeakLimit(80.0);
+    jumps.solver.explain_seconds = 0.1;
     const Solution solution = solve(jumps);
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible)
         << "the jerk of a simple harmonic is infinite";
