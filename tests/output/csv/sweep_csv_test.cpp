@@ -131,14 +131,14 @@ TEST(SweepCsv, NamesItsColumnsWithUnits) {
 /// Only where the cam differs from row to row; each figure is that of the row's own solve.
 TEST(SweepCsv, CamPropertiesEqualSingleSolves) {
     const std::string text =
-        "[motion]\ntype = \"RR\"\nlift_mm = 8\nrise_deg = 90\nreturn_deg = 90\n"
-        "[objective]\nvelocity = 0.4\nacceleration = 0.4\njerk = 0.2\n"
-        "[spline]\nsegments = 8\n[cam]\nfollower = \"translating_roller\"\nbase_radius_mm = 20\n"
+        "[motion]\ntype = \"RR\"\nlift_mm = 16\nrise_deg = 90\nreturn_deg = 90\n"
+        "[objective]\nvelocity = 0.4\nacceleration = 0.4\njerk = 0.2\n[spline]\nsegments = 8\n"
+        "[cam]\ntype = \"disk\"\nfollower = \"translating_roller\"\nbase_radius_mm = 20\n"
         "roller_radius_mm = 5\n";
     const SceneReading read_scene = [&](std::span<const std::string> settings) {
         return scene_of_toml(text, {settings.begin(), settings.end()});
     };
-    const SweepPlan plan = sweep_grid(std::vector{varied_key("cam.base_radius_mm=16,24,32")});
+    const SweepPlan plan = sweep_grid(std::vector{varied_key("cam.base_radius_mm=20,24,28")});
     SweepScenes scenes(plan, read_scene);
     const SweepTable table{check_rows(scenes), solve_chunk(scenes, {0, 3})};
     const SweepTable read = read_sweep_csv(sweep_csv(table), "sweep.csv");
