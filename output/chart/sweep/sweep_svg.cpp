@@ -322,9 +322,10 @@ std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
                           [dimension](const SweepRow& row) { return row.dimension(dimension); }));
     for (const SweepCamColumn& column : sweep_cam_columns()) {
         const auto value = [&column](const SweepRow& row) { return row.cam.*column.value; };
-        // A flat face touches no concave cam, and cams in space have neither radius.
-        if (table.columns.cam() &&
-            std::ranges::any_of(table.rows, [&](const SweepRow& row) { return value(row).has_value(); }))
+        // A flat face has no concave radius and may have a pressure angle of 0, cams in space have no radii.
+        if (table.columns.cam() && std::ranges::any_of(table.rows, [&](const SweepRow& row) {
+                return value(row).value_or(0.0) != 0.0;
+            }))
             quantities.push_back(
                 unit_quantity(column.title, column.is_angle ? degrees_shown : length, value));
     }

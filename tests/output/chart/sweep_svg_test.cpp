@@ -185,6 +185,9 @@ TEST(SweepSvg, CamPropertiesHavePanels) {
     EXPECT_NEAR(*quantities[6].value(table.rows[2]), 1.0, 1e-12);
     EXPECT_FALSE(quantities[6].value(table.rows[0]));  // infeasible
 
+    for (SweepRow& row : table.rows) row.cam.pressure_angle = 0.0;  // a flat face
+    EXPECT_EQ(drawn_quantities(table).size(), 6U);
+
     table.columns.keys = {"limits.velocity"};  // one cam for every row
     table.columns.dimensions.clear();
     EXPECT_EQ(drawn_quantities(table).size(), 4U);
