@@ -33,6 +33,11 @@ constexpr std::array<TrainColumn, 3> train_columns = {
      {"dynamic_acceleration", &SweepTrain::dynamic_acceleration},
      {"dynamic_contact_force", &SweepTrain::contact_force}}};
 
+constexpr std::array<SweepCamColumn, 3> cam_columns = {
+    {{"pressure_angle_deg", "largest pressure angle", &SweepCam::pressure_angle, true},
+     {"convex_radius_mm", "least convex radius of the cam", &SweepCam::convex_radius, false},
+     {"concave_radius_mm", "least concave radius of the cam", &SweepCam::concave_radius, false}}};
+
 std::string dimension_column(DimensionIndex index) {
     return fmt::format("{}_mm", name_of(index));
 }
@@ -44,10 +49,12 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
     line.words(name_of(row.verdict)).words(row.reason).count(row.on_front ? 1 : 0);
     line.number(row.objective).number(row.lower_bound).number(row.gap).number(row.any_curve_limit);
     for (const std::optional<double>& figure : row.figures) line.number(figure);
-    for (const DimensionIndex index : columns.dimensions) {
-        const std::optional<double>& value = row.dimension(index);
-        line.number(value ? std::optional(millimetres_shown.of(*value)) : std::nullopt);
-    }
+    const auto shown = [&](const ShownUnit& unit, const std::optional<double>& si) {
+        line.number(si ? std::optional(unit.of(*si)) : std::nullopt);
+    };
+    for (const DimensionIndex index : columns.dimensions) shown(millimetres_shown, row.dimension(index));
+    if (columns.cam())
+        for (const SweepCamColumn& column : cam_columns) shown(column.file_unit(), row.cam.*column.value);
     if (columns.train)
         for (const TrainColumn& column : train_columns) line.number(row.train.*column.value);
     line.words(fmt::format("{}", fmt::join(row.active_limits, between_limits)));
@@ -58,11 +65,12 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
     return line.number(row.seconds_solve).number(row.seconds_total).finish();
 }
 
-/// The length in m that is written as so many mm, to the last bit.
-double metres(double millimetres) {
-    const double near = millimetres * millimetres_shown.size;
+/// The SI value that is written as so many of the unit, to the last bit.
+std::optional<double> si_value(const ShownUnit& unit, const std::optional<double>& shown) {
+    if (!shown) return {};
+    const double near = *shown * unit.size;
     for (const double value : {near, std::nextafter(near, -infinity), std::nextafter(near, infinity)})
-        if (millimetres_shown.of(value) == millimetres) return value;
+        if (unit.of(value) == *shown) return value;
     return near;
 }
 
@@ -134,8 +142,10 @@ SweepRow read_row(const SweepColumns& columns, Cells cells) {
         *value = cells.number_or_none();
     for (auto& figure : row.figures) figure = cells.number_or_none();
     for (const DimensionIndex index : columns.dimensions)
-        if (const std::optional<double> value = cells.number_or_none())
-            row.dimensions[static_cast<std::size_t>(index)] = metres(*value);
+        row.dimensions[static_cast<std::size_t>(index)] = si_value(millimetres_shown, cells.number_or_none());
+    if (columns.cam())
+        for (const SweepCamColumn& column : cam_columns)
+            row.cam.*column.value = si_value(column.file_unit(), cells.number_or_none());
     if (columns.train)
         for (const TrainColumn& column : train_columns) row.train.*column.value = cells.number_or_none();
     row.active_limits = cells.list();
@@ -213,6 +223,10 @@ void add_row(CsvLine& line, const SweepRow& row, const std::vector<DimensionInde
 
 }  // namespace
 
+std::span<const SweepCamColumn> sweep_cam_columns() {
+    return cam_columns;
+}
+
 std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
     std::vector<std::string> names = {"row"};
     const auto add = [&](std::initializer_list<const char*> more) {
@@ -222,6 +236,8 @@ std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
     add({"verdict", "reason", "pareto_front", "objective", "lower_bound", "gap", "any_curve_limit"});
     for (int i = 0; i < sweep_figure_count; ++i) add({name_of(static_cast<SweepFigure>(i))});
     for (const DimensionIndex index : columns.dimensions) names.push_back(dimension_column(index));
+    if (columns.cam())
+        for (const SweepCamColumn& column : cam_columns) names.emplace_back(column.name);
     if (columns.train)
         for (const TrainColumn& column : train_columns) names.emplace_back(column.name);
     add({"active_limits", "iterations", "exchange_rounds", "cost_evaluations", "gradient_evaluations",

@@ -2,19 +2,33 @@
 // sweep.csv: one line a row of the sweep, by number.
 //
 // Columns: row, the varied keys as written, verdict, reason, pareto_front (1 or 0), objective, lower_bound,
-// gap, any_curve_limit, the figures (normalised), the variable dimensions in mm, active_limits (keys, joined
-// by "; "), counts, seconds_solve, seconds_total. Numbers read back as the same double; what does not exist
-// is an empty cell. docs/sweep.md explains each.
+// gap, any_curve_limit, the figures (normalised), the variable dimensions in mm, properties of the cam
+// (SweepColumns::cam), active_limits (keys, joined by "; "), counts, seconds_solve, seconds_total. Numbers
+// read back as the same double; what does not exist is an empty cell. docs/sweep.md explains each.
 #pragma once
 
+#include "output/view/shown_units.hpp"
 #include "studies/pareto/pareto_front.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace camopt {
+
+/// A property of the delivered cam: a column of sweep.csv, and a panel of sweep.svg.
+struct SweepCamColumn {
+    const char* name;   ///< in files, with their unit: "pressure_angle_deg"
+    const char* title;  ///< for people: "largest pressure angle"
+    std::optional<double> SweepCam::*value;
+    bool is_angle;
+
+    [[nodiscard]] const ShownUnit& file_unit() const { return is_angle ? degrees_shown : millimetres_shown; }
+};
+[[nodiscard]] std::span<const SweepCamColumn> sweep_cam_columns();
 
 /// The first line.
 [[nodiscard]] std::vector<std::string> sweep_csv_columns(const SweepColumns& columns);

@@ -44,6 +44,7 @@ StoredSweep sweep_of(const Json& json) {
     json.at("chunk").get_to(identity.chunking.size);
     json.at("keys").get_to(identity.columns.keys);
     identity.columns.dimensions = dimensions_of(json.at("dimensions"));
+    identity.columns.train = json.value("train", false);
     json.at("criteria").get_to(identity.columns.criteria);
     if (json.at("length_unit") == name_of(LengthUnit::inch)) identity.columns.length_unit = LengthUnit::inch;
     json.at("scene_text").get_to(identity.scene_text);
@@ -79,6 +80,7 @@ std::string sweep_json(const StoredSweep& sweep) {
                        {"shard", {{"index", sweep.shard.index}, {"count", sweep.shard.count}}},
                        {"keys", identity.columns.keys},
                        {"dimensions", names_json(identity.columns.dimensions)},
+                       {"train", identity.columns.train},
                        {"criteria", identity.columns.criteria},
                        {"length_unit", name_of(identity.columns.length_unit)},
                        {"scene_text", identity.scene_text}};

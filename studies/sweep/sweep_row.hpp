@@ -11,6 +11,7 @@
 #include "scene/cost_table.hpp"
 #include "solvers/certificate/certificate.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -29,6 +30,13 @@ struct SweepTrain {
     std::optional<double> contact_force;         ///< the least, N or N m; none: the cam guides it both ways
 };
 
+/// Of a feasible row with a cam: extremes of the delivered cam (CamSummary); none where it has no such
+/// figure.
+struct SweepCam {
+    std::optional<double> pressure_angle;                 ///< the largest, rad
+    std::optional<double> convex_radius, concave_radius;  ///< the least of the surface, m
+};
+
 struct SweepRow {
     int number = 0;                ///< from 0, by the plan
     std::vector<double> settings;  ///< of SweepColumns::keys, in the unit of each key
@@ -37,6 +45,7 @@ struct SweepRow {
     std::optional<double> objective, lower_bound, gap, any_curve_limit;
     std::array<std::optional<double>, sweep_figure_count> figures{};  ///< by SweepFigure
     std::array<std::optional<double>, dimension_count> dimensions{};  ///< by DimensionIndex; variable ones
+    SweepCam cam;
     SweepTrain train;
     std::vector<std::string> active_limits;  ///< keys as written, in the scene's order
     int iterations = 0, exchange_rounds = 0;
@@ -65,6 +74,12 @@ struct SweepColumns {
     /// weight > 0 in at least one row.
     std::vector<std::string> criteria;
     LengthUnit length_unit = LengthUnit::millimetre;  ///< in which people read the dimensions; files: mm
+
+    /// The rows have different cams: a key of the cam varies, or one of its dimensions is variable.
+    [[nodiscard]] bool cam() const {
+        return !dimensions.empty() ||
+               std::ranges::any_of(keys, [](const std::string& key) { return key.starts_with("cam."); });
+    }
 };
 
 struct SweepTable {

@@ -29,6 +29,12 @@ void set_train(SweepRow& row, const TrainReport& train) {
     if (train.least_force) row.train.contact_force = finite(train.least_force->value);
 }
 
+void set_cam(SweepRow& row, const CamSummary& cam) {
+    row.cam.pressure_angle = finite(cam.pressure_angle.value);
+    if (cam.convex_radius) row.cam.convex_radius = finite(cam.convex_radius->value);
+    if (cam.concave_radius) row.cam.concave_radius = finite(cam.concave_radius->value);
+}
+
 void set_dimensions(SweepRow& row, const Solution& solution) {
     for (int i = 0; i < dimension_count; ++i) {
         const auto index = static_cast<DimensionIndex>(i);
@@ -54,7 +60,10 @@ SweepRow sweep_row(int number, std::span<const double> settings, const Solution&
     if (solution.motion && row.is_feasible()) {
         row.objective = finite(certificate.objective);
         set_figures(row, solution.peaks);
-        if (solution.cam) set_dimensions(row, solution);
+        if (solution.cam) {
+            set_dimensions(row, solution);
+            set_cam(row, solution.cam->summary);
+        }
         if (solution.train) set_train(row, *solution.train);
         for (const ConstraintReport& limit : solution.constraints)
             if (limit.active) row.active_limits.push_back(limit.key);

@@ -191,6 +191,12 @@ class Columns {
                 const std::optional<double>& value = row.dimension(index);
                 return value ? std::optional(*value / units::millimetre) : std::nullopt;
             });
+        if (table_->columns.cam())
+            for (const SweepCamColumn& column : sweep_cam_columns())
+                optional(columns, column.name, [&column](const SweepRow& row) {
+                    const std::optional<double>& si = row.cam.*column.value;
+                    return si ? std::optional(column.file_unit().of(*si)) : std::nullopt;
+                });
         if (table_->columns.train) {
             optional(columns, "residual", [](const SweepRow& row) { return row.train.residual; });
             optional(columns, "dynamic_acceleration",

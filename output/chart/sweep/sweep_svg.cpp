@@ -4,7 +4,9 @@
 #include "core/units.hpp"
 #include "output/chart/chart.hpp"
 #include "output/chart/plot_frame.hpp"
+#include "output/csv/sweep_csv.hpp"
 #include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 #include <fmt/format.h>
@@ -27,11 +29,13 @@ SweepQuantity figure_quantity(SweepFigure figure, const std::string& symbol) {
             [figure](const SweepRow& row) { return row.figure(figure); }};
 }
 
-SweepQuantity dimension_quantity(DimensionIndex dimension, LengthUnit unit) {
-    const std::string title = fmt::format("{} ({})", words_of(name_of(dimension)), name_of(unit));
-    return {title, title, [dimension, unit](const SweepRow& row) -> std::optional<double> {
-                const std::optional<double>& metres = row.dimension(dimension);
-                return metres ? std::optional(*metres / metres_of(unit)) : std::nullopt;
+/// "base radius (mm)", of values in SI.
+SweepQuantity unit_quantity(const std::string& name, const ShownUnit& unit,
+                            const std::function<std::optional<double>(const SweepRow&)>& value) {
+    const std::string title = fmt::format("{} ({})", name, unit.name);
+    return {title, title, [unit, value](const SweepRow& row) {
+                const std::optional<double> si = value(row);
+                return si ? std::optional(unit.of(*si)) : std::nullopt;
             }};
 }
 
@@ -310,8 +314,21 @@ std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
         if (std::ranges::find(table.columns.criteria, term.name()) != table.columns.criteria.end())
             quantities.push_back(figure_quantity(term.figure, ""));
     }
+    const LengthUnit unit = table.columns.length_unit;
+    const ShownUnit length{name_of(unit), metres_of(unit)};
     for (const DimensionIndex dimension : table.columns.dimensions)
-        quantities.push_back(dimension_quantity(dimension, table.columns.length_unit));
+        quantities.push_back(
+            unit_quantity(words_of(name_of(dimension)), length,
+                          [dimension](const SweepRow& row) { return row.dimension(dimension); }));
+    for (const SweepCamColumn& column : sweep_cam_columns()) {
+        const auto value = [&column](const SweepRow& row) { return row.cam.*column.value; };
+        // A flat face has no concave radius and may have a pressure angle of 0, cams in space have no radii.
+        if (table.columns.cam() && std::ranges::any_of(table.rows, [&](const SweepRow& row) {
+                return value(row).value_or(0.0) != 0.0;
+            }))
+            quantities.push_back(
+                unit_quantity(column.title, column.is_angle ? degrees_shown : length, value));
+    }
     return quantities;
 }
 

@@ -38,7 +38,8 @@ struct SweepQuantity {
     std::function<std::optional<double>(const SweepRow&)> value;
 };
 
-/// The objective, V, A, J, every other figure with a weight, and the variable dimensions.
+/// The objective, V, A, J, every other figure with a weight, the variable dimensions, and the properties of
+/// the cam that some row has.
 [[nodiscard]] std::vector<SweepQuantity> drawn_quantities(const SweepTable& table);
 
 }  // namespace camopt

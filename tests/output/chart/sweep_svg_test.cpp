@@ -166,6 +166,33 @@ TEST(SweepSvg, LinesMarkInfeasibleAndFailedRows) {
     EXPECT_NE(svg.find("base radius (mm)"), std::string::npos);
 }
 
+TEST(SweepSvg, CamPropertiesHavePanels) {
+    SweepTable table = key_table();
+    for (SweepRow& row : table.rows)
+        if (row.is_feasible()) row.cam = {0.5 - 0.02 * row.number, 0.0127 * row.number, {}};
+    const std::string svg = sweep_svg({table, Scene{}});
+    expect_sound(svg);
+    EXPECT_EQ(count_of(svg, "class=\"shut r0\""), 5 + 2);
+    EXPECT_EQ(count_of(svg, "largest pressure angle (deg)"), 1);
+    EXPECT_EQ(count_of(svg, "least convex radius of the cam (mm)"), 1);
+    EXPECT_EQ(count_of(svg, "concave radius"), 0);  // no row has one
+
+    table.columns.length_unit = LengthUnit::inch;
+    const std::vector<SweepQuantity> quantities = drawn_quantities(table);
+    ASSERT_EQ(quantities.size(), 7U);
+    EXPECT_NEAR(*quantities[5].value(table.rows[2]), 0.46 * 180.0 / std::acos(-1.0), 1e-12);
+    EXPECT_EQ(quantities[6].title, "least convex radius of the cam (in)");
+    EXPECT_NEAR(*quantities[6].value(table.rows[2]), 1.0, 1e-12);
+    EXPECT_FALSE(quantities[6].value(table.rows[0]));  // infeasible
+
+    for (SweepRow& row : table.rows) row.cam.pressure_angle = 0.0;  // a flat face
+    EXPECT_EQ(drawn_quantities(table).size(), 6U);
+
+    table.columns.keys = {"limits.velocity"};  // one cam for every row
+    table.columns.dimensions.clear();
+    EXPECT_EQ(drawn_quantities(table).size(), 4U);
+}
+
 TEST(SweepSvg, TwoGridKeysGiveMaps) {
     SweepTable table = key_table();
     table.columns.keys = {"cam.base_radius_mm", "limits.pressure_angle_deg"};

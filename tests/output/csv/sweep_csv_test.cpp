@@ -3,10 +3,14 @@
 #include "output/csv/sweep_csv.hpp"
 
 #include "core/errors.hpp"
+#include "input/loading/load_scene.hpp"
 #include "output/csv/csv_line.hpp"
+#include "studies/solve/solve.hpp"
+#include "studies/sweep/sweep_run.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -42,6 +46,7 @@ SweepRow random_row(int number, std::mt19937_64& generator) {
     for (auto& figure : row.figures) figure = maybe();
     row.dimensions[0] = maybe();
     row.dimensions[2] = maybe();
+    row.cam = {maybe(), maybe(), maybe()};
     if (number % 2 == 0) row.active_limits = {"limits.velocity", "limits.pressure_angle_deg"};
     row.iterations = number;
     row.exchange_rounds = 3;
@@ -68,6 +73,12 @@ void expect_same(const SweepRow& one, const SweepRow& other) {
         // Lengths stand there in mm: the same to one rounding, and written the same again (below).
         if (!expected) continue;
         EXPECT_DOUBLE_EQ(*one.dimensions[static_cast<std::size_t>(i)], *expected);
+    }
+    for (const SweepCamColumn& column : sweep_cam_columns()) {
+        const auto &found = one.cam.*column.value, &expected = other.cam.*column.value;
+        ASSERT_EQ(found.has_value(), expected.has_value()) << column.name;
+        if (!expected) continue;
+        EXPECT_DOUBLE_EQ(*found, *expected) << column.name;
     }
     EXPECT_EQ(one.active_limits, other.active_limits);
     EXPECT_EQ(one.iterations, other.iterations);
@@ -110,10 +121,43 @@ TEST(SweepCsv, NamesItsColumnsWithUnits) {
         sweep_csv(random_table())
             .starts_with("row,objective.velocity,motion.segments[1].to,verdict,reason,pareto_front,"
                          "objective,lower_bound,gap,any_curve_limit,velocity,acceleration,jerk,torque,"
-                         "rms_acceleration,rms_jerk,base_radius_mm,offset_mm,active_limits,iterations,"
+                         "rms_acceleration,rms_jerk,base_radius_mm,offset_mm,pressure_angle_deg,"
+                         "convex_radius_mm,concave_radius_mm,active_limits,iterations,"
                          "exchange_rounds,cost_evaluations,gradient_evaluations,"
                          "constraint_evaluations,jacobian_evaluations,hessian_evaluations,"
                          "profile_points,seconds_solve,seconds_total\n0,"));
+}
+
+/// Only where the cam differs from row to row; each figure is that of the row's own solve.
+TEST(SweepCsv, CamPropertiesEqualSingleSolves) {
+    const std::string text =
+        "[motion]\ntype = \"RR\"\nlift_mm = 16\nrise_deg = 90\nreturn_deg = 90\n"
+        "[objective]\nvelocity = 0.4\nacceleration = 0.4\njerk = 0.2\n[spline]\nsegments = 8\n"
+        "[cam]\ntype = \"disk\"\nfollower = \"translating_roller\"\nbase_radius_mm = 20\n"
+        "roller_radius_mm = 5\n";
+    const SceneReading read_scene = [&](std::span<const std::string> settings) {
+        return scene_of_toml(text, {settings.begin(), settings.end()});
+    };
+    const SweepPlan plan = sweep_grid(std::vector{varied_key("cam.base_radius_mm=20,24,28")});
+    SweepScenes scenes(plan, read_scene);
+    const SweepTable table{check_rows(scenes), solve_chunk(scenes, {0, 3})};
+    const SweepTable read = read_sweep_csv(sweep_csv(table), "sweep.csv");
+    ASSERT_EQ(read.rows.size(), 3U);
+    EXPECT_TRUE(read.columns.dimensions.empty());  // the keys alone ask for the columns
+    for (const SweepRow& row : read.rows) {
+        const CamSummary cam = solve(scenes.scene(row.number)).cam->summary;
+        ASSERT_TRUE(row.cam.pressure_angle && row.cam.convex_radius && row.cam.concave_radius) << row.number;
+        EXPECT_NEAR(*row.cam.pressure_angle, cam.pressure_angle.value, 1e-6) << row.number;
+        EXPECT_NEAR(*row.cam.convex_radius, cam.convex_radius->value, 1e-7) << row.number;
+        EXPECT_NEAR(*row.cam.concave_radius, cam.concave_radius->value, 1e-5) << row.number;
+    }
+    EXPECT_GT(*read.rows[0].cam.pressure_angle, *read.rows[2].cam.pressure_angle + 0.05);
+    EXPECT_LT(*read.rows[0].cam.convex_radius, *read.rows[2].cam.convex_radius - 0.005);
+
+    const SweepPlan weights = sweep_grid(std::vector{varied_key("objective.jerk=0,1")});
+    SweepScenes same_cam(weights, read_scene);
+    const auto names = sweep_csv_columns(check_rows(same_cam));
+    EXPECT_EQ(std::ranges::count(names, "pressure_angle_deg"), 0);
 }
 
 TEST(SweepCsv, RefusesForeignTables) {
@@ -136,7 +180,7 @@ TEST(SweepCsv, RefusesForeignTables) {
     EXPECT_NE(with("optimal", "best").find("s.csv:2: verdict: found \"best\""), std::string::npos);
     EXPECT_NE(with("\n0,", "\n,").find("s.csv:2: row: found \"\"; allowed: a number"), std::string::npos);
     EXPECT_NE(with("\n0,", "\n0.5,").find("s.csv:2: row: found \"0.5\""), std::string::npos);
-    EXPECT_NE(with("\n0,", "\n0,1,").find("s.csv:2: found 30 cells; allowed: 29"), std::string::npos);
+    EXPECT_NE(with("\n0,", "\n0,1,").find("s.csv:2: found 33 cells; allowed: 32"), std::string::npos);
     EXPECT_NE(with("optimal", "\"optimal").find("quote that does not end"), std::string::npos);
     for (std::size_t end = text.find('\n') + 2; end < text.size(); ++end)
         EXPECT_NE(said(text.substr(0, end)), "no error") << "cut off after " << end << " bytes";

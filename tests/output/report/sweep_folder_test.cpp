@@ -42,6 +42,7 @@ StoredSweep sample_sweep() {
                       {10, 4}};
     sweep.identity.columns = {.keys = {"objective.velocity"},
                               .dimensions = {DimensionIndex::base_radius},
+                              .train = true,
                               .criteria = {"velocity", "jerk"}};
     return sweep;
 }
@@ -69,6 +70,7 @@ TEST(SweepJson, ReadsBackTheSame) {
     EXPECT_EQ(read.identity.scene_file, "s.toml");
     EXPECT_EQ(read.identity.axes, sweep.identity.axes);
     EXPECT_EQ(read.identity.columns.dimensions, sweep.identity.columns.dimensions);
+    EXPECT_TRUE(read.identity.columns.train);
     EXPECT_EQ(read.identity.columns.criteria, sweep.identity.columns.criteria);
     EXPECT_EQ(read.shard.index, 2);
     EXPECT_EQ(read.shard.count, 3);
