@@ -216,10 +216,9 @@ class KeyCheck {
         }
         const Member *const least = given.value().find("min"), *const most = given.value().find("max");
         if (!both && (least == nullptr) != (most == nullptr)) return;
-        for (const char* bound : {"min", "max"})
-            if (!given.value().find(bound))
-                source_.fail(given.value().place, joined_key(key, bound),
-                             fmt::format("missing; allowed: {}", range.number_text()));
+        if (least == nullptr || most == nullptr)
+            source_.fail(given.value().place, joined_key(key, least == nullptr ? "min" : "max"),
+                         fmt::format("missing; allowed: {}", range.number_text()));
         const Node &min = least->value, &max = most->value;
         if (!(min.as_number() < max.as_number()))
             source_.fail(

@@ -71,7 +71,7 @@ py::str text(const SolvedScene& solved, const std::string& name, const py::kwarg
 std::vector<std::string> export_files(const SolvedScene& solved, const py::object& folder,
                                       const std::vector<std::string>& names, const py::kwargs& given) {
     const ExportOptions options = options_of(solved, given);
-    const std::string place = py::str(folder).cast<std::string>();
+    const auto place = py::str(folder).cast<std::string>();
     const py::gil_scoped_release others_run;
     std::vector<std::string> written;
     for (const auto& path : write_exports(place, *solved.solution, names, options))
