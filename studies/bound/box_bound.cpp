@@ -154,8 +154,7 @@ std::optional<BoxBound> Bounder::run() {
     const CamModel& model = whole_.model();
     // What a follower train makes of the motion is no number of a place: nothing here bounds it.
     const bool responds = std::ranges::any_of(model.parameters, [](const Parameter& parameter) {
-        return parameter.kind == Parameter::Kind::response &&
-               !parameter.defined_by->whole()->is_one_row();
+        return parameter.kind == Parameter::Kind::response && !parameter.defined_by->whole()->is_one_row();
     });
     if (responds || !grid.shape().linear_cost ||
         std::ranges::none_of(model.rules, [](const PlacedRule& rule) { return can_be_bounded(*rule); }))
