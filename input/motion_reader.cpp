@@ -97,7 +97,7 @@ class SetPointReader {
         if (given.spelling->unit.empty()) return 1.0;
         check_unit(given, key);
         return set_point_unit({angle_, motion_.lift, motion_.speed}, order,
-                              order > 0 && is_unit_of_time(given.spelling->unit)) /
+                              is_unit_of_time(given.spelling->unit)) /
                given.spelling->factor;
     }
 

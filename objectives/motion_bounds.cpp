@@ -4,6 +4,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/peak_rule.hpp"
+#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 
@@ -53,15 +54,9 @@ void add_sided(std::vector<MotionBound>& all, const PeakLimitRow& row, const Pea
 /// The unit's number for one lift by x^order.
 double per_normalised(const MotionSpec& motion, const Corridor::Bounds& bounds, int order) {
     if (bounds.unit.empty()) return 1.0;
-    static constexpr std::array<std::span<const Spelling>, 4> known = {
-        spellings::set_point_displacement, spellings::set_point_velocity, spellings::set_point_acceleration,
-        spellings::set_point_jerk};
-    const std::span<const Spelling> all = known[static_cast<std::size_t>(order)];
-    const auto spelling = std::ranges::find(all, bounds.unit, &Spelling::unit);
-    const double factor = spelling == all.end() ? 1.0 : spelling->factor;
     return set_point_unit({motion.unit_angle(), motion.lift, motion.speed}, order,
-                          order > 0 && is_unit_of_time(bounds.unit)) /
-           factor;
+                          is_unit_of_time(bounds.unit)) /
+           spelling_of_unit(order, bounds.unit).factor;
 }
 
 void add_corridor(std::vector<MotionBound>& all, const MotionSpec& motion, std::size_t index) {
@@ -223,6 +218,14 @@ std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& f
             add_sided(all, row, *limit, family);
     for (std::size_t i = 0; i < scene.motion.corridors.size(); ++i) add_corridor(all, scene.motion, i);
     return all;
+}
+
+std::vector<MotionBound> motion_bounds(const Scene& scene) {
+    const bool sided = std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
+        return row.side != 0 && row.in(scene.limits).has_value();
+    });
+    if (!sided && scene.motion.corridors.empty()) return {};
+    return motion_bounds(scene, scene_family(scene, DesignKind::states));
 }
 
 double lost_area(const Motion& motion) {

@@ -35,6 +35,8 @@ struct MotionBound {
 /// Limits of one side and corridors of the scene. A normalised limit of a program holds for each spline
 /// segment (of a prescribed one: each law) by its own angle and displacement.
 [[nodiscard]] std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& family);
+/// Those of scene_family; a scene without any needs no family.
+[[nodiscard]] std::vector<MotionBound> motion_bounds(const Scene& scene);
 
 /// 1 − (1/L) ∫ y dx over all of the motion of length L, y in lifts; exact for splines, of laws to round-off.
 [[nodiscard]] double lost_area(const Motion& motion);

@@ -198,7 +198,7 @@ struct MotionFamily::Builder {
             const std::array<double, 2>& given = at_end ? request.start : request.end;
             return {level, constant(given[0]), constant(given[1])};
         }
-        if (is_spline(neighbour)) {  // a relative motion goes on with a run of its own
+        if (is_spline(neighbour)) {  // a relative motion goes on with its own run
             if (!seam) seam = {state_entry(1), state_entry(2)};
             return {level, (*seam)[0], (*seam)[1]};
         }

@@ -26,7 +26,7 @@ struct StudioScene {
 /// `settings`: an object, KEY: value, applied in its order. A number, true, false or a text is set as `--set
 /// KEY=VALUE` does; an object { "min": …, "max": … } is a range; null takes the key or the entry of a list
 /// out; { "insert": { … } } is a new entry of a list before the one of that index. `unit`: the text is then
-/// written in it (scene_in_units), and the scene is shown in it. Throws InputError for whatever the reader of
+/// written in it (scene_in_units), and the scene is shown in it. Throws InputError for all that the reader of
 /// scene files refuses, in its words, and for values of other kinds; `name` stands in the place of the file.
 /// The text is all there is: nothing in it makes camopt open a file.
 [[nodiscard]] StudioScene studio_scene(const std::string& text, const nlohmann::ordered_json& settings,

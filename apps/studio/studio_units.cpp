@@ -30,7 +30,7 @@ struct UnitPart {
     UnitSystem system = UnitSystem::both;
 };
 
-// Every other part ("s", "crank") is a dimension of its own.
+// Every other part ("s", "crank") is its own dimension.
 constexpr std::array unit_parts = {UnitPart{"mm", "L", UnitSystem::metric},
                                    UnitPart{"m", "L", UnitSystem::metric},
                                    UnitPart{"um", "L", UnitSystem::metric},

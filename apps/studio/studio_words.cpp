@@ -138,7 +138,7 @@ ControlWords control_words(std::string_view table, std::string_view key, std::st
         parts.push_back(table_words(part));
         rest = dot == std::string_view::npos ? std::string_view() : rest.substr(dot + 1);
     }
-    // What lies in a table of its own needs no other name: "Segment 1, set point 2", "Keyway".
+    // What lies in its own table needs no other name: "Segment 1, set point 2", "Keyway".
     if (parts.size() > 1) parts.erase(parts.begin());
     words.group = capitalized(fmt::format("{}", fmt::join(parts, ", ")));
     words.name = key_name(path, key);

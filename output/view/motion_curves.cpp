@@ -2,7 +2,6 @@
 // Displacement, velocity, acceleration and jerk by the cam angle, with limits, peaks and set points.
 #include "objectives/motion_bounds.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/scene_model.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
@@ -32,7 +31,7 @@ std::vector<CurveLimit> bounds_of(const View& view, const MotionUnit& unit) {
     std::vector<CurveLimit> all;
     const Scene& scene = view.solution.scene;
     const Motion& motion = *view.solution.motion;
-    for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states))) {
+    for (const MotionBound& bound : motion_bounds(scene)) {
         if (bound.order != static_cast<int>(unit.order)) continue;
         all.push_back({view.degrees(std::max(bound.from, motion.begin())),
                        view.degrees(std::min(bound.until, motion.end())),

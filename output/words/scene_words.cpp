@@ -2,7 +2,6 @@
 #include "core/text/printable.hpp"
 #include "core/units.hpp"
 #include "objectives/motion_bounds.hpp"
-#include "objectives/scene_model.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
@@ -136,7 +135,7 @@ std::string end_state_text(const Scene& scene) {
 std::string corridor_line(const Scene& scene) {
     const ShownUnits shown = shown_units(scene);
     std::string text;
-    for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states)))
+    for (const MotionBound& bound : motion_bounds(scene))
         if (bound.corridor >= 0)
             append(text, fmt::format("{} {} {} from {} to {} deg",
                                      shown.motion[static_cast<std::size_t>(bound.order)].name,

@@ -16,7 +16,7 @@
 namespace camopt {
 namespace {
 
-constexpr std::array<const char*, 3> value_names = {"displacement", "velocity", "acceleration"};
+constexpr std::array<const char*, 4> value_names = {"displacement", "velocity", "acceleration", "jerk"};
 
 const std::string& unit_of(const SetPointUnits& units, int order) {
     return order == 0 ? units.displacement : order == 1 ? units.velocity : units.acceleration;
@@ -25,7 +25,8 @@ const std::string& unit_of(const SetPointUnits& units, int order) {
 std::span<const Spelling> spellings_of(int order) {
     if (order == 0) return spellings::set_point_displacement;
     if (order == 1) return spellings::set_point_velocity;
-    return spellings::set_point_acceleration;
+    if (order == 2) return spellings::set_point_acceleration;
+    return spellings::set_point_jerk;  // of corridors
 }
 
 const std::optional<double>& value_of(const SetPoint& point, int order) {
@@ -233,7 +234,7 @@ void keep_written(MotionSpec& changed, const MotionSpec& before) {
             Corridor::Bounds& bounds = corridor.bounds[order];
             if (bounds.unit.empty()) continue;
             const auto power = static_cast<int>(order);
-            const bool in_time = order > 0 && is_unit_of_time(bounds.unit);
+            const bool in_time = is_unit_of_time(bounds.unit);
             const double factor =
                 set_point_unit({before.unit_angle(), before.lift, before.speed}, power, in_time) /
                 set_point_unit({changed.unit_angle(), changed.lift, changed.speed}, power, in_time);

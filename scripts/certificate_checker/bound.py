@@ -12,7 +12,7 @@ from .train_rows import use_ringing_rows
 
 MOST_LEANING = 30           # tangents whose slopes are chosen anew
 STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
-LITTLE, ALIKE = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows less alike
+LITTLE, SAME_DIRECTION = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows whose directions differ
 ROUNDED = Fraction(1, 10**9)  # what rounding may leave of a bound before multipliers are corrected
 FARTHEST = Fraction(1000)    # lifts: no motion beyond is considered where nothing else bounds it
 
@@ -395,7 +395,7 @@ class Bound:
             column = left_of(row.run, row.function)
             size = number(float(inner(column, column))**0.5)
             if size and len(columns) < MOST_LEANING and \
-                    not any(abs(inner(column, other)) > ALIKE * size * norm for _, _, other, norm in columns):
+                    not any(abs(inner(column, other)) > SAME_DIRECTION * size * norm for _, _, other, norm in columns):
                 columns.append((row, multiplier, column, size))
         matrix = [[inner(a, b) / (m * n) for _, _, b, n in columns] + [-inner(a, left) / m] for _, _, a, m in columns]
         for i, line in enumerate(matrix):

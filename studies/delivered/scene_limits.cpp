@@ -2,7 +2,6 @@
 #include "studies/delivered/scene_limits.hpp"
 
 #include "objectives/motion_bounds.hpp"
-#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"
 
@@ -147,7 +146,7 @@ LimitOutcome outcome_of(const Scene& scene, const CamReport* cam, const Constrai
 std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& motion) {
     std::vector<ConstraintReport> all;
     double nearest = 0.0;  // of the bounds with one key: how far the motion exceeds it, by its scale
-    for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states))) {
+    for (const MotionBound& bound : motion_bounds(scene)) {
         const Extremum worst = bound.extreme_of(motion);
         const double excess = (worst.value - bound.bound) / bound.scale();
         const bool same = !all.empty() && all.back().key == bound.key;

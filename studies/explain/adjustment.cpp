@@ -4,7 +4,6 @@
 #include "core/units.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/scene_model.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
@@ -295,7 +294,7 @@ std::vector<Adjustment> adjustments(const Scene& scene) {
 
 /// The bounds of corridors, each to its side.
 void add_corridors(std::vector<Adjustment>& all, const Scene& scene) {
-    for (const MotionBound& bound : motion_bounds(scene, scene_family(scene, DesignKind::states))) {
+    for (const MotionBound& bound : motion_bounds(scene)) {
         if (bound.corridor < 0) continue;
         const auto index = static_cast<std::size_t>(bound.corridor);
         const double size = std::max(std::abs(bound.given), bound.per_normalised);
