@@ -217,13 +217,19 @@ void add_sweep_work(CLI::App& command, SweepRequest& request) {
         ->type_name("N")
         ->check(CLI::Range(1, most_workers));
     command
-        .add_option("--chunk", request.chunk,
-                    "Rows solved in sequence, each started from the previous result; the unit of "
-                    "--resume; default: 25, fewer where there are fewer than 400 rows")
+        .add_option(
+            "--chunk", request.chunk,
+            "Rows solved in sequence, each started from the previous result; the unit of "
+            "--resume; default: 25, 150 where weights move fastest, fewer where that makes fewer than 16 "
+            "chunks")
         ->type_name("N")
         ->check(CLI::Range(1, most_sweep_rows));
     command.add_option("--shard", request.shard, "Only every N-th chunk, from the i-th on")->type_name("i/N");
     command.add_flag("--resume", request.resume, "Continue the sweep in the folder, or start a new one");
+    command.add_flag(
+        "--results", request.results,
+        "Keep a result folder for every row too: rows/000017 in the folder, for the other commands and "
+        "scripts/verify-certificate");
 }
 
 std::vector<std::string> traded_names() {

@@ -153,6 +153,7 @@ struct SweepRequest {
     std::string units;  ///< as of solve
     std::string shard;  ///< "i/N"; empty: the whole
     bool resume = false;
+    bool results = false;  ///< a result folder for every row too
 };
 [[nodiscard]] ExitCode sweep_command(const SweepRequest& request);
 

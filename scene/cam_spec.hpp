@@ -41,12 +41,14 @@ struct Dimension {
     Dimension(double from, double to) : low(from), high(to) {}
     [[nodiscard]] bool is_variable() const { return high > low; }
     [[nodiscard]] double middle() const { return 0.5 * (low + high); }
+    friend bool operator==(const Dimension&, const Dimension&) = default;
 };
 
 struct CamDimension {
     std::string name;  ///< "base_radius", "coupler"
     Dimension value;   ///< without a key: this variant of the kind has no such dimension
     bool is_angle = false;
+    friend bool operator==(const CamDimension&, const CamDimension&) = default;
 };
 
 struct CamSpec {
@@ -133,6 +135,7 @@ struct ForceSpec {
         return (1.0 - cam_poisson * cam_poisson) / cam_modulus +
                (1.0 - follower_poisson * follower_poisson) / follower_modulus;
     }
+    friend bool operator==(const ForceSpec&, const ForceSpec&) = default;
 };
 
 // Data of a workshop drawing and a solid of a disk cam in addition to its profile, without effect on the
@@ -149,6 +152,7 @@ struct Keyway {
     [[nodiscard]] double reach(double bore_radius) const {
         return std::hypot(bore_radius + depth, 0.5 * width);
     }
+    friend bool operator==(const Keyway&, const Keyway&) = default;
 };
 
 /// Text of the title block in addition to the scene's title; empty: none.
@@ -156,6 +160,7 @@ struct TitleBlock {
     std::string part = {}, material = {}, tolerance = {}, drawn_by = {};
     std::string number = {}, revision = {}, date = {}, organisation = {};
     std::string surface_finish = {}, profile_tolerance = {}, bore_fit = {}, keyway_tolerance = {};
+    friend bool operator==(const TitleBlock&, const TitleBlock&) = default;
 };
 
 /// The method of projection that the symbol of the title block shows (ISO 5456-2).
@@ -177,6 +182,7 @@ struct DrawingSpec {
         if (!bore) return 0.0;
         return keyway ? keyway->reach(0.5 * *bore) : 0.5 * *bore;
     }
+    friend bool operator==(const DrawingSpec&, const DrawingSpec&) = default;
 };
 
 }  // namespace camopt

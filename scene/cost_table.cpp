@@ -99,4 +99,37 @@ const char* name_of(TieBreak value) {
     return value == TieBreak::none ? "none" : "rms_jerk";
 }
 
+namespace {
+
+bool same_cam(const std::optional<CamSpec>& one, const std::optional<CamSpec>& other) {
+    if (!one || !other) return one.has_value() == other.has_value();
+    return one->type == other->type && one->rotation == other->rotation &&
+           one->dimensions == other->dimensions && one->choices == other->choices &&
+           one->face_half_width == other->face_half_width && one->face_radius == other->face_radius;
+}
+
+bool same_objective_but_for_peaks(const ObjectiveSpec& one, ObjectiveSpec other) {
+    for (const CostTerm& term : cost_terms())
+        if (term.kind != CostTerm::Kind::rms) other.*term.weight = term.weight_in(one);
+    return one == other;
+}
+
+}  // namespace
+
+bool weigh_same_peaks(const ObjectiveSpec& one, const ObjectiveSpec& other) {
+    return std::ranges::all_of(cost_terms(), [&](const CostTerm& term) {
+        return term.kind == CostTerm::Kind::rms ||
+               (term.weight_in(one) > 0.0) == (term.weight_in(other) > 0.0);
+    });
+}
+
+bool differ_in_peak_weights_only(const Scene& one, const Scene& other) {
+    const auto own = [](const Scene& scene) { return !scene.own_terms.empty() || !scene.own_limits.empty(); };
+    return !own(one) && !own(other) && same_objective_but_for_peaks(one.objective, other.objective) &&
+           one.motion == other.motion && one.spline == other.spline && one.limits == other.limits &&
+           one.solver == other.solver && same_cam(one.cam, other.cam) && one.forces == other.forces &&
+           one.dynamics == other.dynamics && one.measured == other.measured && one.drawing == other.drawing &&
+           one.title == other.title && one.length_unit == other.length_unit;
+}
+
 }  // namespace camopt

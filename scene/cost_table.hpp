@@ -76,6 +76,12 @@ struct ResponseTerm {
 /// Whether any term of this kind has a weight.
 [[nodiscard]] bool weighs_any(const ObjectiveSpec& objective, CostTerm::Kind kind);
 
+/// The same scene but for the weights of its peaks (V, A, J, torque). Never where a program brought rules of
+/// its own, which cannot be compared.
+[[nodiscard]] bool differ_in_peak_weights_only(const Scene& one, const Scene& other);
+/// The same peaks have a weight > 0.
+[[nodiscard]] bool weigh_same_peaks(const ObjectiveSpec& one, const ObjectiveSpec& other);
+
 /// Allowed values of objective.tie_break.
 inline constexpr std::array<TieBreak, 2> tie_breaks = {TieBreak::rms_jerk, TieBreak::none};
 

@@ -31,6 +31,7 @@ struct TrainStage {
     double mass = 0.0;       ///< > 0
     double stiffness = 0.0;  ///< > 0, to the mass or cam before it
     double damping = 0.0;    ///< >= 0
+    friend bool operator==(const TrainStage&, const TrainStage&) = default;
 };
 
 /// y' on one piece of a motion: Σ_k slope_k t^k, t = (x − begin) / width in [0, 1]; y at its begin.
@@ -134,6 +135,7 @@ struct DynamicsSpec {
     [[nodiscard]] bool pressed() const { return return_stiffness > 0.0 || preload > 0.0; }
     /// The output on its own spring and damper.
     [[nodiscard]] TrainStage output() const;
+    friend bool operator==(const DynamicsSpec&, const DynamicsSpec&) = default;
 };
 
 }  // namespace camopt

@@ -27,6 +27,7 @@ enum class TieBreak { none, rms_jerk };
 /// normalised): reports show them so, and they are what stays where the angle of a segment is searched.
 struct SetPointUnits {
     std::string place = {}, displacement = {}, velocity = {}, acceleration = {};
+    friend bool operator==(const SetPointUnits&, const SetPointUnits&) = default;
 };
 
 /// An exact point of the motion; with `until` a region that is run through at a constant velocity.
@@ -40,6 +41,7 @@ struct SetPoint {
     SetPointUnits units = {};
 
     [[nodiscard]] bool is_region() const { return until.has_value(); }
+    friend bool operator==(const SetPoint&, const SetPoint&) = default;
 };
 
 /// Inequalities on a stretch of the cam angle, its ends included, counted from the start of the motion.
@@ -48,14 +50,17 @@ struct Corridor {
         std::optional<double> least = {}, most = {};  ///< in lifts, by x of the whole motion
         std::string key = {};                         ///< as written: "displacement_mm"; empty: none is given
         std::string unit = {};                        ///< "mm"; empty: normalised
+        friend bool operator==(const Bounds&, const Bounds&) = default;
     };
     double from = 0.0, to = 0.0;     ///< rad
     std::array<Bounds, 4> bounds{};  ///< of y, y', y'', y'''
+    friend bool operator==(const Corridor&, const Corridor&) = default;
 };
 
 /// The least and the largest angle that a search may give a segment, rad.
 struct AngleRange {
     double least = 0.0, most = 0.0;
+    friend bool operator==(const AngleRange&, const AngleRange&) = default;
 };
 
 /// One stretch of a program. A dwell keeps the displacement it finds.
@@ -70,6 +75,7 @@ struct ProgramSegment {
         {};  ///< in which `to` was written ("mm"); it stays where the lift changes. Empty: lifts
     /// kind spline, followed by another: velocity, acceleration at its end, as of a set point at = 1.
     std::optional<SetPoint> end = {};
+    friend bool operator==(const ProgramSegment&, const ProgramSegment&) = default;
 };
 
 /// A motion that was measured, or comes from elsewhere: displacement over cam angle, counted from the start.
@@ -78,6 +84,7 @@ struct MeasuredMotion {
     std::vector<double> displacement;  ///< m; rad where the lift is an angle
     bool start = false;                ///< searches begin from it too; else it is only compared
     std::string name = {};             ///< of the table, for people
+    friend bool operator==(const MeasuredMotion&, const MeasuredMotion&) = default;
 };
 
 struct MotionSpec {
@@ -119,6 +126,7 @@ struct MotionSpec {
     /// The least and the largest displacement that is given, m or rad: 0 and the lift, of a program those of
     /// its segments.
     [[nodiscard]] std::pair<double, double> displacements() const;
+    friend bool operator==(const MotionSpec&, const MotionSpec&) = default;
 };
 
 struct SplineSpec {
@@ -134,6 +142,7 @@ struct SplineSpec {
     DesignKind design = DesignKind::automatic;
 
     [[nodiscard]] int smoothness() const { return continuity.value_or(degree - 1); }
+    friend bool operator==(const SplineSpec&, const SplineSpec&) = default;
 };
 
 /// The figures the peaks are divided by: those of a law of the catalogue, or numbers.
@@ -143,6 +152,7 @@ struct Reference {
     std::optional<double> residual, dynamic_acceleration;  ///< in lifts; in lifts by x²
     std::optional<double> area;                            ///< lost area, 1 − mean displacement in lifts
     bool numeric = false;  ///< true: `law` plays no part, every number needed must be given
+    friend bool operator==(const Reference&, const Reference&) = default;
 };
 
 struct ObjectiveSpec {
@@ -156,6 +166,7 @@ struct ObjectiveSpec {
     std::array<double, dimension_count> dimensions{};
     Reference reference;
     TieBreak tie_break = TieBreak::rms_jerk;
+    friend bool operator==(const ObjectiveSpec&, const ObjectiveSpec&) = default;
 };
 
 /// A hard limit on a peak, or on one side of a derivative, as the user wrote it. From C++ a number will do,
@@ -183,6 +194,7 @@ struct PeakLimit {
     /// In time: it holds for the motion itself. A normalised one holds for each segment of a program by its
     /// own angle and displacement.
     [[nodiscard]] bool in_time() const { return !unit.empty(); }
+    friend bool operator==(const PeakLimit&, const PeakLimit&) = default;
 };
 
 /// A number that went through a change of unit and back, to the 15 digits that survive: 30,
@@ -203,6 +215,7 @@ struct WrittenLimit {
         : value(number), key(std::move(written_key)), unit_value(one_unit), unit(std::move(written_unit)) {}
 
     [[nodiscard]] double given() const { return as_written(value / unit_value); }
+    friend bool operator==(const WrittenLimit&, const WrittenLimit&) = default;
 };
 
 /// What a limit of the cam holds on to: a figure that a cam is judged by.
@@ -241,6 +254,7 @@ struct LimitSpec {
     // These need dynamics, and no cam.
     std::optional<WrittenLimit> residual;                   ///< amplitude of the output in dwells, m or rad
     std::optional<WrittenLimit> dynamic_contact_force_min;  ///< on the cam, N or N m
+    friend bool operator==(const LimitSpec&, const LimitSpec&) = default;
 };
 
 struct SolverSpec {
@@ -259,6 +273,7 @@ struct SolverSpec {
 
     /// The gap, 1e-7 by default; of scenes that are not convex, which are bounded over boxes, 1e-4.
     [[nodiscard]] double wanted_gap(bool convex = true) const { return gap.value_or(convex ? 1e-7 : 1e-4); }
+    friend bool operator==(const SolverSpec&, const SolverSpec&) = default;
 };
 
 struct Scene {

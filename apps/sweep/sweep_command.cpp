@@ -156,8 +156,8 @@ ExitCode sweep_command(const SweepRequest& request) {
     SweepJob job(request);
     WorkFolder work(request, job);
     const InterruptWatch watch(InterruptWatch::Signals::termination_too);
-    const PoolOutcome outcome = solve_missing_chunks(work.folder(), job.scenes(), worker_count(request),
-                                                     [&] { work.leave_to_parent(); });
+    const PoolOutcome outcome =
+        solve_missing_chunks(work.folder(), job, worker_count(request), [&] { work.leave_to_parent(); });
     if (outcome == PoolOutcome::stopped) return tell_interruption(work.folder());
     return finish_sweep(work.folder(), &job.scenes().scene(0), request.units);
 }

@@ -7,9 +7,11 @@
 #include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
+#include "input/scene_reader.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
 #include "output/page/study_html.hpp"
 #include "output/report/folder_update.hpp"
+#include "output/report/result_folder.hpp"
 #include "output/words/study_text.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +47,7 @@ SweepFolder folder_for(const SweepRequest& request, const StoredSweep& sweep) {
 
 StoredSweep checked_sweep(const SweepRequest& request, SweepJob& job) {
     const int rows = job.scenes().plan().rows();
-    const Chunking chunking{rows, request.chunk.value_or(chunk_size_for(rows))};
+    const Chunking chunking{rows, request.chunk.value_or(chunk_size_for(job.scenes().plan()))};
     return {job.identity(check_rows(job.scenes()), chunking), sweep_shard(request)};
 }
 
@@ -133,6 +135,18 @@ SweepIdentity SweepJob::identity(const SweepColumns& columns, const Chunking& ch
             sweep_axes(request_),   fingerprint(plan_), columns,     chunking};
 }
 
+std::function<void(int row, const Solution&)> SweepJob::keeper(const SweepFolder& folder) const {
+    if (!request_.results) return {};
+    return [this, place = folder.path() / "rows"](int row, const Solution& solution) {
+        std::vector<std::string> settings = settings_;
+        for (std::string& setting : settings_of(plan_, row)) settings.push_back(std::move(setting));
+        const RunOrigin origin{request_.scene, "",
+                               input::scene_with_overrides(scene_.text, scene_.name, settings)};
+        write_result_folder(place / fmt::format("{:06}", row), View(solution), origin,
+                            {.for_programs = true});
+    };
+}
+
 WorkFolder::WorkFolder(const SweepRequest& request, SweepJob& job)
     : folder_(folder_for(request, checked_sweep(request, job))), lock_(folder_.path()) {
     if (const int damaged = folder_.remove_leftovers(); damaged > 0)
@@ -162,23 +176,24 @@ void FolderLock::leave_to_parent() {
     file_ = -1;
 }
 
-PoolTask chunk_task(const SweepFolder& folder, SweepScenes& scenes) {
+PoolTask chunk_task(const SweepFolder& folder, SweepJob& job) {
     PoolTask task;
     task.work = [&](int chunk, const std::function<void(int)>& tell) {
-        folder.write_chunk(chunk, solve_chunk(scenes, folder.identity().chunking.range(chunk), {},
-                                              [&](const SweepRow& row) { tell(row.number); }));
+        folder.write_chunk(chunk, solve_chunk(
+                                      job.scenes(), folder.identity().chunking.range(chunk), {},
+                                      [&](const SweepRow& row) { tell(row.number); }, job.keeper(folder)));
     };
     task.lost = [&](int chunk, const std::string& reason) {
-        write_lost_chunk(folder, scenes.plan(), chunk, reason);
+        write_lost_chunk(folder, job.scenes().plan(), chunk, reason);
     };
     return task;
 }
 
-PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepScenes& scenes, int workers,
+PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepJob& job, int workers,
                                  const std::function<void()>& begin_worker) {
     SweepProgress progress(folder.identity().chunking, folder.chunks(), folder.missing_chunks());
     const auto line = terminal_progress();
-    PoolTask task = chunk_task(folder, scenes);
+    PoolTask task = chunk_task(folder, job);
     task.units = folder.missing_chunks();
     task.workers = workers;
     task.begin_worker = begin_worker;

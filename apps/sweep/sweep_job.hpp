@@ -44,6 +44,8 @@ class SweepJob {
     SweepJob& operator=(const SweepJob&) = delete;
 
     [[nodiscard]] SweepScenes& scenes() { return scenes_; }
+    /// What a worker does with a solution, where a result folder for every row is asked for; else empty.
+    [[nodiscard]] std::function<void(int row, const Solution&)> keeper(const SweepFolder& folder) const;
     /// What a folder of this sweep says of itself, with these columns and chunks.
     [[nodiscard]] SweepIdentity identity(const SweepColumns& columns, const Chunking& chunking) const;
 
@@ -77,11 +79,11 @@ class WorkFolder {
 
 /// A task whose units are chunks, with what a worker does with one and what is left of one that two workers
 /// died of: its rows are failed, with the cause of death as the reason. Both write to the folder.
-[[nodiscard]] PoolTask chunk_task(const SweepFolder& folder, SweepScenes& scenes);
+[[nodiscard]] PoolTask chunk_task(const SweepFolder& folder, SweepJob& job);
 
 /// Solves the chunks that are missing in the folder; each is written there by its worker as soon as it is
 /// finished. Progress goes to the terminal, if there is one.
-[[nodiscard]] PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepScenes& scenes, int workers,
+[[nodiscard]] PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepJob& job, int workers,
                                                const std::function<void()>& begin_worker);
 
 // From the words of camopt sweep to what is asked for. All throw InputError.

@@ -80,7 +80,7 @@ void lead(const SweepRequest& request, int rank, int line) {
     if (receive_number(line) != begin_work) return;
     SweepJob job(request);
     const SweepFolder folder = folder_of_rank_zero(request, job, rank);
-    PoolTask task = chunk_task(folder, job.scenes());
+    PoolTask task = chunk_task(folder, job);
     task.workers = request.workers.value_or(1);
     task.begin_worker = [line] { ::close(line); };
     task.done = [line](int chunk) { send_message(line, {Kind::done, chunk, {}}); };

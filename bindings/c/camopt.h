@@ -434,6 +434,7 @@ typedef struct camopt_sweep_row {
     size_t active_limit_count;
     int iterations, exchange_rounds;
     double seconds;
+    int proved_from;  ///< the row whose motion it has too, proved without a solve; -1: solved
 } camopt_sweep_row;
 
 /// Not 0: the sweep ends here.

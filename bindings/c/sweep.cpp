@@ -164,7 +164,8 @@ class ShownRow {
                   limits_.size(),
                   row.iterations,
                   row.exchange_rounds,
-                  row.seconds_total};
+                  row.seconds_total,
+                  row.proved_from.value_or(-1)};
     }
     [[nodiscard]] const camopt_sweep_row& shown() const { return shown_; }
 
@@ -222,7 +223,7 @@ void solve_rows(const camopt_scene& given, const SweepPlan& plan, CallbackContro
             if (row_callback.call(&shown.shown(), row_callback.user) != 0) callbacks.stop();
         });
     };
-    const Chunking chunks{plan.rows(), chunk_size_for(plan.rows())};
+    const Chunking chunks{plan.rows(), chunk_size_for(plan)};
     for (int chunk = 0; chunk < chunks.count() && !callbacks.stopped(); ++chunk)
         (void)solve_chunk(scenes, chunks.range(chunk), control, tell);
     callbacks.finish();

@@ -21,7 +21,7 @@ int degree_along(const PointRule& rule, int spline_degree) {
 CamProblem::CamProblem(CamModel model) : CamProblem(std::move(model), {}) {}
 
 CamProblem::CamProblem(CamModel model, const std::vector<RuleSample>& samples)
-    : model_(std::make_shared<const CamModel>(std::move(model))),
+    : model_(std::make_shared<CamModel>(std::move(model))),
       places_(model_->rules.size()),
       scales_(design_scales(*model_)) {
     projection_ = std::make_unique<EqualityProjection>(model_->design.equalities(), scales_);
@@ -122,6 +122,11 @@ int CamProblem::append_rows() {
     if (!fresh.empty()) grid_->append(fresh);
     on_grid_ = samples_.size();
     return static_cast<int>(fresh.size());
+}
+
+void CamProblem::set_weights(std::span<const double> weights) {
+    for (std::size_t p = 0; p < weights.size(); ++p) model_->parameters[p].weight = weights[p];
+    grid_->follow_weights();
 }
 
 Eigen::VectorXd CamProblem::design_values(const Eigen::VectorXd& x) const {

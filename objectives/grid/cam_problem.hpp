@@ -56,6 +56,9 @@ class GridNlp final : public Nlp {
 
     [[nodiscard]] int first_sample_row() const { return first_sample_row_; }
 
+    /// Takes the weights of the model's parameters again.
+    void follow_weights();
+
  private:
     /// One row: affine rows have their coefficients, others the map (y … y''') = offset + matrix ·
     /// x[columns].
@@ -153,6 +156,8 @@ class CamProblem final : public ContinuousProblem {
 
     [[nodiscard]] const CamModel& model() const { return *model_; }
     [[nodiscard]] const std::vector<RuleSample>& samples() const { return samples_; }
+    /// Other weights of the same terms: the parameters' positive ones, one for each parameter.
+    void set_weights(std::span<const double> weights);
     [[nodiscard]] MotionChain motion(const Eigen::VectorXd& x) const;
     /// The spline of the first run: all of it for DRD and RR.
     [[nodiscard]] SplineCurve curve(const Eigen::VectorXd& x) const;
@@ -185,7 +190,7 @@ class CamProblem final : public ContinuousProblem {
     struct SupportedBounds;
     [[nodiscard]] SupportedBounds supported_bounds(double incumbent, double relaxation) const;
 
-    std::shared_ptr<const CamModel> model_;
+    std::shared_ptr<CamModel> model_;  ///< its grid reads it too
     std::vector<RuleSample> samples_;
     /// Samples of each rule by (piece, x), to find neighbours and duplicates.
     std::vector<std::map<std::pair<int, double>, int>> places_;

@@ -218,15 +218,25 @@ void GridNlp::add_cost_terms() {
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
         const int variable = design_size() + static_cast<int>(p);
-        if (parameter.kind != Parameter::Kind::rms) {
-            linear_cost_[variable] = parameter.weight;
-        } else {
+        if (parameter.kind == Parameter::Kind::rms)
             rms_.push_back(
                 {variable, parameter.weight, scaled_form(*model_, parameter.order, parameter.reference)});
-        }
     }
+    follow_weights();
     shape_.linear_cost = rms_.empty();
     shape_.quadratic_cost = rms_.empty();
+}
+
+void GridNlp::follow_weights() {
+    const auto weight = [&](int variable) {
+        return model_->parameters[static_cast<std::size_t>(variable - design_size())].weight;
+    };
+    for (int variable = design_size(); variable < shape_.variables(); ++variable)
+        linear_cost_[variable] = weight(variable);
+    for (RmsTerm& term : rms_) {
+        term.weight = weight(term.variable);
+        linear_cost_[term.variable] = 0.0;
+    }
 }
 
 void GridNlp::claim_cost() {

@@ -22,6 +22,7 @@ namespace camopt {
 namespace {
 
 constexpr std::string_view between_limits = "; ";
+constexpr std::string_view solved_word = "solved", proved_from_row = "proved from row ";
 
 /// Columns of a sweep with a follower train, and the members of a row.
 struct TrainColumn {
@@ -57,7 +58,7 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
         for (const SweepCamColumn& column : cam_columns) shown(column.file_unit(), row.cam.*column.value);
     if (columns.train)
         for (const TrainColumn& column : train_columns) line.number(row.train.*column.value);
-    line.words(fmt::format("{}", fmt::join(row.active_limits, between_limits)));
+    line.words(fmt::format("{}", fmt::join(row.active_limits, between_limits))).words(proof_cell(row));
     const EvaluationCounts& counts = row.evaluations;
     line.count(row.iterations).count(row.exchange_rounds);
     line.count(counts.cost).count(counts.gradient).count(counts.constraints).count(counts.jacobian);
@@ -108,6 +109,15 @@ class Cells {
             if (cell == name_of(value)) return value;
         fail("a verdict");
     }
+    std::optional<int> proved_from() {
+        const std::string_view cell = words();
+        if (cell == solved_word) return std::nullopt;
+        const std::optional<long long> row = cell.starts_with(proved_from_row)
+                                                 ? integer_in(cell.substr(proved_from_row.size()))
+                                                 : std::nullopt;
+        if (!row || !std::in_range<int>(*row)) fail("solved, or proved from row and a number");
+        return static_cast<int>(*row);
+    }
     std::vector<std::string> list() {
         std::vector<std::string> items;
         std::string_view rest = words();
@@ -149,6 +159,7 @@ SweepRow read_row(const SweepColumns& columns, Cells cells) {
     if (columns.train)
         for (const TrainColumn& column : train_columns) row.train.*column.value = cells.number_or_none();
     row.active_limits = cells.list();
+    row.proved_from = cells.proved_from();
     row.iterations = cells.number<int>();
     row.exchange_rounds = cells.number<int>();
     EvaluationCounts& counts = row.evaluations;
@@ -223,6 +234,11 @@ void add_row(CsvLine& line, const SweepRow& row, const std::vector<DimensionInde
 
 }  // namespace
 
+std::string proof_cell(const SweepRow& row) {
+    return row.proved_from ? fmt::format("{}{}", proved_from_row, *row.proved_from)
+                           : std::string(solved_word);
+}
+
 std::span<const SweepCamColumn> sweep_cam_columns() {
     return cam_columns;
 }
@@ -240,9 +256,9 @@ std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
         for (const SweepCamColumn& column : cam_columns) names.emplace_back(column.name);
     if (columns.train)
         for (const TrainColumn& column : train_columns) names.emplace_back(column.name);
-    add({"active_limits", "iterations", "exchange_rounds", "cost_evaluations", "gradient_evaluations",
-         "constraint_evaluations", "jacobian_evaluations", "hessian_evaluations", "profile_points",
-         "seconds_solve", "seconds_total"});
+    add({"active_limits", "proof", "iterations", "exchange_rounds", "cost_evaluations",
+         "gradient_evaluations", "constraint_evaluations", "jacobian_evaluations", "hessian_evaluations",
+         "profile_points", "seconds_solve", "seconds_total"});
     return names;
 }
 

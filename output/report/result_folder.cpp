@@ -118,6 +118,18 @@ void check_written(const std::string& text, const ResultFolder& read, const std:
                     printable(file), difference));
 }
 
+void write_for_people(FolderUpdate& writer, const View& view, const RunOrigin& origin,
+                      const WriteOptions& options) {
+    if (view.solution.motion) {
+        writer.write("motion.csv", motion_csv(view));
+        writer.write("motion.svg", motion_svg(view));
+    }
+    for (const CamFile& file : cam_files(view, {.points = options.points, .drawing = options.dxf}))
+        writer.write(file.name, file.text);
+    for (const FolderFile& file : options.also) writer.write(file.name, file.text);
+    writer.write("report.md", report_markdown(view.solution, origin));
+}
+
 }  // namespace
 
 void prepare_folder(const std::filesystem::path& folder) {
@@ -136,15 +148,8 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
     FolderUpdate writer(folder);
     for (const char* const name : optional_files) writer.remove_earlier(name);
     for (const std::string& name : cam_file_names()) writer.remove_earlier(name);
-    if (solution.motion) {
-        writer.write("motion.csv", motion_csv(view));
-        writer.write("motion.svg", motion_svg(view));
-    }
-    for (const CamFile& file : cam_files(view, {.points = options.points, .drawing = options.dxf}))
-        writer.write(file.name, file.text);
+    if (!options.for_programs) write_for_people(writer, view, origin, options);
     if (!origin.scene_text.empty()) writer.write("scene.toml", origin.scene_text);
-    for (const FolderFile& file : options.also) writer.write(file.name, file.text);
-    writer.write("report.md", report_markdown(solution, origin));
     writer.write("certificate.json", certificate_json(solution.certificate));
     writer.write("result.json", result_json(solution, origin));  // last: who sees it finds the rest complete
     return writer.finish();

@@ -189,13 +189,23 @@ TextTable table_of(const Comparison& comparison) {
     return table;
 }
 
+/// How many rows needed no solve; empty: none.
+std::string reuse_words(const std::vector<SweepRow>& rows) {
+    const auto proved =
+        std::ranges::count_if(rows, [](const SweepRow& row) { return row.proved_from.has_value(); });
+    if (proved == 0) return "";
+    return fmt::format(" ({} rows solved, {} proved from the motion of another row)",
+                       static_cast<std::ptrdiff_t>(rows.size()) - proved, proved);
+}
+
 }  // namespace
 
 std::string sweep_text(const SweepTable& table, const Scene* scene) {
     double seconds = 0.0;
     for (const SweepRow& row : table.rows) seconds += row.seconds_total;
     return verdict_line(table.rows) + front_line(table) + best_line(table, scene) +
-           failure_lines(table.rows) + fmt::format("  solving: {} s\n", short_text(seconds, 3));
+           failure_lines(table.rows) +
+           fmt::format("  solving: {} s{}\n", short_text(seconds, 3), reuse_words(table.rows));
 }
 
 std::string paper_report_text(const PaperReport& report) {

@@ -192,6 +192,9 @@ struct SolverReport {
     bool convex = true;        ///< every rule is linear or convex: the optimum is the global one
     int starts = 1;            ///< searches from different starts
     std::string proof_source;  ///< whose multipliers proved the bound
+    /// The number of the solve whose motion this is, in a study that reuses what it knows: proved for these
+    /// weights by multipliers fitted to its active rows (studies/search/proved_optima.hpp). None: solved.
+    std::optional<int> proved_from = {};
 };
 
 /// A measured motion beside the delivered one: the spline of the scene's own space that is nearest to it in

@@ -24,6 +24,21 @@ double power_of_two(double exponent) {
     return std::ldexp(1.0, static_cast<int>(exponent));
 }
 
+/// The objective of a good motion, to a factor of ten.
+double typical_cost(const Scene& scene, const Peaks& reference) {
+    double cost = 0.0;
+    for (const CostTerm& term : cost_terms()) {
+        const double weight = term.weight_in(scene.objective);
+        if (weight > 0.0)
+            cost += weight * term.typical /
+                    (scene.objective.reference.*term.reference).value_or(term.measured.of(reference));
+    }
+    for (const ResponseTerm& term : response_terms()) cost += term.weight_in(scene.objective);
+    for (const double weight : scene.objective.dimensions) cost += weight;
+    for (const OwnTerm& term : scene.own_terms) cost += term.weight;
+    return cost;
+}
+
 }  // namespace
 
 CostScale::CostScale(const Scene& scene, const Peaks& reference) : scaled_(scene) {
@@ -43,18 +58,14 @@ void CostScale::scale_references() {
     }
 }
 
+bool CostScale::are_near_one(const Scene& scene, const Peaks& reference) {
+    const double cost = typical_cost(scene, reference);
+    return cost == 0.0 || (cost >= least_idle_cost && cost <= most_idle_cost);  // 0: nothing is weighed
+}
+
 void CostScale::scale_weights(const Peaks& reference) {
-    double cost = 0.0;
-    for (const CostTerm& term : cost_terms()) {
-        const double weight = term.weight_in(scaled_.objective);
-        if (weight > 0.0)
-            cost += weight * term.typical /
-                    (scaled_.objective.reference.*term.reference).value_or(term.measured.of(reference));
-    }
-    for (const ResponseTerm& term : response_terms()) cost += term.weight_in(scaled_.objective);
-    for (const double weight : scaled_.objective.dimensions) cost += weight;
-    for (const OwnTerm& term : scaled_.own_terms) cost += term.weight;
-    if (cost == 0.0 || (cost >= least_idle_cost && cost <= most_idle_cost)) return;  // 0: nothing is weighed
+    if (are_near_one(scaled_, reference)) return;
+    const double cost = typical_cost(scaled_, reference);
     idle_ = false;
     factor_ =
         power_of_two(cost < 1.0 ? std::ceil(std::log2(cost)) : std::floor(std::log2(cost / large_cost)));

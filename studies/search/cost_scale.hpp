@@ -17,6 +17,9 @@ class CostScale {
     /// reference: reference_peaks(scene).
     CostScale(const Scene& scene, const Peaks& reference);
 
+    /// Whether the weights alone leave the objective near one: with the references of a scene that was idle
+    /// nothing is to be scaled.
+    [[nodiscard]] static bool are_near_one(const Scene& scene, const Peaks& reference);
     /// Nothing to do: solve the scene itself.
     [[nodiscard]] bool is_idle() const { return idle_; }
     /// Objective of the scene / objective of scaled(): a power of two.

@@ -2,13 +2,15 @@
 // What a neighbouring scene was solved with, for the next one. The exchange starts with the cam angles that
 // mattered instead of finding them again, round by round: a grid for each set of rules, of the scene and of
 // its relaxations. A look (PlanOptions::look) also begins with the motion that the last search found and the
-// weight that broke the last tie.
+// weight that broke the last tie. Where only weights differ, a motion that is known may be proved optimal
+// without any solve (proved_optima.hpp).
 //
 // Verdict and objective are those of a cold solve, to the solver's tolerance. Scenes that are no neighbours
 // (another spline, another motion) are solved cold.
 #pragma once
 
 #include "objectives/grid/cam_problem.hpp"
+#include "studies/search/proved_optima.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -46,6 +48,9 @@ struct KnownSolutions {
     Found found = {};
     std::optional<double> tie_break_weight = {};  ///< that the last tie-break kept
     std::vector<Grid> grids = {};                 ///< the one used last in front
+    /// Of convex scenes: motions that are optimal for other weights too need no solve.
+    ProvedOptima optima = {};
+    int number = 0;  ///< of the scene that is solved next, for those who number them
 
  private:
     [[nodiscard]] Grid& grid_of(const CamModel& model);

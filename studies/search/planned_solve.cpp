@@ -75,8 +75,19 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
     return std::move(all.result);
 }
 
-void report_result(Solution& solution, const CamProblem& problem, ContinuousResult result) {
-    solution.certificate = std::move(result.certificate);
+/// The optimum of a convex problem, for neighbours of other weights. The problem is used up.
+void propose_optimum(const PlannedRun& run, CamProblem& problem, const ContinuousResult& result) {
+    const std::optional<Eigen::VectorXd>& multipliers = result.exchange.last.row_multipliers;
+    const Certificate& certificate = result.certificate;
+    if (!run.plan.convex || !run.posed.scale.is_idle() || certificate.verdict != Verdict::optimal) return;
+    if (!multipliers || certificate.proof_kind != ProofKind::duality || !certificate.proof ||
+        certificate.proof->limits_relaxed_by > 0.0 || result.proof_source != run.plan.solver)
+        return;
+    run.known.optima.propose(std::move(problem), result.x, *multipliers);
+}
+
+void report_result(Solution& solution, const CamProblem& problem, const ContinuousResult& result) {
+    solution.certificate = result.certificate;
     solution.solver.termination = result.exchange.termination;
     solution.solver.native_status = result.exchange.last.native_status;
     solution.solver.iterations = result.exchange.iterations;
@@ -116,7 +127,8 @@ Solution solve_motion(const PlannedRun& run) {
                                       : solve_general(run, solver, problem, solution);
         solution.seconds_solve = solve_watch.seconds();
         solution.evaluations = solver.counts();
-        report_result(solution, problem, std::move(result));
+        report_result(solution, problem, result);
+        propose_optimum(run, problem, result);
     }
     solution.seconds_total = watch.seconds();
     return solution;
@@ -143,6 +155,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     } else {
         solution = plan->breakpoints > 0 ? solve_free_knots(run) : solve_motion(run);
         if (plan->strokes_first_free && leaves_its_strokes(solution)) {
+            run.known.optima.withdraw();
             Solution held = plan->breakpoints > 0 ? solve_held_on_breakpoints(posed.scene(), solution, timed)
                                                   : solve_held_strokes(posed.scene(), timed);
             take_bound_of_relaxation(held, solution);
@@ -201,10 +214,17 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
                                   const PlanOptions& options) {
     const Scene scene = with_written_limits(given);
     validate(scene);
+    if (known != nullptr) {
+        known->optima.withdraw();
+        if (std::optional<Solution> proved = known->optima.proved(scene)) return std::move(*proved);
+    }
     const SolveControl timed = control.sooner(scene.solver.max_seconds);
     Solution solution = solve_and_audit(scene, timed, known, options);
-    if (std::optional<Solution> first = without_tie_break(scene, solution, timed, options.explain))
+    if (std::optional<Solution> first = without_tie_break(scene, solution, timed, options.explain)) {
         solution = std::move(*first);
+        if (known != nullptr) known->optima.withdraw();
+    }
+    if (known != nullptr) known->optima.settle(solution, known->number);
     if (timed.deadline.was_felt()) note_time_limit(solution);
     return solution;
 }

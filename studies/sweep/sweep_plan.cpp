@@ -102,13 +102,6 @@ struct Seen {
     }
 };
 
-std::vector<std::string> settings_of(const SweepPlan& plan, int row) {
-    const std::span<const double> values = plan.row(row);
-    std::vector<std::string> settings(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) settings[i] = setting_text(plan.keys[i], values[i]);
-    return settings;
-}
-
 }  // namespace
 
 SweepPlan sweep_grid(std::span<const SweepAxis> axes) {
@@ -154,6 +147,13 @@ std::string setting_text(const std::string& key, double value) {
     if (value == std::round(value) && std::abs(value) < exact_integers)
         return fmt::format("{}={}", key, static_cast<long long>(value));
     return fmt::format("{}={}", key, value);
+}
+
+std::vector<std::string> settings_of(const SweepPlan& plan, int row) {
+    const std::span<const double> values = plan.row(row);
+    std::vector<std::string> settings(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) settings[i] = setting_text(plan.keys[i], values[i]);
+    return settings;
 }
 
 std::string row_text(const SweepPlan& plan, int row) {

@@ -39,6 +39,9 @@ struct SweepPlan {
 /// "objective.velocity=0.3": integers without a point, everything else as it reads back.
 [[nodiscard]] std::string setting_text(const std::string& key, double value);
 
+/// Of one row, as --set takes them.
+[[nodiscard]] std::vector<std::string> settings_of(const SweepPlan& plan, int row);
+
 /// "row 17 (objective.velocity=0.3, objective.jerk=0.7)"
 [[nodiscard]] std::string row_text(const SweepPlan& plan, int row);
 

@@ -48,6 +48,8 @@ struct SweepRow {
     SweepCam cam;
     SweepTrain train;
     std::vector<std::string> active_limits;  ///< keys as written, in the scene's order
+    /// The row whose motion this one has too, proved without a solve; none: it was solved.
+    std::optional<int> proved_from = {};
     int iterations = 0, exchange_rounds = 0;
     EvaluationCounts evaluations;
     double seconds_solve = 0.0, seconds_total = 0.0;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <optional>
@@ -68,6 +69,7 @@ SweepRow sweep_row(int number, std::span<const double> settings, const Solution&
         for (const ConstraintReport& limit : solution.constraints)
             if (limit.active) row.active_limits.push_back(limit.key);
     }
+    row.proved_from = solution.solver.proved_from;
     row.iterations = solution.solver.iterations;
     row.exchange_rounds = solution.solver.exchange_rounds;
     row.evaluations = solution.evaluations;
@@ -84,15 +86,24 @@ SweepRow failed_row(int number, std::span<const double> settings, std::string_vi
     return row;
 }
 
+int chunk_size_for(const SweepPlan& plan) {
+    const bool weights = !plan.keys.empty() && is_weight_key(plan.keys.back());
+    return std::clamp((plan.rows() + least_chunks - 1) / least_chunks, 1,
+                      weights ? weight_chunk_size : default_chunk_size);
+}
+
 std::vector<SweepRow> solve_chunk(SweepScenes& scenes, RowRange rows, const SolveControl& control,
-                                  const std::function<void(const SweepRow&)>& row_done) {
+                                  const std::function<void(const SweepRow&)>& row_done,
+                                  const std::function<void(int row, const Solution&)>& found) {
     std::vector<SweepRow> solved;
     KnownSolutions known;
     for (int number = rows.begin; number < rows.end && !control.stopped(); ++number) {
         const std::span<const double> settings = scenes.plan().row(number);
+        known.number = number;
         try {
-            solved.push_back(
-                sweep_row(number, settings, solve_without_explaining(scenes.scene(number), control, &known)));
+            const Solution solution = solve_without_explaining(scenes.scene(number), control, &known);
+            solved.push_back(sweep_row(number, settings, solution));
+            if (found && !control.stopped()) found(number, solution);
         } catch (const std::exception& error) {
             solved.push_back(failed_row(number, settings, fmt::format("error: {}", error.what())));
             known = {};
@@ -109,6 +120,7 @@ std::vector<SweptScene> sweep(const Scene& scene, std::span<const double> values
     KnownSolutions known;
     for (const double value : values) {
         if (control.ending()) break;
+        known.number = static_cast<int>(rows.size());
         Scene one = scene;
         set(one, value);
         SweptScene row{value, solve_without_explaining(one, control, &known)};

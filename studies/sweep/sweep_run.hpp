@@ -12,7 +12,6 @@
 #include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <span>
 #include <string_view>
@@ -22,6 +21,8 @@ namespace camopt {
 
 /// Long enough for warm starts to pay, short enough to lose little where a run is stopped.
 inline constexpr int default_chunk_size = 25;
+/// Where weights move fastest most rows need no solve: the longer a chunk, the more of them.
+inline constexpr int weight_chunk_size = 150;
 /// The chunks a small sweep is cut into at least, so that several workers find something to do.
 inline constexpr int least_chunks = 16;
 
@@ -42,10 +43,9 @@ struct Chunking {
     }
 };
 
-/// By the number of rows alone: default_chunk_size, or fewer where that makes less than least_chunks chunks.
-[[nodiscard]] constexpr int chunk_size_for(int rows) {
-    return std::clamp((rows + least_chunks - 1) / least_chunks, 1, default_chunk_size);
-}
+/// By the number of rows and what moves fastest: the size above, or less where that makes fewer than
+/// least_chunks chunks.
+[[nodiscard]] int chunk_size_for(const SweepPlan& plan);
 
 /// What a solution says, as a row.
 [[nodiscard]] SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution);
@@ -55,10 +55,12 @@ struct Chunking {
 
 /// One row a number, in order; `row_done` (may be empty) is called after each. A row whose solve throws is
 /// failed with the message as its reason, and the next starts cold. Where control stops it the rows so far
-/// come back, the last one perhaps stopped halfway: fewer than asked for, or not to be kept.
-[[nodiscard]] std::vector<SweepRow> solve_chunk(SweepScenes& scenes, RowRange rows,
-                                                const SolveControl& control = {},
-                                                const std::function<void(const SweepRow&)>& row_done = {});
+/// come back, the last one perhaps stopped halfway: fewer than asked for, or not to be kept. `found` (may be
+/// empty): called before it with the solution, where there is one.
+[[nodiscard]] std::vector<SweepRow> solve_chunk(
+    SweepScenes& scenes, RowRange rows, const SolveControl& control = {},
+    const std::function<void(const SweepRow&)>& row_done = {},
+    const std::function<void(int row, const Solution&)>& found = {});
 
 // A sweep that a function makes: for studies that no key of a scene file could say. Sweeps by keys, which can
 // be cut into chunks and resumed, are studies/sweep/sweep_run.hpp.

@@ -44,7 +44,7 @@ class Crew {
     Crew(const SweepTask& task, Watch& watch)
         : task_(task),
           watch_(watch),
-          chunking_{task.plan.rows(), task.chunk.value_or(chunk_size_for(task.plan.rows()))} {}
+          chunking_{task.plan.rows(), task.chunk.value_or(chunk_size_for(task.plan))} {}
 
     std::vector<SweepRow> run() {
         std::vector<std::thread> threads;
@@ -206,6 +206,7 @@ class Columns {
         }
         words(columns, "active_limits",
               [](const SweepRow& row) { return fmt::format("{}", fmt::join(row.active_limits, "; ")); });
+        words(columns, "proof", [](const SweepRow& row) { return proof_cell(row); });
         numbers(columns, "iterations",
                 [](const SweepRow& row) { return static_cast<py::ssize_t>(row.iterations); });
         numbers(columns, "exchange_rounds",

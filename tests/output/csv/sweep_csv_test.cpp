@@ -48,6 +48,7 @@ SweepRow random_row(int number, std::mt19937_64& generator) {
     row.dimensions[2] = maybe();
     row.cam = {maybe(), maybe(), maybe()};
     if (number % 2 == 0) row.active_limits = {"limits.velocity", "limits.pressure_angle_deg"};
+    if (number % 3 == 0) row.proved_from = number + 1;
     row.iterations = number;
     row.exchange_rounds = 3;
     row.evaluations = {count(generator), 2, 3, 4, 5, count(generator)};
@@ -81,6 +82,7 @@ void expect_same(const SweepRow& one, const SweepRow& other) {
         EXPECT_DOUBLE_EQ(*found, *expected) << column.name;
     }
     EXPECT_EQ(one.active_limits, other.active_limits);
+    EXPECT_EQ(one.proved_from, other.proved_from);
     EXPECT_EQ(one.iterations, other.iterations);
     EXPECT_EQ(one.exchange_rounds, other.exchange_rounds);
     EXPECT_EQ(one.evaluations.cost, other.evaluations.cost);
@@ -122,7 +124,7 @@ TEST(SweepCsv, NamesItsColumnsWithUnits) {
             .starts_with("row,objective.velocity,motion.segments[1].to,verdict,reason,pareto_front,"
                          "objective,lower_bound,gap,any_curve_limit,velocity,acceleration,jerk,torque,"
                          "rms_acceleration,rms_jerk,base_radius_mm,offset_mm,pressure_angle_deg,"
-                         "convex_radius_mm,concave_radius_mm,active_limits,iterations,"
+                         "convex_radius_mm,concave_radius_mm,active_limits,proof,iterations,"
                          "exchange_rounds,cost_evaluations,gradient_evaluations,"
                          "constraint_evaluations,jacobian_evaluations,hessian_evaluations,"
                          "profile_points,seconds_solve,seconds_total\n0,"));

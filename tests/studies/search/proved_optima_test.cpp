@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Motions that are proved optimal for other weights without a solve.
+#include "studies/search/planned_solve.hpp"
+#include "studies/solve/solve.hpp"
+#include "studies/sweep/sweep_axis.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace camopt {
+namespace proved_optima_test {
+
+Scene weighted(const std::array<double, 3>& weights, int segments = 12) {
+    Scene scene = testing_support::paper_objective(MotionType::drd, 3, segments);
+    scene.objective.velocity = weights[0];
+    scene.objective.acceleration = weights[1];
+    scene.objective.jerk = weights[2];
+    return scene;
+}
+
+Solution neighbour(const Scene& scene, KnownSolutions& known) {
+    Solution solution = solve_without_explaining(scene, {}, &known);
+    ++known.number;
+    return solution;
+}
+
+/// The claim holds without its claimant: the bound follows from the stored numbers, and the cold solve
+/// agrees.
+TEST(ProvedOptima, WholeLatticeEqualsColdSolves) {
+    const SweepAxis lattice = simplex_weights(12);
+    KnownSolutions known;
+    int reused = 0;
+    for (int row = 0; row < lattice.points(); ++row) {
+        SCOPED_TRACE(row);
+        const auto point = lattice.point(row);
+        const Scene scene = weighted({point[0], point[1], point[2]});
+        const Solution found = neighbour(scene, known);
+        const Certificate& certificate = found.certificate;
+        EXPECT_EQ(certificate.verdict, Verdict::optimal);
+        if (!found.solver.proved_from) continue;
+        ++reused;
+        EXPECT_LT(*found.solver.proved_from, row);
+        ASSERT_TRUE(certificate.proof && certificate.lower_bound);
+        EXPECT_EQ(recomputed_bound(*certificate.proof), *certificate.lower_bound);
+        EXPECT_LE(*certificate.gap, 1e-9);
+        EXPECT_EQ(found.scene.objective.velocity, point[0]);
+        if (reused % 8 != 0) continue;
+        const Solution cold = solve(scene);
+        EXPECT_NEAR(certificate.objective, cold.certificate.objective, 1e-9);
+        EXPECT_NEAR(*certificate.lower_bound, *cold.certificate.lower_bound, 2e-9);
+        EXPECT_NEAR(found.any_curve_limit->objective, cold.any_curve_limit->objective, 1e-12);
+        EXPECT_NEAR(found.peaks.jerk.value, cold.peaks.jerk.value, 1e-6 * cold.peaks.jerk.value);
+        EXPECT_NEAR(found.peaks.rms_jerk, cold.peaks.rms_jerk, 1e-3 * cold.peaks.rms_jerk)
+            << "another optimum";
+    }
+    EXPECT_GT(reused, lattice.points() / 3);
+}
+
+TEST(ProvedOptima, FarWeightsAreSolved) {
+    KnownSolutions known;
+    EXPECT_FALSE(neighbour(weighted({0.4, 0.4, 0.2}), known).solver.proved_from);
+    EXPECT_FALSE(neighbour(weighted({0.01, 0.01, 0.98}), known).solver.proved_from);
+    const Solution again = neighbour(weighted({0.4, 0.4, 0.2}), known);
+    EXPECT_EQ(again.solver.proved_from, 0) << "of two known optima the right one";
+}
+
+/// Only weights > 0 of the same terms may differ.
+TEST(ProvedOptima, OtherScenesAreSolved) {
+    KnownSolutions known;
+    const std::array<double, 3> weights = {0.4, 0.4, 0.2};
+    (void)neighbour(weighted(weights), known);
+    EXPECT_TRUE(neighbour(weighted(weights), known).solver.proved_from);
+    EXPECT_FALSE(neighbour(weighted({0.0, 0.4, 0.2}), known).solver.proved_from)
+        << "more motions are optimal";
+    EXPECT_FALSE(neighbour(weighted(weights, 13), known).solver.proved_from);
+    (void)neighbour(weighted(weights), known);
+    Scene limited = weighted(weights);
+    limited.limits.velocity = PeakLimit{1.7};
+    EXPECT_FALSE(neighbour(limited, known).solver.proved_from);
+    Scene smooth = weighted(weights);
+    smooth.objective.rms_jerk = 0.1;
+    EXPECT_FALSE(neighbour(smooth, known).solver.proved_from);
+    EXPECT_FALSE(neighbour(smooth, known).solver.proved_from) << "its optimum moves with every weight";
+}
+
+}  // namespace proved_optima_test
+}  // namespace camopt
