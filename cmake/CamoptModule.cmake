@@ -7,6 +7,8 @@
 # Where <camopt/….hpp> are written, what is promised to embedders (include/promised_headers.cmake).
 set(camopt_promised_dir ${PROJECT_BINARY_DIR}/include)
 
+include(CheckCXXCompilerFlag)
+
 add_library(camopt_warnings INTERFACE)
 # A switch that lacks a kind or a follower is an error of every build.
 target_compile_options(camopt_warnings INTERFACE -Werror=switch -Wall -Wextra -Wpedantic -Wconversion
@@ -71,6 +73,20 @@ endfunction()
 # camopt_compile_alone(<target> <sources …>): not together with others, whatever CAMOPT_UNITY_BUILD is.
 function(camopt_compile_alone target)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# camopt_wide_kernels(<target> <source>): the loops once more for machines with AVX2 and FMA (linear/kernels.hpp), where
+# the compiler knows them. Alone, and without precompiled headers: their inline functions must not be compiled so.
+check_cxx_compiler_flag(-march=x86-64-v3 CAMOPT_COMPILES_X86_64_V3)
+function(camopt_wide_kernels target source)
+  if(NOT CAMOPT_COMPILES_X86_64_V3)
+    return()
+  endif()
+  target_sources(${target} PRIVATE ${source})
+  target_compile_definitions(${target} PRIVATE CAMOPT_WIDE_KERNELS)
+  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS -march=x86-64-v3)
+  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  camopt_compile_alone(${target} ${source})
 endfunction()
 
 # camopt_compile_together(<target> [<most>]): its sources in equal units of at most CAMOPT_UNITY_BATCH (<most>), where

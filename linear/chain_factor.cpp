@@ -2,8 +2,10 @@
 #include "linear/chain_factor.hpp"
 
 #include "core/errors.hpp"
+#include "linear/kernels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,8 +19,24 @@ using Matrix = SymmetricFactor::Matrix;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// A pivot smaller than this part of its diagonal entry is round-off.
-constexpr double rounding = 1e-14;
+// The smallest widths with unrolled loops that are at least the actual ones are used: missing entries are
+// zeros.
+constexpr std::array<int, 5> unrolled_bands = {4, 6, 8, 10, 12};
+constexpr int unrolled_border = 4;
+
+FactorOutcome outcome_of(ChainOutcome outcome) {
+    switch (outcome) {
+        case ChainOutcome::ok:
+            return FactorOutcome::ok;
+        case ChainOutcome::zero_pivot:
+            return FactorOutcome::zero_pivot;
+        case ChainOutcome::wrong_sign:
+            return FactorOutcome::wrong_sign;
+        case ChainOutcome::not_finite:
+            return FactorOutcome::not_finite;
+    }
+    throw ModelError("ChainFactor: unknown outcome");
+}
 
 /// Column j of the chain: [ K_jj … K_{j+b,j} | border rows ], overwritten by [ pivot, L … | L of the border
 /// ].
@@ -32,28 +50,19 @@ class ChainFactor final : public SymmetricFactor {
     [[nodiscard]] std::string_view name() const override { return "chain"; }
 
  private:
-    [[nodiscard]] double* column(int j) { return values_.data() + static_cast<std::ptrdiff_t>(j) * stride_; }
-    [[nodiscard]] const double* column(int j) const {
-        return values_.data() + static_cast<std::ptrdiff_t>(j) * stride_;
-    }
-    [[nodiscard]] double* corner() { return values_.data() + corner_; }
-    [[nodiscard]] double& border(int i, int j) {
-        return values_[corner_ + static_cast<std::size_t>(i * widths_.border + j)];
-    }
     [[nodiscard]] double border(int i, int j) const {
-        return values_[corner_ + static_cast<std::size_t>(i * widths_.border + j)];
+        return values_[corner_ + static_cast<std::size_t>(i * matrix_.border + j)];
     }
     [[nodiscard]] std::uint32_t place_of(int low, int high) const;
+    [[nodiscard]] int stride() const { return 1 + matrix_.band + matrix_.border; }
+    void choose_widths();
+    void find_diagonal(const std::vector<int>& signs);
     void load(const Matrix& lower, const VectorXd& shift);
-    bool right_pivot(double& pivot, double original, int sign);
-    void eliminate_single(int j);
-    void eliminate_pair(int j);
-    void eliminate_border();
-    void divide_by_pivots(double* x) const;
 
     ChainOrder order_;
-    int chain_rows_ = 0, border_rows_ = 0, band_ = 0, stride_ = 0;
-    std::vector<int> signs_;                  ///< in the order of elimination
+    ChainMatrix matrix_;  ///< of the arrays below
+    ChainLoops loops_{};
+    std::vector<double> signs_;               ///< in the order of elimination
     std::vector<std::uint32_t> destination_;  ///< of every stored entry, in values_
     std::vector<double> values_;              ///< column after column, then the border's own square
     std::size_t corner_ = 0;                  ///< where that begins
@@ -62,68 +71,77 @@ class ChainFactor final : public SymmetricFactor {
         int row;              ///< of the matrix
         double shift_sign;    ///< 0 for pairs: their determinant is nonzero without a shift
     };
-    std::vector<Diagonal> diagonal_places_;     ///< in the order of elimination
-    std::vector<double> diagonal_;              ///< of the matrix, in the order of elimination
-    std::vector<double> scaled_, scaled_next_;  ///< L D of the columns being eliminated
-    std::vector<std::pair<double, double>>
-        inverse_;             ///< of the pivots: 1/d, or the entries of a 2 x 2 inverse
-    std::vector<int> place_;  ///< of every row in ordered_
-    mutable VectorXd ordered_;
-    ChainWidths widths_;
-    ChainKernels kernels_{};
-    FactorOutcome outcome_ = FactorOutcome::ok;
+    std::vector<Diagonal> diagonal_places_;  ///< in the order of elimination
+    std::vector<double> diagonal_;           ///< of the matrix, in the order of elimination
+    std::vector<double> inverse_;            ///< see ChainMatrix
+    std::vector<int> place_;                 ///< of every row in ordered_
+    mutable std::vector<double> ordered_;    ///< a zero, the chain, zeros as wide as the band, the border
 };
 
-void ChainFactor::analyse(const Matrix& lower, std::vector<int> signs) {
-    chain_rows_ = static_cast<int>(order_.sequence.size());
-    border_rows_ = static_cast<int>(order_.border.size());
-    if (lower.rows() != chain_rows_ + border_rows_ || lower.rows() != static_cast<Index>(signs.size()))
-        throw ModelError("ChainFactor: not the matrix it was ordered for");
+void ChainFactor::choose_widths() {
     // A pair needs one row more than its first column has.
-    widths_ = padded({order_.half_bandwidth + 1, border_rows_});
-    kernels_ = chain_kernels(widths_);
-    band_ = widths_.band;
-    stride_ = widths_.stride();
+    matrix_.band = order_.half_bandwidth + 1;
+    matrix_.border = matrix_.border_rows;
+    const auto* const wide = std::ranges::lower_bound(unrolled_bands, matrix_.band);
+    if (wide != unrolled_bands.end() && matrix_.border_rows <= unrolled_border) {
+        matrix_.band = *wide;
+        if (matrix_.border_rows > 0) matrix_.border = unrolled_border;
+    }
+    loops_ = linear_kernels().chain(matrix_.band, matrix_.border);
+}
+
+void ChainFactor::analyse(const Matrix& lower, std::vector<int> signs) {
+    const int count = matrix_.count = static_cast<int>(order_.sequence.size());
+    matrix_.border_rows = static_cast<int>(order_.border.size());
+    if (lower.rows() != count + matrix_.border_rows || lower.rows() != static_cast<Index>(signs.size()))
+        throw ModelError("ChainFactor: not the matrix it was ordered for");
+    choose_widths();
     // Columns past the end receive the updates outside the band, which are zeros.
-    corner_ = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(chain_rows_ + band_ + 1);
-    values_.assign(corner_ + static_cast<std::size_t>(widths_.border * widths_.border), 0.0);
+    corner_ = static_cast<std::size_t>(stride()) * static_cast<std::size_t>(count + matrix_.band + 1);
+    values_.assign(corner_ + static_cast<std::size_t>(matrix_.border * matrix_.border), 0.0);
     if (values_.size() > std::numeric_limits<std::uint32_t>::max())
         throw ModelError("ChainFactor: more entries than it can count");
-    signs_.resize(signs.size());
-    for (std::size_t i = 0; i < signs.size(); ++i)
-        signs_[static_cast<std::size_t>(order_.position[i])] = signs[i];
     destination_.clear();
+    destination_.reserve(static_cast<std::size_t>(lower.nonZeros()));
     for (int j = 0; j < lower.outerSize(); ++j)
         for (Matrix::InnerIterator entry(lower, j); entry; ++entry) {
             const int a = order_.position[static_cast<std::size_t>(entry.row())];
             const int b = order_.position[j];
             destination_.push_back(place_of(std::max(a, b), std::min(a, b)));
         }
+    find_diagonal(signs);
+    inverse_.resize(3 * static_cast<std::size_t>(count));
+    place_ = order_.position;
+    for (int& place : place_) place += place < count ? 1 : 1 + matrix_.band;
+    ordered_.assign(static_cast<std::size_t>(1 + count + matrix_.band + matrix_.border), 0.0);
+    matrix_.columns = values_.data();
+    matrix_.corner = values_.data() + corner_;
+    matrix_.opens_pair = order_.opens_pair.data();
+    matrix_.signs = signs_.data();
+    matrix_.diagonal = diagonal_.data();
+    matrix_.inverse = inverse_.data();
+}
+
+void ChainFactor::find_diagonal(const std::vector<int>& signs) {
+    signs_.resize(signs.size());
     diagonal_places_.resize(signs.size());
     for (std::size_t row = 0; row < signs.size(); ++row) {
         const int at = order_.position[row];
         const bool paired =
-            at < chain_rows_ && (order_.opens_pair[at] != 0 || (at > 0 && order_.opens_pair[at - 1] != 0));
-        diagonal_places_[static_cast<std::size_t>(at)] = {place_of(at, at), static_cast<int>(row),
-                                                          paired ? 0.0 : static_cast<double>(signs[row])};
+            at < matrix_.count && (order_.opens_pair[at] != 0 || (at > 0 && order_.opens_pair[at - 1] != 0));
+        signs_[at] = signs[row];
+        diagonal_places_[at] = {place_of(at, at), static_cast<int>(row), paired ? 0.0 : signs_[at]};
     }
     diagonal_.resize(signs.size());
-    inverse_.resize(chain_rows_);
-    scaled_.assign(stride_, 0.0);
-    scaled_next_.assign(stride_, 0.0);
-    place_ = order_.position;  // zeros between chain and border receive the updates outside the band
-    for (int& place : place_)
-        if (place >= chain_rows_) place += band_;
-    ordered_.setZero(chain_rows_ + band_ + widths_.border);
 }
 
 /// Of the entry in these rows, by the order of elimination; low >= high.
 std::uint32_t ChainFactor::place_of(int low, int high) const {
-    if (high >= chain_rows_)
+    if (high >= matrix_.count)
         return static_cast<std::uint32_t>(corner_) +
-               static_cast<std::uint32_t>((low - chain_rows_) * widths_.border + high - chain_rows_);
-    const int below = low < chain_rows_ ? low - high : band_ + 1 + low - chain_rows_;
-    return static_cast<std::uint32_t>(high) * static_cast<std::uint32_t>(stride_) +
+               static_cast<std::uint32_t>((low - matrix_.count) * matrix_.border + high - matrix_.count);
+    const int below = low < matrix_.count ? low - high : matrix_.band + 1 + low - matrix_.count;
+    return static_cast<std::uint32_t>(high) * static_cast<std::uint32_t>(stride()) +
            static_cast<std::uint32_t>(below);
 }
 
@@ -142,120 +160,26 @@ void ChainFactor::load(const Matrix& lower, const VectorXd& shift) {
 FactorOutcome ChainFactor::factorize(const Matrix& lower, const VectorXd& shift) {
     if (lower.nonZeros() != static_cast<Index>(destination_.size()) || shift.size() != lower.rows())
         throw ModelError("SymmetricFactor: not the analysed pattern");
-    outcome_ = FactorOutcome::ok;
     load(lower, shift);
-    for (int j = 0; j < chain_rows_; ++j) {
-        if (order_.opens_pair[j] != 0)
-            eliminate_pair(j++);
-        else
-            eliminate_single(j);
-        if (outcome_ == FactorOutcome::not_finite || outcome_ == FactorOutcome::zero_pivot) return outcome_;
-    }
-    eliminate_border();
-    return outcome_;
-}
-
-/// False: not to be used. A pivot of the wrong sign is round-off: it is recorded, and replaced by the
-/// smallest value admissible for the diagonal entry.
-bool ChainFactor::right_pivot(double& pivot, double original, int sign) {
-    if (!std::isfinite(pivot)) {
-        outcome_ = FactorOutcome::not_finite;
-        return false;
-    }
-    const double least = rounding * original;
-    if (pivot * sign > least) return true;
-    if (pivot * sign < 0.0) outcome_ = FactorOutcome::wrong_sign;
-    pivot = sign * std::max(least, std::abs(pivot));
-    if (pivot != 0.0) return true;
-    outcome_ = FactorOutcome::zero_pivot;
-    return false;
-}
-
-void ChainFactor::eliminate_single(int j) {
-    double* own = column(j);
-    double pivot = own[0];
-    if (!right_pivot(pivot, diagonal_[j], signs_[j])) return;
-    const double inverse = 1.0 / pivot;
-    inverse_[j] = {inverse, 0.0};
-    own[0] = pivot;
-    for (int k = 1; k < stride_; ++k) {
-        scaled_[k] = own[k];
-        own[k] *= inverse;
-    }
-    kernels_.subtract(own, own, scaled_.data(), corner(), widths_);
-}
-
-/// Columns j and j + 1 together: [ p e; e −n ] with inverse [ n e; e −p ] / (p n + e²).
-void ChainFactor::eliminate_pair(int j) {
-    double* first = column(j);
-    double* second = column(j + 1);
-    const double p = std::max(0.0, first[0]), n = std::max(0.0, -second[0]), e = first[1];
-    const double determinant = p * n + e * e;
-    if (!std::isfinite(determinant) || determinant == 0.0) {
-        outcome_ = determinant == 0.0 ? FactorOutcome::zero_pivot : FactorOutcome::not_finite;
-        return;
-    }
-    const double a = n / determinant, b = e / determinant, c = -p / determinant;
-    inverse_[j] = {a, b};
-    inverse_[j + 1] = {b, c};
-    first[1] = 0.0;
-    const auto divide = [&](double& u, double& v, double& scaled_u, double& scaled_v) {
-        scaled_u = u;
-        scaled_v = v;
-        u = a * scaled_u + b * scaled_v;
-        v = b * scaled_u + c * scaled_v;
-    };
-    // Row j + k is at k in column j and at k − 1 in column j + 1.
-    for (int k = 2; k <= band_; ++k) divide(first[k], second[k - 1], scaled_[k], scaled_next_[k - 1]);
-    second[band_] = scaled_next_[band_] = 0.0;
-    for (int k = band_ + 1; k < stride_; ++k) divide(first[k], second[k], scaled_[k], scaled_next_[k]);
-    kernels_.subtract(first, first, scaled_.data(), corner(), widths_);
-    kernels_.subtract(second, second, scaled_next_.data(), corner(), widths_);
-}
-
-void ChainFactor::eliminate_border() {
-    for (int k = 0; k < border_rows_; ++k) {
-        double pivot = border(k, k);
-        if (!right_pivot(pivot, diagonal_[chain_rows_ + k], signs_[chain_rows_ + k])) return;
-        border(k, k) = pivot;
-        for (int i = k + 1; i < border_rows_; ++i) {
-            const double factor = border(i, k) / pivot;
-            for (int t = i; t < border_rows_; ++t) border(t, i) -= factor * border(t, k);
-        }
-        for (int i = k + 1; i < border_rows_; ++i) border(i, k) /= pivot;
-    }
+    return outcome_of(loops_.eliminate(matrix_));
 }
 
 void ChainFactor::solve_in_place(VectorXd& right_side) const {
-    double* const x = ordered_.data();
-    double* const bottom = x + chain_rows_ + band_;
-    std::fill(x + chain_rows_, x + ordered_.size(), 0.0);
-    for (std::size_t i = 0; i < place_.size(); ++i) x[place_[i]] = right_side[static_cast<Index>(i)];
-    kernels_.forward(values_.data(), chain_rows_, x, bottom, widths_);
-    divide_by_pivots(x);
-    for (int k = 0; k < border_rows_; ++k)
-        for (int i = k + 1; i < border_rows_; ++i) bottom[i] -= border(i, k) * bottom[k];
-    for (int k = border_rows_ - 1; k >= 0; --k) {
+    double* const x = ordered_.data() + 1;
+    double* const bottom = x + matrix_.count + matrix_.band;
+    double* const end = ordered_.data() + ordered_.size();
+    std::fill(x + matrix_.count, end, 0.0);
+    for (std::size_t i = 0; i < place_.size(); ++i) ordered_[place_[i]] = right_side[static_cast<Index>(i)];
+    loops_.forward(matrix_, x, bottom);
+    for (int k = 0; k < matrix_.border_rows; ++k)
+        for (int i = k + 1; i < matrix_.border_rows; ++i) bottom[i] -= border(i, k) * bottom[k];
+    for (int k = matrix_.border_rows - 1; k >= 0; --k) {
         bottom[k] /= border(k, k);
-        for (int i = k + 1; i < border_rows_; ++i) bottom[k] -= border(i, k) * bottom[i];
+        for (int i = k + 1; i < matrix_.border_rows; ++i) bottom[k] -= border(i, k) * bottom[i];
     }
-    std::fill(x + chain_rows_, bottom, 0.0);
-    kernels_.backward(values_.data(), chain_rows_, x, bottom, widths_);
-    for (std::size_t i = 0; i < place_.size(); ++i) right_side[static_cast<Index>(i)] = x[place_[i]];
-}
-
-/// x = D⁻¹ x of the chain.
-void ChainFactor::divide_by_pivots(double* x) const {
-    for (int j = 0; j < chain_rows_; ++j) {
-        if (order_.opens_pair[j] == 0) {
-            x[j] *= inverse_[j].first;
-            continue;
-        }
-        const double y = x[j], next = x[j + 1];
-        x[j] = inverse_[j].first * y + inverse_[j].second * next;
-        x[j + 1] = inverse_[j + 1].first * y + inverse_[j + 1].second * next;
-        ++j;
-    }
+    std::fill(x + matrix_.count, bottom, 0.0);
+    loops_.backward(matrix_, x, bottom);
+    for (std::size_t i = 0; i < place_.size(); ++i) right_side[static_cast<Index>(i)] = ordered_[place_[i]];
 }
 
 }  // namespace

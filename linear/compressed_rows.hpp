@@ -6,6 +6,8 @@
 // column.
 #pragma once
 
+#include "linear/kernels.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -27,17 +29,19 @@ class CompressedRows {
 
     /// out = A x; `out` already has the right size.
     void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& out) const { multiply(x.data(), out.data()); }
-    void multiply(const double* x, double* out) const;
-    /// out += factor · A x
-    void add_product(double factor, const Eigen::VectorXd& x, Eigen::VectorXd& out) const;
+    void multiply(const double* x, double* out) const { kernels_->multiply(rows(), x, out); }
+    /// out = base + factor · A x; `base` may be `out`.
+    void add_product(double factor, const double* x, const double* base, double* out) const {
+        kernels_->add_product(rows(), factor, x, base, out);
+    }
 
  private:
     void arrange(const int* begin, const int* columns, const double* values);
-    struct Group {
-        int length = 0, first = 0, last = 0;  ///< entries a row; rows [first, last) of the new order
-        int entry = 0;                        ///< of the first row
-    };
-    std::vector<Group> groups_;
+    [[nodiscard]] RowGroups rows() const {
+        return {groups_.data(), static_cast<int>(groups_.size()), row_.data(), column_.data(), value_.data()};
+    }
+    const LinearKernels* kernels_ = &linear_kernels();
+    std::vector<RowGroups::Group> groups_;
     std::vector<int> row_;  ///< of the matrix, in the new order
     std::vector<int> column_;
     std::vector<double> value_;

@@ -24,7 +24,7 @@ TEST(CompressedRows, ProductsAreThoseOfTheMatrix) {
     compressed.multiply(x, product);
     EXPECT_LE((product - matrix * x).lpNorm<Eigen::Infinity>(), 1e-13);
     Eigen::VectorXd sum = Eigen::VectorXd::Ones(rows);
-    compressed.add_product(-2.0, x, sum);
+    compressed.add_product(-2.0, x.data(), sum.data(), sum.data());
     EXPECT_LE((sum - (Eigen::VectorXd::Ones(rows) - 2.0 * (matrix * x))).lpNorm<Eigen::Infinity>(), 1e-13);
 }
 

@@ -189,36 +189,50 @@ CondensedSystem::CondensedSystem(const ConvexModel& model, const RangeRows& rang
     std::vector<int> signs(static_cast<std::size_t>(lower_.rows()), 1);
     std::fill(signs.begin() + model.variables(), signs.end(), -1);
     factor_ = make_symmetric_factor(kind, lower_, signs);
-    const Index n = model.variables(), equalities = ranges.equal_to.size();
+    divide_into_segments();
+    const Index unknowns = lower_.rows(), rows = ranges.matrix.rows();
     weight_.resize(ranges.sides());
-    right_side_.resize(n + equalities);
-    image_.resize(ranges.matrix.rows());
-    joined_.resize(ranges.matrix.rows());
-    rest_p_.resize(n);
-    rest_q_.resize(equalities);
-    step_ = {VectorXd::Zero(n), VectorXd::Zero(equalities), VectorXd::Zero(ranges.sides()),
-             VectorXd::Zero(ranges.sides())};
-    shifts_.resize(lower_.rows());
+    joined_.setZero(rows);
+    sums_.setZero(static_cast<Index>(segments_.size()));
+    rest_.resize(unknowns);
+    step_ = {VectorXd(unknowns), VectorXd(rows), VectorXd(ranges.sides())};
+    shifts_.resize(unknowns);
 }
 
-bool CondensedSystem::factorize(const std::vector<double>& hessian, const VectorXd& curvature) {
+/// Ranges in no group come first.
+void CondensedSystem::divide_into_segments() {
+    int done = 0;
+    const auto add = [&](int variable, Index last) {
+        if (last > done) segments_.push_back({variable, done, static_cast<int>(last)});
+        done = static_cast<int>(last);
+    };
+    for (const RangeRows::Group& group : ranges_.groups) {
+        add(-1, group.first);
+        add(group.variable, group.last);
+    }
+    add(-1, ranges_.ranges());
+    layout_ = {segments_.data(),
+               static_cast<int>(segments_.size()),
+               static_cast<int>(ranges_.ranges()),
+               ranges_.width.data(),
+               ranges_.limit.data(),
+               ranges_.present.data()};
+}
+
+bool CondensedSystem::factorize(const std::vector<double>& hessian, SidePoint pass) {
     hessian_ = &hessian;
-    curvature_ = &curvature;
-    const Index count = ranges_.ranges();
-    const auto low = curvature.head(count), high = curvature.tail(count);
-    weight_.head(count) = low + high;
-    weight_.tail(count) = (low - high).cwiseProduct(ranges_.width);
+    curvature_ = pass.curvature;
+    pass.weight = weight_.data();
+    pass.squares = sums_.data();
+    passes_.point(layout_, pass);
     double* values = lower_.valuePtr();
     for (const int slot : hessian_slot_) values[slot] = 0.0;
     for (const int slot : width_slot_) values[slot] = 0.0;
     assembly_.multiply(weight_.data(), values);
     for (std::size_t e = 0; e < hessian.size(); ++e) values[hessian_slot_[e]] += hessian[e];
-    for (std::size_t g = 0; g < width_slot_.size(); ++g) {
-        const RangeRows::Group& group = ranges_.groups[g];
-        const Index size = group.last - group.first;
-        const auto width = ranges_.width.segment(group.first, size);
-        values[width_slot_[g]] += weight_.segment(group.first, size).dot(width.cwiseAbs2());
-    }
+    std::size_t group = 0;
+    for (std::size_t s = 0; s < segments_.size(); ++s)
+        if (segments_[s].variable >= 0) values[width_slot_[group++]] += sums_[static_cast<Index>(s)];
     for (shift_ = first_shift_; shift_ <= largest_shift; shift_ *= shift_growth) {
         shifts_.setConstant(shift_);
         const FactorOutcome outcome = factor_->factorize(lower_, shifts_);
@@ -228,63 +242,54 @@ bool CondensedSystem::factorize(const std::vector<double>& hessian, const Vector
     return false;
 }
 
-void CondensedSystem::add_transposed(double factor, const VectorXd& lambda, const VectorXd& nu,
-                                     VectorXd& out) {
-    const Index count = ranges_.ranges();
-    joined_.head(count) = nu.head(count) - nu.tail(count);
-    joined_.tail(lambda.size()) = lambda;
-    columns_.add_product(factor, joined_, out);
-    for (const RangeRows::Group& group : ranges_.groups) {
-        const Index size = group.last - group.first;
-        out[group.variable] +=
-            factor * ranges_.width.segment(group.first, size)
-                         .dot(nu.segment(group.first, size) + nu.segment(count + group.first, size));
-    }
+void CondensedSystem::add_transposed(double factor, const double* lambda, const double* base, double* out) {
+    std::copy_n(lambda, ranges_.equal_to.size(), joined_.data() + ranges_.ranges());
+    columns_.add_product(factor, joined_.data(), base, out);
+    for (std::size_t s = 0; s < segments_.size(); ++s)
+        if (segments_[s].variable >= 0) out[segments_[s].variable] += factor * sums_[static_cast<Index>(s)];
 }
 
-/// x, λ and the slides of one solve with the factor.
-void CondensedSystem::apply_factor(const VectorXd& p, const VectorXd& q, NewtonUnknowns& out) {
-    const Index n = model_.variables();
-    right_side_.head(n) = p;
-    right_side_.tail(q.size()) = q;
-    factor_->solve_in_place(right_side_);
-    out.x = right_side_.head(n);
-    out.lambda = right_side_.tail(q.size());
-    rows_.multiply(out.x, image_);
-    ranges_.slides(out.x, image_, out.slide);
+/// The unknowns of one solve with the factor, for the right-hand side rest_.
+void CondensedSystem::apply_factor(NewtonUnknowns& out) {
+    out.all = rest_;
+    factor_->solve_in_place(out.all);
+    rows_.multiply(out.all.data(), out.image.data());
 }
 
-/// rest = the residual of the equations in p and q; its largest entry.
+/// rest_ = the residual of the equations in p and q; its largest entry. products() are those of at.nu.
 double CondensedSystem::residual(const NewtonRightSide& right_side, const NewtonUnknowns& at) {
-    rest_p_ = right_side.p;
-    add_transposed(-1.0, at.lambda, at.nu, rest_p_);
+    const Index n = model_.variables(), equalities = ranges_.equal_to.size();
+    add_transposed(-1.0, at.all.data() + n, right_side.all.data(), rest_.data());
     const SparsityPattern& pattern = model_.hessian;
     for (std::size_t e = 0; e < hessian_->size(); ++e) {
         const int row = pattern.rows[e], column = pattern.columns[e];
-        rest_p_[row] -= (*hessian_)[e] * at.x[column];
-        if (row != column) rest_p_[column] -= (*hessian_)[e] * at.x[row];
+        rest_[row] -= (*hessian_)[e] * at.all[column];
+        if (row != column) rest_[column] -= (*hessian_)[e] * at.all[row];
     }
-    rest_q_ -= image_.tail(rest_q_.size());
-    if (!finite(rest_p_) || !finite(rest_q_)) return infinity;
-    return std::max(largest(rest_p_), largest(rest_q_));
+    rest_.tail(equalities) = right_side.all.tail(equalities) - at.image.tail(equalities);
+    return finite(rest_) ? largest(rest_) : infinity;
 }
 
 CondensedSystem::Accuracy CondensedSystem::solve(const NewtonRightSide& right_side, double goal,
                                                  NewtonUnknowns& out) {
     // With f = 0 the forces are in the right-hand side: p + Cᵀ(f_l − f_u) + Wᵀ(f_l + f_u).
-    rest_p_ = right_side.p;
-    rest_q_.setZero();
-    add_transposed(1.0, rest_q_, right_side.force, rest_p_);
-    apply_factor(rest_p_, right_side.q, out);
-    out.nu = curvature_->cwiseProduct(out.slide) - right_side.force;
-    rest_q_ = right_side.q;
+    const Index equalities = ranges_.equal_to.size();
+    rest_.tail(equalities).setZero();
+    add_transposed(1.0, rest_.data() + model_.variables(), right_side.all.data(), rest_.data());
+    rest_.tail(equalities) = right_side.all.tail(equalities);
+    apply_factor(out);
+    const auto multipliers = [&](const NewtonUnknowns& from, const VectorXd& base, double sign,
+                                 VectorXd& nu) {
+        passes_.multipliers(layout_, {from.all.data(), from.image.data(), curvature_, base.data(), sign,
+                                      nu.data(), products()});
+    };
+    multipliers(out, right_side.force, -1.0, out.nu);
     double rest = residual(right_side, out);
     for (int k = 0; k < most_refinements && rest > goal && std::isfinite(rest); ++k) {
-        apply_factor(rest_p_, rest_q_, step_);
-        step_.nu = curvature_->cwiseProduct(step_.slide) + out.nu;
-        step_.x += out.x;
-        step_.lambda += out.lambda;
-        step_.slide += out.slide;
+        apply_factor(step_);
+        multipliers(step_, out.nu, 1.0, step_.nu);
+        step_.all += out.all;
+        step_.image += out.image;
         const double now = residual(right_side, step_);
         if (!(now < rest)) break;
         std::swap(out, step_);

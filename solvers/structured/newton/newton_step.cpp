@@ -24,9 +24,6 @@ constexpr double good_residual = 1e-8;
 constexpr double good_part_of_tolerance = 1e-3;
 // The full system pivots on free variables too, unlike the condensed one.
 constexpr double careful_shift = 1e-9;
-// Replaces 0 where nothing changes.
-constexpr double tiniest = 1e-300;
-
 constexpr double largest_kkt_shift =
     1e-2;  // of entries near 1: a larger shift makes a useless preconditioner
 constexpr double kkt_shift_growth =
@@ -46,8 +43,15 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 bool Residuals::finite() const {
-    return structured::finite(dual) && structured::finite(equality) && structured::finite(bound) &&
+    return structured::finite(dual) && structured::finite(equality) && std::isfinite(bound_total) &&
            std::isfinite(mu);
+}
+
+void Iterate::resize(Index variables, const RangeRows& ranges) {
+    x.setZero(variables);
+    lambda.setZero(ranges.equal_to.size());
+    gap.setOnes(ranges.sides());
+    dual = ranges.present;
 }
 
 void Direction::resize(Index variables, const RangeRows& ranges) {
@@ -55,15 +59,6 @@ void Direction::resize(Index variables, const RangeRows& ranges) {
     lambda.setZero(ranges.equal_to.size());
     gap.setZero(ranges.sides());
     dual.setZero(ranges.sides());
-}
-
-Direction& Direction::operator+=(const Direction& other) {
-    x += other.x;
-    lambda += other.lambda;
-    gap += other.gap;
-    dual += other.dual;
-    finite = finite && other.finite;
-    return *this;
 }
 
 NewtonStep::NewtonStep(const ConvexModel& model, const RangeRows& ranges, const InteriorPointLimits& limits)
@@ -77,32 +72,65 @@ NewtonStep::NewtonStep(const ConvexModel& model, const RangeRows& ranges, const 
       inverse_dual_(ranges.sides()),
       curvature_(ranges.sides()),
       image_(ranges.matrix.rows()),
-      slide_(ranges.sides()),
-      right_side_{VectorXd(model.variables()), VectorXd(ranges.equal_to.size()), VectorXd(ranges.sides())},
-      solution_{VectorXd(model.variables()), VectorXd(ranges.equal_to.size()), VectorXd(ranges.sides()),
+      change_(VectorXd::Zero(ranges.sides())),
+      right_side_{VectorXd(model.variables() + ranges.equal_to.size()), VectorXd(ranges.sides())},
+      solution_{VectorXd(model.variables() + ranges.equal_to.size()), VectorXd(ranges.matrix.rows()),
                 VectorXd(ranges.sides())} {}
 
-void NewtonStep::residuals(const Iterate& point, Residuals& out) {
-    model_.cost->gradient(point.x, out.gradient);
-    out.dual = out.gradient;
-    slide_ = -point.dual;
-    system_.add_transposed(1.0, point.lambda, slide_, out.dual);
-    system_.multiply(point.x, image_);
+void NewtonStep::residuals(Iterate& point, Residuals& out) {
+    SideResiduals pass;
+    pass.gap = point.gap.data();
+    pass.dual = point.dual.data();
+    pass.gap_change = pass.dual_change = point.gap.data();  // no step
+    evaluate(point, pass, out);
+}
+
+void NewtonStep::advance(const Iterate& point, const Direction& direction, const Steps& steps, Iterate& to,
+                         Residuals& out) {
+    to.x = point.x + steps.primal * direction.x;
+    to.lambda = point.lambda + steps.dual * direction.lambda;
+    SideResiduals pass;
+    pass.gap = point.gap.data();
+    pass.dual = point.dual.data();
+    pass.gap_change = direction.gap.data();
+    pass.dual_change = direction.dual.data();
+    pass.primal_step = steps.primal;
+    pass.dual_step = steps.dual;
+    evaluate(to, pass, out);
+}
+
+void NewtonStep::evaluate(Iterate& at, SideResiduals pass, Residuals& out) {
+    model_.cost->gradient(at.x, out.gradient);
+    system_.multiply(at.x.data(), image_);
     out.equality = image_.tail(ranges_.equal_to.size()) - ranges_.equal_to;
-    ranges_.slides(point.x, image_, slide_);
-    out.bound = (slide_ - ranges_.limit - point.gap).cwiseProduct(ranges_.present);
-    out.mu = point.gap.dot(point.dual) / static_cast<double>(std::max<Index>(1, ranges_.sides_present));
+    out.bound.resize(ranges_.sides());
+    pass.x = at.x.data();
+    pass.image = image_.data();
+    pass.new_gap = at.gap.data();
+    pass.new_dual = at.dual.data();
+    pass.bound = out.bound.data();
+    pass.out = system_.products();
+    system_.passes().residuals(system_.layout(), pass);
+    out.dual.resize(out.gradient.size());
+    system_.add_transposed(1.0, at.lambda.data(), out.gradient.data(), out.dual.data());
+    out.mu = pass.products / static_cast<double>(std::max<Index>(1, ranges_.sides_present));
+    out.largest_bound = pass.largest;
+    out.bound_total = pass.bound_total;
+    out.dual_limit = pass.dual_limit;
 }
 
 bool NewtonStep::prepare(const Iterate& point, bool& finite) {
     model_.cost->hessian(point.x, hessian_);
     finite = std::all_of(hessian_.begin(), hessian_.end(), [](double v) { return std::isfinite(v); });
     if (!finite) return false;
-    inverse_gap_ = point.gap.cwiseInverse();
-    inverse_dual_ = point.dual.cwiseMax(tiniest).cwiseInverse();
-    curvature_ = point.dual.cwiseProduct(inverse_gap_);
+    SidePoint pass;
+    pass.gap = point.gap.data();
+    pass.dual = point.dual.data();
+    pass.inverse_gap = inverse_gap_.data();
+    pass.inverse_dual = inverse_dual_.data();
+    pass.curvature = curvature_.data();
     careful_is_current_ = false;
-    return system_.factorize(hessian_, curvature_) || prepare_careful(point);
+    return system_.factorize(hessian_, pass) || prepare_careful(point);
 }
 
 /// The full system has the model's own rows.
@@ -129,17 +157,17 @@ void NewtonStep::solve(const Iterate& point, double goal) {
     if (!careful_is_current_) accuracy = system_.solve(right_side_, goal, solution_);
     solved_ = std::isfinite(accuracy.residual);
     if (accuracy.reached) return;
-    // Forces as the equivalent slides.
-    slide_ =
-        right_side_.force.cwiseProduct(point.gap).cwiseProduct(inverse_dual_).cwiseProduct(ranges_.present);
-    const double size = std::max({largest(right_side_.p), largest(right_side_.q), largest(slide_)});
+    double size = largest(right_side_.all);
+    for (Index b = 0; b < ranges_.sides(); ++b)  // forces as the equivalent slides
+        size = std::max(
+            size, ranges_.present[b] * std::abs(right_side_.force[b] * point.gap[b] * inverse_dual_[b]));
     if (accuracy.residual <= std::max(good_residual * size, good_part_of_tolerance * tolerance_)) return;
     if (!careful_is_current_ && !prepare_careful(point)) return;
     solve_carefully(accuracy.residual);
 }
 
 void NewtonStep::solve_carefully(double known_residual) {
-    VectorXd p = right_side_.p, force = VectorXd::Zero(model_.constraints());
+    VectorXd p = right_side_.all.head(model_.variables()), force = VectorXd::Zero(model_.constraints());
     for (Index b = 0; b < ranges_.sides(); ++b) {
         const RangeRows::Source& from = ranges_.source[static_cast<std::size_t>(b)];
         if (from.row >= 0)
@@ -148,18 +176,20 @@ void NewtonStep::solve_carefully(double known_residual) {
             p[from.variable] += from.sign * right_side_.force[b];
     }
     VectorXd q = row_flatness_.cwiseProduct(force);
+    const auto equalities = right_side_.all.tail(ranges_.equal_to.size());
     for (std::size_t k = 0; k < ranges_.equalities.size(); ++k)
-        q[ranges_.equalities[k]] = right_side_.q[static_cast<Index>(k)];
+        q[ranges_.equalities[k]] = equalities[static_cast<Index>(k)];
     const double size = std::max(largest(p), largest(q));
     const KktSystem::Step careful = careful_->solve(p, q);
     if (!careful.finite || careful.residual * size >= known_residual) return;
     solved_ = true;
-    solution_.x = careful.x;
+    solution_.all.head(model_.variables()) = careful.x;
     for (std::size_t k = 0; k < ranges_.equalities.size(); ++k)
-        solution_.lambda[static_cast<Index>(k)] = careful.lambda[ranges_.equalities[k]];
-    system_.multiply(solution_.x, image_);
-    ranges_.slides(solution_.x, image_, solution_.slide);
-    solution_.nu = curvature_.cwiseProduct(solution_.slide) - right_side_.force;
+        solution_.all[model_.variables() + static_cast<Index>(k)] = careful.lambda[ranges_.equalities[k]];
+    system_.multiply(careful.x.data(), solution_.image);
+    VectorXd slides(ranges_.sides());
+    ranges_.slides(careful.x, solution_.image, slides);
+    solution_.nu = curvature_.cwiseProduct(slides) - right_side_.force;
     // Of a row with one bound the multiplier is more accurate than its slide.
     for (Index b = 0; b < ranges_.sides(); ++b) {
         const RangeRows::Source& from = ranges_.source[static_cast<std::size_t>(b)];
@@ -170,62 +200,51 @@ void NewtonStep::solve_carefully(double known_residual) {
     }
 }
 
-void NewtonStep::direction(const Iterate& point, const Residuals* residuals, const VectorXd& change,
-                           Direction& out) {
-    VectorXd& force = right_side_.force;
-    if (residuals != nullptr) {
-        force = (change - point.dual.cwiseProduct(residuals->bound)).cwiseProduct(inverse_gap_);
-        right_side_.p = -residuals->dual;
-        right_side_.q = -residuals->equality;
-        const double wrong =
-            std::max({largest(residuals->dual), largest(residuals->equality), residuals->mu});
+void NewtonStep::direction(const Iterate& point, const DirectionRequest& request, Direction& out) {
+    SideForces forces = request.change;
+    SideDirection pass;
+    pass.gap = forces.gap = point.gap.data();
+    pass.dual = forces.dual = point.dual.data();
+    pass.inverse_gap = forces.inverse_gap = inverse_gap_.data();
+    pass.inverse_dual = inverse_dual_.data();
+    pass.change = forces.change = change_.data();
+    forces.force = right_side_.force.data();
+    forces.out = system_.products();
+    const Index n = model_.variables(), equalities = ranges_.equal_to.size();
+    if (request.residuals != nullptr) {
+        const Residuals& residuals = *request.residuals;
+        pass.bound = forces.bound = residuals.bound.data();
+        right_side_.all.head(n) = -residuals.dual;
+        right_side_.all.tail(equalities) = -residuals.equality;
+        const double wrong = std::max(largest(right_side_.all), residuals.mu);
         goal_ = std::max(inexactness(tolerance_) * wrong, finest(tolerance_));
     } else {
-        force = change.cwiseProduct(inverse_gap_);
-        right_side_.p.setZero();
-        right_side_.q.setZero();
+        right_side_.all.setZero();
     }
+    system_.passes().forces(system_.layout(), forces);
     // A correction must be as accurate as the direction: its residual remains.
     solve(point, goal_);
-    out.x = solution_.x;
-    out.lambda = solution_.lambda;
-    out.dual = -solution_.nu;
-    out.gap = solution_.slide.cwiseProduct(ranges_.present);
-    if (residuals != nullptr) out.gap += residuals->bound;
-    keep_products(point, change, out);
-    out.finite = solved_ && finite(out.dual) && finite(out.x) && finite(out.lambda);
-}
-
-/// Each side from the more accurate of its two unknowns: the multiplier where the gap is smaller, the gap
-/// elsewhere; the other follows from the product g z. The opposite choice would amplify round-off.
-void NewtonStep::keep_products(const Iterate& point, const VectorXd& change, Direction& out) const {
-    const double* const gap = point.gap.data();
-    const double* const dual = point.dual.data();
-    const double* const inverse_gap = inverse_gap_.data();
-    const double* const inverse_dual = inverse_dual_.data();
-    const double* const wanted = change.data();
-    double* const of_dual = out.dual.data();
-    double* const of_gap = out.gap.data();
-    for (Index b = 0; b < out.gap.size(); ++b) {
-        const double gap_from_product = (wanted[b] - gap[b] * of_dual[b]) * inverse_dual[b];
-        const double dual_from_product = (wanted[b] - dual[b] * of_gap[b]) * inverse_gap[b];
-        const bool tight = dual[b] > gap[b];
-        of_gap[b] = tight ? gap_from_product : of_gap[b];
-        of_dual[b] = tight ? of_dual[b] : dual_from_product;
+    out.x = solution_.all.head(n);
+    out.lambda = solution_.all.tail(equalities);
+    if (request.base != nullptr) {
+        out.x += request.base->x;
+        out.lambda += request.base->lambda;
+        pass.base_gap = request.base->gap.data();
+        pass.base_dual = request.base->dual.data();
     }
-}
-
-double step_to_boundary(const VectorXd& inverse, const VectorXd& change, double fraction) {
-    if (inverse.size() == 0) return 1.0;
-    const double steepest = -change.cwiseProduct(inverse).minCoeff();
-    return steepest > fraction ? fraction / steepest : 1.0;
-}
-
-void advance(Iterate& point, const Direction& direction, double primal_step, double dual_step) {
-    point.x += primal_step * direction.x;
-    point.gap += primal_step * direction.gap;
-    point.lambda += dual_step * direction.lambda;
-    point.dual += dual_step * direction.dual;
+    pass.x = solution_.all.data();
+    pass.image = solution_.image.data();
+    pass.nu = solution_.nu.data();
+    pass.gap_change = out.gap.data();
+    pass.dual_change = out.dual.data();
+    system_.passes().direction(system_.layout(), pass);
+    out.steepest_gap = pass.steepest_gap;
+    out.steepest_dual = pass.steepest_dual;
+    out.gap_dual = pass.gap_dual;
+    out.dual_gap = pass.dual_gap;
+    out.change_change = pass.change_change;
+    out.finite = solved_ && std::isfinite(pass.total) && finite(out.x) && finite(out.lambda) &&
+                 (request.base == nullptr || request.base->finite);
 }
 
 KktSystem::KktSystem(const ConvexModel& model, double shift)

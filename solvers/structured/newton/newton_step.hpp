@@ -6,6 +6,7 @@
 #include "linear/compressed_rows.hpp"
 #include "linear/sparse_symmetric.hpp"
 #include "solvers/structured/interior_point.hpp"
+#include "solvers/structured/newton/side_kernels.hpp"
 #include "solvers/structured/range_rows.hpp"
 
 #include <Eigen/Core>
@@ -30,24 +31,26 @@ namespace camopt::structured {
 // nor shifts of the diagonal cost accuracy.
 
 struct NewtonUnknowns {
-    Eigen::VectorXd x, lambda;  ///< λ: one per equality
-    Eigen::VectorXd slide;      ///< [Δt + Δw; Δw − Δt], one per side
-    Eigen::VectorXd nu;         ///< ν, one per side
+    Eigen::VectorXd all;    ///< [x; λ], λ one per equality
+    Eigen::VectorXd image;  ///< [C x; E x]
+    Eigen::VectorXd nu;     ///< ν, one per side
 };
 
 struct NewtonRightSide {
-    Eigen::VectorXd p, q, force;
+    Eigen::VectorXd all;  ///< [p; q]
+    Eigen::VectorXd force;
 };
 
 class CondensedSystem {
  public:
     CondensedSystem(const ConvexModel& model, const RangeRows& ranges, FactorKind kind, double shift);
 
-    /// `hessian`: values of ∇²f in the order of ConvexModel::hessian; `curvature`: K, one per side. Both must
-    /// live until the last solve. False: breakdown.
-    [[nodiscard]] bool factorize(const std::vector<double>& hessian, const Eigen::VectorXd& curvature);
+    /// `hessian`: values of ∇²f in the order of ConvexModel::hessian. Runs `pass`, whose weights and squares
+    /// are set here; its curvatures must live until the last solve, as `hessian`. False: breakdown.
+    [[nodiscard]] bool factorize(const std::vector<double>& hessian, SidePoint pass);
 
     /// The solution, refined until the largest entry of the residual is at most `goal` or stops decreasing.
+    /// The last pass that used products() was that of the forces.
     struct Accuracy {
         double residual = 0.0;  ///< largest entry; infinite: not finite
         bool reached = true;
@@ -55,29 +58,37 @@ class CondensedSystem {
     [[nodiscard]] Accuracy solve(const NewtonRightSide& right_side, double goal, NewtonUnknowns& out);
 
     [[nodiscard]] const SymmetricFactor& factor() const { return *factor_; }
+    [[nodiscard]] const SideLayout& layout() const { return layout_; }
+    [[nodiscard]] const SideKernels& passes() const { return passes_; }
+    /// Where a pass puts what the next product with the transpose reads.
+    [[nodiscard]] SideProducts products() { return {joined_.data(), sums_.data()}; }
 
     /// image = [C x; E x]
-    void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& image) const { rows_.multiply(x, image); }
-    /// out += factor (Eᵀ λ + Cᵀ (ν_l − ν_u) + Wᵀ (ν_l + ν_u))
-    void add_transposed(double factor, const Eigen::VectorXd& lambda, const Eigen::VectorXd& nu,
-                        Eigen::VectorXd& out);
+    void multiply(const double* x, Eigen::VectorXd& image) const { rows_.multiply(x, image.data()); }
+    /// out = base + factor (Eᵀ λ + Cᵀ (ν_l − ν_u) + Wᵀ (ν_l + ν_u)), ν in products(); both of size variables.
+    void add_transposed(double factor, const double* lambda, const double* base, double* out);
 
  private:
-    void apply_factor(const Eigen::VectorXd& p, const Eigen::VectorXd& q, NewtonUnknowns& out);
+    void divide_into_segments();
+    void apply_factor(NewtonUnknowns& out);
     double residual(const NewtonRightSide& right_side, const NewtonUnknowns& at);
 
     const ConvexModel& model_;
     const RangeRows& ranges_;
+    const SideKernels& passes_ = side_kernels();
     double first_shift_, shift_;
+    std::vector<SideSegment> segments_;
+    SideLayout layout_;
     CompressedRows rows_, columns_;  ///< [C; E] and its transpose
     SymmetricFactor::Matrix lower_;
     CompressedRows assembly_;                     ///< entries of lower_ from weight_
     std::vector<int> hessian_slot_, width_slot_;  ///< see condensed_pattern
     std::unique_ptr<SymmetricFactor> factor_;
     const std::vector<double>* hessian_ = nullptr;
-    const Eigen::VectorXd* curvature_ = nullptr;
-    Eigen::VectorXd weight_;  ///< [K_l + K_u; (K_l − K_u) d]
-    Eigen::VectorXd shifts_, right_side_, image_, joined_, rest_p_, rest_q_;
+    const double* curvature_ = nullptr;
+    Eigen::VectorXd weight_;         ///< [K_l + K_u; (K_l − K_u) d]
+    Eigen::VectorXd joined_, sums_;  ///< [ν_l − ν_u; λ] and Σ d (ν_l + ν_u) per segment
+    Eigen::VectorXd shifts_, rest_;
     NewtonUnknowns step_;
 };
 
@@ -126,6 +137,7 @@ struct Iterate {
     Eigen::VectorXd x;
     Eigen::VectorXd lambda;     ///< one per equality
     Eigen::VectorXd gap, dual;  ///< g, z: one per side; 1 and 0 for a missing side
+    void resize(Eigen::Index variables, const RangeRows& ranges);
 };
 
 struct Residuals {
@@ -133,37 +145,57 @@ struct Residuals {
     Eigen::VectorXd equality;  ///< E x − e
     Eigen::VectorXd bound;     ///< one per side: t + w − l − g
     Eigen::VectorXd gradient;
-    double mu = 0.0;  ///< mean of g z
+    double mu = 0.0;             ///< mean of g z
+    double largest_bound = 0.0;  ///< entry of `bound`
+    double bound_total = 0.0;    ///< its sum
+    double dual_limit = 0.0;     ///< Σ z l
     [[nodiscard]] bool finite() const;
 };
 
 struct Direction {
     Eigen::VectorXd x, lambda, gap, dual;
+    double steepest_gap = 0.0, steepest_dual = 0.0;              ///< largest −δg / g and −δz / z, >= 0
+    double gap_dual = 0.0, dual_gap = 0.0, change_change = 0.0;  ///< Σ g δz, Σ z δg, Σ δg δz
     bool finite = true;
     void resize(Eigen::Index variables, const RangeRows& ranges);
-    Direction& operator+=(const Direction& other);
+    /// Largest step in [0, 1] that keeps g + step·δg >= (1 − fraction) g; the same for z.
+    [[nodiscard]] double primal_step(double fraction) const { return within(fraction, steepest_gap); }
+    [[nodiscard]] double dual_step(double fraction) const { return within(fraction, steepest_dual); }
+
+ private:
+    static double within(double fraction, double steepest) {
+        return steepest > fraction ? fraction / steepest : 1.0;
+    }
+};
+
+struct DirectionRequest {
+    const Residuals* residuals = nullptr;  ///< null: only the products change
+    /// Of the products g z: `rule` and its numbers; the rest is filled in.
+    SideForces change;
+    const Direction* base = nullptr;  ///< added, without residuals; null: nothing
 };
 
 class NewtonStep {
  public:
     NewtonStep(const ConvexModel& model, const RangeRows& ranges, const InteriorPointLimits& limits);
 
-    void residuals(const Iterate& point, Residuals& out);
+    void residuals(Iterate& point, Residuals& out);
+    /// Of `to` = the point after steps along a direction; `to` may be the point.
+    struct Steps {
+        double primal = 0.0, dual = 0.0;
+    };
+    void advance(const Iterate& point, const Direction& direction, const Steps& steps, Iterate& to,
+                 Residuals& out);
     /// Evaluates the Hessian and factorizes. False: breakdown, or a Hessian that is not finite (see
     /// `finite`).
     [[nodiscard]] bool prepare(const Iterate& point, bool& finite);
-    /// 1/g and 1/z of the point last prepared; finite for missing sides.
-    [[nodiscard]] const Eigen::VectorXd& inverse_gap() const { return inverse_gap_; }
-    [[nodiscard]] const Eigen::VectorXd& inverse_dual() const { return inverse_dual_; }
-    /// Changes the products g z by `change`, to first order. `residuals` null: only the products.
-    void direction(const Iterate& point, const Residuals* residuals, const Eigen::VectorXd& change,
-                   Direction& out);
+    void direction(const Iterate& point, const DirectionRequest& request, Direction& out);
 
  private:
+    void evaluate(Iterate& at, SideResiduals pass, Residuals& out);
     [[nodiscard]] bool prepare_careful(const Iterate& point);
     void solve(const Iterate& point, double goal);
     void solve_carefully(double known_residual);
-    void keep_products(const Iterate& point, const Eigen::VectorXd& change, Direction& out) const;
 
     const ConvexModel& model_;
     const RangeRows& ranges_;
@@ -173,18 +205,12 @@ class NewtonStep {
     std::unique_ptr<KktSystem> careful_;  ///< used where the condensed system is too inaccurate
     bool careful_is_current_ = false;
     std::vector<double> hessian_;
-    Eigen::VectorXd inverse_gap_, inverse_dual_, curvature_, image_, slide_;
+    Eigen::VectorXd inverse_gap_, inverse_dual_, curvature_, image_, change_;
     Eigen::VectorXd variable_curvature_, row_flatness_;  ///< of the full system: Σ and D
     NewtonRightSide right_side_;
     NewtonUnknowns solution_;
     double goal_ = 0.0;  ///< largest entry that the residual of a direction may have
     bool solved_ = false;
 };
-
-/// Largest step in [0, 1] that keeps v + step·dv >= (1 − fraction) v for v > 0, from 1/v.
-[[nodiscard]] double step_to_boundary(const Eigen::VectorXd& inverse, const Eigen::VectorXd& change,
-                                      double fraction);
-
-void advance(Iterate& point, const Direction& direction, double primal_step, double dual_step);
 
 }  // namespace camopt::structured

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The passes once more, compiled with AVX2 and FMA; see linear/kernels.hpp for what may not be included here.
+#define CAMOPT_KERNELS wide_kernels
+#include "solvers/structured/newton/side_loops.hpp"
+
+namespace camopt::structured::wide_kernels {
+
+SideKernels side_kernels();
+SideKernels side_kernels() {
+    return kernels();
+}
+
+}  // namespace camopt::structured::wide_kernels
