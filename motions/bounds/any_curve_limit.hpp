@@ -52,7 +52,7 @@ struct AnyCurveLimit {
     std::optional<double> velocity, acceleration, jerk;
     /// Reached: where a curve that reaches it switches its jerk, and its ends, in x, ascending (equal ones: a
     /// piece that vanishes). DRD: eight; y''' between them is J, 0, -J, 0, -J, 0, J. RR: the shorter stroke
-    /// and its mirror image, twelve; J, 0, -J, 0, -J, 0, -J, 0, -J, 0, J, and rest beside it where the other
+    /// and its mirror image, twelve; J, 0, -J, 0, -J, 0, J, 0, J, 0, -J, and rest beside it where the other
     /// stroke is longer.
     std::vector<double> breakpoints;
 

@@ -169,13 +169,16 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
     if (!is_delivered(solution)) {
         solution.conflict.clear();
         if (solution.motion) return;  // the audit has said what is wrong with it
-        certificate.verdict = Verdict::failed;
+        const bool impossible = no_motion_keeps_all_caps(scene);
         const Termination ended = search.best.termination;
-        certificate.reason = was_stopped(ended) ? reason_of(ended) : Reason::no_feasible_point;
+        certificate.verdict = impossible ? Verdict::infeasible : Verdict::failed;
+        certificate.reason = impossible           ? Reason::limits_contradict
+                             : was_stopped(ended) ? reason_of(ended)
+                                                  : Reason::no_feasible_point;
+        if (impossible) certificate.proof_kind = ProofKind::any_curve_limit;
         solution.notes.emplace_back(
-            no_motion_keeps_all_caps(scene)
-                ? "no motion on any breakpoints satisfies all limits on its peaks"
-                : "no motion was found on any breakpoints tried; infeasibility is not proved");
+            impossible ? "no curve satisfies all limits on its peaks, regardless of the breakpoints"
+                       : "no motion was found on any breakpoints tried; infeasibility is not proved");
         return;
     }
     certificate.stationarity = search.best.stationarity;
@@ -199,7 +202,7 @@ void report_search(Solution& solution, const FreeKnotSearch& search, const Scene
     solution.scene = scene;
     solution.solver.convex = false;
     solution.solver.starts = search.starts;
-    solution.notes.push_back(std::move(note));
+    if (search.starts > 0) solution.notes.push_back(std::move(note));
     judge_freely(solution, search, scene);
     if (!solution.solver.choice.empty())
         solution.solver.choice = fmt::format("the breakpoints are free: {}, and for given breakpoints: {}",

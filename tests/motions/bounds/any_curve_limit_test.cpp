@@ -74,7 +74,7 @@ void expect_double_s(const AnyCurveLimit& limit) {
 
 /// The jerk of an RR limit, integrated over its breakpoints: from rest over 1 back to rest, within the peaks.
 void expect_rise_and_return(const AnyCurveLimit& limit, double length) {
-    std::vector<double> sign = {1, 0, -1, 0, -1, 0, -1, 0, -1, 0, 1};
+    std::vector<double> sign = {1, 0, -1, 0, -1, 0, 1, 0, 1, 0, -1};
     if (length < 2.0) sign.insert(sign.begin(), 0.0);
     if (length > 2.0) sign.push_back(0.0);
     ASSERT_EQ(limit.breakpoints.size(), sign.size() + 1);

@@ -102,7 +102,7 @@ TEST(UsefulChange, FreeKnotsNeedTheLeastRiseOfAnyCurve) {
     const double peak = 0.5 * acceleration *
                         (std::sqrt(acceleration * acceleration / (jerk * jerk) + 4.0 * lift / acceleration) -
                          acceleration / jerk);
-    for (const double velocity_mm_s : {700.0, 771.0, 772.0}) {
+    for (const double velocity_mm_s : {771.0, 772.0}) {
         const double velocity = std::min(peak, 1e-3 * velocity_mm_s);
         const double least = deg_s * (lift / velocity + velocity / acceleration + acceleration / jerk);
         Scene scene = input::read_scene(
@@ -112,7 +112,8 @@ TEST(UsefulChange, FreeKnotsNeedTheLeastRiseOfAnyCurve) {
                         velocity_mm_s),
             "s.toml", known_names(), {});
         const Solution solution = solve(scene);
-        ASSERT_FALSE(solution.motion);
+        EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
+        EXPECT_EQ(solution.certificate.proof_kind, ProofKind::any_curve_limit);
         ASSERT_FALSE(solution.relaxation.empty());
         const Relaxation& row = solution.relaxation.front();
         EXPECT_EQ(row.key, "motion.rise_deg");

@@ -73,6 +73,7 @@ TEST(FreeKnotSolve, LimitCurveNeedsNoSearch) {
                             Case{MotionType::rr, 20, 3.0, false}}) {
         Scene scene = scene_of(one.type, 3, one.segments);
         scene.motion.symmetric = one.symmetric;
+        scene.motion.rise = 1.0;
         if (one.type == MotionType::rr) scene.motion.return_angle = one.back * scene.motion.rise;
         const Solution solution = solve(scene);
         EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << one.segments << ' ' << one.back;
@@ -81,8 +82,9 @@ TEST(FreeKnotSolve, LimitCurveNeedsNoSearch) {
         EXPECT_LE(solution.solver.iterations, 60) << one.segments << ' ' << one.back;
         EXPECT_EQ(solution.curve->space().segments(), one.segments);
         expect_ascending(solution);
-        if (one.back == 1.0 && one.type == MotionType::rr)
+        if (one.back == 1.0 && one.type == MotionType::rr) {
             EXPECT_NEAR(solution.certificate.objective, 0.8521595, 1e-7);
+        }
     }
 }
 
