@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -35,6 +36,7 @@ struct Solution {
     GeometricProgramStatus status = GeometricProgramStatus::not_converged;
     double velocity = 0.0;
     std::optional<double> acceleration, jerk;
+    double up = 0.0, down = 0.0;  ///< RR: a and d
 };
 
 /// Writes products of powers of V, the accelerations and J with the roles already put in.
@@ -53,6 +55,8 @@ class Writer {
     [[nodiscard]] int count() const { return count_; }
     [[nodiscard]] int jerk_index() const { return jerk_; }
     [[nodiscard]] int peak_index() const { return peak_; }
+    [[nodiscard]] int up_index() const { return up_; }
+    [[nodiscard]] int down_index() const { return down_; }
 
     /// coefficient V^v a^up d^down J^j; in a DRD motion a = d = A. Terms that vanish are left out.
     void add(Posynomial& to, double coefficient, double v, double up, double down, double j) const {
@@ -184,6 +188,11 @@ Solution solve_with_roles(const Half& half) {
     if (half.acceleration == Role::helpful) {
         const double factor = half.type == MotionType::rr ? 2.0 : 1.0;
         solution.acceleration = std::sqrt(factor * solution.velocity * *solution.jerk);
+        solution.up = std::sqrt(solution.velocity * *solution.jerk);
+        solution.down = *solution.acceleration;
+    } else if (half.type == MotionType::rr) {
+        solution.up = result.variables[writer.up_index()];
+        solution.down = result.variables[writer.down_index()];
     }
     return solution;
 }
@@ -234,6 +243,25 @@ std::vector<double> double_s_breakpoints(double velocity, double acceleration, d
     const double fall = std::max(ramp, velocity / acceleration);
     const double rest = std::min(0.5, fall + ramp);
     return {0.0, ramp, fall, rest, 1.0 - rest, 1.0 - fall, 1.0 - ramp, 1.0};
+}
+
+/// The half of length `width` before x = 1 and its mirror image, within [0, length].
+std::vector<double> rise_and_return_breakpoints(const Solution& half, double width, double length) {
+    const double ramp = half.up / *half.jerk, braking = half.down / *half.jerk;
+    const double fall = std::max(ramp, half.velocity / half.up);
+    const double brake =
+        std::max(fall + ramp, 1.0 - half.velocity / half.down - 0.5 * braking);  // rounding of no cruise
+    const std::array points = {0.0, ramp, fall, fall + ramp, brake, brake + braking};
+    std::vector<double> before, after;  // x = 1
+    if (width < length - 1.0) after.push_back(length);
+    if (width < 1.0) before.push_back(0.0);
+    for (const double point : points) {
+        const double distance = width * (1.0 - std::min(point, 1.0));
+        before.push_back(1.0 - distance);
+        after.push_back(1.0 + distance);
+    }
+    before.insert(before.end(), after.rbegin(), after.rend());
+    return before;
 }
 
 void require(bool sound, const char* name, double found, const char* allowed) {
@@ -294,9 +322,10 @@ AnyCurveLimit any_curve_limit(const AnyCurveLimitInput& input) {
     limit.objective = input.velocity_weight * *limit.velocity +
                       input.acceleration_weight * limit.acceleration.value_or(0.0) +
                       input.jerk_weight * limit.jerk.value_or(0.0);
-    if (input.type == MotionType::drd && solution.jerk) {
-        limit.breakpoints = double_s_breakpoints(solution.velocity, *solution.acceleration, *solution.jerk);
-    }
+    if (!solution.jerk) return limit;
+    limit.breakpoints = input.type == MotionType::drd
+                            ? double_s_breakpoints(solution.velocity, *solution.acceleration, *solution.jerk)
+                            : rise_and_return_breakpoints(solution, tau, input.length);
     return limit;
 }
 

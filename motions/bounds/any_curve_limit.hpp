@@ -50,8 +50,10 @@ struct AnyCurveLimit {
     double objective = 0.0;  ///< +infinity where infeasible
     /// Peaks of the limit; none where infinite in the limit, infeasible or not converged.
     std::optional<double> velocity, acceleration, jerk;
-    /// DRD, reached: the eight breakpoints of the double-S in x, ascending (equal ones: a piece that
-    /// vanishes). Its y''' on the pieces between them is J, 0, -J, 0, -J, 0, J.
+    /// Reached: where a curve that reaches it switches its jerk, and its ends, in x, ascending (equal ones: a
+    /// piece that vanishes). DRD: eight; y''' between them is J, 0, -J, 0, -J, 0, J. RR: the shorter stroke
+    /// and its mirror image, twelve; J, 0, -J, 0, -J, 0, J, 0, J, 0, -J, and rest beside it where the other
+    /// stroke is longer.
     std::vector<double> breakpoints;
 
     [[nodiscard]] bool feasible() const { return status != AnyCurveStatus::infeasible; }

@@ -146,7 +146,9 @@ std::vector<std::string> kept_by_no_motion(const Scene& scene) {
     return keys;
 }
 
-std::optional<LimitCurve> limit_curve(const Scene& scene, const Peaks& reference) {
+namespace {
+
+std::optional<AnyCurveLimit> any_curve_limit_of(const Scene& scene, const Peaks& reference) {
     const ObjectiveSpec& objective = scene.objective;
     // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
     // nothing approaches.
@@ -159,14 +161,27 @@ std::optional<LimitCurve> limit_curve(const Scene& scene, const Peaks& reference
     const auto cap = [](const std::optional<PeakLimit>& limit) {
         return limit ? std::optional(limit->normalised) : std::nullopt;
     };
-    const AnyCurveLimit limit = any_curve_limit(
+    AnyCurveLimit limit = any_curve_limit(
         {scene.motion.type, scene.motion.length(), over(objective.velocity, reference.velocity.value),
          over(objective.acceleration, reference.acceleration.value),
          over(objective.jerk, reference.jerk.value), cap(scene.limits.velocity),
          cap(scene.limits.acceleration), cap(scene.limits.jerk)});
     if (limit.status == AnyCurveStatus::infeasible || limit.status == AnyCurveStatus::not_converged)
         return {};
-    return LimitCurve{limit.objective, limit.velocity, limit.acceleration, limit.jerk};
+    return limit;
+}
+
+}  // namespace
+
+std::optional<LimitCurve> limit_curve(const Scene& scene, const Peaks& reference) {
+    const std::optional<AnyCurveLimit> limit = any_curve_limit_of(scene, reference);
+    if (!limit) return {};
+    return LimitCurve{limit->objective, limit->velocity, limit->acceleration, limit->jerk};
+}
+
+std::vector<double> limit_switches(const Scene& scene, const Peaks& reference) {
+    std::optional<AnyCurveLimit> limit = any_curve_limit_of(scene, reference);
+    return limit ? std::move(limit->breakpoints) : std::vector<double>{};
 }
 
 bool no_motion_keeps_all_caps(const Scene& scene) {

@@ -28,6 +28,9 @@ namespace camopt {
 /// None for programs, and where the objective holds more than peaks. Some milliseconds.
 [[nodiscard]] std::optional<LimitCurve> limit_curve(const Scene& scene, const Peaks& reference);
 
+/// AnyCurveLimit::breakpoints of that limit; empty: no curve reaches it.
+[[nodiscard]] std::vector<double> limit_switches(const Scene& scene, const Peaks& reference);
+
 /// The caps on peaks cannot be kept together by any motion.
 [[nodiscard]] bool no_motion_keeps_all_caps(const Scene& scene);
 

@@ -6,8 +6,10 @@
 #include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
+#include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/search/settled_scene.hpp"
+#include "studies/search/solve_steps.hpp"
 
 namespace camopt {
 
@@ -69,6 +71,11 @@ Solution search(const Scene& scene, const Budget& budget) {
 
 double least_violation(const Scene& scene, const Budget& budget) {
     if (find_fault(scene)) return infinity;
+    // The breakpoints that the search would start from do not decide for free ones.
+    if (scene.spline.free_knots) {
+        if (no_motion_keeps_all_caps(scene)) return infinity;
+        if (!limit_breakpoints(scene, reference_peaks(scene)).empty()) return 0.0;
+    }
     const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
     if (!model.design.contradictions().empty()) return infinity;
     if (const auto rest = rest_conflict(model, scene.solver.tolerance)) return rest->violation;
@@ -97,6 +104,7 @@ std::shared_ptr<const MotionChain> solved_motion(const Scene& scene, const Budge
 
 bool is_proved_infeasible(const Scene& scene, const Budget& budget) {
     if (budget.spent() || find_fault(scene)) return false;
+    if (scene.spline.free_knots) return no_motion_keeps_all_caps(scene);
     Scene first = scene;
     first.solver.starts = 1;
     return answer(first, budget).certificate.verdict == Verdict::infeasible;

@@ -38,7 +38,8 @@ class Budget {
 
 /// <= 0: the scene is feasible. Infinite where the cam cannot be built or the conditions contradict each
 /// other. The limits that are linear or convex come first: they are quick, and may settle it. For the others
-/// it is what one search found.
+/// it is what one search found. Of free breakpoints that of the first ones, unless the limit of any curve
+/// decides: then 0 or infinite.
 [[nodiscard]] double least_violation(const Scene& scene, const Budget& budget);
 
 /// The motion that a solve of the scene ended with: optimal, local or feasible; null: none. By the backend
@@ -49,7 +50,8 @@ class Budget {
     return solved_motion(scene, budget) != nullptr;
 }
 
-/// A solve of the scene ended with a proof that it has no motion.
+/// A solve of the scene ended with a proof that it has no motion. Of free breakpoints: the limits on its
+/// peaks leave no curve.
 [[nodiscard]] bool is_proved_infeasible(const Scene& scene, const Budget& budget);
 
 }  // namespace camopt

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <vector>
 
 namespace camopt {
 
@@ -24,13 +25,57 @@ double power_of_two(double exponent) {
     return std::ldexp(1.0, static_cast<int>(exponent));
 }
 
-/// The objective of a good motion, to a factor of ten.
-double typical_cost(const Scene& scene, const Peaks& reference) {
-    double cost = 0.0;
+/// V, A and J of a stroke of length 1, and what remains of it beside its cruise.
+struct StrokePeaks {
+    double velocity = 2.0, acceleration = 8.0, jerk = 32.0, ramps = 0.5;
+};
+
+/// The least jerk from rest to rest within the caps, and its peaks, to a factor of a few: at the velocity V a
+/// cruise leaves 1 − 1/V to the ramps, V/A + A/J = 1 − 1/V, and A = 2V / (1 − 1/V) takes the least J. Without
+/// caps, or where they contradict, V = 2.
+StrokePeaks forced_peaks(const LimitSpec& limits, double stroke) {
+    constexpr double least_ramps = 1e-9;  // shorter ones are rounding of a contradiction
+    const auto cap = [&](const std::optional<PeakLimit>& limit, int order) {
+        return limit ? limit->normalised * std::pow(stroke, order) : infinity;
+    };
+    const double most_acceleration = cap(limits.acceleration, 2);
+    StrokePeaks forced;
+    forced.velocity = std::min({forced.velocity, cap(limits.velocity, 1), std::sqrt(most_acceleration)});
+    forced.ramps = 1.0 - 1.0 / forced.velocity;
+    forced.acceleration = std::min(2.0 * forced.velocity / forced.ramps, most_acceleration);
+    const double turning = forced.ramps - forced.velocity / forced.acceleration;
+    if (!(forced.ramps > least_ramps && turning > least_ramps * forced.ramps)) return {};
+    forced.jerk = std::min(forced.acceleration / turning, cap(limits.jerk, 3));
+    return forced;
+}
+
+/// The figures of a good motion, to a factor of ten, by CostFigure: typical ones, or those that caps force on
+/// it.
+std::vector<double> expected_figures(const Scene& scene) {
+    constexpr double far = 16.0;  // times the typical figure
+    const MotionSpec& motion = scene.motion;
+    const bool rests = motion.type != MotionType::program && !motion.start && !motion.end;
+    const double stroke = motion.type == MotionType::rr ? std::min(1.0, motion.length() - 1.0) : 1.0;
+    const StrokePeaks forced = rests ? forced_peaks(scene.limits, stroke) : StrokePeaks{};
+    std::vector<double> figures;
     for (const CostTerm& term : cost_terms()) {
+        const int order = term.kind == CostTerm::Kind::torque ? 3 : term.measured.order;
+        double own = order == 1 ? forced.velocity : order == 2 ? forced.acceleration : forced.jerk;
+        if (term.kind == CostTerm::Kind::torque) own = forced.velocity * forced.acceleration;
+        if (term.kind == CostTerm::Kind::rms) own *= std::sqrt(forced.ramps);
+        figures.push_back(own > far * term.typical ? own / std::pow(stroke, order) : term.typical);
+    }
+    return figures;
+}
+
+/// The objective of a motion with these figures.
+double expected_cost(const Scene& scene, const std::vector<double>& figures, const Peaks& reference) {
+    double cost = 0.0;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const CostTerm& term = cost_terms()[i];
         const double weight = term.weight_in(scene.objective);
         if (weight > 0.0)
-            cost += weight * term.typical /
+            cost += weight * figures[i] /
                     (scene.objective.reference.*term.reference).value_or(term.measured.of(reference));
     }
     for (const ResponseTerm& term : response_terms()) cost += term.weight_in(scene.objective);
@@ -39,33 +84,42 @@ double typical_cost(const Scene& scene, const Peaks& reference) {
     return cost;
 }
 
+bool is_near_one(double cost) {
+    return cost == 0.0 || (cost >= least_idle_cost && cost <= most_idle_cost);  // 0: nothing is weighed
+}
+
 }  // namespace
 
 CostScale::CostScale(const Scene& scene, const Peaks& reference) : scaled_(scene) {
-    if (scene.objective.reference.numeric) scale_references();
-    scale_weights(reference);
+    const std::vector<double> figures = expected_figures(scene);
+    scale_references(figures, reference);
+    scale_weights(figures, reference);
 }
 
-void CostScale::scale_references() {
-    for (const CostTerm& term : cost_terms()) {
+/// Numbers far from the figures, and laws where these are far from those of any law.
+void CostScale::scale_references(const std::vector<double>& figures, const Peaks& reference) {
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const CostTerm& term = cost_terms()[i];
         std::optional<double>& number = scaled_.objective.reference.*term.reference;
-        if (!number) continue;
-        const double exponent = std::round(std::log2(*number / term.typical));
+        const bool by_law = !number && (term.limit != nullptr || term.weight_in(scaled_.objective) > 0.0);
+        if (!number && !by_law) continue;
+        const double of_law = term.measured.of(reference);
+        const double known = number.value_or(std::isfinite(of_law) && of_law > 0.0 ? of_law : term.typical);
+        const double exponent = std::round(std::log2(known / figures[i]));
         if (std::abs(exponent) <= idle_reference_exponent) continue;
-        *number /= power_of_two(exponent);
+        number = known / power_of_two(exponent);
         scaled_.objective.*term.weight /= power_of_two(exponent);
         idle_ = false;
     }
 }
 
 bool CostScale::are_near_one(const Scene& scene, const Peaks& reference) {
-    const double cost = typical_cost(scene, reference);
-    return cost == 0.0 || (cost >= least_idle_cost && cost <= most_idle_cost);  // 0: nothing is weighed
+    return is_near_one(expected_cost(scene, expected_figures(scene), reference));
 }
 
-void CostScale::scale_weights(const Peaks& reference) {
-    if (are_near_one(scaled_, reference)) return;
-    const double cost = typical_cost(scaled_, reference);
+void CostScale::scale_weights(const std::vector<double>& figures, const Peaks& reference) {
+    const double cost = expected_cost(scaled_, figures, reference);
+    if (is_near_one(cost)) return;
     idle_ = false;
     factor_ =
         power_of_two(cost < 1.0 ? std::ceil(std::log2(cost)) : std::floor(std::log2(cost / large_cost)));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A scene whose weights or references are far from one, brought near one before it is solved: tolerances and
-// the gap are absolute where the objective is below 1, so an objective of 1e-9 would be optimal from the
-// start.
+// A scene whose weights or references are far from one, or whose caps force figures far from one on it (a
+// velocity little above that of the mean leaves no time for its ramps), brought near one before it is solved:
+// tolerances and the gap are absolute where the objective is below 1, so an objective of 1e-9 would be
+// optimal from the start, and an interior point needs variables of order one.
 //
 // Σ w_i P_i / R_i keeps its value when w_i and R_i are divided by the same number, and only changes its unit
 // when all w_i are. Both are done by powers of two, so nothing is rounded: the proof of the scaled scene is
@@ -9,6 +10,8 @@
 #pragma once
 
 #include "studies/delivered/solution.hpp"
+
+#include <vector>
 
 namespace camopt {
 
@@ -31,8 +34,9 @@ class CostScale {
     void restore(Solution& solution, const Scene& scene, const Peaks& reference) const;
 
  private:
-    void scale_references();
-    void scale_weights(const Peaks& reference);
+    /// figures: what to expect, by CostFigure.
+    void scale_references(const std::vector<double>& figures, const Peaks& reference);
+    void scale_weights(const std::vector<double>& figures, const Peaks& reference);
 
     Scene scaled_;
     double factor_ = 1.0;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/scene_model.hpp"
+#include "scene/limit_table.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
+#include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/search/free_knot_descent.hpp"
 #include "studies/search/solve_steps.hpp"
@@ -25,6 +27,19 @@ constexpr double kept_for_last = 1.5;
 // Part of the gap within which of the limit nothing is left to gain.
 constexpr double nothing_left = 0.01;
 
+// Pieces of the limit curve that are shorter than this part of the motion are rounding of ones that vanish.
+constexpr double vanishing_piece = 1e-7;
+
+/// The second half becomes the mirror image of the first one.
+void mirror(std::vector<double>& points) {
+    const std::size_t segments = points.size() - 1;
+    const double length = points.back();
+    for (std::size_t i = 0; i <= segments / 2; ++i) {
+        points[segments - i] = length - points[i];
+        if (2 * i == segments) points[i] = 0.5 * length;
+    }
+}
+
 /// Of the whole motion; mirrored where it is symmetric.
 std::vector<double> random_breakpoints(const Scene& scene, unsigned seed) {
     std::vector<double> points = start_breakpoints(scene);
@@ -41,11 +56,48 @@ std::vector<double> random_breakpoints(const Scene& scene, unsigned seed) {
         sum += widths[i];
     }
     for (std::size_t i = 0; i + 1 < segments; ++i) points[i + 1] = points[i] + widths[i] * length / sum;
-    for (std::size_t i = 0; scene.motion.symmetric && i <= segments / 2; ++i) {
-        points[segments - i] = length - points[i];
-        if (2 * i == segments) points[i] = 0.5 * length;
-    }
+    if (scene.motion.symmetric) mirror(points);
     return points;
+}
+
+/// The ends of the pieces of a curve, less those that vanish.
+std::vector<double> pieces_of(const std::vector<double>& switches, double length) {
+    std::vector<double> ends = {0.0};
+    for (const double at : switches)
+        if (at - ends.back() > vanishing_piece * length && length - at > vanishing_piece * length)
+            ends.push_back(at);
+    ends.push_back(length);
+    return ends;
+}
+
+/// Into how many equal parts to cut each piece; empty: there are more pieces than segments, or, where the
+/// parts are to be symmetric, an odd number of segments is left and no piece lies in the middle.
+std::vector<int> parts_of(const std::vector<double>& ends, int segments, bool symmetric) {
+    const std::size_t pieces = ends.size() - 1;
+    std::vector<int> parts(pieces, 1);
+    int left = segments - static_cast<int>(pieces);
+    const bool one_in_the_middle = symmetric && left % 2 != 0;
+    if (left < 0 || (one_in_the_middle && pieces % 2 == 0)) return {};
+    if (one_in_the_middle) {
+        ++parts[pieces / 2];
+        --left;
+    }
+    for (; left > 0; left -= symmetric ? 2 : 1) {
+        std::size_t longest = 0;
+        const auto width = [&](std::size_t i) { return (ends[i + 1] - ends[i]) / parts[i]; };
+        for (std::size_t i = 1; i < pieces; ++i)
+            if (width(i) > width(longest)) longest = i;
+        ++parts[longest];
+        if (symmetric) ++parts[pieces - 1 - longest];
+    }
+    return parts;
+}
+
+bool limits_peaks_alone(const Scene& scene) {
+    return scene.motion.via.empty() && scene.own_limits.empty() &&
+           !(scene.cam && scene.cam->face_half_width) &&
+           std::ranges::none_of(limit_rows(),
+                                [&](const LimitRow& row) { return row.in(scene.limits).has_value(); });
 }
 
 struct FreeKnotSearch {
@@ -117,11 +169,16 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
     if (!is_delivered(solution)) {
         solution.conflict.clear();
         if (solution.motion) return;  // the audit has said what is wrong with it
-        certificate.verdict = Verdict::failed;
+        const bool impossible = no_motion_keeps_all_caps(scene);
         const Termination ended = search.best.termination;
-        certificate.reason = was_stopped(ended) ? reason_of(ended) : Reason::no_feasible_point;
+        certificate.verdict = impossible ? Verdict::infeasible : Verdict::failed;
+        certificate.reason = impossible           ? Reason::limits_contradict
+                             : was_stopped(ended) ? reason_of(ended)
+                                                  : Reason::no_feasible_point;
+        if (impossible) certificate.proof_kind = ProofKind::any_curve_limit;
         solution.notes.emplace_back(
-            "no motion was found on any breakpoints tried; infeasibility is not proved");
+            impossible ? "no curve satisfies all limits on its peaks, regardless of the breakpoints"
+                       : "no motion was found on any breakpoints tried; infeasibility is not proved");
         return;
     }
     certificate.stationarity = search.best.stationarity;
@@ -137,11 +194,19 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
         solution.notes.push_back(fmt::format(
             "proved: no spline of these breakpoints is better (gap {:.1e}); other breakpoints may be", *gap));
     }
-    if (!solution.solver.choice.empty()) {
-        solution.solver.choice =
-            "the breakpoints are free: the structured solver moves them, and for given breakpoints: " +
-            solution.solver.choice;
-    }
+}
+
+/// What is said of a solution on breakpoints that were found by `search`.
+void report_search(Solution& solution, const FreeKnotSearch& search, const Scene& scene, std::string_view how,
+                   std::string note) {
+    solution.scene = scene;
+    solution.solver.convex = false;
+    solution.solver.starts = search.starts;
+    if (search.starts > 0) solution.notes.push_back(std::move(note));
+    judge_freely(solution, search, scene);
+    if (!solution.solver.choice.empty())
+        solution.solver.choice = fmt::format("the breakpoints are free: {}, and for given breakpoints: {}",
+                                             how, solution.solver.choice);
 }
 
 void report_breakpoints(Solution& solution) {
@@ -152,17 +217,57 @@ void report_breakpoints(Solution& solution) {
     add_to_design(solution, std::move(names), std::span(points).subspan(1, points.size() - 2));
 }
 
+/// On the switching points of the limit curve, if they make an optimum.
+std::optional<Solution> solve_on_limit_curve(const PlannedRun& run) {
+    const Scene& scene = run.posed.scene();
+    const std::vector<double> points = limit_breakpoints(scene, run.posed.reference);
+    if (points.empty()) return {};
+    Solution solution = solve_without_explaining(with_breakpoints(scene, points), run.control);
+    FreeKnotSearch nothing_searched;
+    nothing_searched.starts = 1;
+    nothing_searched.best.stationarity = solution.certificate.stationarity.value_or(infinity);
+    report_search(solution, nothing_searched, scene,
+                  "they are the switching points of the best of all curves",
+                  "free breakpoints: the switching points of the curve that reaches the limit of any curve");
+    if (solution.certificate.verdict != Verdict::optimal) return {};
+    return solution;
+}
+
 }  // namespace
+
+std::vector<double> limit_breakpoints(const Scene& scene, const Peaks& reference) {
+    const SplineSpec& spline = scene.spline;
+    const bool holds_the_curve = spline.smoothness() == 2 && spline.end_jerk == EndJerk::free;
+    if (!holds_the_curve || !limits_peaks_alone(scene)) return {};
+    const std::vector<double> switches = limit_switches(scene, reference);
+    if (switches.empty()) return {};
+    const std::vector<double> ends = pieces_of(switches, scene.motion.length());
+    const std::vector<int> parts = parts_of(ends, segments_of(spline), scene.motion.symmetric);
+    std::vector<double> points;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (int k = 0; k < parts[i]; ++k) points.push_back(ends[i] + (ends[i + 1] - ends[i]) * k / parts[i]);
+    if (points.empty()) return {};
+    points.push_back(ends.back());
+    if (scene.motion.symmetric) mirror(points);
+    return points;
+}
 
 Solution solve_free_knots(const PlannedRun& run) {
     const Scene& scene = run.posed.scene();
     const SolveControl& control = run.control;
     const Stopwatch watch;
+    if (std::optional<Solution> solution = solve_on_limit_curve(run)) {
+        report_breakpoints(*solution);
+        solution->seconds_total = solution->seconds_solve = watch.seconds();
+        return std::move(*solution);
+    }
     Solution solution = solve_without_explaining(with_breakpoints(scene, start_breakpoints(scene)), control);
     double at_start = infinity;
     if (is_delivered(solution)) at_start = solution.certificate.objective;
     const double searching = control.deadline.seconds_left() - kept_for_last * watch.seconds();
-    FreeKnotSearch search = search_breakpoints(run, solution, control.sooner(searching));
+    FreeKnotSearch search;
+    if (!no_motion_keeps_all_caps(scene))
+        search = search_breakpoints(run, solution, control.sooner(searching));
     const bool found = search.best.found.x.size() > 0 &&
                        search.best.found.violation <= scene.solver.tolerance &&
                        search.best.found.objective < at_start;
@@ -178,17 +283,14 @@ Solution solve_free_knots(const PlannedRun& run) {
         }
     }
     add(solution.evaluations, search.evaluations);
-    solution.scene = scene;
-    solution.solver.convex = false;
-    solution.solver.starts = search.starts;
     solution.solver.iterations += search.iterations;
     solution.solver.exchange_rounds += search.rounds;
-    solution.notes.push_back(fmt::format(
-        "free breakpoints: {} starts and {} steps, by the structured solver; objective {} on the first "
-        "breakpoints",
-        search.starts, search.steps,
-        at_start < infinity ? fmt::format("{:.9g}", at_start) : std::string("unknown")));
-    judge_freely(solution, search, scene);
+    report_search(
+        solution, search, scene, "the structured solver moves them",
+        fmt::format("free breakpoints: {} starts and {} steps, by the structured solver; objective {} on the "
+                    "first breakpoints",
+                    search.starts, search.steps,
+                    at_start < infinity ? fmt::format("{:.9g}", at_start) : std::string("unknown")));
     report_breakpoints(solution);
     solution.seconds_total = solution.seconds_solve = watch.seconds();
     return solution;

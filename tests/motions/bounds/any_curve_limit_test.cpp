@@ -72,6 +72,34 @@ void expect_double_s(const AnyCurveLimit& limit) {
     EXPECT_NEAR(a_peak / *limit.acceleration, 1.0, 1e-9);
 }
 
+/// The jerk of an RR limit, integrated over its breakpoints: from rest over 1 back to rest, within the peaks.
+void expect_rise_and_return(const AnyCurveLimit& limit, double length) {
+    std::vector<double> sign = {1, 0, -1, 0, -1, 0, 1, 0, 1, 0, -1};
+    if (length < 2.0) sign.insert(sign.begin(), 0.0);
+    if (length > 2.0) sign.push_back(0.0);
+    ASSERT_EQ(limit.breakpoints.size(), sign.size() + 1);
+    EXPECT_EQ(limit.breakpoints.front(), 0.0);
+    EXPECT_NEAR(limit.breakpoints.back(), length, 1e-12);
+    double y = 0, v = 0, a = 0, top = 0, v_peak = 0, a_peak = 0;
+    for (std::size_t i = 0; i < sign.size(); ++i) {
+        const double t = limit.breakpoints[i + 1] - limit.breakpoints[i], j = sign[i] * *limit.jerk;
+        ASSERT_GE(t, 0.0);
+        if (const double half = 1.0 - limit.breakpoints[i]; half >= 0.0 && half <= t)
+            top = y + half * (v + half * (a / 2 + half * j / 6));
+        y += t * (v + t * (a / 2 + t * j / 6));
+        v += t * (a + t * j / 2);
+        a += t * j;
+        v_peak = std::max(v_peak, std::abs(v));
+        a_peak = std::max(a_peak, std::abs(a));
+    }
+    EXPECT_NEAR(top, 1.0, 1e-9);
+    EXPECT_NEAR(y, 0.0, 1e-9);
+    EXPECT_NEAR(v, 0.0, 1e-9 * *limit.velocity);
+    EXPECT_NEAR(a, 0.0, 1e-9 * *limit.acceleration);
+    EXPECT_NEAR(v_peak / *limit.velocity, 1.0, 1e-9);
+    EXPECT_NEAR(a_peak / *limit.acceleration, 1.0, 1e-9);
+}
+
 void expect_peaks(const AnyCurveLimit& limit, double objective, double v, double a, double j,
                   double tolerance) {
     ASSERT_EQ(limit.status, AnyCurveStatus::reached);
@@ -133,6 +161,8 @@ TEST(AnyCurveLimit, IsBelowQuickestRandomMotions) {
         ASSERT_EQ(limit.status, AnyCurveStatus::reached);
         EXPECT_NEAR(least_time(type, *limit.velocity, *limit.acceleration, *limit.jerk), 1.0, 1e-9);
         if (!half) expect_double_s(limit);
+        for (const double length : {1.6, 2.0, 3.5})
+            if (half && k % 10 == 1) expect_rise_and_return(any_curve_limit(rr(length, v, a, j)), length);
         for (int trial = 0; trial < 60; ++trial) {
             const double spread = trial % 2 == 0 ? 0.01 : 0.5;
             const double vt = *limit.velocity * power(spread), at = *limit.acceleration * power(spread),

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -92,6 +93,34 @@ TEST(UsefulChange, ServoProgramChangesAngleAndDwell) {
     EXPECT_NE(told(solution).find("taken from motion.segments[3].angle, which becomes 35."),
               std::string::npos);
     EXPECT_NE(told(solution).find("raise the acceleration limit to 66"), std::string::npos) << told(solution);
+}
+
+/// Free breakpoints leave what no curve can do: the least rise is that of the quickest jerk-limited motion,
+/// in closed form where it has a cruise, and where its velocity is not reached.
+TEST(UsefulChange, FreeKnotsNeedTheLeastRiseOfAnyCurve) {
+    constexpr double lift = 0.03, acceleration = 25.0, jerk = 3125.0, deg_s = 1200.0;
+    const double peak = 0.5 * acceleration *
+                        (std::sqrt(acceleration * acceleration / (jerk * jerk) + 4.0 * lift / acceleration) -
+                         acceleration / jerk);
+    for (const double velocity_mm_s : {771.0, 772.0}) {
+        const double velocity = std::min(peak, 1e-3 * velocity_mm_s);
+        const double least = deg_s * (lift / velocity + velocity / acceleration + acceleration / jerk);
+        Scene scene = input::read_scene(
+            fmt::format("[motion]\ntype = \"DRD\"\nlift_mm = 30\nrise_deg = 85\nspeed_rpm = 200\n[spline]\n"
+                        "segments = 9\nknots = \"free\"\n[objective]\njerk = 1\n[limits]\n"
+                        "velocity_mm_s = {}\nacceleration_m_s2 = 25\njerk_m_s3 = 3125\n",
+                        velocity_mm_s),
+            "s.toml", known_names(), {});
+        const Solution solution = solve(scene);
+        EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
+        EXPECT_EQ(solution.certificate.proof_kind, ProofKind::any_curve_limit);
+        ASSERT_FALSE(solution.relaxation.empty());
+        const Relaxation& row = solution.relaxation.front();
+        EXPECT_EQ(row.key, "motion.rise_deg");
+        ASSERT_TRUE(row.needed && row.solved);
+        EXPECT_NEAR(*row.needed, least, 1e-5);
+        EXPECT_NEAR(*row.solved, least, 2e-3);
+    }
 }
 
 TEST(UsefulChange, UsesNextDwellBeforePreviousOne) {

@@ -59,10 +59,33 @@ TEST(FreeKnotSolve, SevenSegmentsReachTheLimit) {
     EXPECT_NEAR(solution.curve->space().breakpoints()[2], 1.7455851 / 5.2837114, 1e-4);
 }
 
-TEST(FreeKnotSolve, ReturnReachesItsLimit) {
-    const Solution solution = solve(scene_of(MotionType::rr, 3, 16));
-    EXPECT_NEAR(solution.certificate.objective, 0.8521595, 1e-6);
-    expect_ascending(solution);
+/// The switching points of the limit curve are the breakpoints: two solves of a small program, no search.
+TEST(FreeKnotSolve, LimitCurveNeedsNoSearch) {
+    struct Case {
+        MotionType type;
+        int segments;
+        double back;  ///< return / rise
+        bool symmetric;
+    };
+    for (const Case& one : {Case{MotionType::drd, 7, 1.0, false}, Case{MotionType::drd, 10, 1.0, false},
+                            Case{MotionType::drd, 12, 1.0, true}, Case{MotionType::rr, 16, 1.0, false},
+                            Case{MotionType::rr, 15, 1.0, true}, Case{MotionType::rr, 13, 0.6, false},
+                            Case{MotionType::rr, 20, 3.0, false}}) {
+        Scene scene = scene_of(one.type, 3, one.segments);
+        scene.motion.symmetric = one.symmetric;
+        scene.motion.rise = 1.0;
+        if (one.type == MotionType::rr) scene.motion.return_angle = one.back * scene.motion.rise;
+        const Solution solution = solve(scene);
+        EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << one.segments << ' ' << one.back;
+        EXPECT_EQ(solution.certificate.proof_kind, ProofKind::any_curve_limit);
+        EXPECT_NEAR(solution.certificate.objective, solution.any_curve_limit->objective, 1e-8);
+        EXPECT_LE(solution.solver.iterations, 60) << one.segments << ' ' << one.back;
+        EXPECT_EQ(solution.curve->space().segments(), one.segments);
+        expect_ascending(solution);
+        if (one.back == 1.0 && one.type == MotionType::rr) {
+            EXPECT_NEAR(solution.certificate.objective, 0.8521595, 1e-7);
+        }
+    }
 }
 
 TEST(FreeKnotSolve, NeverWorseThanFixedOnes) {

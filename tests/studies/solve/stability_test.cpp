@@ -11,9 +11,12 @@
 #include "studies/search/cost_scale.hpp"
 #include "studies/solve/solve.hpp"
 
+#include <Eigen/Dense>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace camopt::stability {
 namespace stability_test {
@@ -133,6 +136,58 @@ TEST(ConditionNumber, GrowsSlowestForStates) {
 TEST(CostScale, LeavesScenesNearOneAlone) {
     const Scene scene = study_scene(MotionType::drd, 3, 12);
     EXPECT_TRUE(CostScale(scene, solved_twelve().reference_peaks).is_idle());
+}
+
+/// A rise in five segments: two of length b, the cruise, two of length b, that may be no faster than 1 / (1 −
+/// 2.5 b). Least jerk: J, then −J + d, and in the cruise an acceleration from d b to −d b that lets it reach
+/// that velocity in the middle. With m = 1 − 4 b, velocity and lift are
+///   J b² + d (b²/2 + b m/4) = V,   2 b³ (J + d/6) + m (J b² + d b²/2 + d b m/6) = 1.
+struct LongCruise {
+    double lift_mm, seconds, ramp;
+
+    [[nodiscard]] double velocity() const { return 1.0 / (1.0 - 2.5 * ramp); }
+    [[nodiscard]] double jerk() const {
+        const double b = ramp, m = 1.0 - 4.0 * b;
+        Eigen::Matrix2d rows;
+        rows << b * b, b * (b / 2 + m / 4), b * b * (2 * b + m), b * (b * b / 3 + m * (b / 2 + m / 6));
+        return rows.inverse().row(0).dot(Eigen::RowVector2d(velocity(), 1.0));
+    }
+    /// With limits on acceleration and jerk that many times, and its square, as large as needed.
+    [[nodiscard]] Scene scene(double loose) const {
+        const double b = ramp, speed = lift_mm / seconds;
+        return scene_of_text(fmt::format(
+            "[motion]\ntype = \"DRD\"\nlift_mm = {}\nrise_deg = 360\nspeed_rad_s = {}\n[spline]\n"
+            "breakpoints = [0, {}, {}, {}, {}, 1]\n[objective]\njerk = 1\n[limits]\nvelocity_mm_s = {}\n"
+            "acceleration_mm_s2 = {}\njerk_mm_s3 = {}\n[solver]\nname = \"structured\"\n",
+            lift_mm, 2.0 * std::numbers::pi / seconds, b, 2 * b, 1 - 2 * b, 1 - b, velocity() * speed,
+            loose * jerk() * b * speed / seconds, loose * loose * jerk() * speed / seconds / seconds));
+    }
+};
+
+/// Lifts from a micrometre to ten metres, times from a millisecond to hours, ramps down to a hundred
+/// thousandth of the time, whatever the limits leave.
+TEST(CostScale, FarLiftsAndTimesAreProved) {
+    for (const double lift : {1e-3, 1.0, 1e4})
+        for (const double seconds : {1e-3, 1.0, 1e4})
+            for (const double ramp : {0.1, 1e-3, 1e-5})
+                for (const double loose : {1.25, 1e3}) {
+                    const LongCruise one{lift, seconds, ramp};
+                    const Solution solution = solve(one.scene(loose));
+                    const double objective = one.jerk() / solution.reference_peaks.jerk.value;
+                    SCOPED_TRACE(
+                        fmt::format("{} mm in {} s, ramps {}, limits times {}", lift, seconds, ramp, loose));
+                    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+                    EXPECT_NEAR(solution.certificate.objective / objective, 1.0, 1e-7);
+                }
+}
+
+/// 7599 mm at 1 mm/s in 7601.5 s, ramps of a second: as Ipopt proves it.
+TEST(CostScale, TwoHoursWithRampsOfSecondsAreProved) {
+    const LongCruise one{7599.0, 7601.5, 1.0 / 7601.5};
+    EXPECT_NEAR(one.velocity() * one.lift_mm / one.seconds, 1.0, 1e-12);
+    const Solution solution = solve(one.scene(1.0003));
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    EXPECT_NEAR(solution.certificate.objective, 831919.3420583, 1e-2);
 }
 
 TEST(CostScale, ProofRefersToScene) {
