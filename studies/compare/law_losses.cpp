@@ -39,7 +39,9 @@ Scene with_weights(const Scene& scene, const PeakTriple& weights) {
 class LossFinder {
  public:
     LossFinder(const Scene& scene, const PeakTriple& reference, const SolveControl& control)
-        : scene_(scene), reference_(reference), control_(control) {}
+        : scene_(scene), reference_(reference), control_(control) {
+        scene_.objective.tie_break = TieBreak::none;  // only peaks count, which equal optima share
+    }
 
     void add_cut(const PeakTriple& peaks);
 
@@ -54,7 +56,7 @@ class LossFinder {
     /// objective is 1.
     [[nodiscard]] GameValue best_shares(const PeakTriple& law) const;
 
-    const Scene& scene_;
+    Scene scene_;
     const PeakTriple& reference_;
     const SolveControl& control_;
     KnownSolutions weighted_, capped_;
