@@ -217,11 +217,11 @@ void add_sweep_work(CLI::App& command, SweepRequest& request) {
         ->type_name("N")
         ->check(CLI::Range(1, most_workers));
     command
-        .add_option(
-            "--chunk", request.chunk,
-            "Rows solved in sequence, each started from the previous result; the unit of "
-            "--resume; default: 25, 150 where weights move fastest, fewer where that makes fewer than 16 "
-            "chunks")
+        .add_option("--chunk", request.chunk,
+                    "Rows solved in sequence, each started from the previous result; the unit of "
+                    "--resume; default: 25, up to 500 where weights of a convex scene move fastest, fewer "
+                    "where that makes fewer than 16 "
+                    "chunks")
         ->type_name("N")
         ->check(CLI::Range(1, most_sweep_rows));
     command.add_option("--shard", request.shard, "Only every N-th chunk, from the i-th on")->type_name("i/N");

@@ -47,7 +47,7 @@ SweepFolder folder_for(const SweepRequest& request, const StoredSweep& sweep) {
 
 StoredSweep checked_sweep(const SweepRequest& request, SweepJob& job) {
     const int rows = job.scenes().plan().rows();
-    const Chunking chunking{rows, request.chunk.value_or(chunk_size_for(job.scenes().plan()))};
+    const Chunking chunking{rows, request.chunk.value_or(chunk_size_for(job.scenes()))};
     return {job.identity(check_rows(job.scenes()), chunking), sweep_shard(request)};
 }
 

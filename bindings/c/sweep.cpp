@@ -223,7 +223,7 @@ void solve_rows(const camopt_scene& given, const SweepPlan& plan, CallbackContro
             if (row_callback.call(&shown.shown(), row_callback.user) != 0) callbacks.stop();
         });
     };
-    const Chunking chunks{plan.rows(), chunk_size_for(plan)};
+    const Chunking chunks{plan.rows(), chunk_size_for(scenes)};
     for (int chunk = 0; chunk < chunks.count() && !callbacks.stopped(); ++chunk)
         (void)solve_chunk(scenes, chunks.range(chunk), control, tell);
     callbacks.finish();

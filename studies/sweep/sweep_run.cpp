@@ -86,10 +86,17 @@ SweepRow failed_row(int number, std::span<const double> settings, std::string_vi
     return row;
 }
 
-int chunk_size_for(const SweepPlan& plan) {
-    const bool weights = !plan.keys.empty() && is_weight_key(plan.keys.back());
-    return std::clamp((plan.rows() + least_chunks - 1) / least_chunks, 1,
-                      weights ? weight_chunk_size : default_chunk_size);
+int chunk_size_for(SweepScenes& scenes) {
+    constexpr int segments_of_a_chunk = 16'000;
+    const SweepPlan& plan = scenes.plan();
+    int most = default_chunk_size;
+    if (plan.rows() > least_chunks * most && is_weight_key(plan.keys.back())) {
+        const Scene& first = scenes.scene(0);
+        const int segments = std::max(1, segments_of(first.spline));
+        if (camopt::plan(first).convex)
+            most = std::clamp(segments_of_a_chunk / segments, default_chunk_size, weight_chunk_size);
+    }
+    return std::clamp((plan.rows() + least_chunks - 1) / least_chunks, 1, most);
 }
 
 std::vector<SweepRow> solve_chunk(SweepScenes& scenes, RowRange rows, const SolveControl& control,

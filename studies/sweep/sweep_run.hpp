@@ -21,8 +21,9 @@ namespace camopt {
 
 /// Long enough for warm starts to pay, short enough to lose little where a run is stopped.
 inline constexpr int default_chunk_size = 25;
-/// Where weights move fastest most rows need no solve: the longer a chunk, the more of them.
-inline constexpr int weight_chunk_size = 150;
+/// Where the weights of a convex scene move fastest, most rows need no solve, and the more of them the longer
+/// a chunk: up to this, or fewer where splines have so many segments that a solve takes long.
+inline constexpr int weight_chunk_size = 500;
 /// The chunks a small sweep is cut into at least, so that several workers find something to do.
 inline constexpr int least_chunks = 16;
 
@@ -43,9 +44,9 @@ struct Chunking {
     }
 };
 
-/// By the number of rows and what moves fastest: the size above, or less where that makes fewer than
-/// least_chunks chunks.
-[[nodiscard]] int chunk_size_for(const SweepPlan& plan);
+/// By the number of rows, what moves fastest, and the scene of the first row: one of the sizes above, or less
+/// where that makes fewer than least_chunks chunks. Throws InputError where that row is wrong.
+[[nodiscard]] int chunk_size_for(SweepScenes& scenes);
 
 /// What a solution says, as a row.
 [[nodiscard]] SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution);

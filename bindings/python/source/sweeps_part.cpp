@@ -42,9 +42,7 @@ struct SweepTask {
 class Crew {
  public:
     Crew(const SweepTask& task, Watch& watch)
-        : task_(task),
-          watch_(watch),
-          chunking_{task.plan.rows(), task.chunk.value_or(chunk_size_for(task.plan))} {}
+        : task_(task), watch_(watch), chunking_{task.plan.rows(), task.chunk.value_or(default_chunk())} {}
 
     std::vector<SweepRow> run() {
         std::vector<std::thread> threads;
@@ -60,6 +58,12 @@ class Crew {
     }
 
  private:
+    int default_chunk() {
+        SweepScenes scenes(task_.plan,
+                           [this](std::span<const std::string> row) { return task_.given.with(row); });
+        return chunk_size_for(scenes);
+    }
+
     void work() {
         try {
             SweepScenes scenes(task_.plan,

@@ -75,7 +75,7 @@ std::vector<SweepRow> cpp_rows(const std::string& toml, const std::vector<SweepA
     SweepScenes scenes(
         plan, [&](std::span<const std::string> settings) { return scene_of_toml(toml, settings, "test"); });
     (void)check_rows(scenes);
-    const Chunking chunks{plan.rows(), chunk_size_for(plan)};
+    const Chunking chunks{plan.rows(), chunk_size_for(scenes)};
     std::vector<SweepRow> all;
     for (int chunk = 0; chunk < chunks.count(); ++chunk)
         for (SweepRow& row : solve_chunk(scenes, chunks.range(chunk))) all.push_back(std::move(row));

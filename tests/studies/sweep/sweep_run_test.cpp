@@ -50,8 +50,11 @@ TEST(Chunking, CoversEveryRowOnce) {
 }
 
 TEST(Chunking, SmallSweepsHaveSmallChunks) {
-    const auto size_for = [](const std::string& key, int rows) {
-        return chunk_size_for({{key}, std::vector<double>(static_cast<std::size_t>(rows))});
+    Scene base = paper_objective(MotionType::drd, 3, 32);
+    const auto size_for = [&](const std::string& key, int rows) {
+        const SweepPlan plan{{key}, std::vector<double>(static_cast<std::size_t>(rows), 0.2)};
+        SweepScenes scenes = scenes_of(plan, base);
+        return chunk_size_for(scenes);
     };
     for (const char* key : {"spline.segments", "objective.jerk"}) {
         EXPECT_EQ(size_for(key, 1), 1);
@@ -62,6 +65,11 @@ TEST(Chunking, SmallSweepsHaveSmallChunks) {
     }
     EXPECT_EQ(size_for("spline.segments", 1'000'000), default_chunk_size);
     EXPECT_EQ(size_for("objective.jerk", 1'000'000), weight_chunk_size);
+    base.spline.segments = 1024;
+    EXPECT_EQ(size_for("objective.jerk", 1'000'000), default_chunk_size) << "slow solves";
+    base.spline.segments = 32;
+    base.objective.torque = 0.3;
+    EXPECT_EQ(size_for("objective.jerk", 1'000'000), default_chunk_size) << "not convex";
 }
 
 TEST(SweepRun, EveryRowEqualsItsColdSolve) {
