@@ -376,9 +376,9 @@ def section_sweep(page):
     rows = page.rows("sweep_seconds.csv")
     if rows:
         page.say("## A thousand weights", "")
-        page.say(*table(["way", "solver", "passes", "median", "a row", "not proved optimal", "largest difference from cold",
-                         "ratio"],
-                        [[row["way"], row["solver"], row["passes"], seconds(number(row, "seconds_median")),
+        page.say(*table(["way", "solver", "rows solved", "passes", "median", "a row", "not proved optimal",
+                         "largest difference from cold", "ratio"],
+                        [[row["way"], row["solver"], row.get("solved", "–"), row["passes"], seconds(number(row, "seconds_median")),
                           seconds(number(row, "seconds_median") / int(row["rows"])), row["not_optimal"],
                           short(number(row, "worst_difference_from_cold")), f"{number(row, 'ratio'):.2f}"] for row in rows],
                         2))
