@@ -98,6 +98,7 @@ class SurfaceSearch {
 SweepRow SurfaceSearch::solve(const Eigen::Vector3d& weights) {
     const int number = static_cast<int>(surface_.table.rows.size());
     const Scene scene = weighted(scene_, weights);
+    solved_before_.number = number;
     return sweep_row(number, triple_of(weights), solve_without_explaining(scene, control_, &solved_before_));
 }
 
