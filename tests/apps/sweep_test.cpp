@@ -6,6 +6,7 @@
 #include "sweep_run_of_program.hpp"
 #include "tests/output/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -89,6 +90,26 @@ TEST_F(SweepCommand, SolvesAndReportsEveryWeight) {
     for (const char* words :
          {"66 (66 optimal)", "Pareto front: ", "velocity, acceleration, jerk", "least objective: ", "wrote "})
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
+/// A row's folder is a result folder as any other.
+TEST_F(SweepCommand, KeepsAResultFolderForEveryRow) {
+    const Words words = {"sweep",     scene_file("drd_cubic_12"),
+                         "--weights", "simplex:4",
+                         "--chunk",   "15",
+                         "--out",     path("map"),
+                         "--results"};
+    ASSERT_EQ(run_sweep(words, path("map")), 0) << errors("map");
+    const SweepTable table = read_sweep_csv(read_text_file(path("map") + "/sweep.csv"), "sweep.csv");
+    ASSERT_EQ(table.rows.size(), 15U);
+    EXPECT_TRUE(
+        std::ranges::any_of(table.rows, [](const SweepRow& row) { return row.proved_from.has_value(); }));
+    for (const SweepRow& row : table.rows) {
+        const std::string folder = path("map") + fmt::format("/rows/{:06}", row.number);
+        ASSERT_EQ(run_sweep({"report", folder}, path("log")), 0) << errors("log");  // reads and checks it
+        const std::string certificate = read_text_file(folder + "/certificate.json");
+        EXPECT_NE(certificate.find("optimal"), std::string::npos);
+    }
 }
 
 TEST_F(SweepCommand, GridWithInfeasibleRowsSucceeds) {
@@ -231,11 +252,8 @@ TEST_F(SweepCommand, MergeRefusesHolesDoublesAndStrangers) {
 
 /// 231 rows in 58 chunks: long enough to be interrupted in the middle.
 Words longer_sweep(const std::string& out) {
-    return {"sweep",     scene_file("drd_cubic_12"),
-            "--weights", "simplex:20",
-            "--chunk",   "4",
-            "--workers", "2",
-            "--out",     out};
+    return {"sweep", scene_file("drd_cubic_12"), "--weights", "simplex:20", "--chunk", "4",
+            "--set", "spline.segments=32",       "--workers", "2",          "--out",   out};
 }
 
 constexpr int longer_chunks = 58;
