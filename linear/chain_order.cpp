@@ -18,8 +18,13 @@ constexpr int small = 20;
 // A chain is narrow: for a wider band a general sparse factorization is cheaper.
 constexpr int widest_band = 40;
 constexpr int widest_border = 24;
-// A row is dense if it has at least this many entries further than this from the diagonal.
-constexpr int far = 10, many = 6;
+/// A row is dense if it has at least `many` entries further than `far` from the diagonal.
+struct Density {
+    int far = 10, many = 6;
+};
+// Tried where the band comes out wider than this: of a short chain, a row over all of it has few far entries.
+constexpr Density of_short_chain{4, 4};
+constexpr int narrow_band = 11;
 // A pivot partner is chosen among the entries of the row within this factor of the largest.
 constexpr double large_entry = 0.3;
 
@@ -70,23 +75,37 @@ class Ordering {
         : graph_(lower), signs_(signs), rows_(static_cast<int>(lower.rows())) {}
 
     std::optional<ChainOrder> run() {
-        find_border();
-        if (static_cast<int>(order_.border.size()) > widest_border) return {};
+        const bool found = order_by(Density{});
+        if (found && order_.half_bandwidth <= narrow_band) return std::move(order_);
+        const ChainOrder first = std::exchange(order_, {});
+        if (order_by(of_short_chain) && (!found || width_of(order_) < width_of(first)))
+            return std::move(order_);
+        return found ? std::optional(first) : std::nullopt;
+    }
+
+ private:
+    static int width_of(const ChainOrder& order) {
+        return order.half_bandwidth + static_cast<int>(order.border.size());
+    }
+
+    /// False: the band or the border would be wide.
+    bool order_by(const Density& density) {
+        find_border(density);
+        if (static_cast<int>(order_.border.size()) > widest_border) return false;
         std::vector<int> chain;
         for (int row = 0; row < rows_; ++row)
             if (is_variable(row)) chain.push_back(row);
         lay_out(chain);
         if (order_.half_bandwidth > widest_band && rows_ > small) {
             lay_out(breadth_first(chain));
-            if (order_.half_bandwidth > widest_band) return {};
+            if (order_.half_bandwidth > widest_band) return false;
         }
         for (std::size_t k = 0; k < order_.border.size(); ++k)
             order_.position[static_cast<std::size_t>(order_.border[k])] =
                 static_cast<int>(order_.sequence.size() + k);
-        return std::move(order_);
+        return true;
     }
 
- private:
     [[nodiscard]] bool in_border(int row) const { return dense_[static_cast<std::size_t>(row)] != 0; }
     [[nodiscard]] bool is_variable(int row) const {
         return signs_[static_cast<std::size_t>(row)] > 0 && !in_border(row);
@@ -95,7 +114,7 @@ class Ordering {
     /// Rows with many entries far from the diagonal: variables that appear everywhere (peaks), and equalities
     /// over everything. The densest are removed first, since each removal reduces the count of its
     /// neighbours.
-    void find_border() {
+    void find_border(const Density& density) {
         dense_.assign(static_cast<std::size_t>(rows_), 0);
         if (rows_ <= small) return;
         std::vector<int> place(static_cast<std::size_t>(rows_), -1);
@@ -105,20 +124,20 @@ class Ordering {
             const int own = center_of(row, place);
             graph_.each_neighbour(row, [&](int other, double) {
                 const int there = place[static_cast<std::size_t>(other)];
-                if (there >= 0 && std::abs(there - own) > far && !in_border(other)) visit(other);
+                if (there >= 0 && std::abs(there - own) > density.far && !in_border(other)) visit(other);
             });
         };
         std::vector<int> reaches(static_cast<std::size_t>(rows_), 0), suspects;
         for (int row = 0; row < rows_; ++row) {
             each_far(row, [&](int) { ++reaches[static_cast<std::size_t>(row)]; });
-            if (reaches[static_cast<std::size_t>(row)] >= many) suspects.push_back(row);
+            if (reaches[static_cast<std::size_t>(row)] >= density.many) suspects.push_back(row);
         }
         std::ranges::stable_sort(suspects, std::greater{},
                                  [&](int row) { return reaches[static_cast<std::size_t>(row)]; });
         for (const int row : suspects) {
             int left = 0;
             each_far(row, [&](int) { ++left; });
-            if (left < many) continue;
+            if (left < density.many) continue;
             dense_[static_cast<std::size_t>(row)] = 1;
             order_.border.push_back(row);
         }

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <new>
 
 namespace camopt {
 namespace {
@@ -225,11 +227,23 @@ BackendResult StructuredRun::delivered(const InteriorPointResult& solved) const 
     return result;
 }
 
+/// glibc returns freed memory to the system beyond a threshold that follows the largest block freed so far. A
+/// sequence of solves would fetch the same pages again and again, which takes longer than the solves.
+void keep_freed_memory() {
+    constexpr std::size_t bytes = std::size_t{16} << 20;
+    static const bool once = [] {
+        ::operator delete(::operator new(bytes, std::nothrow));
+        return true;
+    }();
+    static_cast<void>(once);
+}
+
 class StructuredSolver final : public Solver {
  public:
     std::string_view name() const override { return "structured"; }
     BackendResult minimize(const Nlp& problem, const VectorXd& start, const BackendOptions& options,
                            const SolveControl& control) const override {
+        keep_freed_memory();
         const NlpShape& shape = problem.shape();
         static const SolverEntry entry = structured_entry();
         check_backend_input(entry, problem, start, options);
