@@ -25,7 +25,7 @@ constexpr double free_elastic = 1e-8;   // t below which the linearized rows nee
 constexpr int elastic_passes = 3;       // after rows that could not be satisfied
 // The merit function follows the rows too closely where ν is much larger than the multipliers require; a
 // bounded number of reductions prevents cycling.
-constexpr double penalty_excess = 8.0, least_penalty = 1e-6;
+constexpr double penalty_excess = 8.0;
 constexpr int most_reductions = 20;
 constexpr int most_corrections = 3;
 constexpr double step_rounding = 1e-14;
@@ -152,7 +152,7 @@ void SequentialRun::adapt_penalty(const StepModel& model, const Step& step) {
     const double needed = needed_penalty(shape_, step.multipliers);
     const bool too_large = penalty_ > penalty_excess * needed && reductions_ < most_reductions;
     if (model.penalty == 0.0 && (penalty_ < 1.1 * needed || too_large)) {
-        penalty_ = 2.0 * needed + least_penalty;
+        penalty_ = penalty_for(needed);
         reductions_ += too_large ? 1 : 0;
     }
     const double change = slope_change(step.step), reduction = violation(here_) - step.elastic;

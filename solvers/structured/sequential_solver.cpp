@@ -37,11 +37,18 @@ SequentialRun::SequentialRun(const Nlp& problem, const BackendOptions& options, 
       steps_(problem, interior_point_limits(options, structured_options(options.native), control), control),
       weights_(VectorXd::Ones(shape_.constraints())),
       curved_(curved_variables(shape_)),
+      jacobian_pattern_(shape_.constraints(), shape_.variables(), shape_.jacobian),
+      hessian_pattern_(shape_.variables(), shape_.variables(), shape_.hessian, true),
       multipliers_(VectorXd::Zero(shape_.constraints())) {
     const StructuredOptions own = structured_options(options.native);
     most_passes_ = std::min(own.max_passes, options.max_iterations);
     radius_ = own.first_radius;
     for (Index i = 0; i < weights_.size(); ++i) weights_[i] = kind_of(shape_, i).scale;
+    if (options.near && options.near->row_multipliers.size() <= multipliers_.size()) {
+        multipliers_.head(options.near->row_multipliers.size()) = options.near->row_multipliers;
+        relaxed_ = false;
+        penalty_ = penalty_for(needed_penalty(shape_, multipliers_));
+    }
 }
 
 NlpPoint SequentialRun::moved(const VectorXd& step) const {
@@ -75,8 +82,8 @@ std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
 }
 
 void SequentialRun::linearize() {
-    jacobian_ = jacobian_of(problem_, here_);
-    true_hessian_ = lagrangian_hessian(problem_, here_.x, multipliers_);
+    jacobian_ = jacobian_pattern_.filled(here_.jacobian);
+    true_hessian_ = hessian_pattern_.filled(lagrangian_hessian(problem_, here_.x, multipliers_));
     active_ = Stationarity{shape_, here_, jacobian_, multipliers_}.active_rows(loose * last_length_);
     convexify();
     reach_.resize(shape_.variables());
@@ -88,7 +95,7 @@ void SequentialRun::linearize() {
 
 void SequentialRun::convexify() {
     const double size = here_.gradient.size() > 0 ? here_.gradient.cwiseAbs().maxCoeff() : 0.0;
-    hessian_ = convexified(true_hessian_, active_, proximal * std::max(size, 1e-8));
+    hessian_ = convexifier_.convexified(true_hessian_, active_, proximal * std::max(size, 1e-8));
 }
 
 /// Rows to which the convexified Hessian confines the step, but which the step leaves, were not active:
@@ -181,8 +188,9 @@ bool SequentialRun::hopeless(double least_elastic) {
 std::optional<BackendResult> SequentialRun::pass() {
     if (fresh_) linearize();
     StepModel model = step_model();
+    const bool flat = passes_ == 1 && multipliers_.isZero();
     Step step = next_step(model);
-    if (passes_ == 1 && step.usable && !step.multipliers.isZero()) {
+    if (flat && step.usable && !step.multipliers.isZero()) {
         // The first step had no multipliers, hence no curvature of the rows.
         multipliers_ = step.multipliers;
         linearize();
@@ -244,12 +252,14 @@ BackendResult SequentialRun::ended(Termination termination, std::string why) con
                                        passes_, steps_.interior_iterations(), violation(point));
     result.row_multipliers = best_ ? best_->multipliers : multipliers_;
     if (point.finite() && point.gradient.size() > 0) {
-        const RowMatrix jacobian = jacobian_of(problem_, point);
+        const RowMatrix jacobian = jacobian_pattern_.filled(point.jacobian);
         result.bound_multipliers = bound_multipliers(
             shape_, Stationarity{shape_, point, jacobian, *result.row_multipliers}.lagrangian_gradient());
     } else {
         result.bound_multipliers = VectorXd::Zero(shape_.variables());
     }
+    // Of no path: a neighbouring problem takes the multipliers alone, from this place whatever its gap.
+    if (options_.keep_path) result.path.push_back({point.x, *result.row_multipliers, 0.0, infinity});
     return result;
 }
 

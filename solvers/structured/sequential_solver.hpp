@@ -105,6 +105,8 @@ class SequentialRun {
         return violation_of(shape_, point.rows, false);
     }
     [[nodiscard]] double merit(const NlpPoint& point) const;
+    /// Twice what makes it exact.
+    [[nodiscard]] static double penalty_for(double needed) { return 2.0 * needed + 1e-6; }
     [[nodiscard]] bool kept(const NlpPoint& point) const {
         return keeps_rows(shape_, point, jacobian_, options_.tolerance);
     }
@@ -120,6 +122,9 @@ class SequentialRun {
     int most_passes_;
     Eigen::VectorXd weights_, reach_;
     std::vector<bool> curved_;  ///< variables in which something is not linear
+    PatternedMatrix<RowMatrix> jacobian_pattern_;
+    PatternedMatrix<Eigen::SparseMatrix<double>> hessian_pattern_;
+    HessianConvexifier convexifier_;
     NlpPoint here_;
     RowMatrix jacobian_;
     ActiveRows active_;  ///< the active set of hessian_
