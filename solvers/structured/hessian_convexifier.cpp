@@ -139,6 +139,7 @@ ConvexifiedHessian HessianConvexifier::convexified(const Matrix& lower, const Ac
     Eigen::Map<VectorXd> values(result.lower.valuePtr(), result.lower.nonZeros());
     values = own_ + weight * gram_;
     for (Index j = 0; j < trial_.outerSize(); ++j) values[trial_.outerIndexPtr()[j]] += result.shift;
+    result.lower.prune([](Index, Index, double value) { return value != 0.0; });
     return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/sequential_solver.hpp"
+#include "solvers/structured/active_set_step.hpp"
 #include "solvers/structured/standard_form.hpp"
 
 namespace camopt::structured {
@@ -12,7 +13,12 @@ using Eigen::VectorXd;
 constexpr double usable_error = 1e-4, usable_primal = 1e-7;
 constexpr double sharp_part = 1e-3, sharpest = 1e-14;
 constexpr int sharp_patience = 8;
+constexpr double coarse = 1e-7;         // tolerance of steps longer than far_off
+constexpr double far_off = 0.01;        // relative length of the last step
+constexpr double near_by = 0.1;         // of a step from which on its rows are taken for the active ones
+constexpr double half_way = 0.5;        // part of the violation: a step that leaves less is long enough
 constexpr double kept = 1e-8;         // elastic part below which the linearized rows count as satisfied
+constexpr double kept_coarsely = 1e-6;
 constexpr double part_of_best = 0.1;  // of the possible reduction of the violation
 constexpr double penalty_growth = 10.0;
 constexpr double largest_penalty = 1e8;
@@ -44,6 +50,8 @@ Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
     if (model.sharp) {
         limits.tolerance = std::max(sharp_part * limits.tolerance, sharpest);
         limits.patience = std::min(limits.patience, sharp_patience);
+    } else if (model.coarse) {
+        limits.tolerance = std::max(limits.tolerance, coarse);
     }
     const InteriorPointResult solved = interior_point(form.model(), form.to_model(start), limits, control_);
     iterations_ += solved.iterations;
@@ -54,14 +62,33 @@ Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
     const VectorXd u = form.to_problem(solved.best.x);
     result.step = linearized.step_of(u);
     result.elastic = linearized.elastic_of(u);
+    if (model.coarse && result.elastic <= kept_coarsely) result.elastic = 0.0;
     result.multipliers =
         linearized.multipliers_of(form.row_multipliers(solved.best.lambda, form.cost_scale()));
+    return result;
+}
+
+Step StepSolver::solve_held(const RowMatrix& jacobian, const StepModel& model,
+                            const VectorXd& multipliers) const {
+    Step result;
+    auto found = ActiveSetStep(problem_.shape(), jacobian, model, limits_.tolerance).solve(multipliers);
+    result.usable = found.has_value();
+    if (!found) return result;
+    result.stop = Stop::converged;
+    result.step = std::move(found->step);
+    result.multipliers = std::move(found->multipliers);
     return result;
 }
 
 StepSolver::Steered StepSolver::solve_elastic(const NlpPoint& point, StepModel& model, double violation) {
     Steered result{solve(point, model), {}, violation};
     if (!result.step.usable || result.step.elastic <= kept) return result;
+    if (result.step.elastic <= half_way * violation) {
+        // Relaxed rows carry all of ν: the next step gets a larger one, and this one need not wait for it.
+        model.penalty = std::min(penalty_growth * model.penalty, largest_penalty);
+        result.least_elastic = 0.0;
+        return result;
+    }
     StepModel feasibility = model;
     feasibility.slope.setZero();
     feasibility.curvature.setZero();
@@ -110,13 +137,28 @@ StepModel SequentialRun::step_model() const {
     model.cost_unit = cost_size();
     model.unit = std::min(1.0, radius_);
     model.sharp = polishing_ > 0;
+    model.coarse = !model.sharp && last_length_ > far_off;
     if (model.sharp)
         model.unit = std::clamp(unit_lengths * last_length_, std::min(least_unit, model.unit), model.unit);
     return model;
 }
 
+/// Near the solution, where the rows that hold the step are known. With ν above what its multipliers require
+/// it is the step of the relaxed rows too.
+Step SequentialRun::held_step(const StepModel& model) {
+    if (multipliers_.isZero() || !(warm_ || last_length_ <= near_by)) return {};
+    Step step = steps_.solve_held(jacobian_, model, multipliers_);
+    if (!step.usable) warm_ = false;
+    return step;
+}
+
 Step SequentialRun::next_step(StepModel& model) {
     least_elastic_ = 0.0;
+    if (Step held = held_step(model); held.usable) {
+        model.penalty = 0.0;
+        relaxed_ = false;
+        return held;
+    }
     if (!relaxed_) {
         model.penalty = 0.0;
         Step step = steps_.solve(here_, model);

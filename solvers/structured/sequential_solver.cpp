@@ -47,6 +47,7 @@ SequentialRun::SequentialRun(const Nlp& problem, const BackendOptions& options, 
     if (options.near && options.near->row_multipliers.size() <= multipliers_.size()) {
         multipliers_.head(options.near->row_multipliers.size()) = options.near->row_multipliers;
         relaxed_ = false;
+        warm_ = true;
         penalty_ = penalty_for(needed_penalty(shape_, multipliers_));
     }
 }

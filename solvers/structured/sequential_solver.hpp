@@ -57,6 +57,10 @@ class StepSolver {
 
     [[nodiscard]] Step solve(const NlpPoint& point, const StepModel& model);
 
+    /// Without relaxation, by the rows that carry these multipliers (active_set_step.hpp).
+    [[nodiscard]] Step solve_held(const RowMatrix& jacobian, const StepModel& model,
+                                  const Eigen::VectorXd& multipliers) const;
+
     /// With elastic rows, and with a penalty ν large enough: ν grows until the step reaches its part of the
     /// least violation that the linearized rows allow. Source: Byrd, Nocedal, Waltz, Steering exact penalty
     /// methods for nonlinear programming, Optim. Methods Softw. 23 (2008).
@@ -90,6 +94,7 @@ class SequentialRun {
     [[nodiscard]] bool drop_left_rows(const Step& step);
     [[nodiscard]] StepModel step_model() const;
     Step next_step(StepModel& model);
+    [[nodiscard]] Step held_step(const StepModel& model);
     std::optional<BackendResult> contradiction();
     [[nodiscard]] bool settled(const Step& step);
     bool take(const StepModel& model, Step step);
@@ -136,6 +141,7 @@ class SequentialRun {
     double marked_violation_ = infinity;
     int marked_pass_ = 0, reductions_ = 0;
     bool nudged_ = false, shrunk_ = false, flat_ = false;
+    bool warm_ = false;  ///< started with the multipliers of a neighbouring problem
     int passes_ = 0, polishing_ = 0, failures_ = 0, patience_ = 0;
     struct Best {
         NlpPoint point;
