@@ -16,11 +16,11 @@ using Eigen::VectorXd;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 constexpr int most_corrections = 6;
-constexpr double significant = 1e-6;   // part of the largest multiplier: smaller ones are not active at first
-constexpr double wrong_sign = 1e-9;    // part of the largest multiplier below which a sign is round-off
-constexpr double shift = 1e-10;        // of the diagonal; refined away
+constexpr double significant = 1e-6;  // part of the largest multiplier: smaller ones are not active at first
+constexpr double wrong_sign = 1e-9;   // part of the largest multiplier below which a sign is round-off
+constexpr double shift = 1e-10;       // of the diagonal; refined away
 constexpr double good_residual = 1e-10;
-constexpr double row_part = 0.1;      // of the tolerance: violation that adds a row
+constexpr double row_part = 0.1;       // of the tolerance: violation that adds a row
 constexpr double bound_slack = 1e-13;  // relative, of a variable
 
 }  // namespace
@@ -51,7 +51,8 @@ void ActiveSetStep::guess(const VectorXd& multipliers) {
     }
     const VectorXd rest = model_.slope + jacobian_.transpose() * multipliers;
     for (int j = 0; j < variables_; ++j) {
-        const bool at_lower = model_.step_lower[j] >= -bound_slack, at_upper = model_.step_upper[j] <= bound_slack;
+        const bool at_lower = model_.step_lower[j] >= -bound_slack,
+                   at_upper = model_.step_upper[j] <= bound_slack;
         if ((at_lower && rest[j] > least) || (at_lower && at_upper))
             side_[static_cast<std::size_t>(rows_ + j)] = Side::lower;
         else if (at_upper && rest[j] < -least)
@@ -94,7 +95,8 @@ bool ActiveSetStep::solve_equalities() {
             continue;
         }
         for (RowMatrix::InnerIterator entry(jacobian_, index); entry; ++entry)
-            entries.emplace_back(variables_ + k, static_cast<int>(entry.col()), entry.value() / length_[index]);
+            entries.emplace_back(variables_ + k, static_cast<int>(entry.col()),
+                                 entry.value() / length_[index]);
     }
     SymmetricFactor::Matrix lower(size, size);
     lower.setFromTriplets(entries.begin(), entries.end());
@@ -145,7 +147,8 @@ int ActiveSetStep::corrected() {
 std::optional<ActiveSetStep::Solution> ActiveSetStep::solve(const VectorXd& multipliers) {
     guess(multipliers);
     for (int k = 0; k < most_corrections; ++k) {
-        if (static_cast<int>(held_.size()) > 2 * variables_ || !solve_equalities()) return std::nullopt;
+        const auto free = std::ranges::count(side_, Side::none);
+        if (rows_ - free > 0 || !solve_equalities()) return std::nullopt;
         if (corrected() > 0) continue;
         Solution result{solution_.head(variables_), VectorXd::Zero(rows_)};
         for (std::size_t h = 0; h < held_.size(); ++h)

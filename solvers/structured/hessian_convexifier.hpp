@@ -50,7 +50,7 @@ class HessianConvexifier {
     [[nodiscard]] bool is_definite(double weight, double shift);
     [[nodiscard]] double least_shift(double weight, double bound);
 
-    Matrix trial_;              ///< lower triangle, every diagonal entry stored
+    Matrix trial_;                ///< lower triangle, every diagonal entry stored
     Eigen::VectorXd own_, gram_;  ///< values of H + least I, and of NᵀN, in the order of trial_
     std::unique_ptr<SymmetricFactor> factor_;
     std::vector<int> place_;  ///< of every row in a column of trial_; −1: no entry

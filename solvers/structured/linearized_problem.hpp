@@ -78,8 +78,7 @@ struct StepModel {
     double elastic_base = 0.0;               ///< t_0
     double unit = 1.0, cost_unit = 1.0;      ///< h, F
     bool without_nonlinear_rows = false;
-    bool sharp = false;   ///< to be solved to round-off
-    bool coarse = false;  ///< far from the solution, a few digits suffice
+    bool sharp = false;  ///< to be solved to round-off
 };
 
 class LinearizedProblem final : public Nlp {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/structured/sequential_solver.hpp"
 #include "solvers/structured/active_set_step.hpp"
+#include "solvers/structured/sequential_solver.hpp"
 #include "solvers/structured/standard_form.hpp"
 
 namespace camopt::structured {
@@ -13,12 +13,9 @@ using Eigen::VectorXd;
 constexpr double usable_error = 1e-4, usable_primal = 1e-7;
 constexpr double sharp_part = 1e-3, sharpest = 1e-14;
 constexpr int sharp_patience = 8;
-constexpr double coarse = 1e-7;         // tolerance of steps longer than far_off
-constexpr double far_off = 0.01;        // relative length of the last step
-constexpr double near_by = 0.1;         // of a step from which on its rows are taken for the active ones
-constexpr double half_way = 0.5;        // part of the violation: a step that leaves less is long enough
+constexpr double near_by = 0.1;       // length of a step from which on its rows are taken for the active ones
+constexpr double half_way = 0.5;      // part of the violation: a step that leaves less is long enough
 constexpr double kept = 1e-8;         // elastic part below which the linearized rows count as satisfied
-constexpr double kept_coarsely = 1e-6;
 constexpr double part_of_best = 0.1;  // of the possible reduction of the violation
 constexpr double penalty_growth = 10.0;
 constexpr double largest_penalty = 1e8;
@@ -27,7 +24,6 @@ constexpr int most_raises = 3;  // in one pass: the curvature still belongs to t
 // One step: its model, its computation, and whether the merit function accepts it.
 constexpr double least_unit = 1e-3;     // of a step problem while the last digits are computed
 constexpr double unit_lengths = 100.0;  // lengths of the last step in that unit
-constexpr double free_elastic = 1e-8;   // t below which the linearized rows need no relaxation
 constexpr int elastic_passes = 3;       // after rows that could not be satisfied
 // The merit function follows the rows too closely where ν is much larger than the multipliers require; a
 // bounded number of reductions prevents cycling.
@@ -50,8 +46,6 @@ Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
     if (model.sharp) {
         limits.tolerance = std::max(sharp_part * limits.tolerance, sharpest);
         limits.patience = std::min(limits.patience, sharp_patience);
-    } else if (model.coarse) {
-        limits.tolerance = std::max(limits.tolerance, coarse);
     }
     const InteriorPointResult solved = interior_point(form.model(), form.to_model(start), limits, control_);
     iterations_ += solved.iterations;
@@ -62,7 +56,6 @@ Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
     const VectorXd u = form.to_problem(solved.best.x);
     result.step = linearized.step_of(u);
     result.elastic = linearized.elastic_of(u);
-    if (model.coarse && result.elastic <= kept_coarsely) result.elastic = 0.0;
     result.multipliers =
         linearized.multipliers_of(form.row_multipliers(solved.best.lambda, form.cost_scale()));
     return result;
@@ -137,7 +130,6 @@ StepModel SequentialRun::step_model() const {
     model.cost_unit = cost_size();
     model.unit = std::min(1.0, radius_);
     model.sharp = polishing_ > 0;
-    model.coarse = !model.sharp && last_length_ > far_off;
     if (model.sharp)
         model.unit = std::clamp(unit_lengths * last_length_, std::min(least_unit, model.unit), model.unit);
     return model;
@@ -250,6 +242,7 @@ bool SequentialRun::take(const StepModel& model, Step step) {
     if (gained > accept) {
         here_ = std::move(trial);
         multipliers_ = step.multipliers;
+        saturated_ = step.elastic > free_elastic;
         last_length_ = length;
         fresh_ = true;
         if (gained > good && length > 0.9 * radius_) radius_ *= shrunk_ ? 1.5 : 4.0;

@@ -84,7 +84,9 @@ std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
 
 void SequentialRun::linearize() {
     jacobian_ = jacobian_pattern_.filled(here_.jacobian);
-    true_hessian_ = hessian_pattern_.filled(lagrangian_hessian(problem_, here_.x, multipliers_));
+    // Multipliers of relaxed rows grow with ν: their curvature would shorten the steps that satisfy the rows.
+    const VectorXd curving = saturated_ ? VectorXd::Zero(shape_.constraints()) : multipliers_;
+    true_hessian_ = hessian_pattern_.filled(lagrangian_hessian(problem_, here_.x, curving));
     active_ = Stationarity{shape_, here_, jacobian_, multipliers_}.active_rows(loose * last_length_);
     convexify();
     reach_.resize(shape_.variables());
@@ -191,7 +193,7 @@ std::optional<BackendResult> SequentialRun::pass() {
     StepModel model = step_model();
     const bool flat = passes_ == 1 && multipliers_.isZero();
     Step step = next_step(model);
-    if (flat && step.usable && !step.multipliers.isZero()) {
+    if (flat && step.usable && step.elastic <= free_elastic && !step.multipliers.isZero()) {
         // The first step had no multipliers, hence no curvature of the rows.
         multipliers_ = step.multipliers;
         linearize();

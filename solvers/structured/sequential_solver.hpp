@@ -40,6 +40,9 @@ namespace camopt::structured {
 
 // The state of one sequential solve.
 
+/// t below which the linearized rows need no relaxation.
+inline constexpr double free_elastic = 1e-8;
+
 // One step of the sequential method, by the interior point for linear rows.
 struct Step {
     bool usable = false;  ///< accurate enough to be tried
@@ -141,7 +144,8 @@ class SequentialRun {
     double marked_violation_ = infinity;
     int marked_pass_ = 0, reductions_ = 0;
     bool nudged_ = false, shrunk_ = false, flat_ = false;
-    bool warm_ = false;  ///< started with the multipliers of a neighbouring problem
+    bool saturated_ = false;  ///< the multipliers are those of relaxed rows, which carry all of ν
+    bool warm_ = false;       ///< started with the multipliers of a neighbouring problem
     int passes_ = 0, polishing_ = 0, failures_ = 0, patience_ = 0;
     struct Best {
         NlpPoint point;
