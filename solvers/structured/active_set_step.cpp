@@ -15,11 +15,11 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-constexpr int most_corrections = 6;
-constexpr double significant = 1e-6;  // part of the largest multiplier: smaller ones are not active at first
-constexpr double wrong_sign = 1e-9;   // part of the largest multiplier below which a sign is round-off
-constexpr double shift = 1e-10;       // of the diagonal; refined away
-constexpr double good_residual = 1e-10;
+constexpr int most_exchanges = 6;
+constexpr double carrying = 1e-6;     // part of the largest multiplier: smaller ones are not active at first
+constexpr double signless = 1e-9;     // part of the largest multiplier below which a sign is round-off
+constexpr double held_shift = 1e-10;  // of the diagonal; refined away
+constexpr double solved_residual = 1e-10;
 constexpr double row_part = 0.1;       // of the tolerance: violation that adds a row
 constexpr double bound_slack = 1e-13;  // relative, of a variable
 
@@ -43,7 +43,7 @@ ActiveSetStep::ActiveSetStep(const NlpShape& shape, const RowMatrix& jacobian, c
 
 void ActiveSetStep::guess(const VectorXd& multipliers) {
     const VectorXd force = multipliers.cwiseProduct(length_);
-    const double least = significant * largest(force);
+    const double least = carrying * largest(force);
     for (int i = 0; i < rows_; ++i) {
         if (length_[i] == 0.0) continue;
         if (shape_.g_lower[i] == shape_.g_upper[i] || std::abs(force[i]) > least)
@@ -103,13 +103,13 @@ bool ActiveSetStep::solve_equalities() {
     std::vector<int> signs(static_cast<std::size_t>(size), 1);
     std::fill(signs.begin() + variables_, signs.end(), -1);
     const auto factor = make_symmetric_factor(FactorKind::automatic, lower, signs);
-    const FactorOutcome outcome = factor->factorize(lower, VectorXd::Constant(size, shift));
+    const FactorOutcome outcome = factor->factorize(lower, VectorXd::Constant(size, held_shift));
     if (outcome != FactorOutcome::ok && outcome != FactorOutcome::wrong_sign) return false;
     VectorXd right_side(size);
     right_side << -unit_ * model_.slope, Eigen::Map<const VectorXd>(target_.data(), held);
     const RefinedSolve solved = refined_solve(*factor, lower, right_side);
     solution_ = solved.solution;
-    return solved.finite && solved.residual <= good_residual;
+    return solved.finite && solved.residual <= solved_residual;
 }
 
 ActiveSetStep::Side ActiveSetStep::corrected_side(int index, double value, double lower, double upper,
@@ -119,7 +119,7 @@ ActiveSetStep::Side ActiveSetStep::corrected_side(int index, double value, doubl
         return value > upper + slack ? Side::upper : value < lower - slack ? Side::lower : Side::none;
     if (lower == upper) return side;
     const double multiplier = solution_[variables_ + place_[static_cast<std::size_t>(index)]];
-    const double limit = wrong_sign * solution_.tail(static_cast<Index>(held_.size())).cwiseAbs().maxCoeff();
+    const double limit = signless * solution_.tail(static_cast<Index>(held_.size())).cwiseAbs().maxCoeff();
     const bool wrong = side == Side::upper ? multiplier < -limit : multiplier > limit;
     return wrong ? Side::none : side;
 }
@@ -146,7 +146,7 @@ int ActiveSetStep::corrected() {
 
 std::optional<ActiveSetStep::Solution> ActiveSetStep::solve(const VectorXd& multipliers) {
     guess(multipliers);
-    for (int k = 0; k < most_corrections; ++k) {
+    for (int k = 0; k < most_exchanges; ++k) {
         const auto free = std::ranges::count(side_, Side::none);
         if (rows_ - free > 0 || !solve_equalities()) return std::nullopt;
         if (corrected() > 0) continue;

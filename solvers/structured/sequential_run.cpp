@@ -13,7 +13,6 @@ using Eigen::VectorXd;
 constexpr double usable_error = 1e-4, usable_primal = 1e-7;
 constexpr double sharp_part = 1e-3, sharpest = 1e-14;
 constexpr int sharp_patience = 8;
-constexpr double near_by = 0.1;       // length of a step from which on its rows are taken for the active ones
 constexpr double half_way = 0.5;      // part of the violation: a step that leaves less is long enough
 constexpr double kept = 1e-8;         // elastic part below which the linearized rows count as satisfied
 constexpr double part_of_best = 0.1;  // of the possible reduction of the violation
@@ -138,9 +137,12 @@ StepModel SequentialRun::step_model() const {
 /// Near the solution, where the rows that hold the step are known. With ν above what its multipliers require
 /// it is the step of the relaxed rows too.
 Step SequentialRun::held_step(const StepModel& model) {
-    if (multipliers_.isZero() || !(warm_ || last_length_ <= near_by)) return {};
-    Step step = steps_.solve_held(jacobian_, model, multipliers_);
-    if (!step.usable) warm_ = false;
+    Step step;
+    if (warm_ || (last_length_ <= near_by && !saturated_ && !multipliers_.isZero()))
+        step = steps_.solve_held(jacobian_, model, multipliers_);
+    if (!step.usable && !warm_ && near_known())
+        step = steps_.solve_held(jacobian_, model, known_multipliers_);
+    warm_ = warm_ && step.usable;
     return step;
 }
 
@@ -228,6 +230,8 @@ bool SequentialRun::take(const StepModel& model, Step step) {
         gained = value;
     }
     const double length = step.step.cwiseAbs().cwiseQuotient(reach_).maxCoeff();
+    if (repairing_ && std::isfinite(gained)) gained = 1.0;
+    repairing_ = false;
     if (gained > accept) {
         differentiate(problem_, trial);
         if (!trial.finite()) gained = -infinity;

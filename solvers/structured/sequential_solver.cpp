@@ -14,14 +14,16 @@ constexpr double proximal = 1e-8;       // multiple of I in H, of the size of th
 constexpr double loose = 0.1;           // part of the last step: a row that far from its bound is not active
 constexpr double left = 1e-3;           // of the step's length: from there on it has left a row
 constexpr int most_polishing = 6;       // passes
-constexpr double polished = 1e-3;       // of the tolerance: stationarity that no pass can improve
+constexpr double polished = 1.0;        // of the tolerance: stationarity that no pass can improve
 constexpr double stationary = 1e-6;     // threshold for Termination::converged
 constexpr double nearly_kept = 1e3;     // tolerances of violation that further passes remove
 constexpr int slow_passes = 25;         // in which the violation must fall by a tenth
 constexpr int most_failures = 8;        // step problems in a row that failed
 constexpr double stationary_violation = 1e-7;
-constexpr double off = 0.1;     // of the tolerance: linear rows that must be restored first
-constexpr double nudge = 0.01;  // of the size of a variable
+constexpr double off = 0.1;            // of the tolerance: linear rows that must be restored first
+constexpr double nudge = 0.01;         // of the size of a variable
+constexpr double slightly_off = 0.05;  // violation of linear rows that the first step of a warm start repairs
+constexpr double near_known_point = 0.1;  // relative distance at which the same rows may be active
 
 }  // namespace
 
@@ -45,21 +47,38 @@ SequentialRun::SequentialRun(const Nlp& problem, const BackendOptions& options, 
     radius_ = own.first_radius;
     for (Index i = 0; i < weights_.size(); ++i) weights_[i] = kind_of(shape_, i).scale;
     if (options.near && options.near->row_multipliers.size() <= multipliers_.size()) {
-        multipliers_.head(options.near->row_multipliers.size()) = options.near->row_multipliers;
-        relaxed_ = false;
-        warm_ = true;
-        penalty_ = penalty_for(needed_penalty(shape_, multipliers_));
+        known_multipliers_ = VectorXd::Zero(shape_.constraints());
+        known_multipliers_.head(options.near->row_multipliers.size()) = options.near->row_multipliers;
     }
+}
+
+bool SequentialRun::near_known() const {
+    if (known_multipliers_.size() == 0) return false;
+    const VectorXd& known = options_.near->x;
+    if (known.size() != here_.x.size()) return false;
+    return ((here_.x - known).array().abs() <= near_known_point * known.array().abs().max(1.0)).all();
 }
 
 NlpPoint SequentialRun::moved(const VectorXd& step) const {
     return evaluated(problem_, (here_.x + step).cwiseMax(shape_.x_lower).cwiseMin(shape_.x_upper));
 }
 
+/// At the solution of a neighbouring problem its multipliers are those of this one, nearly.
+void SequentialRun::take_multipliers() {
+    if (!near_known()) return;
+    warm_ = true;
+    multipliers_ = known_multipliers_;
+    relaxed_ = false;
+    penalty_ = penalty_for(needed_penalty(shape_, multipliers_));
+}
+
 /// A first point that satisfies the linear rows and the bounds: all later ones then do.
 std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
     here_ = evaluated(problem_, start.cwiseMax(shape_.x_lower).cwiseMin(shape_.x_upper));
-    if (violation_of(shape_, here_.rows, true) > off * options_.tolerance) {
+    const double outside = violation_of(shape_, here_.rows, true);
+    if (passes_ == 0) take_multipliers();
+    repairing_ = warm_ && outside > off * options_.tolerance && outside <= slightly_off;
+    if (!repairing_ && outside > off * options_.tolerance) {
         differentiate(problem_, here_);
         const StepModel model = projection_model(problem_, here_);
         const LinearizedProblem projection(problem_, here_, model);
@@ -200,7 +219,8 @@ std::optional<BackendResult> SequentialRun::pass() {
         model = step_model();
         step = next_step(model);
     }
-    if (step.usable && drop_left_rows(step)) {
+    const bool joins = step.usable && control_.known && control_.known(here_.x + step.step);
+    if (step.usable && !joins && polishing_ == 0 && drop_left_rows(step)) {
         model = step_model();
         Step longer = next_step(model);
         if (longer.usable || longer.stopped()) step = std::move(longer);
@@ -210,6 +230,10 @@ std::optional<BackendResult> SequentialRun::pass() {
                      "stopped");
     if (!step.usable) {
         if (best_) return finished();
+        if (repairing_) {
+            warm_ = false;
+            return begin(here_.x);
+        }
         radius_ *= 0.25;
         if (++failures_ > most_failures)
             return ended(Termination::numerical_failure, "no step could be computed");

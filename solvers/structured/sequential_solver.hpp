@@ -40,6 +40,8 @@ namespace camopt::structured {
 
 // The state of one sequential solve.
 
+/// Relative length of a step from which on its rows are taken for the active ones.
+inline constexpr double near_by = 0.1;
 /// t below which the linearized rows need no relaxation.
 inline constexpr double free_elastic = 1e-8;
 
@@ -91,6 +93,8 @@ class SequentialRun {
  private:
     std::optional<BackendResult> begin(const Eigen::VectorXd& start);
     [[nodiscard]] Eigen::VectorXd nudged() const;
+    void take_multipliers();
+    [[nodiscard]] bool near_known() const;
     std::optional<BackendResult> pass();
     void linearize();
     void convexify();
@@ -144,8 +148,10 @@ class SequentialRun {
     double marked_violation_ = infinity;
     int marked_pass_ = 0, reductions_ = 0;
     bool nudged_ = false, shrunk_ = false, flat_ = false;
-    bool saturated_ = false;  ///< the multipliers are those of relaxed rows, which carry all of ν
-    bool warm_ = false;       ///< started with the multipliers of a neighbouring problem
+    bool saturated_ = false;             ///< the multipliers are those of relaxed rows, which carry all of ν
+    bool warm_ = false;                  ///< started with the multipliers of a neighbouring problem
+    bool repairing_ = false;             ///< the start violates linear rows, which the first step satisfies
+    Eigen::VectorXd known_multipliers_;  ///< at BackendOptions::near
     int passes_ = 0, polishing_ = 0, failures_ = 0, patience_ = 0;
     struct Best {
         NlpPoint point;
