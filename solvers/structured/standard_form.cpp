@@ -274,6 +274,7 @@ void StandardForm::equilibrate(const VectorXd& start) {
             column_scale_[j] = 1.0 / std::sqrt(curvature[e]);
     }
     column_scale_ = column_scale_.unaryExpr(&power_of_two_near);
+    shrink_far_rows();
     row_scale_ = row_scale_.unaryExpr(&power_of_two_near);
 
     for (Index j = 0; j < model_.variables(); ++j)
@@ -285,6 +286,20 @@ void StandardForm::equilibrate(const VectorXd& start) {
     model_.x_upper.array() /= column_scale_.array();
     frame.scale = column_scale_;
     model_.cost = std::make_unique<ScaledCost>(problem_, frame);
+}
+
+/// Limits on one variable that lie far beyond it: their slacks would be far from those of all other rows.
+void StandardForm::shrink_far_rows() {
+    constexpr double far = 1e4;
+    VectorXd entries = VectorXd::Zero(model_.constraints());
+    for (Index j = 0; j < model_.variables(); ++j)
+        for (Matrix::InnerIterator entry(model_.rows, j); entry; ++entry) entries[entry.row()] += 1.0;
+    for (Index i = 0; i < model_.constraints(); ++i) {
+        const double low = std::abs(model_.row_lower[i]), high = std::abs(model_.row_upper[i]);
+        const double nearest = row_scale_[i] * std::min(low, high);
+        const bool is_limit = entries[i] == 1.0 && low != high && std::isfinite(nearest);
+        if (is_limit && nearest > far) row_scale_[i] /= nearest;
+    }
 }
 
 void StandardForm::scale_cost(const VectorXd& start) {

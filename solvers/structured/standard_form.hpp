@@ -61,6 +61,7 @@ class StandardForm {
     void read(const Eigen::VectorXd& start);
     void keep_rows();
     void equilibrate(const Eigen::VectorXd& start);
+    void shrink_far_rows();
     void scale_cost(const Eigen::VectorXd& start);
     void fail(Status status, std::string detail);
 

@@ -97,7 +97,7 @@ TEST(UsefulChange, ServoProgramChangesAngleAndDwell) {
 
 /// Free breakpoints leave what no curve can do: the least rise is that of the quickest jerk-limited motion,
 /// in closed form where it has a cruise, and where its velocity is not reached.
-TEST(UsefulChange, FreeKnotsNeedTheLeastRiseOfAnyCurve) {
+TEST(UsefulChange, FreeKnotsNeedLeastRise) {
     constexpr double lift = 0.03, acceleration = 25.0, jerk = 3125.0, deg_s = 1200.0;
     const double peak = 0.5 * acceleration *
                         (std::sqrt(acceleration * acceleration / (jerk * jerk) + 4.0 * lift / acceleration) -
