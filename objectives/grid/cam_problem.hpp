@@ -152,6 +152,8 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] Eigen::VectorXd random_start(unsigned seed) const;
 
     [[nodiscard]] const CamModel& model() const { return *model_; }
+    /// The motions of the model, which lives as long as they do.
+    [[nodiscard]] std::shared_ptr<const MotionFamily> family() const { return {model_, &model_->design}; }
     [[nodiscard]] const std::vector<RuleSample>& samples() const { return samples_; }
     [[nodiscard]] MotionChain motion(const Eigen::VectorXd& x) const;
     /// The spline of the first run: all of it for DRD and RR.

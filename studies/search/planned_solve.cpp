@@ -46,14 +46,22 @@ void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProble
     solution.solver.name = run.plan.next_solver;
 }
 
+void timed_break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result,
+                     Solution& solution) {
+    const Stopwatch watch;
+    break_tie(run, problem, result);
+    solution.phases.tie_break = watch.seconds();
+}
+
 ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamProblem& problem,
                               Solution& solution) {
     const JudgeOptions judge{solution.scene.solver.tolerance, solution.scene.solver.wanted_gap()};
-    ContinuousResult result =
-        solve_continuous(problem, solver, exchange_options(solution.scene), judge, run.control);
+    ExchangeOptions exchange = exchange_options(solution.scene);
+    exchange.staged = run.known.is_cold();
+    ContinuousResult result = solve_continuous(problem, solver, exchange, judge, run.control);
     try_next_solver(run, judge, problem, result, solution);
     run.known.keep(problem);
-    break_tie(run, problem, result);
+    timed_break_tie(run, problem, result, solution);
     return result;
 }
 
@@ -68,7 +76,7 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
     if (all.starts > 0) return std::move(all.result);
     solution.solver.name = "structured";  // the relaxation settled it
     if (all.result.certificate.verdict != Verdict::optimal) return std::move(all.result);
-    break_tie(run, problem, all.result);
+    timed_break_tie(run, problem, all.result, solution);
     solution.notes.emplace_back(
         "the limits that are not convex are inactive: the optimum without them satisfies them, so it is the "
         "optimum of the whole");
@@ -76,6 +84,10 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
 }
 
 void report_result(Solution& solution, const CamProblem& problem, ContinuousResult result) {
+    const Stopwatch watch;
+    solution.phases.solver = result.seconds.solver;
+    solution.phases.judgement = result.seconds.judgement;
+    solution.phases.proof = result.seconds.proof;
     solution.certificate = std::move(result.certificate);
     solution.solver.termination = result.exchange.termination;
     solution.solver.native_status = result.exchange.last.native_status;
@@ -85,6 +97,7 @@ void report_result(Solution& solution, const CamProblem& problem, ContinuousResu
     if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
     if (result.x.size() > 0) report_motion(solution, problem, result.x);
     if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
+    solution.phases.report = watch.seconds();
 }
 
 }  // namespace
@@ -103,7 +116,9 @@ Solution solve_motion(const PlannedRun& run) {
     const bool prescribed = solution.scene.motion.prescribed();
     if (prescribed && settle_prescribed(solution, run.posed.model)) return solution;
     CamProblem problem = run.known.problem(std::move(run.posed.model));
+    solution.family = problem.family();
     report_redundant(solution, problem.model().design);
+    solution.phases.setup = watch.seconds();
     if (run.plan.contradiction) {
         report_contradictions(solution, problem.model().design);
     } else if (prescribed && problem.model().parameters.empty()) {
@@ -130,6 +145,7 @@ Solution solve_with_strokes(const Scene& scene, const HeldStrokes& strokes, cons
 
 Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSolutions* known,
                        const PlanOptions& options) {
+    const Stopwatch watch;
     PosedScene posed(scene);
     const auto plan = std::make_shared<const SolvePlan>(plan_of(posed, options));
     SolveControl timed = control;
@@ -137,6 +153,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
         timed.in_vain = control.deadline.sooner(plan->searching * control.deadline.seconds_left());
     KnownSolutions none;
     const PlannedRun run{posed, *plan, timed, known != nullptr ? *known : none};
+    const double seconds_posed = watch.seconds();
     Solution solution;
     if (plan->angles > 0) {
         solution = solve_free_angles(scene, *plan, timed);  // each set of them by its own plan
@@ -151,6 +168,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
         posed.restore(solution);
     }
     solution.plan = plan;
+    solution.phases.setup += seconds_posed;
     return solution;
 }
 
@@ -165,7 +183,10 @@ Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSol
         measured->started = began_from_measured(solution);
         solution.measured = std::move(measured);
     }
+    const Stopwatch watch;
     if (!options.look) audit_delivered(solution);
+    solution.family.reset();
+    solution.phases.report += watch.seconds();
     return solution;
 }
 
