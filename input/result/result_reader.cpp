@@ -143,8 +143,10 @@ ResultRecord read_result(std::string_view json, std::string_view source_name, Re
     record.solver = read_solver(source.at("solver"));
     record.solver.proof_source = source.at("bound").at("source").words();
     record.evaluations = read_evaluations(source.at("evaluations"));
-    record.seconds_total = source.at("seconds").at("total").number();
-    record.seconds_solve = source.at("seconds").at("solve").number();
+    const JsonSource seconds = source.at("seconds");
+    record.seconds_total = seconds.at("total").number();
+    record.seconds_solve = seconds.at("solve").number();
+    for (const auto& [name, value] : seconds.members()) record.seconds[name] = value.number();
     record.notes = source.at("notes").texts();
     return record;
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -75,6 +76,7 @@ struct ResultRecord {
     SolverRecord solver;
     EvaluationRecord evaluations;
     double seconds_total = 0.0, seconds_solve = 0.0;
+    std::map<std::string, double> seconds;  ///< all of them, the phases too
     std::vector<std::string> notes;
 };
 

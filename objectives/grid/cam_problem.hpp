@@ -155,6 +155,8 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] Eigen::VectorXd random_start(unsigned seed) const;
 
     [[nodiscard]] const CamModel& model() const { return *model_; }
+    /// The motions of the model, which lives as long as they do.
+    [[nodiscard]] std::shared_ptr<const MotionFamily> family() const { return {model_, &model_->design}; }
     [[nodiscard]] const std::vector<RuleSample>& samples() const { return samples_; }
     /// Other weights of the same terms: the parameters' positive ones, one for each parameter.
     void set_weights(std::span<const double> weights);

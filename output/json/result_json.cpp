@@ -242,6 +242,8 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["evaluations"] = evaluations_json(solution.evaluations);
     json["seconds"] = {{"total", number_json(solution.seconds_total)},
                        {"solve", number_json(solution.seconds_solve)}};
+    for (const PhaseRow& phase : phase_rows)
+        json["seconds"][phase.name] = number_json(solution.phases.*phase.seconds);
     json["notes"] = solution.notes;
     return json_text(json);
 }

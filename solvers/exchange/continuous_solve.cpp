@@ -122,14 +122,16 @@ struct FirstPoint {
     Candidate inside;
     std::optional<DualityProof> infeasible;
     bool searched = false;  ///< it took a search that ended
+    double seconds_solver = 0.0;
 };
 
 FirstPoint first_point(ContinuousProblem& problem, const ExchangeOptions& exchange, const JudgeOptions& judge,
                        const SolveControl& control) {
-    FirstPoint first{judged(problem, problem.start()), {}, false};
+    FirstPoint first{judged(problem, problem.start()), {}, false, 0.0};
     const bool kept = first.inside.violation <= judge.tolerance;
     if (kept || control.ending() || !problem.grid().shape().convex) return first;
     Feasibility feasibility = find_feasible(problem, exchange, control);
+    first.seconds_solver = feasibility.seconds_solver;
     first.searched = feasibility.point.x.size() > 0;
     if (first.searched) first.inside = std::move(feasibility.point);
     if (first.inside.violation > judge.tolerance) first.infeasible = std::move(feasibility.proof);
@@ -204,8 +206,11 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
                                   const SolveControl& control) {
     const SolveControl timed = control.sooner(exchange.backend.max_seconds);
     ContinuousResult result;
+    const Stopwatch watch;
     FirstPoint first = first_point(problem, exchange, judge, timed);
+    result.seconds.solver = first.seconds_solver;
     if (first.infeasible) {
+        result.seconds.judgement = watch.seconds() - result.seconds.solver;
         report_infeasible(result, std::move(first));
         return result;
     }
@@ -217,6 +222,8 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
     if (is_better(latest, best, judge.tolerance)) best = latest;
     result.certificate.objective = best.objective;
     result.certificate.worst_violation = best.violation;
+    result.seconds.solver += result.exchange.seconds_solver;
+    result.seconds.judgement = watch.seconds() - result.seconds.solver;
     bool no_room = false;
     if (best.x.size() > 0) {
         result.x = best.x;
@@ -227,6 +234,7 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
             no_room = had_bound && !result.certificate.lower_bound;
         }
     }
+    result.seconds.proof = watch.seconds() - result.seconds.solver - result.seconds.judgement;
     settle_verdict(result.certificate, result.exchange.termination, judge);
     if (no_room && result.certificate.verdict == Verdict::local)
         result.certificate.verdict = Verdict::feasible;

@@ -177,6 +177,7 @@ Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Eige
     const ExchangeResult result = minimize_by_exchange(elastic, *solver, start, options, control);
     Feasibility found;
     found.termination = result.termination;
+    found.seconds_solver = result.seconds_solver;
     if (result.best.x.size() == 0 || !std::isfinite(result.best.violation)) return found;
     const Eigen::VectorXd x = result.best.x;
     found.point = judged(problem, x.head(x.size() - 1));
@@ -198,22 +199,33 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
     ExchangeOptions own = options;
     own.backend.native.clear();  // they belong to the user's backend
     const Eigen::VectorXd begin = elastic.start();
+    double seconds = 0.0;
+    const auto look_from = [&](const Eigen::VectorXd& start) {
+        Feasibility found = look(problem, elastic, start, own, control);
+        seconds = found.seconds_solver += seconds;
+        return found;
+    };
+    own.enough = [](const ExchangeResult& result) {
+        return result.latest.x.size() > 0 && result.latest.objective <= deep_inside;
+    };
     own.tolerance = std::max(own.tolerance, first_look);
     own.backend.tolerance = std::max(own.backend.tolerance, first_look);
-    Feasibility found = look(problem, elastic, begin, own, control);
+    Feasibility found = look_from(begin);
     if (found.point.x.size() > 0 && found.point.violation <= deep_inside) return found;
     if (control.ending()) return found;
+    own.enough = {};
     own.tolerance = options.tolerance;
     own.backend.tolerance = options.backend.tolerance;
-    found = look(problem, elastic, begin, own, control);
+    found = look_from(begin);
     const bool open = found.point.violation > options.tolerance && !found.proof;
     if (found.point.x.size() == 0 || !open || control.stopped()) return found;
     own.tolerance *= second_look;
     own.backend.tolerance *= second_look;
     Eigen::VectorXd start(found.point.x.size() + 1);
     start << found.point.x, found.point.violation;
-    Feasibility again = look(problem, elastic, start, own, control);
+    Feasibility again = look_from(start);
     if (again.point.violation <= options.tolerance) again.proof.reset();
+    found.seconds_solver = seconds;
     if (again.point.x.size() > 0 && (again.proof || again.point.violation < found.point.violation))
         return again;
     return found;

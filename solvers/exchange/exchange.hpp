@@ -11,14 +11,22 @@
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/solver.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace camopt {
+
+struct ExchangeResult;
 
 struct ExchangeOptions {
     BackendOptions backend;
     double tolerance = 1e-9;  ///< relative, of objective and limits between the samples; > 0
     int most_rounds = 60;     ///< rounds are few; this only ends a backend that does not converge
+    /// Of large problems and the structured solver: the first rounds end early on the central path, where the
+    /// maxima are found already. False on a grid that had its rows before.
+    bool staged = true;
+    /// Called after each round; true ends the exchange. Empty: never.
+    std::function<bool(const ExchangeResult& found)> enough = {};
 };
 
 /// The best point found, feasible ones first.
@@ -36,7 +44,8 @@ struct ExchangeResult {
     bool converged = false;  ///< the exchange itself converged
     bool known = false;      ///< it ended near a minimum known to SolveControl::known
     int rounds = 0;
-    int iterations = 0;  ///< summed over the rounds
+    int iterations = 0;           ///< summed over the rounds
+    double seconds_solver = 0.0;  ///< wall time inside the backend, summed over the rounds
 };
 
 /// By a time limit or the user.
@@ -96,6 +105,7 @@ struct Feasibility {
     Candidate point;                    ///< of the base problem, with the least violation
     std::optional<DualityProof> proof;  ///< of infeasibility, where its bound is > 0
     Termination termination = Termination::not_run;
+    double seconds_solver = 0.0;  ///< wall time inside the backend
 };
 
 /// Convex problems only. Uses the structured solver.
@@ -110,12 +120,20 @@ struct JudgeOptions {
     double stationarity = 1e-6;  ///< residual below which a feasible point is called local; sizes are O(1)
 };
 
+/// Wall time of a continuous solve.
+struct ContinuousSeconds {
+    double solver = 0.0;     ///< inside the backends of the search
+    double judgement = 0.0;  ///< starts, continuous maxima and new rows
+    double proof = 0.0;      ///< the bound, with backends called for it
+};
+
 struct ContinuousResult {
     Eigen::VectorXd x;  ///< completed; empty if nothing is delivered
     Certificate certificate;
     ExchangeResult exchange;
     Candidate inside;          ///< a feasible point (if there is one), towards which results are pulled
     std::string proof_source;  ///< whose multipliers proved the bound
+    ContinuousSeconds seconds = {};
 };
 
 /// If the current bound exceeds the objective of the delivered point (the limits are infeasible to within

@@ -23,7 +23,7 @@ constexpr std::array<const char*, 4> derivative = {"y", "y'", "y''", "y'''"};
 class Audit {
  public:
     Audit(const Solution& solution, double tolerance)
-        : scene_(solution.scene), motion_(*solution.motion), tolerance_(tolerance) {
+        : solution_(solution), scene_(solution.scene), motion_(*solution.motion), tolerance_(tolerance) {
         const Peaks& peaks = solution.motion_peaks;
         size_ = {1.0, peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
         for (const SegmentReport& segment : solution.segments)  // where a law has an impulse
@@ -78,7 +78,7 @@ class Audit {
     void look_at_strokes() {
         const bool held = scene_.motion.within_lift || scene_.motion.monotone;
         if (!held || !missed_.empty()) return;  // of a motion that is none of the scene's there is no stroke
-        for (const StrokeRange& stroke : strokes_of(scene_, scene_family(scene_, DesignKind::states))) {
+        for (const StrokeRange& stroke : strokes_of(scene_, *family_of(solution_))) {
             const bool open = stroke.is_free();
             if (open && stroke.has_points) continue;
             const double from = motion_.at(stroke.begin, Side::right).derivative[0];
@@ -122,6 +122,7 @@ class Audit {
     }
 
  private:
+    const Solution& solution_;
     const Scene& scene_;
     const MotionChain& motion_;
     double tolerance_;

@@ -217,7 +217,28 @@ struct LimitCurve {  ///< the lower bound for every curve (motions/bounds/any_cu
     std::optional<double> velocity, acceleration, jerk;  ///< none: not attained (infinite)
 };
 
-struct SolvePlan;  // studies/search/plan.hpp
+/// Wall time by phase. A search over starts, breakpoints, angles or cases and an explanation take the rest of
+/// Solution::seconds_total; solver, judgement and proof are then those of the start that is delivered.
+struct PhaseSeconds {
+    double setup = 0.0;      ///< scene to model, spline space and first grid
+    double solver = 0.0;     ///< inside the backend
+    double judgement = 0.0;  ///< first point, continuous maxima and new rows
+    double proof = 0.0;      ///< the bound from multipliers
+    double tie_break = 0.0;  ///< the backend's part included
+    double report = 0.0;     ///< peaks, limits and cam properties of the delivered motion, and its audit
+};
+
+struct PhaseRow {
+    const char* name;
+    double PhaseSeconds::*seconds;
+};
+inline constexpr std::array phase_rows = {
+    PhaseRow{"setup", &PhaseSeconds::setup},         PhaseRow{"solver", &PhaseSeconds::solver},
+    PhaseRow{"judgement", &PhaseSeconds::judgement}, PhaseRow{"proof", &PhaseSeconds::proof},
+    PhaseRow{"tie_break", &PhaseSeconds::tie_break}, PhaseRow{"report", &PhaseSeconds::report}};
+
+class MotionFamily;  // splines/motion_family.hpp
+struct SolvePlan;    // studies/search/plan.hpp
 
 struct Solution {
     Scene scene;
@@ -245,6 +266,9 @@ struct Solution {
     SolverReport solver;
     EvaluationCounts evaluations;
     double seconds_total = 0.0, seconds_solve = 0.0;
+    PhaseSeconds phases;
+    /// The motions of the scene, until the solution is audited (family_of()).
+    std::shared_ptr<const MotionFamily> family;
     std::vector<std::string> notes;  ///< redundant conditions by name, and other things worth a line
 
     /// The delivered motion over the whole turn, x from 0 to 2π / unit angle: what it leaves of the turn

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace camopt {
 
@@ -64,6 +65,11 @@ double weighted_dimensions(const Solution& solution) {
 }
 
 }  // namespace
+
+std::shared_ptr<const MotionFamily> family_of(const Solution& solution) {
+    if (solution.family) return solution.family;
+    return std::make_shared<const MotionFamily>(scene_family(solution.scene, DesignKind::states));
+}
 
 std::optional<double> delivered_dimension(const Solution& solution, DimensionIndex which) {
     if (!solution.cam) return {};

@@ -6,10 +6,14 @@
 #include "scene/motion/set_points.hpp"
 #include "studies/delivered/solution.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace camopt {
+
+/// The motions of the solution's scene: those it was solved with, or made from the scene.
+[[nodiscard]] std::shared_ptr<const MotionFamily> family_of(const Solution& solution);
 
 /// One wanted number. A region's velocity is looked at along all of it: `found` is the farthest from it.
 struct SetPointReport {

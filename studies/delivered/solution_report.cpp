@@ -76,7 +76,7 @@ SplineCurve curve_of(const ChainPart& part) {
 
 void report_segments(Solution& solution) {
     const MotionChain& motion = *solution.motion;
-    const MotionFamily family = scene_family(solution.scene, DesignKind::states);
+    const std::shared_ptr<const MotionFamily> family = family_of(solution);
     JoinedMeans means;
     for (std::size_t s = 0; s < motion.parts().size(); ++s) {
         const ChainPart& part = motion.parts()[s];
@@ -98,7 +98,7 @@ void report_segments(Solution& solution) {
         if (written.kind == SegmentKind::spline) {
             report.curve = curve_of(part);
             const Peaks own = peaks_of(*report.curve);
-            const MotionFamily::Stretch& stretch = family.stretches()[s];
+            const MotionFamily::Stretch& stretch = family->stretches()[s];
             const bool free = !known_displacement(stretch.from) || !known_displacement(stretch.to);
             report.peaks = normalised_peaks(
                 own, {part.end - part.begin, free ? 1.0 : measured_displacement(report.to - report.from)});

@@ -153,6 +153,9 @@ void tell_of_run(Solution& solution, const ResultRecord& record) {
             Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))};
     solution.seconds_total = record.seconds_total;
     solution.seconds_solve = record.seconds_solve;
+    for (const PhaseRow& phase : phase_rows)
+        if (const auto known = record.seconds.find(phase.name); known != record.seconds.end())
+            solution.phases.*phase.seconds = known->second;
     solution.notes = record.notes;
     if (record.any_curve_limit) {
         // The file has its objective; its peaks are what the scene gives.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/scene_model.hpp"
 #include "solvers/certificate/certificate.hpp"
+#include "studies/delivered/solution_parts.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/search/solve_steps.hpp"
 
@@ -177,8 +178,7 @@ class DirectionSearch {
 bool leaves_its_strokes(const Solution& solution) {
     const Scene& scene = solution.scene;
     if (!solution.motion) return false;
-    const std::vector<double> excursions =
-        excursions_of(scene, scene_family(scene, DesignKind::states), *solution.motion);
+    const std::vector<double> excursions = excursions_of(scene, *family_of(solution), *solution.motion);
     return std::ranges::any_of(excursions,
                                [&](double excursion) { return excursion > scene.solver.tolerance; });
 }

@@ -23,6 +23,8 @@ struct KnownSolutions {
     /// The problem of `model`, on the grid kept from its neighbour. Plain if there is none: nothing kept yet
     /// of these rules, or another spline.
     [[nodiscard]] CamProblem problem(CamModel model);
+    /// Whether the last problem was a plain one.
+    [[nodiscard]] bool is_cold() const { return grids.empty() || grids.front().samples.empty(); }
     void keep(const CamProblem& problem);
 
     /// The point that the last search found, for a problem of the same motion and dimensions; empty: none.

@@ -46,14 +46,22 @@ void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProble
     solution.solver.name = run.plan.next_solver;
 }
 
+void timed_break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result,
+                     Solution& solution) {
+    const Stopwatch watch;
+    break_tie(run, problem, result);
+    solution.phases.tie_break = watch.seconds();
+}
+
 ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamProblem& problem,
                               Solution& solution) {
     const JudgeOptions judge{solution.scene.solver.tolerance, solution.scene.solver.wanted_gap()};
-    ContinuousResult result =
-        solve_continuous(problem, solver, exchange_options(solution.scene), judge, run.control);
+    ExchangeOptions exchange = exchange_options(solution.scene);
+    exchange.staged = run.known.is_cold();
+    ContinuousResult result = solve_continuous(problem, solver, exchange, judge, run.control);
     try_next_solver(run, judge, problem, result, solution);
     run.known.keep(problem);
-    break_tie(run, problem, result);
+    timed_break_tie(run, problem, result, solution);
     return result;
 }
 
@@ -68,26 +76,29 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
     if (all.starts > 0) return std::move(all.result);
     solution.solver.name = "structured";  // the relaxation settled it
     if (all.result.certificate.verdict != Verdict::optimal) return std::move(all.result);
-    break_tie(run, problem, all.result);
+    timed_break_tie(run, problem, all.result, solution);
     solution.notes.emplace_back(
         "the limits that are not convex are inactive: the optimum without them satisfies them, so it is the "
         "optimum of the whole");
     return std::move(all.result);
 }
 
-/// The optimum of a convex problem, for neighbours of other weights. The problem is used up.
-void propose_optimum(const PlannedRun& run, CamProblem& problem, const ContinuousResult& result) {
-    const std::optional<Eigen::VectorXd>& multipliers = result.exchange.last.row_multipliers;
+/// Whether an optimum of a convex problem may serve neighbours of other weights.
+bool serves_other_weights(const PlannedRun& run, const ContinuousResult& result) {
     const Certificate& certificate = result.certificate;
-    if (!run.plan.convex || !run.posed.scale.is_idle() || certificate.verdict != Verdict::optimal) return;
-    if (!multipliers || certificate.proof_kind != ProofKind::duality || !certificate.proof ||
-        certificate.proof->limits_relaxed_by > 0.0 || result.proof_source != run.plan.solver)
-        return;
-    run.known.optima.propose(std::move(problem), result.x, *multipliers);
+    return run.plan.convex && run.posed.scale.is_idle() && certificate.verdict == Verdict::optimal &&
+           certificate.proof_kind == ProofKind::duality && certificate.proof &&
+           certificate.proof->limits_relaxed_by == 0.0 && result.proof_source == run.plan.solver &&
+           result.exchange.last.row_multipliers;
 }
 
-void report_result(Solution& solution, const CamProblem& problem, const ContinuousResult& result) {
-    solution.certificate = result.certificate;
+/// Takes the certificate of `result`.
+void report_result(Solution& solution, const CamProblem& problem, ContinuousResult& result) {
+    const Stopwatch watch;
+    solution.phases.solver = result.seconds.solver;
+    solution.phases.judgement = result.seconds.judgement;
+    solution.phases.proof = result.seconds.proof;
+    solution.certificate = std::move(result.certificate);
     solution.solver.termination = result.exchange.termination;
     solution.solver.native_status = result.exchange.last.native_status;
     solution.solver.iterations = result.exchange.iterations;
@@ -96,6 +107,7 @@ void report_result(Solution& solution, const CamProblem& problem, const Continuo
     if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
     if (result.x.size() > 0) report_motion(solution, problem, result.x);
     if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
+    solution.phases.report = watch.seconds();
 }
 
 }  // namespace
@@ -114,7 +126,9 @@ Solution solve_motion(const PlannedRun& run) {
     const bool prescribed = solution.scene.motion.prescribed();
     if (prescribed && settle_prescribed(solution, run.posed.model)) return solution;
     CamProblem problem = run.known.problem(std::move(run.posed.model));
+    solution.family = problem.family();
     report_redundant(solution, problem.model().design);
+    solution.phases.setup = watch.seconds();
     if (run.plan.contradiction) {
         report_contradictions(solution, problem.model().design);
     } else if (prescribed && problem.model().parameters.empty()) {
@@ -127,8 +141,10 @@ Solution solve_motion(const PlannedRun& run) {
                                       : solve_general(run, solver, problem, solution);
         solution.seconds_solve = solve_watch.seconds();
         solution.evaluations = solver.counts();
+        const bool serves = serves_other_weights(run, result);
         report_result(solution, problem, result);
-        propose_optimum(run, problem, result);
+        if (serves)
+            run.known.optima.propose(std::move(problem), result.x, *result.exchange.last.row_multipliers);
     }
     solution.seconds_total = watch.seconds();
     return solution;
@@ -142,6 +158,7 @@ Solution solve_with_strokes(const Scene& scene, const HeldStrokes& strokes, cons
 
 Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSolutions* known,
                        const PlanOptions& options) {
+    const Stopwatch watch;
     PosedScene posed(scene);
     const auto plan = std::make_shared<const SolvePlan>(plan_of(posed, options));
     SolveControl timed = control;
@@ -149,6 +166,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
         timed.in_vain = control.deadline.sooner(plan->searching * control.deadline.seconds_left());
     KnownSolutions none;
     const PlannedRun run{posed, *plan, timed, known != nullptr ? *known : none};
+    const double seconds_posed = watch.seconds();
     Solution solution;
     if (plan->angles > 0) {
         solution = solve_free_angles(scene, *plan, timed);  // each set of them by its own plan
@@ -164,6 +182,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
         posed.restore(solution);
     }
     solution.plan = plan;
+    solution.phases.setup += seconds_posed;
     return solution;
 }
 
@@ -178,7 +197,10 @@ Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSol
         measured->started = began_from_measured(solution);
         solution.measured = std::move(measured);
     }
+    const Stopwatch watch;
     if (!options.look) audit_delivered(solution);
+    solution.family.reset();
+    solution.phases.report += watch.seconds();
     return solution;
 }
 

@@ -192,7 +192,8 @@ std::optional<Solution> ProvedOptimum::solution_for(const Scene& scene) {
     solution.solver.proof_source = "multipliers fitted to a known optimum";
     solution.solver.proved_from = number_;
     solution.evaluations = {};
-    solution.seconds_total = solution.seconds_solve = watch.seconds();
+    solution.phases = {};
+    solution.seconds_total = solution.seconds_solve = solution.phases.proof = watch.seconds();
     return solution;
 }
 

@@ -45,7 +45,9 @@ TEST(ResultJson, CarriesTheContractedKeysInOrder) {
     EXPECT_EQ(keys_of(json["evaluations"]),
               (std::vector<std::string>{"cost", "gradient", "constraints", "jacobian", "hessian",
                                         "profile_points"}));
-    EXPECT_EQ(keys_of(json["seconds"]), (std::vector<std::string>{"total", "solve"}));
+    EXPECT_EQ(keys_of(json["seconds"]),
+              (std::vector<std::string>{"total", "solve", "setup", "solver", "judgement", "proof",
+                                        "tie_break", "report"}));
     EXPECT_FALSE(json.contains("relaxation"));
 }
 
