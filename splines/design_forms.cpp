@@ -77,26 +77,27 @@ bool needs_continuity(const DesignRequest& request, int order, int doubled_place
 
 void add_continuity_rows(DesignForm& form, const DesignRequest& request) {
     const SplineSpace& space = request.space;
-    const auto add = [&](AffineRow row, int order, int breakpoint) {
-        form.rows.push_back({std::move(row), fmt::format("continuity of derivative {} at x = {:.6g}", order,
-                                                         space.breakpoints()[breakpoint])});
-    };
     for (int i = 0; i < space.segments(); ++i) {
         const double h = space.width(i);
+        const std::string place = fmt::format(" at x = {:.6g}", space.breakpoints()[i + 1]);
+        const auto add = [&](AffineRow row, int order) {
+            form.rows.push_back(
+                {std::move(row), "continuity of derivative " + std::to_string(order) + place});
+        };
         if (space.degree() == 3) {
             // y and y' at the right end are the next state's; y'' is by construction. The row belongs to the
             // segment.
             for (int order = 0; order < 2; ++order) {
                 if (!needs_continuity(request, order, 2 * i + 1)) continue;
                 const AffineRow next{0.0, {3 * (i + 1) + order}, {1.0}};
-                add(combined(functional_of(form.maps[i], h, order), -1.0, next), order, i + 1);
+                add(combined(functional_of(form.maps[i], h, order), -1.0, next), order);
             }
         } else if (i + 1 < space.segments()) {
             for (int order = 3; order <= space.continuity(); ++order) {
                 if (!needs_continuity(request, order, 2 * (i + 1))) continue;
                 add(combined(functional_of(form.maps[i], h, order), -1.0,
                              functional_of(form.maps[i + 1], 0.0, order)),
-                    order, i + 1);
+                    order);
             }
         }
     }

@@ -168,6 +168,8 @@ namespace {
 // far inside that nothing much deeper can be missing. Points are pulled towards it, by their own violation
 // over its depth.
 constexpr double first_look = 1e-3, deep_inside = -1e-2;
+// Its rounds end at this part of the depth that the grid allows.
+constexpr double deep_enough = 0.75;
 // A least violation close to the tolerance is proved only by multipliers of higher accuracy.
 constexpr double second_look = 1e-2;
 
@@ -205,8 +207,9 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
         seconds = found.seconds_solver += seconds;
         return found;
     };
-    own.enough = [](const ExchangeResult& result) {
-        return result.latest.x.size() > 0 && result.latest.objective <= deep_inside;
+    own.enough = [&](const ExchangeResult& result) {
+        const double deepest = deep_enough * elastic.grid().cost(result.last.x);
+        return result.latest.x.size() > 0 && result.latest.objective <= std::min(deep_inside, deepest);
     };
     own.tolerance = std::max(own.tolerance, first_look);
     own.backend.tolerance = std::max(own.backend.tolerance, first_look);

@@ -89,6 +89,7 @@ class Audit {
                 const double x = stroke.begin + (stroke.end - stroke.begin) * k / places_of_stroke;
                 const double y = motion_.at(x, k < places_of_stroke ? Side::right : Side::left).derivative[0];
                 const double outside = std::max({0.0, least - y, y - most});
+                if (outside <= tolerance(0)) continue;
                 keep({fmt::format("motion.within_lift: y = {:.9g} at x = {:.6g}", y, x), outside, x});
             }
         }

@@ -39,30 +39,26 @@ struct Allowance {
 };
 
 /// The optimum of the tied problem, as it would be delivered. The rounds end as soon as that is within the
-/// allowance, or the optimum on the grid is beyond it.
-struct SmootherOptimum {
+/// allowance and costs no more than the optimum on the grid by as much, or the latter is beyond the
+/// allowance.
+Candidate smoother_optimum(const CamProblem& problem, TiedProblem& tied, Candidate start,
+                           ExchangeOptions options, const Allowance& allowance, const SolveControl& control) {
     Candidate delivered;
-    double cost = infinity;  ///< of the grid, over the allowance
-};
-
-SmootherOptimum smoother_optimum(const CamProblem& problem, TiedProblem& tied, Candidate start,
-                                 ExchangeOptions options, const Allowance& allowance,
-                                 const SolveControl& control) {
-    SmootherOptimum smoother;
     const auto deliver = [&](Candidate point) {
         if (point.x.size() > 0) point.objective = problem.grid().cost(point.x);
-        smoother.delivered = pulled_inside(problem, point, allowance.inside);
+        delivered = pulled_inside(problem, point, allowance.inside);
     };
     options.enough = [&](const ExchangeResult& found) {
-        smoother.cost = (problem.grid().cost(found.last.x) - allowance.objective) / allowance.spent;
+        const double on_grid = problem.grid().cost(found.last.x);
         deliver(found.latest);
-        return allowance.holds(smoother.delivered) || smoother.cost > 1.0;
+        const bool suffices = allowance.holds(delivered) && delivered.objective <= on_grid + allowance.spent;
+        return suffices || on_grid > allowance.objective + allowance.spent;
     };
     start.objective = tied.grid().cost(start.x);
     const ExchangeResult found =
         minimize_by_exchange(tied, *make_structured_solver(), start, options, control);
-    if (found.converged && !allowance.holds(smoother.delivered)) deliver(found.best);
-    return smoother;
+    if (found.converged && !allowance.holds(delivered)) deliver(found.best);
+    return delivered;
 }
 
 }  // namespace
@@ -86,10 +82,8 @@ void break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& res
         if (run.plan.look && weight > run.known.tie_break_weight.value_or(weight)) continue;
         tied.set_weight(weight);
         if (const PathPoint* place = point_before(path, energy_room * weight)) options.backend.near = *place;
-        const SmootherOptimum smoother =
-            smoother_optimum(problem, tied, start, options, allowance, run.control);
+        const Candidate delivered = smoother_optimum(problem, tied, start, options, allowance, run.control);
         if (keeps) run.known.keep(problem);
-        const Candidate& delivered = smoother.delivered;
         if (run.control.ending() || delivered.x.size() == 0) return;
         if (!allowance.holds(delivered)) continue;
         if (keeps) run.known.tie_break_weight = weight;

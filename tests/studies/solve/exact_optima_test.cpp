@@ -122,6 +122,25 @@ TEST(ExactOptima, PeaksBetweenSamplesTakeFewRounds) {
     }
 }
 
+TEST(ExactOptima, LongSplinesAreSolvedInStages) {
+    // Rounds that all run to the tolerance took 38 iterations.
+    const Solution solution = solve(paper_objective(drd, 3, 256));
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    EXPECT_LE(solution.certificate.gap.value_or(1.0), 1e-9);
+    EXPECT_LE(solution.solver.iterations, 30);
+}
+
+TEST(ExactOptima, PhasesArePartsOfTheWhole) {
+    const Solution solution = solve(paper_objective(drd, 3, 12));
+    double sum = 0.0;
+    for (const PhaseRow& phase : phase_rows) {
+        EXPECT_GT(solution.phases.*phase.seconds, 0.0) << phase.name;
+        sum += solution.phases.*phase.seconds;
+    }
+    EXPECT_LE(sum, solution.seconds_total);
+    EXPECT_EQ(solution.family, nullptr);
+}
+
 TEST(ExactOptima, SymmetryCostsNothingWithoutGeometry) {
     for (const MotionType type : {drd, rr}) {
         Scene scene = paper_objective(type, 3, 16);
