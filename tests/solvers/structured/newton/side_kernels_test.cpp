@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -44,6 +46,7 @@ class Passes {
         const UsedKernels used(set);
         const SideKernels& kernels = side_kernels();
         made_.clear();
+        for (VectorXd* v : {&a_, &b_, &c_, &d_}) v->setZero();
         SideResiduals moved;
         moved.x = x_.data();
         moved.image = image_.data();
@@ -162,7 +165,7 @@ ConvexModel stairs(int count) {
     return model;
 }
 
-TEST(SideKernels, InteriorPointEndsAtTheSameOptimum) {
+TEST(SideKernels, InteriorPointReachesSameOptimum) {
     if (!has_wide_kernels()) GTEST_SKIP() << "no AVX2 here";
     const ConvexModel model = stairs(50);
     const auto solve = [&](KernelSet set) {
