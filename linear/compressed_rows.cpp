@@ -7,7 +7,7 @@
 
 namespace camopt {
 
-CompressedRows::CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix)
+CompressedRows::CompressedRows(const Eigen::Ref<const Matrix>& matrix)
     : row_(static_cast<std::size_t>(matrix.rows())) {
     arrange(matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr());
 }

@@ -18,7 +18,8 @@ namespace camopt {
 class CompressedRows {
  public:
     CompressedRows() = default;
-    explicit CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix);
+    using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    explicit CompressedRows(const Eigen::Ref<const Matrix>& matrix);
     /// Row k has the entries [begin[k], begin[k + 1]) of `columns` and `values`. It is row names[k] of A,
     /// whose other rows are absent: a product leaves their entries of `out` unchanged.
     struct Entries {

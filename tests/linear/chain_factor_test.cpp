@@ -2,6 +2,8 @@
 #include "linear/chain_factor.hpp"
 
 #include "core/errors.hpp"
+#include "linear/compressed_rows.hpp"
+#include "linear/kernels.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <Eigen/Dense>
@@ -145,6 +147,43 @@ TEST(ChainFactor, NamesABreakdown) {
     EXPECT_EQ(factor->factorize(lower, Eigen::VectorXd::Zero(2)), FactorOutcome::not_finite);
     EXPECT_EQ(refusal<ModelError>([&] { (void)factor->factorize(lower, Eigen::VectorXd::Zero(3)); }),
               "SymmetricFactor: not the analysed pattern");
+}
+
+TEST(ChainFactor, WideKernelsAgreeWithBaseline) {
+    if (!has_wide_kernels()) GTEST_SKIP() << "no AVX2 here";
+    const KernelSet before = kernel_set();
+    for (const int border : {0, 3, 5}) {  // 5: widths known at run time only
+        const System system = chain(60, border, 13);
+        const Eigen::VectorXd right_side = Eigen::VectorXd::LinSpaced(system.lower.rows(), -1.0, 2.0);
+        const auto solution = [&](KernelSet set) {
+            use_kernels(set);
+            const auto factor = make_chain_factor(system.lower, system.signs);
+            EXPECT_EQ(factor->factorize(system.lower, Eigen::VectorXd::Zero(right_side.size())),
+                      FactorOutcome::ok);
+            Eigen::VectorXd x = right_side;
+            factor->solve_in_place(x);
+            return x;
+        };
+        const Eigen::VectorXd baseline = solution(KernelSet::baseline), wide = solution(KernelSet::wide);
+        // The residuals are compared: how many digits of x agree depends on the matrix.
+        const double size =
+            system.full.cwiseAbs().rowwise().sum().maxCoeff() * baseline.cwiseAbs().maxCoeff();
+        EXPECT_LE((system.full * (wide - baseline)).lpNorm<Eigen::Infinity>(), 1e-13 * size) << border;
+        EXPECT_EQ(solution(KernelSet::wide), wide);  // to the last bit
+
+        const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = system.lower;
+        const auto product = [&](KernelSet set) {
+            use_kernels(set);
+            Eigen::VectorXd out(rows.rows());
+            CompressedRows(rows).multiply(right_side, out);
+            return out;
+        };
+        const Eigen::VectorXd largest = rows.cwiseAbs() * right_side.cwiseAbs();
+        EXPECT_LE((product(KernelSet::wide) - product(KernelSet::baseline)).cwiseAbs().maxCoeff(),
+                  4e-16 * largest.maxCoeff())
+            << border;
+    }
+    use_kernels(before);
 }
 
 TEST(SymmetricFactors, AllKindsAgree) {

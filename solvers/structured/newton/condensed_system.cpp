@@ -17,11 +17,12 @@ namespace {
 /// Entry terms[k].slot is Σ product · weight[source] over its terms, with weight = [K_l + K_u;
 /// (K_l − K_u) d], plus what `hessian_slot` and `width_slot` add.
 struct CondensedPattern {
+    using Matrix = Eigen::SparseMatrix<double>;
     struct Term {
         int slot, source;
         double product;
     };
-    CondensedPattern(const ConvexModel& model, const RangeRows& ranges);
+    CondensedPattern(const ConvexModel& model, const RangeRows& ranges, const Matrix& by_column);
 
     SymmetricFactor::Matrix lower;
     std::vector<Term> terms;
@@ -34,10 +35,11 @@ using RowMajor = RangeRows::RowMajor;
 /// Processes the matrix column by column.
 class PatternBuilder {
  public:
-    PatternBuilder(const ConvexModel& model, const RangeRows& ranges)
+    PatternBuilder(const ConvexModel& model, const RangeRows& ranges,
+                   const CondensedPattern::Matrix& by_column)
         : model_(model),
           ranges_(ranges),
-          by_column_(ranges.matrix),
+          by_column_(by_column),
           variables_(static_cast<int>(model.variables())),
           size_(variables_ + static_cast<int>(ranges.equalities.size())),
           owner_(static_cast<std::size_t>(size_), -1),
@@ -57,6 +59,10 @@ class PatternBuilder {
     void run(CondensedPattern& out) {
         out.hessian_slot.resize(model_.hessian.rows.size());
         out.width_slot.resize(ranges_.groups.size());
+        const auto entries = static_cast<std::size_t>(ranges_.matrix.nonZeros());
+        out.terms.reserve(4 * entries);
+        inner_.reserve(2 * entries);
+        outer_.reserve(static_cast<std::size_t>(size_) + 1);
         for (int j = 0; j < size_; ++j) column(j, out);
         out.lower =
             Eigen::Map<const SymmetricFactor::Matrix>(size_, size_, static_cast<Eigen::Index>(inner_.size()),
@@ -129,7 +135,7 @@ class PatternBuilder {
 
     const ConvexModel& model_;
     const RangeRows& ranges_;
-    Eigen::SparseMatrix<double> by_column_;
+    const CondensedPattern::Matrix& by_column_;  ///< ranges_.matrix
     int variables_, size_;
     std::vector<int> owner_, slot_, group_of_;
     std::vector<std::vector<int>> curved_, groups_at_;
@@ -137,8 +143,9 @@ class PatternBuilder {
     std::vector<double> values_;
 };
 
-CondensedPattern::CondensedPattern(const ConvexModel& model, const RangeRows& ranges) {
-    PatternBuilder(model, ranges).run(*this);
+CondensedPattern::CondensedPattern(const ConvexModel& model, const RangeRows& ranges,
+                                   const Matrix& by_column) {
+    PatternBuilder(model, ranges, by_column).run(*this);
 }
 
 using Eigen::Index;
@@ -149,6 +156,8 @@ constexpr double largest_shift = 1e-4;  // of entries near 1: a larger shift mak
 constexpr double shift_growth = 1e3;  // a breakdown is rare; few retries matter more than the smallest shift
 constexpr int most_refinements = 6;
 constexpr double worthwhile = 0.3;  // a refinement that gains less is the last
+// A factor whose first solve leaves this part of the allowed residual needs no residual of the next ones.
+constexpr double trustworthy = 0.05;
 
 /// The terms as a matrix that makes the entries of `lower` out of the weights.
 CompressedRows assembly_of(const CondensedPattern& pattern) {
@@ -175,13 +184,12 @@ CompressedRows assembly_of(const CondensedPattern& pattern) {
 
 CondensedSystem::CondensedSystem(const ConvexModel& model, const RangeRows& ranges, FactorKind kind,
                                  double shift)
-    : model_(model),
-      ranges_(ranges),
-      first_shift_(shift),
-      shift_(shift),
-      rows_(ranges.matrix),
-      columns_(RowMajor(ranges.matrix.transpose())) {
-    CondensedPattern pattern(model, ranges);
+    : model_(model), ranges_(ranges), first_shift_(shift), shift_(shift), rows_(ranges.matrix) {
+    const Eigen::SparseMatrix<double> by_column = ranges.matrix;
+    columns_ = CompressedRows(Eigen::Map<const RowMajor>(by_column.cols(), by_column.rows(),
+                                                         by_column.nonZeros(), by_column.outerIndexPtr(),
+                                                         by_column.innerIndexPtr(), by_column.valuePtr()));
+    CondensedPattern pattern(model, ranges, by_column);
     assembly_ = assembly_of(pattern);
     lower_.swap(pattern.lower);
     hessian_slot_ = std::move(pattern.hessian_slot);
@@ -222,6 +230,7 @@ void CondensedSystem::divide_into_segments() {
 bool CondensedSystem::factorize(const std::vector<double>& hessian, SidePoint pass) {
     hessian_ = &hessian;
     curvature_ = pass.curvature;
+    trusted_ = false;
     pass.weight = weight_.data();
     pass.squares = sums_.data();
     passes_.point(layout_, pass);
@@ -284,7 +293,9 @@ CondensedSystem::Accuracy CondensedSystem::solve(const NewtonRightSide& right_si
                                       nu.data(), products()});
     };
     multipliers(out, right_side.force, -1.0, out.nu);
+    if (trusted_) return {};
     double rest = residual(right_side, out);
+    trusted_ = rest <= trustworthy * goal;
     for (int k = 0; k < most_refinements && rest > goal && std::isfinite(rest); ++k) {
         apply_factor(step_);
         multipliers(step_, out.nu, 1.0, step_.nu);

@@ -77,6 +77,7 @@ class CondensedSystem {
     const RangeRows& ranges_;
     const SideKernels& passes_ = side_kernels();
     double first_shift_, shift_;
+    bool trusted_ = false;  ///< the current factor
     std::vector<SideSegment> segments_;
     SideLayout layout_;
     CompressedRows rows_, columns_;  ///< [C; E] and its transpose
