@@ -27,8 +27,8 @@ namespace camopt {
 struct PathPoint {
     Eigen::VectorXd x;
     Eigen::VectorXd row_multipliers;  ///< as in BackendResult; rows appended later have none
-    double mu = 0.0;                  ///< in units of the cost
-    double gap = 0.0;                 ///< sum of gaps times multipliers, relative to the cost
+    double mu = 0.0;   ///< in units of the cost; 0: of no path, a solution (for sequential methods)
+    double gap = 0.0;  ///< sum of gaps times multipliers, relative to the cost
 };
 
 /// The last point whose gap is at least `gap`; the first if all gaps are smaller; null if there is none.

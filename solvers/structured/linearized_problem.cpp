@@ -30,17 +30,6 @@ void differentiate(const Nlp& problem, NlpPoint& point) {
     problem.jacobian(point.x, point.jacobian);
 }
 
-Eigen::SparseMatrix<double, Eigen::RowMajor> jacobian_of(const Nlp& problem, const NlpPoint& point) {
-    const NlpShape& shape = problem.shape();
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(point.jacobian.size());
-    for (std::size_t e = 0; e < point.jacobian.size(); ++e)
-        entries.emplace_back(shape.jacobian.rows[e], shape.jacobian.columns[e], point.jacobian[e]);
-    Eigen::SparseMatrix<double, Eigen::RowMajor> jacobian(shape.constraints(), shape.variables());
-    jacobian.setFromTriplets(entries.begin(), entries.end());
-    return jacobian;
-}
-
 LinearizedProblem::LinearizedProblem(const Nlp& problem, const NlpPoint& point, const StepModel& model)
     : problem_(problem), model_(model), variables_(problem.shape().variables()), values_(point.jacobian) {
     const NlpShape& base = problem.shape();

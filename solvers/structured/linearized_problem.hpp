@@ -12,12 +12,15 @@
 #pragma once
 
 #include "core/nlp.hpp"
+#include "solvers/structured/hessian_convexifier.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace camopt::structured {
@@ -31,8 +34,39 @@ struct NlpPoint {
 };
 [[nodiscard]] NlpPoint evaluated(const Nlp& problem, Eigen::VectorXd x);
 void differentiate(const Nlp& problem, NlpPoint& point);
-[[nodiscard]] Eigen::SparseMatrix<double, Eigen::RowMajor> jacobian_of(const Nlp& problem,
-                                                                       const NlpPoint& point);
+
+/// A sparse matrix whose values come in the order of an Nlp's pattern.
+template <class Matrix>
+class PatternedMatrix {
+ public:
+    /// `symmetric`: the pattern names entries of the lower triangle, or their mirror images.
+    PatternedMatrix(Eigen::Index rows, Eigen::Index columns, const SparsityPattern& pattern,
+                    bool symmetric = false)
+        : matrix_(rows, columns), place_(pattern.rows.size()) {
+        std::vector<Eigen::Triplet<double>> entries;
+        entries.reserve(pattern.rows.size());
+        const auto row = [&](std::size_t e) {
+            return symmetric ? std::max(pattern.rows[e], pattern.columns[e]) : pattern.rows[e];
+        };
+        const auto column = [&](std::size_t e) {
+            return symmetric ? std::min(pattern.rows[e], pattern.columns[e]) : pattern.columns[e];
+        };
+        for (std::size_t e = 0; e < place_.size(); ++e) entries.emplace_back(row(e), column(e), 0.0);
+        matrix_.setFromTriplets(entries.begin(), entries.end());
+        for (std::size_t e = 0; e < place_.size(); ++e)
+            place_[e] = &matrix_.coeffRef(row(e), column(e)) - matrix_.valuePtr();
+    }
+
+    [[nodiscard]] Matrix filled(std::span<const double> values) const {
+        Matrix result = matrix_;
+        for (std::size_t e = 0; e < place_.size(); ++e) result.valuePtr()[place_[e]] += values[e];
+        return result;
+    }
+
+ private:
+    Matrix matrix_;
+    std::vector<std::ptrdiff_t> place_;
+};
 
 struct StepModel {
     Eigen::VectorXd slope;                   ///< c
@@ -84,32 +118,6 @@ class LinearizedProblem final : public Nlp {
 
 // Internal to solvers/structured/: constraint violation and stationarity of a point of an Nlp.
 
-// Internal to solvers/structured/: a positive definite approximation of the Hessian H of the Lagrangian.
-//
-// Where H is not positive definite, first  H + c NᵀN  is tried, N the unit normals of the rows that carry a
-// multiplier. With the term  c Nᵀr  in the slope (r: distance of those rows from their bounds) this adds c/2
-// ‖N d + r‖², which is zero on the rows: the step remains that of the true Hessian, and convergence
-// superlinear. Only where H has negative curvature along the rows too, a multiple of I is added. Source:
-// Bertsekas, Constrained Optimization and Lagrange Multiplier Methods (1982), section 4.2.
-struct ActiveRows {
-    Eigen::SparseMatrix<double, Eigen::RowMajor> normals;  ///< N
-    Eigen::VectorXd residuals;                             ///< r
-
-    /// Those of its rows that `chosen` names.
-    [[nodiscard]] ActiveRows part(const std::function<bool(Eigen::Index)>& chosen) const;
-};
-
-struct ConvexifiedHessian {
-    Eigen::SparseMatrix<double> lower;  ///< triangle
-    Eigen::VectorXd slope;              ///< c Nᵀr
-    double shift = 0.0;                 ///< multiple of I, beyond the proximal one
-    bool holds = false;                 ///< to the active rows: c > 0
-};
-
-/// `lower`: triangle of H. `least`: multiple of I that is added in any case; it makes the step unique.
-[[nodiscard]] ConvexifiedHessian convexified(const Eigen::SparseMatrix<double>& lower,
-                                             const ActiveRows& active, double least);
-
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 [[nodiscard]] inline const RowKind& kind_of(const NlpShape& shape, Eigen::Index row) {
@@ -146,9 +154,9 @@ struct Stationarity {
 /// Variables in which the cost or some row is not linear.
 [[nodiscard]] std::vector<bool> curved_variables(const NlpShape& shape);
 
-/// Lower triangle of ∇²f + Σ λ_i ∇²g_i; entries that are not finite count as 0.
-[[nodiscard]] Eigen::SparseMatrix<double> lagrangian_hessian(const Nlp& problem, const Eigen::VectorXd& x,
-                                                             const Eigen::VectorXd& multipliers);
+/// ∇²f + Σ λ_i ∇²g_i in the order of the Nlp's pattern; entries that are not finite count as 0.
+[[nodiscard]] std::vector<double> lagrangian_hessian(const Nlp& problem, const Eigen::VectorXd& x,
+                                                     const Eigen::VectorXd& multipliers);
 
 // Internal to solvers/structured/: norms of vectors in the inner loop, written for vectorization.
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/linearized_problem.hpp"
 
-#include <Eigen/SparseCholesky>
-
 #include <algorithm>
 
 namespace camopt::structured {
@@ -18,30 +16,6 @@ constexpr double rounding = 1e-14;
 
 double excess(const NlpShape& shape, const VectorXd& rows, Index i) {
     return std::max({shape.g_lower[i] - rows[i], rows[i] - shape.g_upper[i], 0.0});
-}
-
-using Matrix = Eigen::SparseMatrix<double>;
-
-Matrix identity(Eigen::Index size) {
-    Matrix result(size, size);
-    result.setIdentity();
-    return result;
-}
-
-bool positive_definite(const Matrix& lower) {
-    const Eigen::SimplicialLLT<Matrix, Eigen::Lower> factor(lower);
-    return factor.info() == Eigen::Success;
-}
-
-/// Largest sum of absolute values of a row: a bound of every eigenvalue (Gershgorin).
-double row_sum(const Matrix& lower) {
-    VectorXd sums = VectorXd::Zero(lower.rows());
-    for (Eigen::Index j = 0; j < lower.outerSize(); ++j)
-        for (Matrix::InnerIterator entry(lower, j); entry; ++entry) {
-            sums[entry.row()] += std::abs(entry.value());
-            if (entry.row() != entry.col()) sums[entry.col()] += std::abs(entry.value());
-        }
-    return sums.size() > 0 ? sums.maxCoeff() : 0.0;
 }
 
 }  // namespace
@@ -142,75 +116,12 @@ std::vector<bool> curved_variables(const NlpShape& shape) {
     return curved;
 }
 
-Eigen::SparseMatrix<double> lagrangian_hessian(const Nlp& problem, const VectorXd& x,
-                                               const VectorXd& multipliers) {
-    const NlpShape& shape = problem.shape();
-    std::vector<double> values(static_cast<std::size_t>(shape.hessian.size()));
+std::vector<double> lagrangian_hessian(const Nlp& problem, const VectorXd& x, const VectorXd& multipliers) {
+    std::vector<double> values(static_cast<std::size_t>(problem.shape().hessian.size()));
     problem.hessian(x, 1.0, multipliers, values);
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(values.size());
-    for (std::size_t e = 0; e < values.size(); ++e)
-        entries.emplace_back(std::max(shape.hessian.rows[e], shape.hessian.columns[e]),
-                             std::min(shape.hessian.rows[e], shape.hessian.columns[e]),
-                             std::isfinite(values[e]) ? values[e] : 0.0);
-    Eigen::SparseMatrix<double> result(shape.variables(), shape.variables());
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-}
-
-ActiveRows ActiveRows::part(const std::function<bool(Eigen::Index)>& chosen) const {
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<double> kept;
-    for (Eigen::Index i = 0; i < residuals.size(); ++i) {
-        if (!chosen(i)) continue;
-        const int row = static_cast<int>(kept.size());
-        for (decltype(normals)::InnerIterator entry(normals, i); entry; ++entry)
-            entries.emplace_back(row, static_cast<int>(entry.col()), entry.value());
-        kept.push_back(residuals[i]);
-    }
-    ActiveRows result;
-    result.normals.resize(static_cast<Eigen::Index>(kept.size()), normals.cols());
-    result.normals.setFromTriplets(entries.begin(), entries.end());
-    result.residuals = Eigen::Map<const VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
-    return result;
-}
-
-ConvexifiedHessian convexified(const Matrix& lower, const ActiveRows& active, double least) {
-    constexpr double first_shift = 1e-4, growth = 4.0, margin = 1.2;
-    constexpr int weights = 5, halvings = 4;
-    const Eigen::Index size = lower.rows();
-    const Matrix unit = identity(size);
-    const double bound = row_sum(lower);
-    ConvexifiedHessian result{lower + least * unit, VectorXd::Zero(size)};
-    if (bound == 0.0 || positive_definite(result.lower)) return result;
-    Matrix gram(size, size);
-    if (active.normals.rows() > 0) {
-        const Matrix normals = active.normals;
-        gram = Matrix(Matrix(normals.transpose()) * normals).triangularView<Eigen::Lower>();
-        result.holds = true;
-        double weight = bound;
-        for (int k = 0; k < weights; ++k, weight *= 10.0) {
-            result.lower = lower + weight * gram + least * unit;
-            if (!positive_definite(result.lower)) continue;
-            result.slope = weight * (active.normals.transpose() * active.residuals);
-            return result;
-        }
-        result.slope = bound * (active.normals.transpose() * active.residuals);
-    }
-    const Matrix base = lower + bound * gram + least * unit;
-    double refused = 0.0;
-    for (result.shift = first_shift * bound; result.shift < bound; result.shift *= growth) {
-        if (positive_definite(base + result.shift * unit)) break;
-        refused = result.shift;
-    }
-    // Slightly more than needed: a large shift keeps the sequence at saddle points for long.
-    for (int k = 0; k < halvings; ++k) {
-        const double middle = 0.5 * (refused + result.shift);
-        (positive_definite(base + middle * unit) ? result.shift : refused) = middle;
-    }
-    result.shift *= margin;
-    result.lower = base + result.shift * unit;
-    return result;
+    for (double& value : values)
+        if (!std::isfinite(value)) value = 0.0;
+    return values;
 }
 
 }  // namespace camopt::structured

@@ -20,8 +20,10 @@ constexpr double nearly_kept = 1e3;     // tolerances of violation that further 
 constexpr int slow_passes = 25;         // in which the violation must fall by a tenth
 constexpr int most_failures = 8;        // step problems in a row that failed
 constexpr double stationary_violation = 1e-7;
-constexpr double off = 0.1;     // of the tolerance: linear rows that must be restored first
-constexpr double nudge = 0.01;  // of the size of a variable
+constexpr double off = 0.1;            // of the tolerance: linear rows that must be restored first
+constexpr double nudge = 0.01;         // of the size of a variable
+constexpr double slightly_off = 0.05;  // violation of linear rows that the first step of a warm start repairs
+constexpr double near_known_point = 0.1;  // relative distance at which the same rows may be active
 
 }  // namespace
 
@@ -37,21 +39,46 @@ SequentialRun::SequentialRun(const Nlp& problem, const BackendOptions& options, 
       steps_(problem, interior_point_limits(options, structured_options(options.native), control), control),
       weights_(VectorXd::Ones(shape_.constraints())),
       curved_(curved_variables(shape_)),
+      jacobian_pattern_(shape_.constraints(), shape_.variables(), shape_.jacobian),
+      hessian_pattern_(shape_.variables(), shape_.variables(), shape_.hessian, true),
       multipliers_(VectorXd::Zero(shape_.constraints())) {
     const StructuredOptions own = structured_options(options.native);
     most_passes_ = std::min(own.max_passes, options.max_iterations);
     radius_ = own.first_radius;
     for (Index i = 0; i < weights_.size(); ++i) weights_[i] = kind_of(shape_, i).scale;
+    if (options.near && options.near->row_multipliers.size() <= multipliers_.size()) {
+        known_multipliers_ = VectorXd::Zero(shape_.constraints());
+        known_multipliers_.head(options.near->row_multipliers.size()) = options.near->row_multipliers;
+    }
+}
+
+bool SequentialRun::near_known() const {
+    if (known_multipliers_.size() == 0) return false;
+    const VectorXd& known = options_.near->x;
+    if (known.size() != here_.x.size()) return false;
+    return ((here_.x - known).array().abs() <= near_known_point * known.array().abs().max(1.0)).all();
 }
 
 NlpPoint SequentialRun::moved(const VectorXd& step) const {
     return evaluated(problem_, (here_.x + step).cwiseMax(shape_.x_lower).cwiseMin(shape_.x_upper));
 }
 
+/// At the solution of a neighbouring problem its multipliers are those of this one, nearly.
+void SequentialRun::take_multipliers() {
+    if (!near_known()) return;
+    warm_ = true;
+    multipliers_ = known_multipliers_;
+    relaxed_ = false;
+    penalty_ = penalty_for(needed_penalty(shape_, multipliers_));
+}
+
 /// A first point that satisfies the linear rows and the bounds: all later ones then do.
 std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
     here_ = evaluated(problem_, start.cwiseMax(shape_.x_lower).cwiseMin(shape_.x_upper));
-    if (violation_of(shape_, here_.rows, true) > off * options_.tolerance) {
+    const double outside = violation_of(shape_, here_.rows, true);
+    if (passes_ == 0) take_multipliers();
+    repairing_ = warm_ && outside > off * options_.tolerance && outside <= slightly_off;
+    if (!repairing_ && outside > off * options_.tolerance) {
         differentiate(problem_, here_);
         const StepModel model = projection_model(problem_, here_);
         const LinearizedProblem projection(problem_, here_, model);
@@ -75,8 +102,10 @@ std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
 }
 
 void SequentialRun::linearize() {
-    jacobian_ = jacobian_of(problem_, here_);
-    true_hessian_ = lagrangian_hessian(problem_, here_.x, multipliers_);
+    jacobian_ = jacobian_pattern_.filled(here_.jacobian);
+    // Multipliers of relaxed rows grow with ν: their curvature would shorten the steps that satisfy the rows.
+    const VectorXd curving = saturated_ ? VectorXd::Zero(shape_.constraints()) : multipliers_;
+    true_hessian_ = hessian_pattern_.filled(lagrangian_hessian(problem_, here_.x, curving));
     active_ = Stationarity{shape_, here_, jacobian_, multipliers_}.active_rows(loose * last_length_);
     convexify();
     reach_.resize(shape_.variables());
@@ -88,7 +117,7 @@ void SequentialRun::linearize() {
 
 void SequentialRun::convexify() {
     const double size = here_.gradient.size() > 0 ? here_.gradient.cwiseAbs().maxCoeff() : 0.0;
-    hessian_ = convexified(true_hessian_, active_, proximal * std::max(size, 1e-8));
+    hessian_ = convexifier_.convexified(true_hessian_, active_, proximal * std::max(size, 1e-8));
 }
 
 /// Rows to which the convexified Hessian confines the step, but which the step leaves, were not active:
@@ -136,8 +165,9 @@ bool SequentialRun::settled(const Step& step) {
         Stationarity{shape_, here_, jacobian_, step.multipliers}.error() / cost_size(), violation(here_));
     const bool better = !best_ || now < 0.5 * best_->error;
     if (!best_ || now < best_->error) best_ = Best{here_, step.multipliers, now, kept(here_)};
-    return now <= polished * options_.tolerance || (!better && polishing_ >= 2) ||
-           ++polishing_ > most_polishing;
+    // Multipliers of a convex problem prove its bound: their error counts times the size of the box.
+    const double enough = (shape_.convex ? polished : 1.0) * options_.tolerance;
+    return now <= enough || (!better && polishing_ >= 2) || ++polishing_ > most_polishing;
 }
 
 BackendResult SequentialRun::finished() const {
@@ -181,15 +211,17 @@ bool SequentialRun::hopeless(double least_elastic) {
 std::optional<BackendResult> SequentialRun::pass() {
     if (fresh_) linearize();
     StepModel model = step_model();
+    const bool flat = passes_ == 1 && multipliers_.isZero();
     Step step = next_step(model);
-    if (passes_ == 1 && step.usable && !step.multipliers.isZero()) {
+    if (flat && step.usable && !saturates(step) && !step.multipliers.isZero()) {
         // The first step had no multipliers, hence no curvature of the rows.
         multipliers_ = step.multipliers;
         linearize();
         model = step_model();
         step = next_step(model);
     }
-    if (step.usable && drop_left_rows(step)) {
+    const bool joins = step.usable && control_.known && control_.known(here_.x + step.step);
+    if (step.usable && !joins && (polishing_ == 0 || shape_.convex) && drop_left_rows(step)) {
         model = step_model();
         Step longer = next_step(model);
         if (longer.usable || longer.stopped()) step = std::move(longer);
@@ -199,6 +231,10 @@ std::optional<BackendResult> SequentialRun::pass() {
                      "stopped");
     if (!step.usable) {
         if (best_) return finished();
+        if (repairing_) {
+            warm_ = false;
+            return begin(here_.x);
+        }
         radius_ *= 0.25;
         if (++failures_ > most_failures)
             return ended(Termination::numerical_failure, "no step could be computed");
@@ -244,12 +280,14 @@ BackendResult SequentialRun::ended(Termination termination, std::string why) con
                                        passes_, steps_.interior_iterations(), violation(point));
     result.row_multipliers = best_ ? best_->multipliers : multipliers_;
     if (point.finite() && point.gradient.size() > 0) {
-        const RowMatrix jacobian = jacobian_of(problem_, point);
+        const RowMatrix jacobian = jacobian_pattern_.filled(point.jacobian);
         result.bound_multipliers = bound_multipliers(
             shape_, Stationarity{shape_, point, jacobian, *result.row_multipliers}.lagrangian_gradient());
     } else {
         result.bound_multipliers = VectorXd::Zero(shape_.variables());
     }
+    // Of no path: a neighbouring problem takes the multipliers alone, from this place whatever its gap.
+    if (options_.keep_path) result.path.push_back({point.x, *result.row_multipliers, 0.0, infinity});
     return result;
 }
 

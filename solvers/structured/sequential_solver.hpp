@@ -16,6 +16,7 @@
 #include "solvers/solver.hpp"
 #include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/linearized_problem.hpp"
+#include "solvers/structured/standard_form.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <Eigen/Core>
@@ -40,6 +41,11 @@ namespace camopt::structured {
 
 // The state of one sequential solve.
 
+/// Relative length of a step from which on its rows are taken for the active ones.
+inline constexpr double near_by = 0.1;
+/// t below which the linearized rows need no relaxation.
+inline constexpr double free_elastic = 1e-8;
+
 // One step of the sequential method, by the interior point for linear rows.
 struct Step {
     bool usable = false;  ///< accurate enough to be tried
@@ -57,6 +63,10 @@ class StepSolver {
 
     [[nodiscard]] Step solve(const NlpPoint& point, const StepModel& model);
 
+    /// Without relaxation, by the rows that carry these multipliers (active_set_step.hpp).
+    [[nodiscard]] Step solve_held(const RowMatrix& jacobian, const StepModel& model,
+                                  const Eigen::VectorXd& multipliers) const;
+
     /// With elastic rows, and with a penalty ν large enough: ν grows until the step reaches its part of the
     /// least violation that the linearized rows allow. Source: Byrd, Nocedal, Waltz, Steering exact penalty
     /// methods for nonlinear programming, Optim. Methods Softw. 23 (2008).
@@ -73,7 +83,11 @@ class StepSolver {
     const Nlp& problem_;
     InteriorPointLimits limits_;
     const SolveControl& control_;
+    [[nodiscard]] InteriorPointResult solve_form(const LinearizedProblem& linearized,
+                                                 const StandardForm& form, const NlpPoint& point,
+                                                 const StepModel& model, InteriorPointLimits limits);
     int iterations_ = 0;
+    std::optional<PathPoint> near_;  ///< on the central path of the last problem without relaxation
 };
 
 class SequentialRun {
@@ -84,12 +98,15 @@ class SequentialRun {
  private:
     std::optional<BackendResult> begin(const Eigen::VectorXd& start);
     [[nodiscard]] Eigen::VectorXd nudged() const;
+    void take_multipliers();
+    [[nodiscard]] bool near_known() const;
     std::optional<BackendResult> pass();
     void linearize();
     void convexify();
     [[nodiscard]] bool drop_left_rows(const Step& step);
     [[nodiscard]] StepModel step_model() const;
     Step next_step(StepModel& model);
+    [[nodiscard]] Step held_step(const StepModel& model);
     std::optional<BackendResult> contradiction();
     [[nodiscard]] bool settled(const Step& step);
     bool take(const StepModel& model, Step step);
@@ -104,7 +121,13 @@ class SequentialRun {
     [[nodiscard]] double violation(const NlpPoint& point) const {
         return violation_of(shape_, point.rows, false);
     }
+    /// Its relaxed rows carry all of ν. Where they are convex their curvature limits no step wrongly.
+    [[nodiscard]] bool saturates(const Step& step) const {
+        return !shape_.convex && step.elastic > free_elastic;
+    }
     [[nodiscard]] double merit(const NlpPoint& point) const;
+    /// Twice what makes it exact.
+    [[nodiscard]] static double penalty_for(double needed) { return 2.0 * needed + 1e-6; }
     [[nodiscard]] bool kept(const NlpPoint& point) const {
         return keeps_rows(shape_, point, jacobian_, options_.tolerance);
     }
@@ -120,6 +143,9 @@ class SequentialRun {
     int most_passes_;
     Eigen::VectorXd weights_, reach_;
     std::vector<bool> curved_;  ///< variables in which something is not linear
+    PatternedMatrix<RowMatrix> jacobian_pattern_;
+    PatternedMatrix<Eigen::SparseMatrix<double>> hessian_pattern_;
+    HessianConvexifier convexifier_;
     NlpPoint here_;
     RowMatrix jacobian_;
     ActiveRows active_;  ///< the active set of hessian_
@@ -131,6 +157,10 @@ class SequentialRun {
     double marked_violation_ = infinity;
     int marked_pass_ = 0, reductions_ = 0;
     bool nudged_ = false, shrunk_ = false, flat_ = false;
+    bool saturated_ = false;             ///< the multipliers are those of relaxed rows, which carry all of ν
+    bool warm_ = false;                  ///< started with the multipliers of a neighbouring problem
+    bool repairing_ = false;             ///< the start violates linear rows, which the first step satisfies
+    Eigen::VectorXd known_multipliers_;  ///< at BackendOptions::near
     int passes_ = 0, polishing_ = 0, failures_ = 0, patience_ = 0;
     struct Best {
         NlpPoint point;

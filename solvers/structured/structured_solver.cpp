@@ -103,7 +103,7 @@ BackendResult StructuredRun::refused() {
 
 /// Along the path of a neighbouring problem; no point if the warm start fails.
 InteriorPointResult StructuredRun::from_near() {
-    if (!near_ || near_->x.size() != problem_.shape().variables()) return {};
+    if (!near_ || near_->mu <= 0.0 || near_->x.size() != problem_.shape().variables()) return {};
     const structured::CentralPoint near{
         {form_.to_model(near_->x), form_.model_multipliers(near_->row_multipliers)},
         form_.cost_scale() * near_->mu,

@@ -27,9 +27,9 @@ constexpr int parts_between_starts = 3, most_parts = 60, most_bound_rounds = 3;
 constexpr double box_part_of_gap = 0.9;
 constexpr int samples_a_piece = 6;
 
-// Of the size of each variable: nearer than this lies the same minimum. Where it is a minimum of second
-// order, the objective there differs from the least by some 1e-8.
-constexpr double same_minimum = 1e-4;
+// Of the size of each variable: a search that comes nearer than this to a minimum would end at it. It needs
+// one or two more passes there, of four in all.
+constexpr double same_minimum = 1e-2;
 
 bool is_beside(const Eigen::VectorXd& x, const Eigen::VectorXd& known) {
     if (x.size() != known.size()) return false;
@@ -96,7 +96,11 @@ SolveControl StartSearch::beside_best(SolveControl control) const {
 
 /// Nothing where it ended beside the best that is known.
 SearchState StartSearch::search(const Eigen::VectorXd& start, const SolveControl& control) {
-    ExchangeResult ran = minimize_by_exchange(problem_, solver_, start, exchange_, control);
+    ExchangeOptions exchange = exchange_;
+    // The rows active at the best minimum are likely those of a search that comes near it.
+    if (best_.converged && best_.multipliers.size() > 0)
+        exchange.backend.near = PathPoint{best_.found.x, best_.multipliers, 0.0, infinity};
+    ExchangeResult ran = minimize_by_exchange(problem_, solver_, start, exchange, control);
     totals_.rounds += ran.rounds;
     totals_.iterations += ran.iterations;
     if (ran.known) return {};
