@@ -13,6 +13,10 @@ using Eigen::VectorXd;
 constexpr double usable_error = 1e-4, usable_primal = 1e-7;
 constexpr double sharp_part = 1e-3, sharpest = 1e-14;
 constexpr int sharp_patience = 8;
+// The warm start of a step problem is the place of this gap on the path of the one before: closer ones save
+// no more iterations (measured: a third, of about 20).
+constexpr double near_gap = 1e-2;
+constexpr int most_from_near_gap = 25;
 constexpr double half_way = 0.5;      // part of the violation: a step that leaves less is long enough
 constexpr double kept = 1e-8;         // elastic part below which the linearized rows count as satisfied
 constexpr double part_of_best = 0.1;  // of the possible reduction of the violation
@@ -33,6 +37,42 @@ constexpr double step_rounding = 1e-14;
 
 }  // namespace
 
+/// Problems without relaxation start near the path of the last such problem.
+InteriorPointResult StepSolver::solve_form(const LinearizedProblem& linearized, const StandardForm& form,
+                                           const NlpPoint& point, const StepModel& model,
+                                           InteriorPointLimits limits) {
+    const bool relaxed = model.penalty > 0.0;
+    const double cost_unit = model.unit * model.cost_unit / form.cost_scale();  // of the form's cost
+    limits.keep_path = !relaxed;
+    InteriorPointResult solved;
+    if (near_ && !relaxed) {
+        const NlpShape& shape = linearized.shape();
+        const VectorXd u =
+            ((near_->x - point.x) / model.unit).cwiseMax(shape.x_lower).cwiseMin(shape.x_upper);
+        const CentralPoint near{
+            {form.to_model(u), form.model_multipliers(near_->row_multipliers / model.cost_unit)},
+            near_->mu / cost_unit,
+            near_->gap};
+        InteriorPointLimits few = limits;
+        few.max_iterations = std::min(limits.max_iterations, most_from_near_gap);
+        solved = interior_point(form.model(), near, few, control_);
+        iterations_ += solved.iterations;
+    }
+    if (solved.stop != Stop::converged) {
+        const VectorXd start = VectorXd::Zero(linearized.shape().variables());
+        solved = interior_point(form.model(), form.to_model(start), limits, control_);
+        iterations_ += solved.iterations;
+    }
+    near_.reset();
+    for (const CentralPoint& place : solved.path) {
+        if (near_ && place.gap < near_gap) break;
+        const VectorXd lambda = form.row_multipliers(place.point.lambda, form.cost_scale());
+        near_ = PathPoint{point.x + linearized.step_of(form.to_problem(place.point.x)),
+                          linearized.multipliers_of(lambda), place.mu * cost_unit, place.gap};
+    }
+    return solved;
+}
+
 Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
     const LinearizedProblem linearized(problem_, point, model);
     const VectorXd start = VectorXd::Zero(linearized.shape().variables());
@@ -46,8 +86,7 @@ Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
         limits.tolerance = std::max(sharp_part * limits.tolerance, sharpest);
         limits.patience = std::min(limits.patience, sharp_patience);
     }
-    const InteriorPointResult solved = interior_point(form.model(), form.to_model(start), limits, control_);
-    iterations_ += solved.iterations;
+    const InteriorPointResult solved = solve_form(linearized, form, point, model, limits);
     result.stop = solved.stop;
     result.usable = solved.has_point() && solved.errors.worst() <= usable_error &&
                     solved.errors.primal <= usable_primal && !result.stopped();
@@ -246,7 +285,7 @@ bool SequentialRun::take(const StepModel& model, Step step) {
     if (gained > accept) {
         here_ = std::move(trial);
         multipliers_ = step.multipliers;
-        saturated_ = step.elastic > free_elastic;
+        saturated_ = saturates(step);
         last_length_ = length;
         fresh_ = true;
         if (gained > good && length > 0.9 * radius_) radius_ *= shrunk_ ? 1.5 : 4.0;

@@ -165,8 +165,9 @@ bool SequentialRun::settled(const Step& step) {
         Stationarity{shape_, here_, jacobian_, step.multipliers}.error() / cost_size(), violation(here_));
     const bool better = !best_ || now < 0.5 * best_->error;
     if (!best_ || now < best_->error) best_ = Best{here_, step.multipliers, now, kept(here_)};
-    return now <= polished * options_.tolerance || (!better && polishing_ >= 2) ||
-           ++polishing_ > most_polishing;
+    // Multipliers of a convex problem prove its bound: their error counts times the size of the box.
+    const double enough = (shape_.convex ? polished : 1.0) * options_.tolerance;
+    return now <= enough || (!better && polishing_ >= 2) || ++polishing_ > most_polishing;
 }
 
 BackendResult SequentialRun::finished() const {
@@ -212,7 +213,7 @@ std::optional<BackendResult> SequentialRun::pass() {
     StepModel model = step_model();
     const bool flat = passes_ == 1 && multipliers_.isZero();
     Step step = next_step(model);
-    if (flat && step.usable && step.elastic <= free_elastic && !step.multipliers.isZero()) {
+    if (flat && step.usable && !saturates(step) && !step.multipliers.isZero()) {
         // The first step had no multipliers, hence no curvature of the rows.
         multipliers_ = step.multipliers;
         linearize();
@@ -220,7 +221,7 @@ std::optional<BackendResult> SequentialRun::pass() {
         step = next_step(model);
     }
     const bool joins = step.usable && control_.known && control_.known(here_.x + step.step);
-    if (step.usable && !joins && polishing_ == 0 && drop_left_rows(step)) {
+    if (step.usable && !joins && (polishing_ == 0 || shape_.convex) && drop_left_rows(step)) {
         model = step_model();
         Step longer = next_step(model);
         if (longer.usable || longer.stopped()) step = std::move(longer);

@@ -16,6 +16,7 @@
 #include "solvers/solver.hpp"
 #include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/linearized_problem.hpp"
+#include "solvers/structured/standard_form.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <Eigen/Core>
@@ -82,7 +83,11 @@ class StepSolver {
     const Nlp& problem_;
     InteriorPointLimits limits_;
     const SolveControl& control_;
+    [[nodiscard]] InteriorPointResult solve_form(const LinearizedProblem& linearized,
+                                                 const StandardForm& form, const NlpPoint& point,
+                                                 const StepModel& model, InteriorPointLimits limits);
     int iterations_ = 0;
+    std::optional<PathPoint> near_;  ///< on the central path of the last problem without relaxation
 };
 
 class SequentialRun {
@@ -115,6 +120,10 @@ class SequentialRun {
     [[nodiscard]] NlpPoint moved(const Eigen::VectorXd& step) const;
     [[nodiscard]] double violation(const NlpPoint& point) const {
         return violation_of(shape_, point.rows, false);
+    }
+    /// Its relaxed rows carry all of ν. Where they are convex their curvature limits no step wrongly.
+    [[nodiscard]] bool saturates(const Step& step) const {
+        return !shape_.convex && step.elastic > free_elastic;
     }
     [[nodiscard]] double merit(const NlpPoint& point) const;
     /// Twice what makes it exact.

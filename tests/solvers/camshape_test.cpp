@@ -52,8 +52,9 @@ TEST_P(CamshapeBackend, ClaimsNothingThatIsNotSo) {
             GTEST_SKIP() << entry.name << " is not in this build: " << entry.remedy;
     const CamshapeOptimum& optimum = camshape_optima().front();
     const Camshape problem(optimum.radii);
-    // MMA and COBYLA go on to the limit; the two that must converge have time to.
-    const bool must_converge = GetParam() == "ipopt" || GetParam() == "nlopt.slsqp";
+    // MMA and COBYLA go on to the limit; the three that must converge have time to.
+    const bool must_converge =
+        GetParam() == "ipopt" || GetParam() == "nlopt.slsqp" || GetParam() == "structured";
     const BackendResult result = solved(GetParam(), problem, must_converge ? 20.0 : 0.4);
     const bool is_feasible = result.x.size() == optimum.radii && violation_of(problem, result.x) <= 1e-6;
     if (is_feasible) {
@@ -79,6 +80,21 @@ INSTANTIATE_TEST_SUITE_P(All, CamshapeBackend, testing::ValuesIn([] {
                              std::ranges::replace(name, '.', '_');
                              return name;
                          });
+
+/// Multipliers of relaxed rows once fed the Hessian: shifts of 1e11 stopped every step that satisfies the
+/// rows.
+TEST(Camshape, StructuredNeedsFewPasses) {
+    for (const CamshapeOptimum& optimum : camshape_optima()) {
+        if (optimum.radii > 200) continue;
+        SCOPED_TRACE(optimum.radii);
+        const Camshape problem(optimum.radii);
+        const BackendResult result = solved("structured", problem, 20.0);
+        ASSERT_EQ(result.termination, Termination::converged) << result.native_status;
+        EXPECT_NEAR(problem.cost(result.x) / optimum.cost, 1.0, 1e-9);
+        EXPECT_LT(violation_of(problem, result.x), 1e-9);
+        EXPECT_LE(result.iterations, 20);
+    }
+}
 
 TEST(Camshape, IpoptFindsProvedOptimaOfEverySize) {
     for (const SolverEntry& entry : solver_entries())
