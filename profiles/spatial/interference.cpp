@@ -124,19 +124,4 @@ Interference interference(const SpatialCam& cam, const FollowerMotion& motion,
     return worst;
 }
 
-int folded_cells(const FlankGrid& grid, int flank) {
-    const FlankSurface& surface = grid.flanks[flank > 0 ? 0 : 1];
-    int folded = 0;
-    for (std::size_t i = 0; i + 1 < grid.heights.size(); ++i)
-        for (std::size_t j = 0; j + 1 < grid.angles.size(); ++j) {
-            const Vector3d& corner = surface.points[grid.index(i, j)];
-            const Vector3d by_angle = surface.points[grid.index(i, j + 1)] - corner;
-            const Vector3d by_height = surface.points[grid.index(i + 1, j)] - corner;
-            // The grid's normals point out of the material, n into it.
-            const double side = -by_angle.cross(by_height).dot(surface.normals[grid.index(i, j)]);
-            if (side * surface.flank < 0.0) ++folded;
-        }
-    return folded;
-}
-
 }  // namespace camopt

@@ -132,13 +132,6 @@ Vector3d relative_velocity_contact(const SpatialCam& cam, double theta, const Fo
     return Eigen::AngleAxisd(-sense * theta, Vector3d::UnitZ()) * contact;
 }
 
-std::vector<SpatialPoint> contact_line(const SpatialCam& cam, double theta, const FollowerState& state,
-                                       int flank, std::span<const double> heights) {
-    std::vector<SpatialPoint> line;
-    for (const double height : heights) line.push_back(spatial_point(cam, theta, state, {height, flank}));
-    return line;
-}
-
 namespace {
 
 using enum SpatialDimension;

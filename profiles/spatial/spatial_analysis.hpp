@@ -23,19 +23,13 @@ namespace camopt {
 //                      the roller's frame (b, u, e): φ_z = atan2(v_u, v_b), and the contacts lie at
 //                      φ_z ∓ 90° (σ_f = ±1). (Paper 001, with Q_z = 0.)
 //
-// Vectors of the cam frame, m. The contact line of one flank at one cam angle is the row of its contacts over
-// the roller's length.
+// Vectors of the cam frame, m.
 
 [[nodiscard]] Eigen::Vector3d envelope_contact(const SpatialCam& cam, double theta,
                                                const FollowerState& state, const RollerStation& station);
 [[nodiscard]] Eigen::Vector3d relative_velocity_contact(const SpatialCam& cam, double theta,
                                                         const FollowerState& state,
                                                         const RollerStation& station);
-
-/// The contact line at one cam angle, by the heights of its points.
-[[nodiscard]] std::vector<SpatialPoint> contact_line(const SpatialCam& cam, double theta,
-                                                     const FollowerState& state, int flank,
-                                                     std::span<const double> heights);
 
 // Extremes of a spatial cam over its motion, and the critical dimensions for undercut.
 //
@@ -84,7 +78,7 @@ struct HeightRange {
 //   d = min(r − distance from the cutter's axis, its distance from either end of the cutter) > 0.
 // The largest d over all θ' of the motion is found between samples too. A correct flank is touched, not
 // entered: d = 0 to round-off (1e-13 m). Where g changes sign on the flank, its grid folds: the triangle of
-// neighbouring points reverses its orientation, counted by `folded_cells`.
+// neighbouring points reverses its orientation.
 // Lengths m, angles rad.
 
 struct InterferenceOptions {
@@ -112,8 +106,5 @@ struct Interference {
 /// Of one flank's points at given cam angles, against the cutter while it passes the whole motion.
 [[nodiscard]] Interference interference(const SpatialCam& cam, const FollowerMotion& motion,
                                         const InterferenceOptions& options, const FlankGrid& grid);
-
-/// Cells of the grid in which σ_f (R_θ × R_h) · n, by differences of the points, has the wrong sign.
-[[nodiscard]] int folded_cells(const FlankGrid& grid, int flank);
 
 }  // namespace camopt

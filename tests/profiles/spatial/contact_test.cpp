@@ -48,12 +48,11 @@ TEST_P(ContactOf, PressureAngleUsesNormalAndTravel) {
 TEST_P(ContactOf, LineContainsPointsOfAllHeights) {
     repeat(GetParam(), [](const Situation& at) {
         const std::vector<double> heights{0.0, 0.4 * at.cam.roller_length, at.cam.roller_length};
-        const auto line = contact_line(at.cam, at.theta, at.state, -1, heights);
-        ASSERT_EQ(line.size(), heights.size());
         const RollerAxis axis = roller_axis(at.cam, at.theta, at.state.s);
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            const Vector3d from_foot = line[i].contact - axis.foot;
-            EXPECT_NEAR(from_foot.dot(axis.direction), heights[i], 1e-15);
+        for (const double height : heights) {
+            const SpatialPoint point = spatial_point(at.cam, at.theta, at.state, {height, -1});
+            const Vector3d from_foot = point.contact - axis.foot;
+            EXPECT_NEAR(from_foot.dot(axis.direction), height, 1e-15);
             EXPECT_NEAR(from_foot.cross(axis.direction).norm(), at.cam[SpatialDimension::roller_radius],
                         1e-15);
         }

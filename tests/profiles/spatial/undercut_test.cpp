@@ -146,6 +146,22 @@ TEST_P(UndercutOf, FourDefinitionsAgree) {
 
 INSTANTIATE_TEST_SUITE_P(Spatial, UndercutOf, ::testing::ValuesIn(every_case()), case_name);
 
+/// Cells of the grid in which σ_f (R_θ × R_h) · n, by differences of the points, has the wrong sign.
+int folded_cells(const FlankGrid& grid, int flank) {
+    const FlankSurface& surface = grid.flanks[flank > 0 ? 0 : 1];
+    int folded = 0;
+    for (std::size_t i = 0; i + 1 < grid.heights.size(); ++i)
+        for (std::size_t j = 0; j + 1 < grid.angles.size(); ++j) {
+            const Vector3d& corner = surface.points[grid.index(i, j)];
+            const Vector3d by_angle = surface.points[grid.index(i, j + 1)] - corner;
+            const Vector3d by_height = surface.points[grid.index(i + 1, j)] - corner;
+            // The grid's normals point out of the material, n into it.
+            const double side = -by_angle.cross(by_height).dot(surface.normals[grid.index(i, j)]);
+            if (side * surface.flank < 0.0) ++folded;
+        }
+    return folded;
+}
+
 /// The flank at the roller's tip and the same cutter that makes it, both within 20 degrees of the place where
 /// undercut begins: farther away a roller of the critical size meets other parts of the cam.
 struct Tip {
