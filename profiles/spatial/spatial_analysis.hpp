@@ -8,7 +8,6 @@
 #include <Eigen/Core>
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace camopt {

@@ -23,7 +23,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 // with every weight. The more are known the better, as long as memory allows: so many variables altogether.
 constexpr std::size_t least_optima = 16, most_optima = 128, most_variables = 16384;
 // Of the optima for one weight so many are tried, the best first: equal ones differ in their multipliers.
-constexpr int most_tries = 3;
+constexpr std::size_t most_tries = 3;
 // The diagonal shift of the normal matrix, by its largest entry, and the refinements that remove it.
 constexpr double normal_shift = 1e-13;
 constexpr int most_refinements = 3;
@@ -217,26 +217,19 @@ void ProvedOptima::settle(const Solution& solution, int number) {
 }
 
 std::optional<Solution> ProvedOptima::proved(const Scene& scene) {
-    struct Try {
-        double objective;
-        std::shared_ptr<ProvedOptimum> optimum;
-    };
-    std::vector<Try> tries;
     if (known_.empty() || !differ_in_peak_weights_only(known_.front()->solution().scene, scene))
         return std::nullopt;
+    std::vector<std::pair<double, ProvedOptimum*>> tries;  // by their objectives
     for (const std::shared_ptr<ProvedOptimum>& optimum : known_)
         if (weigh_same_peaks(optimum->solution().scene.objective, scene.objective) &&
             CostScale::are_near_one(scene, optimum->solution().reference_peaks))
-            tries.push_back({optimum->objective_for(scene), optimum});
-    if (tries.empty()) return std::nullopt;
-    std::ranges::stable_sort(tries, {}, &Try::objective);
-    const double least = tries.front().objective;
-    const double beyond = least + scene.solver.tolerance * std::max(1.0, std::abs(least));
-    for (int k = 0; k < most_tries && k < static_cast<int>(tries.size()); ++k) {
-        if (tries[static_cast<std::size_t>(k)].objective > beyond) break;
-        if (std::optional<Solution> solution =
-                tries[static_cast<std::size_t>(k)].optimum->solution_for(scene))
-            return solution;
+            tries.emplace_back(optimum->objective_for(scene), optimum.get());
+    std::ranges::stable_sort(tries, {}, [](const auto& one) { return one.first; });
+    tries.resize(std::min(tries.size(), most_tries));
+    for (const auto& [objective, optimum] : tries) {
+        const double least = tries.front().first;
+        if (objective > least + scene.solver.tolerance * std::max(1.0, std::abs(least))) break;
+        if (std::optional<Solution> solution = optimum->solution_for(scene)) return solution;
     }
     return std::nullopt;
 }
