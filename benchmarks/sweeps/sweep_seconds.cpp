@@ -86,7 +86,8 @@ double worst_difference(const Way& way, const Way& cold) {
 
 std::string summary(const std::vector<Way>& ways) {
     std::string text =
-        "way,solver,rows,solved,passes,seconds_median,seconds_min,not_optimal,worst_difference_from_cold,ratio\n";
+        "way,solver,rows,solved,passes,seconds_median,seconds_min,not_optimal,worst_difference_from_cold,"
+        "ratio\n";
     for (const Way& way : ways) {
         CsvLine line;
         line.words(way.name).words(way.solver).count(rows).count(way.solved);

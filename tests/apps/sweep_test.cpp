@@ -93,7 +93,7 @@ TEST_F(SweepCommand, SolvesAndReportsEveryWeight) {
 }
 
 /// A row's folder is a result folder as any other.
-TEST_F(SweepCommand, KeepsAResultFolderForEveryRow) {
+TEST_F(SweepCommand, KeepsResultFolderForEveryRow) {
     const Words words = {"sweep",     scene_file("drd_cubic_12"),
                          "--weights", "simplex:4",
                          "--chunk",   "15",
