@@ -23,8 +23,8 @@ struct FolderFile {
 struct WriteOptions {
     std::optional<int> points = {};     ///< of profile.csv, evenly by cam angle; none: by chord tolerance
     bool dxf = false;                   ///< profile.dxf too
-    bool for_programs = false;          ///< result.json, certificate.json and scene.toml alone
     std::vector<FolderFile> also = {};  ///< written with them: report.html (output/page/page_html.hpp)
+    bool for_programs = false;          ///< result.json, certificate.json and scene.toml alone
 };
 
 /// Creates the folder where it does not exist. All files are written aside first and then replace those of an
