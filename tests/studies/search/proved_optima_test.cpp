@@ -82,6 +82,7 @@ TEST(ProvedOptima, OtherScenesAreSolved) {
     EXPECT_FALSE(neighbour(limited, known).solver.proved_from);
     Scene smooth = weighted(weights);
     smooth.objective.rms_jerk = 0.1;
+    smooth.objective.reference.rms_jerk = 50.0;
     EXPECT_FALSE(neighbour(smooth, known).solver.proved_from);
     EXPECT_FALSE(neighbour(smooth, known).solver.proved_from) << "its optimum moves with every weight";
 }

@@ -69,6 +69,7 @@ TEST(Chunking, SmallSweepsHaveSmallChunks) {
     EXPECT_EQ(size_for("objective.jerk", 1'000'000), default_chunk_size) << "slow solves";
     base.spline.segments = 32;
     base.objective.torque = 0.3;
+    base.objective.reference.torque = 5.5;
     EXPECT_EQ(size_for("objective.jerk", 1'000'000), default_chunk_size) << "not convex";
 }
 
