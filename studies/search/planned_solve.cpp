@@ -26,6 +26,9 @@ namespace {
 
 // A proof that comes at all comes within these; where doubles end, more of either only take time.
 constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
+// Where limits are steep a violation within the tolerance costs more than the gap: the rounds go on to this
+// part of the tolerance where the gap is less than that.
+constexpr double finer = 1e-2, nearly_proved = 1e-4;
 
 /// Problems whose numbers are hard: another backend tries from the same grid. It counts if it proves more.
 void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProblem& problem,
@@ -59,6 +62,13 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.staged = run.known.is_cold();
     ContinuousResult result = solve_continuous(problem, solver, exchange, judge, run.control);
+    const double gap = result.certificate.gap.value_or(infinity);
+    if (gap > judge.gap && gap <= nearly_proved && !run.control.ending()) {
+        exchange.tolerance *= finer;
+        exchange.backend.tolerance *= finer;
+        ContinuousResult again = solve_continuous(problem, solver, exchange, judge, run.control);
+        if (again.certificate.verdict < result.certificate.verdict) result = std::move(again);
+    }
     try_next_solver(run, judge, problem, result, solution);
     run.known.keep(problem);
     timed_break_tie(run, problem, result, solution);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace camopt {
@@ -42,12 +41,11 @@ bool is_weighed_peak(const Parameter& parameter) {
 
 /// Of the term that a parameter stands for.
 double weight_of(const Parameter& parameter, const ObjectiveSpec& objective) {
-    for (const CostTerm& term : cost_terms()) {
-        const bool torque = term.kind == CostTerm::Kind::torque;
-        if (term.kind == CostTerm::Kind::rms || torque != (parameter.kind == Parameter::Kind::torque))
-            continue;
-        if (torque || term.measured.order == parameter.order) return term.weight_in(objective);
-    }
+    const bool torque = parameter.kind == Parameter::Kind::torque;
+    for (const CostTerm& term : cost_terms())
+        if (term.kind == (torque ? CostTerm::Kind::torque : CostTerm::Kind::peak) &&
+            (torque || term.measured.order == parameter.order))
+            return term.weight_in(objective);
     return parameter.weight;
 }
 
