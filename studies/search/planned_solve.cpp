@@ -26,8 +26,7 @@ namespace {
 
 // A proof that comes at all comes within these; where doubles end, more of either only take time.
 constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
-// Where limits are steep a violation within the tolerance costs more than the gap: the rounds go on to this
-// part of the tolerance where the gap is less than that.
+// Where limits are steep a violation within the tolerance costs more than the gap: a finer search closes it.
 constexpr double finer = 1e-2, nearly_proved = 1e-4;
 
 /// Problems whose numbers are hard: another backend tries from the same grid. It counts if it proves more.

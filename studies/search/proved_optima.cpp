@@ -62,12 +62,6 @@ SparseMatrix jacobian_of(const Nlp& problem, const VectorXd& x) {
     return jacobian;
 }
 
-VectorXd gradient_of(const Nlp& problem, const VectorXd& x) {
-    VectorXd gradient(x.size());
-    problem.gradient(x, gradient);
-    return gradient;
-}
-
 }  // namespace
 
 ProvedOptimum::ProvedOptimum(CamProblem problem, VectorXd x, VectorXd multipliers)
@@ -75,7 +69,8 @@ ProvedOptimum::ProvedOptimum(CamProblem problem, VectorXd x, VectorXd multiplier
     const Index proved = multipliers_.size();
     multipliers_.conservativeResize(problem_.grid().shape().constraints());  // the tie-break added rows
     multipliers_.tail(multipliers_.size() - proved).setZero();
-    cost_ = gradient_of(problem_.grid(), x_);
+    cost_.resize(x_.size());
+    problem_.grid().gradient(x_, cost_);
     const CamModel& model = problem_.model();
     for (std::size_t p = 0; p < model.parameters.size(); ++p)
         if (is_weighed_peak(model.parameters[p]))
@@ -163,7 +158,9 @@ Certificate ProvedOptimum::certificate_for(const Scene& scene) {
     certificate.objective = grid.cost(x_);
     forget_proof(certificate);
     if (!problem_.convex(certificate.objective)) return certificate;
-    const VectorXd multipliers = fitted(gradient_of(grid, x_));
+    VectorXd cost(x_.size());
+    grid.gradient(x_, cost);
+    const VectorXd multipliers = fitted(cost);
     certificate.proof =
         duality_proof(grid, x_, multipliers, problem_.box(certificate.objective, 0.0), "objective");
     certificate.proof_kind = ProofKind::duality;
