@@ -21,18 +21,15 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 // Of ten thousand weights with 32 segments some sixty motions serve most; between these the optimum moves
 // with every weight. The more are known the better, as long as memory allows: so many variables altogether.
 constexpr std::size_t least_optima = 16, most_optima = 128, most_variables = 16384;
-// Of the optima for one weight so many are tried, the best first: equal ones differ in their multipliers.
-constexpr std::size_t most_tries = 3;
+constexpr std::size_t most_tries = 3;  // equal optima differ in their multipliers
 // The diagonal shift of the normal matrix, by its largest entry, and the refinements that remove it.
 constexpr double normal_shift = 1e-13;
 constexpr int most_refinements = 3;
 // Fits after the first: where signs turn in all of them, there are none for this motion, or only a solve
 // finds them.
 constexpr int most_fits = 6;
-// A multiplier turned by less is rounding of 0.
-constexpr double rounded_multiplier = 1e-13;
-// Rows are active within this part of the size of their bound (certificate.hpp).
-constexpr double near_bound = 1e-6;
+constexpr double rounded_multiplier = 1e-13;  // turned by less: rounding of 0
+constexpr double near_bound = 1e-6;           // relative: rows that may have a multiplier (certificate.hpp)
 
 bool is_weighed_peak(const Parameter& parameter) {
     const bool peak = parameter.kind == Parameter::Kind::peak || parameter.kind == Parameter::Kind::torque;

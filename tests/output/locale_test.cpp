@@ -81,7 +81,9 @@ Scene scene_of(const std::string& name) {
 
 /// Without the seconds that a solve took.
 std::string without_times(const std::string& text) {
-    const std::regex times("(\"(total|solve|seconds|[a-z]*_us)\": )[^,\n}]*|[0-9.e+-]+ (s|ms|seconds)\\b");
+    const std::regex times(
+        "(\"(total|solve|setup|solver|judgement|proof|tie_break|report|seconds|[a-z]*_us)\": )[^,\n}]*"
+        "|[0-9.e+-]+ (s|ms|seconds)\\b");
     return std::regex_replace(text, times, "$1…");
 }
 
