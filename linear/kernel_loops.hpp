@@ -78,7 +78,7 @@ struct Chain {
         double pivot = own[0];
         if (!right_pivot(pivot, matrix.diagonal[j], matrix.signs[j], outcome)) return false;
         const double inverse = 1.0 / pivot;
-        double* const kept = matrix.inverse + 3 * j;
+        double* const kept = matrix.inverse + 3L * j;
         kept[0] = inverse;
         kept[1] = kept[2] = 0.0;
         own[0] = pivot;
@@ -121,7 +121,7 @@ struct Chain {
             return false;
         }
         const double x = n * inverse, y = e * inverse, z = -p * inverse;
-        double* const kept = matrix.inverse + 3 * j;
+        double* const kept = matrix.inverse + 3L * j;
         kept[0] = x;
         kept[1] = kept[5] = y;
         kept[2] = kept[4] = 0.0;
