@@ -76,7 +76,8 @@ function(camopt_compile_alone target)
 endfunction()
 
 # camopt_wide_kernels(<target> <source>): the loops once more for machines with AVX2 and FMA (linear/kernels.hpp), where
-# the compiler knows them. Alone, and without precompiled headers: their inline functions must not be compiled so.
+# the compiler knows them: these two alone, which the program looks for before it runs such code. Compiled alone, and without
+# precompiled headers: their inline functions must not be compiled so.
 check_cxx_compiler_flag(-march=x86-64-v3 CAMOPT_COMPILES_X86_64_V3)
 function(camopt_wide_kernels target source)
   if(NOT CAMOPT_COMPILES_X86_64_V3)
@@ -84,7 +85,7 @@ function(camopt_wide_kernels target source)
   endif()
   target_sources(${target} PRIVATE ${source})
   target_compile_definitions(${target} PRIVATE CAMOPT_WIDE_KERNELS)
-  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS -march=x86-64-v3)
+  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS -mavx2 -mfma)
   set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
   camopt_compile_alone(${target} ${source})
 endfunction()

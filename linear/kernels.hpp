@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Internal to the solvers: the inner loops of linear/, compiled for every machine and, on x86-64, once more
-// for those with AVX2 and FMA (x86-64-v3). The set is chosen once, when the first loop is requested.
+// for those with AVX2 and FMA. The set is chosen once, when the first loop is requested.
 //
 // Only plain structures and pointers: an inline function with external linkage that both sets contain (a
 // member of std::vector, of Eigen, std::min) would be linked once, perhaps with instructions that the machine
