@@ -286,7 +286,7 @@ BackendResult SequentialRun::ended(Termination termination, std::string why) con
     } else {
         result.bound_multipliers = VectorXd::Zero(shape_.variables());
     }
-    // Of no path: a neighbouring problem takes the multipliers alone, from this place whatever its gap.
+    // Of no path: a neighbouring problem takes the multipliers alone, from this place, for any gap.
     if (options_.keep_path) result.path.push_back({point.x, *result.row_multipliers, 0.0, infinity});
     return result;
 }

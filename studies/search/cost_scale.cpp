@@ -33,7 +33,7 @@ struct StrokePeaks {
 /// From rest to rest: its length in x and displacement in lifts, the units of its caps.
 struct RestStroke {
     double length = 1.0, displacement = 1.0;
-    bool of_program = false;  ///< then peaks, and caps that are not in time, are normalised by itself
+    bool of_program = false;  ///< then peaks, and caps that are not in time, are normalised by the stroke
 
     [[nodiscard]] double cap(const std::optional<PeakLimit>& limit, int order) const {
         if (!limit) return infinity;

@@ -12,7 +12,7 @@
 // long as they can; D is computed once for each optimum. Where signs turn all the same, the fit is repeated
 // around the new λ. Any multipliers give a true bound (weak duality,
 // solvers/certificate/certificate.hpp): where it meets w · p, the motion is proved optimal without a solve,
-// and has a certificate of its own. Of equal optima the smoothest is the same: they are those of equal p.
+// and has its own certificate. Of equal optima the smoothest is the same: they are those of equal p.
 // Source: T. Gal, Postoptimal Analyses, Parametric Programming, and Related Topics (1995).
 #pragma once
 
@@ -31,7 +31,7 @@
 
 namespace camopt {
 
-/// A motion that is proved for the weights of its own scene. Threads may ask it concurrently.
+/// A motion that is proved for the weights of one scene. Threads may ask it concurrently.
 class ProvedOptimum {
  public:
     /// multipliers: of the rows of the problem's grid, as many as there were when it was proved.
@@ -53,7 +53,7 @@ class ProvedOptimum {
     [[nodiscard]] Eigen::VectorXd fitted(const Eigen::VectorXd& cost);
     [[nodiscard]] Certificate certificate_for(const Scene& scene);
 
-    std::mutex busy_;  ///< the problem takes the weights of whoever asks
+    std::mutex busy_;  ///< the problem takes the weights of the scene in question
     CamProblem problem_;
     Eigen::VectorXd x_, multipliers_, cost_;
     std::vector<int> weighed_;                    ///< variables that are peaks with a weight

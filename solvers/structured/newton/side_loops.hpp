@@ -67,7 +67,7 @@ void each_part(int first, int last, const Body& body) {
     for (; r < last; ++r) body(0.0, r);
 }
 
-/// body(V{}, r, width of the range r … at x, …) for all ranges of a segment.
+/// What the widths d of a segment are multiplied by at x; 0: its ranges have none.
 inline double factor_of(const SideSegment& segment, const double* x) {
     return segment.variable >= 0 ? x[segment.variable] : 0.0;
 }

@@ -85,7 +85,7 @@ TEST(OwnTerm, AConvexOneIsProved) {
     EXPECT_LE(*found.certificate.lower_bound, found.certificate.objective + 1e-9);
 }
 
-TEST(OwnTerm, SteepTermIsProvedByFinerSearch) {
+TEST(OwnTerm, SteepTermIsProvedByRefinement) {
     Scene own = without_objective();
     own.own_terms = {term("squared_jerk", squared_derivative(3), Curvature::convex, 69.0 * 69.0)};
     const Solution found = solve(own);

@@ -165,7 +165,7 @@ struct LongCruise {
 };
 
 /// Lifts from a micrometre to ten metres, times from a millisecond to hours, ramps down to a hundred
-/// thousandth of the time, whatever the limits leave.
+/// thousandth of the time, for any limits.
 TEST(CostScale, FarLiftsAndTimesAreProved) {
     for (const double lift : {1e-3, 1.0, 1e4})
         for (const double seconds : {1e-3, 1.0, 1e4})
