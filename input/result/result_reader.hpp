@@ -86,6 +86,6 @@ enum class RecordedMotion { required, optional };
 /// Throws InputError for text that is not a result of this version of camopt, and for one without a required
 /// motion.
 [[nodiscard]] ResultRecord read_result(std::string_view json, std::string_view source_name,
-                                       RecordedMotion motion = RecordedMotion::required);
+                                       RecordedMotion needed = RecordedMotion::required);
 
 }  // namespace camopt::input
