@@ -36,11 +36,17 @@ void check_force_unit(const SceneSource& source, std::string_view table, std::st
                            oscillating ? "oscillates" : "translates", allowed));
 }
 
-std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_view name) {
+/// `side`: "min" or "max" of a table; null: the number itself.
+std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_view name,
+                                       const char* side = nullptr) {
     const auto given = source.find("limits", name);
-    if (!given) return std::nullopt;
-    return WrittenLimit(given->number(), joined_key("limits", given->member->name), given->spelling->factor,
-                        std::string(given->spelling->unit));
+    if (!given || (side != nullptr) == given->value().is_number()) return std::nullopt;
+    const Member* const bound = side != nullptr ? given->value().find(side) : given->member;
+    if (bound == nullptr) return std::nullopt;
+    std::string key = joined_key("limits", given->member->name);
+    if (side != nullptr) key = joined_key(key, side);
+    const double unit = given->spelling->factor;
+    return WrittenLimit(bound->value.as_number() * unit, key, unit, std::string(given->spelling->unit));
 }
 
 }  // namespace
@@ -91,6 +97,41 @@ std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& sce
     return forces;
 }
 
+std::optional<DriveSpec> read_drive(const SceneSource& source, const MotionSpec& motion) {
+    if (!source.table("drive")) return std::nullopt;
+    for (const char* quantity :
+         {"load_mass", "load_inertia", "transmission", "viscous", "force", "moment", "friction"}) {
+        const auto given = source.find("drive", quantity);
+        if (!given) continue;
+        const std::string_view unit = given->spelling->unit;
+        const bool angle = is_turning_unit(unit) || is_angle_unit(unit);
+        if (angle != motion.lift_is_angle)
+            refuse_key(source, *given,
+                       fmt::format("found a value in {} where the lift is {}; allowed: {}", unit,
+                                   motion.lift_is_angle ? "an angle" : "a length",
+                                   motion.lift_is_angle
+                                       ? "load_inertia_kg_m2, transmission_deg_per_rev, viscous_nm_s_rad, "
+                                         "moment_nm, friction_nm"
+                                       : "load_mass_kg, transmission_mm_per_rev, viscous_n_s_m, force_n, "
+                                         "friction_n"));
+    }
+    DriveSpec drive;
+    source.read_number("drive", "load_mass", drive.load);
+    source.read_number("drive", "load_inertia", drive.load);
+    source.read_number("drive", "motor_inertia", drive.motor_inertia);
+    if (!source.find("drive", "transmission"))
+        source.fail_member("drive", fmt::format("missing {}; allowed: a number > 0",
+                                                motion.lift_is_angle ? "transmission_deg_per_rev"
+                                                                     : "transmission_mm_per_rev"));
+    source.read_number("drive", "transmission", drive.transmission);
+    source.read_number("drive", "viscous", drive.viscous);
+    source.read_number("drive", "force", drive.force);
+    source.read_number("drive", "moment", drive.force);
+    source.read_number("drive", "friction", drive.friction);
+    drive.cycle = source.number("drive", "cycle");
+    return drive;
+}
+
 void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits) {
     if (scene.cam) {
         const bool swings = scene.cam->formulas()->swings();
@@ -102,9 +143,13 @@ void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& l
     }
     for (const LimitRow& row : limit_rows()) {
         std::optional<WrittenLimit>& limit = row.in(limits);
-        limit = read_limit(source, row.name);
+        limit = read_limit(source, row.side != nullptr ? row.table : row.name, row.side);
         if (!limit && row.swinging.name != nullptr) limit = read_limit(source, row.swinging.name);
     }
+    if (const auto curve = source.find("limits", "motor_curve"))
+        for (const Node& pair : curve->value().items)
+            limits.motor_curve.push_back(
+                {pair.items[0].as_number() * units::revolution_per_minute, pair.items[1].as_number()});
 }
 
 }  // namespace camopt::input

@@ -35,6 +35,8 @@ namespace camopt::input {
     return unit.starts_with("N m") || unit == "kg m^2" || unit == "lbf in";
 }
 
+[[nodiscard]] std::optional<DriveSpec> read_drive(const SceneSource& source, const MotionSpec& motion);
+
 /// Adds to the limits on the peaks.
 void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits);
 

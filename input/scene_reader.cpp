@@ -90,6 +90,7 @@ class SceneReader {
         read_cam_limits(source_, scene, scene.limits);
         scene.drawing = read_drawing(source_);
         scene.dynamics = read_dynamics(source_, scene.motion);
+        scene.drive = read_drive(source_, scene.motion);
         scene.solver = read_solver();
         const std::optional<MeasuredInput> measured = read_measured(source_, scene.motion, known_);
         if (measured) scene.measured = measured->motion;

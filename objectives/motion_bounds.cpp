@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/motion_bounds.hpp"
 
+#include "core/numbers/polynomial.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/drive_rules.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/scene_model.hpp"
@@ -85,29 +87,13 @@ void add_corridor(std::vector<MotionBound>& all, const MotionSpec& motion, std::
     }
 }
 
-// Gauss–Legendre on [−1, 1]: exact for polynomials to degree 15.
-constexpr std::array<std::array<double, 2>, 4> gauss_points = {{{0.1834346424956498, 0.3626837833783620},
-                                                                {0.5255324099163290, 0.3137066458778873},
-                                                                {0.7966664774136267, 0.2223810344533745},
-                                                                {0.9602898564975363, 0.1012285362903763}}};
-constexpr int parts_of_law = 8;  // of a smooth piece: sines are then exact to round-off
+constexpr int parts_of_law = 16;  // of a smooth piece: sines are then exact to round-off
 
-/// ∫ over [begin, end] as Σ weight · f(x), visited.
-template <class Visit>
-void visit_quadrature(double begin, double end, Visit&& visit) {
-    const double middle = 0.5 * (begin + end), half = 0.5 * (end - begin);
-    for (const auto& [place, weight] : gauss_points)
-        for (const double x : {middle - half * place, middle + half * place}) visit(x, half * weight);
-}
-
-/// The same over a motion between its breakpoints.
+/// ∫ over a motion between its breakpoints as Σ weight · f(x), visited.
 template <class Visit>
 void visit_motion(const std::vector<double>& breakpoints, Visit&& visit) {
     for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i)
-        for (int k = 0; k < parts_of_law; ++k) {
-            const double width = (breakpoints[i + 1] - breakpoints[i]) / parts_of_law;
-            visit_quadrature(breakpoints[i] + k * width, breakpoints[i] + (k + 1) * width, visit);
-        }
+        visit_quadrature(breakpoints[i], breakpoints[i + 1], parts_of_law, visit);
 }
 
 /// 1 − (1/L) ∫ y dx <= q · reference.
@@ -178,16 +164,15 @@ double mean_of(const Motion& law) {
 }  // namespace
 
 double MotionBound::scale() const {
+    if (of_motor()) return size > 0.0 ? size : std::max(std::abs(bound), 1.0);
     const double own = stretch >= 0 ? 1.0 / per_normalised : 1.0;  // of a segment
     return std::max(std::abs(bound), own * typical[static_cast<std::size_t>(order)]);
 }
 
 Extremum MotionBound::extreme_of(const Motion& motion) const {
-    const BoundRule limit(key, {order, sign, 0.0, 1.0});
+    const BoundRule limit(key, rule(0.0, 1.0));
     const double first = std::max(from, motion.begin()), last = std::min(until, motion.end());
-    const auto value = [&](double x, Side side) {
-        return sign * motion.at(x, side).derivative[static_cast<std::size_t>(order)];
-    };
+    const auto value = [&](double x, Side side) { return limit.evaluate(motion.at(x, side), {}).value; };
     Extremum worst{value(first, Side::right), first, Side::right};
     const auto look = [&](const Extremum& one) {
         if (one.value > worst.value) worst = one;
@@ -217,6 +202,7 @@ std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& f
         if (const auto& limit = row.in(scene.limits); limit && row.side != 0)
             add_sided(all, row, *limit, family);
     for (std::size_t i = 0; i < scene.motion.corridors.size(); ++i) add_corridor(all, scene.motion, i);
+    for (MotionBound& bound : drive_bounds(scene, family)) all.push_back(std::move(bound));
     return all;
 }
 
@@ -224,7 +210,7 @@ std::vector<MotionBound> motion_bounds(const Scene& scene) {
     const bool sided = std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
         return row.side != 0 && row.in(scene.limits).has_value();
     });
-    if (!sided && scene.motion.corridors.empty()) return {};
+    if (!sided && scene.motion.corridors.empty() && !scene.drive) return {};
     return motion_bounds(scene, scene_family(scene, DesignKind::states));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Linear rules on the motion itself: limits of one side, corridors, and the lost area as a term.
+// Linear rules on the motion itself: limits of one side, corridors, limits of a motor that follows it, and
+// the lost area as a term.
 #pragma once
 
 #include "core/numbers/extremum.hpp"
@@ -7,12 +8,14 @@
 #include "objectives/rules/peak_rule.hpp"
 #include "scene/scene.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace camopt {
 
-/// sign · y^{(order)} <= bound from `from` to `until`, both included. In lifts, by x of the whole motion.
+/// sign · y^{(order)} <= bound from `from` to `until`, both included. In lifts, by x of the whole motion. Of
+/// a motor: a sum of y', y'' and 1 in SI units in place of sign · y^{(order)}.
 struct MotionBound {
     std::string name;  ///< "acceleration_min", "corridor_displacement_max"
     std::string key;   ///< "limits.acceleration_m_s2.min", "motion.corridor[0].displacement_mm.min"
@@ -24,11 +27,18 @@ struct MotionBound {
     double from = -infinity, until = infinity;  ///< x
     int stretch = -1;                           ///< of the family; -1: any
     int corridor = -1;                          ///< which one it is of; -1: a limit
+    std::array<double, 3> weights{};            ///< of y', y'' and 1: of a motor
+    double size = 0.0;                          ///< of a motor: what a violation is measured by
+    bool magnitude = false;                     ///< its values are shown without their sign
 
     /// Exceeding the bound by this is a violation of 100 %.
     [[nodiscard]] double scale() const;
-    [[nodiscard]] BoundRule::Bound rule() const { return {order, sign, bound, scale()}; }
-    /// Where the motion comes nearest to the bound, or exceeds it most: sign · y^{(order)}.
+    [[nodiscard]] BoundRule::Bound rule(double most, double one) const {
+        return {.order = order, .sign = sign, .bound = most, .scale = one, .weights = weights};
+    }
+    [[nodiscard]] BoundRule::Bound rule() const { return rule(bound, scale()); }
+    [[nodiscard]] bool of_motor() const { return weights != std::array<double, 3>{}; }
+    /// Where the motion comes nearest to the bound, or exceeds it most: sign · y^{(order)}, or the sum.
     [[nodiscard]] Extremum extreme_of(const Motion& motion) const;
 };
 

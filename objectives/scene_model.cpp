@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/scene_model.hpp"
 
+#include "objectives/drive_rules.hpp"
+
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/motion_bounds.hpp"
@@ -389,6 +391,7 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_cam(model, scene);
     add_own_rules(model, scene);
     add_response_rules(model, scene);
+    add_drive_rules(model, scene);
     return model;
 }
 

@@ -36,7 +36,7 @@ constexpr std::array<CostTerm, cost_figure_count> rows = {{
      "Weight of the root mean square of the jerk.",
      "Reference of the root mean square of the jerk."},
 }};
-constexpr std::array<ResponseTerm, 3> response_rows = {{
+constexpr std::array<ResponseTerm, 5> response_rows = {{
     {ResponseFigure::residual, "residual", "R",
      &ObjectiveSpec::residual, &Reference::residual,
      "Weight of the residual vibration R, the amplitude of the output after each rise and return.",
@@ -50,6 +50,14 @@ constexpr std::array<ResponseTerm, 3> response_rows = {{
      "Weight of the lost area 1 - (1/L) ∫ y dx, y in lifts over the whole motion of length L (DRD 1, RR 1 + "
      "return/rise, programs one revolution): the larger the area under the curve, the smaller it is.",
      "Reference of the lost area; 0.5 is that of every symmetric law over DRD and RR."},
+    {ResponseFigure::motor_torque, "motor_torque", "M",
+     &ObjectiveSpec::motor_torque, &Reference::motor_torque,
+     "Weight of the peak of the motor's torque.",
+     "Reference of the peak of the motor's torque, N m."},
+    {ResponseFigure::motor_torque_rms, "motor_torque_rms", "rms M",
+     &ObjectiveSpec::motor_torque_rms, &Reference::motor_torque_rms,
+     "Weight of the root mean square of the motor's torque over the cycle: what heats the motor.",
+     "Reference of the root mean square of the motor's torque, N m."},
 }};
 // clang-format on
 

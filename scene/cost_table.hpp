@@ -45,9 +45,9 @@ struct CostTerm {
     [[nodiscard]] double weight_in(const ObjectiveSpec& objective) const { return objective.*weight; }
 };
 
-/// Figures of the whole motion in addition to its peaks: responses of the elastic follower train, and the
-/// lost area.
-enum class ResponseFigure { residual, dynamic_acceleration, lost_area };
+/// Figures of the whole motion in addition to its peaks: responses of the elastic follower train, the lost
+/// area, and the torque of the motor.
+enum class ResponseFigure { residual, dynamic_acceleration, lost_area, motor_torque, motor_torque_rms };
 
 /// A term that is a rule of the whole motion. Its figure is not a member of Peaks: it depends on a train and
 /// a speed, or on all strokes together.
@@ -61,7 +61,12 @@ struct ResponseTerm {
     const char* reference_meaning{};
 
     [[nodiscard]] double weight_in(const ObjectiveSpec& objective) const { return objective.*weight; }
-    [[nodiscard]] bool needs_dynamics() const { return figure != ResponseFigure::lost_area; }
+    [[nodiscard]] bool needs_dynamics() const {
+        return figure == ResponseFigure::residual || figure == ResponseFigure::dynamic_acceleration;
+    }
+    [[nodiscard]] bool needs_drive() const {
+        return figure == ResponseFigure::motor_torque || figure == ResponseFigure::motor_torque_rms;
+    }
 };
 [[nodiscard]] std::span<const ResponseTerm> response_terms();
 /// Whether any of those that need dynamics has a weight.

@@ -112,6 +112,8 @@ std::string KeyRow::allowed(const Spelling& spelling) const {
             return "a table { min = …, max = … }, where one may be missing";
         case KeyType::number_or_points:
             return written.number_text() + ", or an array of pairs [place, number]";
+        case KeyType::points:
+            return "an array of pairs [place, number]";
         case KeyType::numbers:
             return "an array of numbers";
         case KeyType::texts:

@@ -88,6 +88,7 @@ inline constexpr Spelling vibration[] = {{"_um", "um", 1e-6},
                                          {"_in", "in", units::inch},
                                          {"_deg", "deg", units::degree},
                                          {"_rad", "rad", 1.0}};
+inline constexpr Spelling speed[] = {{"_rpm", "rpm", units::revolution_per_minute}, {"_rad_s", "rad/s", 1.0}};
 inline constexpr Spelling pressure[] = {
     {"_mpa", "MPa", 1e6}, {"_gpa", "GPa", 1e9}, {"_pa", "Pa", 1.0}, {"_ksi", "ksi", units::ksi}};
 // Without a unit: normalised.
@@ -161,6 +162,7 @@ enum class KeyType {
     number_or_bounds,  ///< a finite number, or a table of one or two: { min = …, max = … }
     bounds,            ///< such a table
     number_or_points,  ///< a finite number, or an array of pairs [place, number], places ascending
+    points,            ///< such an array
     numbers,           ///< an array of finite numbers
     texts,             ///< an array of strings
     table,             ///< a table with its own rows
@@ -176,6 +178,7 @@ enum class Availability {
     needs_cam,       ///< only together with a [cam] table
     needs_forces,    ///< only together with a [forces] table
     needs_dynamics,  ///< only together with a [dynamics] table
+    needs_drive,     ///< only together with a [drive] table
 };
 
 struct KeyRow {

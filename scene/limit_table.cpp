@@ -171,6 +171,49 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .meaning =
          "Least force (swinging: moment) of the elastic train on the cam, over `dynamics.speed_range`; "
          "needs a return spring or a preload."},
+    {.figure = Figure::motor_torque,
+     .name = "motor_torque",
+     .limit = &LimitSpec::motor_torque,
+     .spellings = spellings::moment,
+     .sense = Sense::most,
+     .range = positive,
+     .needs_drive = true,
+     .meaning = "Cap on the magnitude of the motor's torque at every angle; a table `{ min, max }`: one limit "
+                "for each side."},
+    {.figure = Figure::motor_torque_min,
+     .name = "motor_torque_min",
+     .limit = &LimitSpec::motor_torque_min,
+     .spellings = spellings::moment,
+     .sense = Sense::least,
+     .range = ranges::any,
+     .needs_drive = true,
+     .side = "min",
+     .table = "motor_torque"},
+    {.figure = Figure::motor_torque_max,
+     .name = "motor_torque_max",
+     .limit = &LimitSpec::motor_torque_max,
+     .spellings = spellings::moment,
+     .sense = Sense::most,
+     .range = ranges::any,
+     .needs_drive = true,
+     .side = "max",
+     .table = "motor_torque"},
+    {.figure = Figure::motor_torque_rms,
+     .name = "motor_torque_rms",
+     .limit = &LimitSpec::motor_torque_rms,
+     .spellings = spellings::moment,
+     .sense = Sense::most,
+     .range = positive,
+     .needs_drive = true,
+     .meaning = "Cap on the root mean square of the motor's torque over the cycle, rests included."},
+    {.figure = Figure::motor_speed,
+     .name = "motor_speed",
+     .limit = &LimitSpec::motor_speed,
+     .spellings = spellings::speed,
+     .sense = Sense::most,
+     .range = positive,
+     .needs_drive = true,
+     .meaning = "Cap on the speed of the motor."},
 }};
 
 constexpr bool limits_in_order() {
@@ -228,7 +271,7 @@ bool is_least_limit(std::string_view name) {
 
 bool limits_cam(const LimitSpec& limits) {
     return std::ranges::any_of(cam_limit_rows, [&](const LimitRow& row) {
-        return !row.needs_dynamics && row.in(limits).has_value();
+        return row.of_cam() && row.in(limits).has_value();
     });
 }
 

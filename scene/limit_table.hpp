@@ -73,6 +73,9 @@ struct LimitRow {
     bool needs_forces = false;  ///< and with them a speed
     bool needs_contact_width = false;
     bool needs_dynamics = false;   ///< of the elastic follower train: needs no cam
+    bool needs_drive = false;      ///< of the motor: needs no cam
+    const char* side = nullptr;    ///< "min", "max": written in a table in the place of the number of `table`
+    const char* table = nullptr;   ///< "motor_torque"
     bool needs_contact = false;    ///< a figure without a value where the follower cannot touch the cam
     bool may_be_infinite = false;  ///< an infinite figure is one
     Size size = Size::itself;
@@ -87,6 +90,7 @@ struct LimitRow {
         return limits.*limit;
     }
     [[nodiscard]] bool is_least() const { return sense == Sense::least; }
+    [[nodiscard]] bool of_cam() const { return !needs_dynamics && !needs_drive; }
     /// Its key with the unit the manual shows: "pressure_angle_deg".
     [[nodiscard]] std::string first_key() const;
 };

@@ -7,6 +7,7 @@
 #include "core/text/names.hpp"
 #include "core/units.hpp"
 #include "scene/cam_spec.hpp"
+#include "scene/drive_spec.hpp"
 #include "scene/dynamics_spec.hpp"
 #include "scene/own_rule.hpp"
 
@@ -151,6 +152,7 @@ struct Reference {
     std::optional<double> velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk;
     std::optional<double> residual, dynamic_acceleration;  ///< in lifts; in lifts by x²
     std::optional<double> area;                            ///< lost area, 1 − mean displacement in lifts
+    std::optional<double> motor_torque, motor_torque_rms;  ///< N m
     bool numeric = false;  ///< true: `law` plays no part, every number needed must be given
     friend bool operator==(const Reference&, const Reference&) = default;
 };
@@ -161,6 +163,7 @@ struct ObjectiveSpec {
     double rms_acceleration = 0.0, rms_jerk = 0.0;          ///< weights, >= 0
     double residual = 0.0, dynamic_acceleration = 0.0;      ///< weights, >= 0; need dynamics
     double area = 0.0;  ///< weight, >= 0, of the lost area 1 − (1/L) ∫ y dx over the whole motion
+    double motor_torque = 0.0, motor_torque_rms = 0.0;  ///< weights, >= 0; need a drive
     /// Weights, >= 0, of the cam's variable dimensions divided by the lift (of an oscillating follower: by
     /// the lift times the centre distance); the offset counts by its magnitude.
     std::array<double, dimension_count> dimensions{};
@@ -229,10 +232,15 @@ enum class LimitedFigure {
     contact_force,  ///< F or M of ForceSpec
     torque,         ///< |camshaft torque|
     hertz_pressure,
-    residual,              ///< amplitude of the output's free vibration after a rise or a return
-    dynamic_contact_force  ///< of the elastic train on the cam
+    residual,               ///< amplitude of the output's free vibration after a rise or a return
+    dynamic_contact_force,  ///< of the elastic train on the cam
+    motor_torque,           ///< |τ| of the drive
+    motor_torque_min,       ///< τ, of one side
+    motor_torque_max,
+    motor_torque_rms,  ///< over the cycle
+    motor_speed        ///< |n|
 };
-inline constexpr int limited_figure_count = 11;
+inline constexpr int limited_figure_count = 16;
 
 struct LimitSpec {
     std::optional<PeakLimit> velocity, acceleration, jerk;
@@ -254,6 +262,11 @@ struct LimitSpec {
     // These need dynamics, and no cam.
     std::optional<WrittenLimit> residual;                   ///< amplitude of the output in dwells, m or rad
     std::optional<WrittenLimit> dynamic_contact_force_min;  ///< on the cam, N or N m
+    // These need a drive.
+    std::optional<WrittenLimit> motor_torque, motor_torque_min, motor_torque_max;  ///< |τ|, or one side, N m
+    std::optional<WrittenLimit> motor_torque_rms;                                  ///< over the cycle, N m
+    std::optional<WrittenLimit> motor_speed;                                       ///< rad/s
+    MotorCurve motor_curve;  ///< |τ| at |n|, from n = 0 to the largest speed; empty: none
     friend bool operator==(const LimitSpec&, const LimitSpec&) = default;
 };
 
@@ -288,6 +301,7 @@ struct Scene {
     std::optional<ForceSpec> forces;  ///< needs a cam and a speed
     LimitSpec limits;
     std::optional<DynamicsSpec> dynamics;    ///< an elastic follower train; needs a speed
+    std::optional<DriveSpec> drive;          ///< a motor in place of a cam; needs a speed
     std::optional<MeasuredMotion> measured;  ///< beside the optimum, or where its search begins
     std::optional<DrawingSpec> drawing;  ///< of a disk cam: what drawings and solids need beside the profile
     std::vector<OwnTerm> own_terms;      ///< beside those of `objective`

@@ -92,7 +92,8 @@ void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {
     if (!(limit.unit_value > 0.0) || !std::isfinite(limit.unit_value))
         refuse(member_of(row.name), fmt::format("unit_value {}", limit.unit_value), "a number > 0");
     const bool own = oscillating && row.swinging.name != nullptr;
-    const std::string member = member_of(own ? row.swinging.name : row.name);
+    const std::string member =
+        member_of(own ? row.swinging.name : row.side != nullptr ? row.table : row.name);
     const std::span<const Spelling> known = own ? row.swinging.spellings : row.spellings;
     const Spelling* spelling = spelling_of(known, member, limit.key, limit.unit);
     if (!spelling && limit.unit.empty() && limit.unit_value != 1.0)
@@ -103,7 +104,9 @@ void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {
         limit.unit = spelling->unit;
         limit.unit_value = spelling->factor;
     }
-    if (limit.key.empty()) limit.key = fmt::format("{}{}", member, spelling ? spelling->suffix : "");
+    if (limit.key.empty())
+        limit.key = fmt::format("{}{}{}{}", member, spelling ? spelling->suffix : "",
+                                row.side != nullptr ? "." : "", row.side != nullptr ? row.side : "");
 }
 
 }  // namespace

@@ -52,6 +52,13 @@ void EnergySum::add(const LocalMap& map, int order, double width, double weight)
     }
 }
 
+void EnergySum::add(const AffineRow& row, double weight) {
+    const double root = std::sqrt(weight);
+    for (std::size_t k = 0; k < row.columns.size(); ++k)
+        roots_.emplace_back(static_cast<int>(offset_.size()), row.columns[k], root * row.weights[k]);
+    offset_.push_back(root * row.offset);
+}
+
 QuadraticForm EnergySum::form(double factor) const {
     QuadraticForm form;
     const double root = std::sqrt(factor);

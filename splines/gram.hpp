@@ -39,6 +39,8 @@ class EnergySum {
     explicit EnergySum(Eigen::Index variables) : variables_(variables) {}
     /// Adds weight · ∫_0^width (y^{(order)})² dt of one local polynomial.
     void add(const LocalMap& map, int order, double width, double weight);
+    /// Adds weight · (row)² of a value of the design.
+    void add(const AffineRow& row, double weight);
     /// `factor` times the sum.
     [[nodiscard]] QuadraticForm form(double factor) const;
 

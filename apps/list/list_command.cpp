@@ -46,6 +46,7 @@ std::string conditions_text(const KeyRow& row) {
     if (row.availability == Availability::needs_cam) text += " Needs [cam].";
     if (row.availability == Availability::needs_forces) text += " Needs [forces].";
     if (row.availability == Availability::needs_dynamics) text += " Needs [dynamics].";
+    if (row.availability == Availability::needs_drive) text += " Needs [drive].";
     return text;
 }
 
@@ -63,6 +64,7 @@ Json needs_json(Availability availability) {
     if (availability == Availability::needs_cam) return "cam";
     if (availability == Availability::needs_forces) return "forces";
     if (availability == Availability::needs_dynamics) return "dynamics";
+    if (availability == Availability::needs_drive) return "drive";
     return nullptr;
 }
 

@@ -83,6 +83,7 @@ struct SceneState {
     std::string cam_type;  ///< empty: no cam
     bool has_forces = false;
     bool has_dynamics = false;
+    bool has_drive = false;
     std::set<std::string_view> units;  ///< that the scene is written in
 };
 
@@ -93,6 +94,7 @@ SceneState state_of(const std::vector<SceneTable>& tables) {
             if (const Member* const type = table.node->find("type")) state.cam_type = type->value.text;
         state.has_forces = state.has_forces || table.path == "forces";
         state.has_dynamics = state.has_dynamics || table.path == "dynamics";
+        state.has_drive = state.has_drive || table.path == "drive";
         for (const Member& member : table.node->members)
             if (const KeyMatch match = input::match_key(table.path, member.name);
                 match.row != nullptr && !match.spelling->unit.empty())
@@ -200,6 +202,7 @@ const Spelling& fitting_spelling(const KeyRow& row, const SceneState& state) {
 
 bool could_be(const KeyRow& row, const SceneState& state) {
     if (row.availability == input::Availability::needs_dynamics) return state.has_dynamics;
+    if (row.availability == input::Availability::needs_drive) return state.has_drive;
     if (row.availability != input::Availability::now && state.cam_type.empty()) return false;
     if (row.availability == input::Availability::needs_forces && !state.has_forces) return false;
     return row.is_for(state.cam_type);

@@ -45,4 +45,13 @@ inline constexpr std::array<QuadraturePoint, 5> gauss_legendre = {
      {0.53846931010568309, 0.47862867049936647},
      {0.90617984593866399, 0.23692688505618909}}};
 
+/// ∫ over [begin, end], cut into equal parts, as Σ weight · f(x): calls visit(x, weight).
+template <class Visit>
+void visit_quadrature(double begin, double end, int parts, Visit&& visit) {
+    const double half = 0.5 * (end - begin) / parts;
+    for (int k = 0; k < parts; ++k)
+        for (const QuadraturePoint& point : gauss_legendre)
+            visit(begin + half * (2 * k + 1 + point.place), half * point.weight);
+}
+
 }  // namespace camopt

@@ -134,6 +134,8 @@ class KeyCheck {
                 return check_bounds(given, key, false);
             case KeyType::number_or_points:
                 if (given.value().kind != NodeKind::array) return check_number(given, key);
+                [[fallthrough]];
+            case KeyType::points:
                 return check_points(given, key);
             case KeyType::numbers:
                 return check_numbers(given, key);

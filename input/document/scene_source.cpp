@@ -77,8 +77,12 @@ std::pair<std::string_view, std::optional<std::size_t>> split_index(std::string_
 /// Members of Scene with another name in the file ("return" is a keyword of C++), or possibly so.
 std::string_view other_name(std::string_view member) {
     if (member == "return_angle") return "return";
-    if (const LimitRow* row = limit_named(member); row != nullptr && row->swinging.name != nullptr)
-        return row->swinging.name;
+    if (const LimitRow* row = limit_named(member)) {
+        if (row->swinging.name != nullptr) return row->swinging.name;
+        if (row->table != nullptr) return row->table;
+    }
+    if (member == "load_mass") return "load_inertia";
+    if (member == "force") return "moment";
     return member == "mass" ? "inertia" : member;
 }
 

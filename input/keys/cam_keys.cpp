@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of the key table that have to do with a cam of any kind, and of [dynamics].
+// The rows of the key table that have to do with a cam of any kind, of [dynamics] and of [drive].
 #include "input/keys/key_spellings.hpp"
 
 namespace camopt::input {
@@ -98,6 +98,29 @@ std::vector<KeyRow> dynamics_rows() {
          "Of the spring to the mass or cam before it."},
         {"dynamics.stage", "damping_ratio", number, plain, damping_ratios, {}, "0",
          "c / (2 sqrt(k m)) of this mass on this spring."},
+    };
+}
+
+std::vector<KeyRow> drive_rows() {
+    return {
+        {"drive", "load_mass", number, mass, not_negative, {}, "0",
+         "Moved with the output; of a lift that is a length."},
+        {"drive", "load_inertia", number, inertia, not_negative, {}, "0",
+         "The same where the lift is an angle.", Availability::now, "load_mass"},
+        {"drive", "motor_inertia", number, inertia, not_negative, {}, "0",
+         "Of motor, brake and gear, at the motor."},
+        {"drive", "transmission", number, travel_per_turn, positive, {}, "required",
+         "Travel of the output a revolution of the motor."},
+        {"drive", "viscous", number, damper, not_negative, {}, "0",
+         "Viscous friction of the output: force by its velocity, moment by its angular velocity."},
+        {"drive", "force", number, force, any, {}, "0", "Constant force on the output, against positive motion."},
+        {"drive", "moment", number, moment, any, {}, "0", "The same where the lift is an angle.",
+         Availability::now, "force"},
+        {"drive", "friction", number, force_or_moment, not_negative, {}, "0",
+         "Dry friction, against the motion in either direction, 0 at rest. The direction must be known: "
+         "`motion.monotone`, and every displacement given."},
+        {"drive", "cycle", number, cam_angle, positive, {}, "360 deg",
+         "Cam angle of the cycle that the root mean square is taken over; outside the motion the axis rests."},
     };
 }
 // clang-format on

@@ -34,7 +34,7 @@ inline constexpr Spelling displacement[] = {
     {"_m", "m", 1.0}, {"_deg", "deg", units::degree},   {"_rad", "rad", 1.0}};
 /// Where the name of the key is the unit.
 inline constexpr Spelling degrees[] = {{"", "deg", units::degree}};
-inline constexpr Spelling speed[] = {{"_rpm", "rpm", units::revolution_per_minute}, {"_rad_s", "rad/s", 1.0}};
+using camopt::spellings::speed;
 inline constexpr Spelling mass[] = {{"_kg", "kg", 1.0}, {"_lb", "lb", units::pound}};
 inline constexpr Spelling inertia[] = {{"_kg_m2", "kg m^2", 1.0}};
 inline constexpr Spelling spring_rate[] = {{"_n_mm", "N/mm", 1.0 / units::millimetre},
@@ -49,6 +49,12 @@ inline constexpr Spelling train_spring[] = {{"_n_mm", "N/mm", 1.0 / units::milli
                                             {"_nm_rad", "N m/rad", 1.0}};
 inline constexpr Spelling frequency[] = {{"_hz", "Hz", units::turn}, {"_rad_s", "rad/s", 1.0}};
 inline constexpr Spelling damper[] = {{"_n_s_m", "N s/m", 1.0}, {"_nm_s_rad", "N m s/rad", 1.0}};
+/// Travel of the output a radian of the motor.
+inline constexpr Spelling travel_per_turn[] = {{"_mm_per_rev", "mm/rev", units::millimetre / units::turn},
+                                               {"_in_per_rev", "in/rev", units::inch / units::turn},
+                                               {"_m_per_rev", "m/rev", 1.0 / units::turn},
+                                               {"_deg_per_rev", "deg/rev", units::degree / units::turn},
+                                               {"_rad_per_rev", "rad/rev", 1.0 / units::turn}};
 inline constexpr Spelling modulus[] = {
     {"_gpa", "GPa", 1e9}, {"_mpa", "MPa", 1e6}, {"_pa", "Pa", 1.0}, {"_ksi", "ksi", units::ksi}};
 
@@ -64,6 +70,7 @@ namespace camopt::input {
 [[nodiscard]] std::vector<KeyRow> rotation_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
 [[nodiscard]] std::vector<KeyRow> dynamics_rows();
+[[nodiscard]] std::vector<KeyRow> drive_rows();
 [[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
 
 // Suggestions for terms of other programs: "swing_deg" is lift_deg, a follower "flat" is translating_flat or

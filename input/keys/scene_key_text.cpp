@@ -24,6 +24,8 @@ std::string_view type_words(KeyType type) {
             return "table of `min`, `max`";
         case KeyType::number_or_points:
             return "number or array of pairs";
+        case KeyType::points:
+            return "array of pairs";
         case KeyType::numbers:
             return "array of numbers";
         case KeyType::texts:
@@ -67,6 +69,8 @@ std::string_view remark(const KeyRow& row) {
             return " *Needs a `[forces]` table.*";
         case Availability::needs_dynamics:
             return " *Needs a `[dynamics]` table.*";
+        case Availability::needs_drive:
+            return " *Needs a `[drive]` table.*";
         case Availability::now:
             break;
     }

@@ -52,6 +52,8 @@ Rows other_tables() {
          "A motion that was measured: compared with the optimum, or where searches begin."},
         {"", "dynamics", table, plain, any, {}, "a rigid follower",
          "The elastic follower train between cam and output; needs a speed."},
+        {"", "drive", table, plain, any, {}, "no motor",
+         "A motor in place of a cam: a servo axis; needs a speed."},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
         {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found."},
     };
@@ -231,13 +233,19 @@ std::vector<const CostTerm*> listed_terms() {
     return terms;
 }
 
+Availability needs_of(const ResponseTerm& term) {
+    return term.needs_dynamics() ? Availability::needs_dynamics
+           : term.needs_drive()  ? Availability::needs_drive
+                                 : Availability::now;
+}
+
 Rows objective() {
     Rows rows;
     for (const CostTerm* term : listed_terms())
         rows.push_back({"objective", term->name(), number, plain, not_negative, {}, "0", term->weight_meaning});
     for (const ResponseTerm& term : response_terms())
         rows.push_back({"objective", term.name, number, plain, not_negative, {}, "0", term.weight_meaning,
-                        term.needs_dynamics() ? Availability::needs_dynamics : Availability::now});
+                        needs_of(term)});
     return rows;
 }
 
@@ -264,7 +272,7 @@ Rows reference() {
     for (const ResponseTerm& term : response_terms())
         rows.push_back({"objective.reference", term.name, number, plain, positive, {}, "none",
                         term.reference_meaning,
-                        term.needs_dynamics() ? Availability::needs_dynamics : Availability::now});
+                        needs_of(term)});
     return rows;
 }
 
@@ -274,16 +282,23 @@ Rows limits() {
         if (row.side == 0)
             rows.push_back({"limits", row.name(), number_or_bounds, row.spellings, any, {}, "none", row.meaning});
     for (const LimitRow& row : limit_rows()) {
+        if (row.side != nullptr) continue;
         const Availability needs = row.needs_dynamics ? Availability::needs_dynamics
+                                   : row.needs_drive  ? Availability::needs_drive
                                    : row.needs_forces ? Availability::needs_forces
                                                       : Availability::needs_cam;
-        rows.push_back({"limits", row.name, number, row.spellings, range_in(row.range, row.spellings.front()),
+        const KeyType type = row.figure == LimitedFigure::motor_torque ? number_or_bounds : number;
+        rows.push_back({"limits", row.name, type, row.spellings, range_in(row.range, row.spellings.front()),
                         {}, row.default_text, row.meaning, needs});
         if (const LimitRow::Swinging& swinging = row.swinging; swinging.name != nullptr)
             rows.push_back({"limits", swinging.name, number, swinging.spellings,
                             range_in(row.range, swinging.spellings.front()), {}, row.default_text,
                             swinging.meaning, needs, row.name});
     }
+    rows.push_back({"limits", "motor_curve", points, plain, any, {}, "none",
+                    "The torque-speed curve of the motor: pairs of a speed in rpm, from 0 on, and the largest "
+                    "magnitude of the torque there in N m. Linear between them, concave and never rising; the last "
+                    "speed is the largest.", Availability::needs_drive});
     return rows;
 }
 
@@ -383,7 +398,7 @@ KeyTable all_rows() {
     for (const CamKind& kind : cam_kinds())
         for (const KeyRow& row : kind.rows) all.add_of_kind(row);
     for (const Rows& part :
-         {rotation_rows(), other_tables(), force_rows(), dynamics_rows(), limits(), solver()})
+         {rotation_rows(), other_tables(), force_rows(), dynamics_rows(), drive_rows(), limits(), solver()})
         all.add(part);
     add_words_of_variants(all.rows);
     for (KeyRow& row : all.rows) row.cam_types = kinds_that_know(row);

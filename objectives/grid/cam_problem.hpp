@@ -67,8 +67,9 @@ class GridNlp final : public Nlp {
         std::vector<double> weights;  ///< affine rows
         double offset = 0.0;          ///< affine rows
         int sample = -1;              ///< nonlinear rows: which sample
-        Eigen::MatrixXd map;          ///< nonlinear rows: 4 x design columns
+        Eigen::MatrixXd map = {};     ///< other nonlinear rows: 4 x design columns
         Eigen::Vector4d map_offset = Eigen::Vector4d::Zero();
+        std::shared_ptr<const QuadraticForm> form = {};  ///< nonlinear rows of the whole motion
     };
     struct RmsTerm {
         int variable = 0;
@@ -83,6 +84,7 @@ class GridNlp final : public Nlp {
     [[nodiscard]] AffineRow linear_rule_row(const RuleSample& place, const RuleValue& affine) const;
     void add_linear_row(int sample);
     void add_curved_row(int sample);
+    void add_energy_row(int sample);
     void add_cost_terms();
     void claim_cost();
     void claim_rows(int first);
@@ -190,6 +192,7 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] Eigen::VectorXd smoothest(const Eigen::VectorXd& load) const;
     [[nodiscard]] std::array<double, 2> displacement_range(double incumbent) const;
     struct SupportedBounds;
+    static void bound_by_motor(const CamModel& model, SupportedBounds& known, double relaxation);
     [[nodiscard]] SupportedBounds supported_bounds(double incumbent, double relaxation) const;
 
     std::shared_ptr<CamModel> model_;  ///< its grid reads it too

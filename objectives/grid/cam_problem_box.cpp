@@ -59,6 +59,35 @@ struct CamProblem::SupportedBounds {
     std::array<double, 4> sup, rms;  ///< of |y^{(r)}| and of its root mean square, anywhere
 };
 
+/// From rest, τ = K_a y'' + K_v y' + K_0 ± K_f is a stable equation for y': over the length L of the motion
+///   K_a |y'| <= ∫ |τ − K_0 ∓ K_f| dx <= sqrt(L) ||τ|| + L (|K_0| + K_f),
+///   K_a ||y''|| <= ||τ|| + K_v ||y'|| + sqrt(L) (|K_0| + K_f),
+/// with ||τ||² <= C · rms² over the cycle C, and the same of largest values with |τ| in place of ||τ||.
+void CamProblem::bound_by_motor(const CamModel& model, SupportedBounds& known, double relaxation) {
+    const MotorBounds& motor = *model.motor;
+    const bool rests = std::ranges::any_of(model.known_points, &KnownPoint::at_rest);
+    const double most = 1.0 + 2.0 * relaxation, mass = motor.torque.acceleration;
+    known.sup[1] = std::min(known.sup[1], most * motor.speed / motor.torque.speed);
+    if (!rests || !(mass > 0.0)) return;
+    const auto bounded = [&](double limit, int parameter) {
+        if (parameter < 0) return most * limit;
+        const Parameter& own = model.parameters[static_cast<std::size_t>(parameter)];
+        return std::min(most * limit, known.parameters[parameter] * own.reference);
+    };
+    const double length = model.design.end() - model.design.begin(), root = std::sqrt(length);
+    const double constant = std::abs(motor.torque.constant) + motor.torque.friction;
+    const double norm = std::sqrt(motor.cycle) * bounded(motor.rms, motor.rms_parameter);
+    const double peak = bounded(motor.peak, motor.peak_parameter);
+    known.sup[1] =
+        std::min({known.sup[1], (root * norm + length * constant) / mass, length * (peak + constant) / mass});
+    known.sup[2] = std::min(known.sup[2], (peak + motor.torque.velocity * known.sup[1] + constant) / mass);
+    double shortest = length;  // a mean over one run is at most that much larger
+    for (int r = 0; r < model.design.runs(); ++r)
+        shortest = std::min(shortest, model.design.run_space(r).end() - model.design.run_space(r).begin());
+    const double bend = (norm + root * (motor.torque.velocity * known.sup[1] + constant)) / mass;
+    known.rms[2] = std::min(known.rms[2], bend / std::sqrt(shortest));
+}
+
 CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, double relaxation) const {
     const CamModel& model = *model_;
     const auto parameters = static_cast<Eigen::Index>(model.parameters.size());
@@ -90,6 +119,7 @@ CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, doubl
         const double normalised = known.parameters[p] * parameter.reference;
         bound = std::min(bound, normalised * largest_stretch_factor(model, parameter.order));
     }
+    if (model.motor) bound_by_motor(model, known, relaxation);
     bound_lower_derivatives(model.design, known.sup);
     return known;
 }

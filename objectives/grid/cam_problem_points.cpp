@@ -170,11 +170,12 @@ void CamProblem::complete_own_peaks(const MotionChain& chain, Eigen::VectorXd& x
     }
 }
 
-/// The response of the follower train to the motion.
+/// The response of the follower train or of the motor to the motion.
 void CamProblem::complete_responses(const MotionChain& chain, Eigen::VectorXd& x) const {
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
-        if (parameter.kind != Parameter::Kind::response) continue;
+        if (parameter.kind != Parameter::Kind::response && parameter.kind != Parameter::Kind::energy)
+            continue;
         double largest = 0.0;
         for (const auto& place : parameter.defined_by->whole()->maxima(chain, Eigen::VectorXd::Zero(1)))
             largest = std::max(largest, place.where.value);
@@ -189,7 +190,8 @@ void CamProblem::complete_parameters(Eigen::VectorXd& x) const {
     else
         complete_program_peaks(motion(x), x);
     if (has_kind(*model_, Parameter::Kind::own)) complete_own_peaks(motion(x), x);
-    if (has_kind(*model_, Parameter::Kind::response)) complete_responses(motion(x), x);
+    if (has_kind(*model_, Parameter::Kind::response) || has_kind(*model_, Parameter::Kind::energy))
+        complete_responses(motion(x), x);
     const Eigen::Index size = model_->design.size();
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];

@@ -3,6 +3,7 @@
 #include "objectives/rules/point_rule.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace camopt {
 
@@ -18,10 +19,14 @@ void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
     }
 }
 
-/// The form in the optimizer's units, divided by reference².
-QuadraticForm scaled_form(const CamModel& model, int order, double reference) {
-    QuadraticForm form = model.design.mean_square(order, model.mean_square_weights(order));
-    form.scale(1.0 / (reference * reference), design_scales(model));
+/// Of a root mean square: the form in the optimizer's units, divided by reference².
+QuadraticForm scaled_form(const CamModel& model, const Parameter& parameter) {
+    const bool energy = parameter.kind == Parameter::Kind::energy;
+    QuadraticForm form =
+        energy ? parameter.defined_by->whole()->form(model.design).value()
+               : model.design.mean_square(parameter.order, model.mean_square_weights(parameter.order));
+    const double factor = 1.0 / (parameter.reference * parameter.reference);
+    form.scale(energy ? 1.0 : factor, design_scales(model));
     return form;
 }
 
@@ -51,7 +56,7 @@ GridNlp::GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> 
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
         const int variable = design_size() + static_cast<int>(p);
-        const bool rms = parameter.kind == Parameter::Kind::rms;
+        const bool rms = parameter.kind == Parameter::Kind::rms || parameter.kind == Parameter::Kind::energy;
         shape_.x_lower[variable] = rms ? least_rms : parameter.lower;
         shape_.x_upper[variable] = parameter.upper;
     }
@@ -127,10 +132,24 @@ void GridNlp::add_sample_rows(int first) {
 }
 
 void GridNlp::add_sample_row(int sample) {
-    if (model_->rules[samples_[sample].rule]->linear())
+    const PointRule& rule = *model_->rules[samples_[sample].rule];
+    if (rule.linear())
         add_linear_row(sample);
+    else if (rule.whole())
+        add_energy_row(sample);
     else
         add_curved_row(sample);
+}
+
+void GridNlp::add_energy_row(int sample) {
+    QuadraticForm form = model_->rules[samples_[sample].rule]->whole()->form(model_->design).value();
+    form.scale(1.0, scale_);
+    Row row;
+    row.sample = sample;
+    row.columns.resize(static_cast<std::size_t>(design_size()));
+    std::iota(row.columns.begin(), row.columns.end(), 0);
+    row.form = std::make_shared<const QuadraticForm>(std::move(form));
+    rows_.push_back(std::move(row));
 }
 
 /// A linear rule's value and slopes where everything is 0.
@@ -218,9 +237,8 @@ void GridNlp::add_cost_terms() {
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
         const int variable = design_size() + static_cast<int>(p);
-        if (parameter.kind == Parameter::Kind::rms)
-            rms_.push_back(
-                {variable, parameter.weight, scaled_form(*model_, parameter.order, parameter.reference)});
+        if (parameter.kind == Parameter::Kind::rms || parameter.kind == Parameter::Kind::energy)
+            rms_.push_back({variable, parameter.weight, scaled_form(*model_, parameter)});
     }
     follow_weights();
     shape_.linear_cost = rms_.empty();
@@ -255,6 +273,12 @@ void GridNlp::claim_rows(int first) {
         shape_.jacobian.rows.insert(shape_.jacobian.rows.end(), columns.size(), static_cast<int>(i));
         shape_.jacobian.columns.insert(shape_.jacobian.columns.end(), columns.begin(), columns.end());
         if (rows_[i].sample < 0) continue;
+        if (rows_[i].form) {
+            visit_lower(rows_[i].form->matrix, [&](int row, int column, double) {
+                hessian_slots_.claim(shape_.hessian, row, column);
+            });
+            continue;
+        }
         for (std::size_t a = 0; a < columns.size(); ++a)
             for (std::size_t b = 0; b <= a; ++b) hessian_slots_.claim(shape_.hessian, columns[a], columns[b]);
     }
@@ -296,7 +320,8 @@ void GridNlp::constraints(const ConstVectorRef& x, VectorRef out) const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Row& row = rows_[i];
         if (row.sample >= 0) {
-            out[static_cast<Eigen::Index>(i)] = rule_value(row, x).value;
+            out[static_cast<Eigen::Index>(i)] =
+                row.form ? 0.5 * (row.form->value(x.head(design_size())) - 1.0) : rule_value(row, x).value;
             continue;
         }
         double value = row.offset;
@@ -310,6 +335,11 @@ void GridNlp::jacobian(const ConstVectorRef& x, std::span<double> out) const {
     for (const Row& row : rows_) {
         if (row.sample < 0) {
             next = std::ranges::copy(row.weights, next).out;
+            continue;
+        }
+        if (row.form) {
+            const Eigen::VectorXd slope = row.form->slope(x.head(design_size()));
+            next = std::ranges::copy(slope, next).out;
             continue;
         }
         const Eigen::VectorXd partials = rule_value(row, x).gradient;
@@ -335,14 +365,18 @@ void GridNlp::hessian(const ConstVectorRef& x, double sigma, const ConstVectorRe
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Row& row = rows_[i];
         if (row.sample < 0) continue;
+        const double multiplier = lambda[static_cast<Eigen::Index>(i)];
+        if (row.form) {
+            visit_lower(row.form->matrix, [&](int, int, double value) { add(multiplier * value); });
+            continue;
+        }
         // (y … y''', q) as a linear map of the row's columns: B on top of the identity.
         const Eigen::Index local = row.map.cols();
         const Eigen::Index parameters = static_cast<Eigen::Index>(row.columns.size()) - local;
         Eigen::MatrixXd full = Eigen::MatrixXd::Zero(4 + parameters, local + parameters);
         full.topLeftCorner(4, local) = row.map;
         full.bottomRightCorner(parameters, parameters).setIdentity();
-        const Eigen::MatrixXd curved =
-            lambda[static_cast<Eigen::Index>(i)] * full.transpose() * rule_value(row, x).hessian * full;
+        const Eigen::MatrixXd curved = multiplier * full.transpose() * rule_value(row, x).hessian * full;
         for (Eigen::Index a = 0; a < curved.rows(); ++a) {
             for (Eigen::Index b = 0; b <= a; ++b) add(curved(a, b));
         }

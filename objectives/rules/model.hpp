@@ -6,6 +6,7 @@
 #include "objectives/rules/point_rule.hpp"
 #include "profiles/sampling.hpp"
 #include "scene/cam_mechanism.hpp"
+#include "scene/drive_spec.hpp"
 #include "splines/motion_family.hpp"
 
 #include <Eigen/Core>
@@ -49,17 +50,18 @@ struct CamVariables {
 inline constexpr double least_rms = 1e-4;
 
 /// A variable besides the design vector: a peak, the torque peak max |y' y''|, a root mean square, a
-/// dimension of the cam, the magnitude of another parameter, the peak of a user-defined term, or a response
-/// of an elastic follower train.
+/// dimension of the cam, the magnitude of another parameter, the peak of a user-defined term, a response of
+/// an elastic follower train or of a motor (the lost area is one too), or a root mean square of that.
 struct Parameter {
-    enum class Kind { peak, torque, rms, dimension, magnitude, own, response };
+    enum class Kind { peak, torque, rms, dimension, magnitude, own, response, energy };
     std::string name;
     Kind kind = Kind::peak;
     int order = 0;           ///< peak, rms: of the derivative it belongs to; magnitude: of which parameter
     double reference = 1.0;  ///< the variable is in units of this
     double weight = 0.0;     ///< in the cost
     double lower = 0.0, upper = infinity;  ///< dimension: its range, in units of the reference
-    /// own, response: its definition, also where a relaxation omits the rule.
+    /// own, response, energy: its definition, also where a relaxation omits the rule; of an energy the only
+    /// place, for it has no row.
     std::shared_ptr<const PointRule> defined_by = {};
 };
 
@@ -130,6 +132,14 @@ struct KnownPoint {
     bool at_rest = false;
 };
 
+/// What the scene says of the torque and the speed of its motor: with it proofs bound the motion.
+struct MotorBounds {
+    DriveTorque torque;
+    double cycle = 1.0;                                        ///< x that rms is taken over
+    double rms = infinity, peak = infinity, speed = infinity;  ///< limits, N m, rad/s
+    int rms_parameter = -1, peak_parameter = -1;               ///< of the terms
+};
+
 struct CamModel {
     explicit CamModel(MotionFamily motions) : design(std::move(motions)) {}
 
@@ -138,6 +148,7 @@ struct CamModel {
     std::vector<PlacedRule> rules;
     std::vector<ParameterRow> parameter_rows;
     std::vector<DesignRow> design_rows;
+    std::optional<MotorBounds> motor;
     /// The constant cost of fixed dimensions.
     double cost_constant = 0.0;
     /// Set where the scene has a disk cam; where it has another mechanism.

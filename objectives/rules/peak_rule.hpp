@@ -23,6 +23,11 @@ class BoundRule final : public PointRule {
         /// 1 along the stroke.
         int contact = 0;
         double begin = 0.0, end = 1.0;
+        /// Of y', y'' and 1: where any is not 0 their sum is bounded in place of sign · y^{(order)}; then
+        /// `order` is 2.
+        std::array<double, 3> weights{};
+
+        [[nodiscard]] bool is_sum() const { return weights != std::array<double, 3>{}; }
     };
     BoundRule(std::string name, const Bound& bound) : name_(std::move(name)), bound_(bound) {}
 

@@ -128,7 +128,8 @@ class PointRule {
     return origin;
 }
 
-// A rule over the whole motion, linear in it: g(motion; q; setting) <= 0 for every setting.
+// A rule over the whole motion, linear in it (or quadratic and convex): g(motion; q; setting) <= 0 for every
+// setting.
 //
 // A setting identifies a row besides its location: a speed of the cam, a direction. Rows are added where the
 // rule is largest over locations and settings together.
@@ -155,7 +156,14 @@ class WholeMotionRule : public PointRule {
     /// Identifies the row: "310 rpm".
     [[nodiscard]] virtual std::string remark(std::span<const double> setting) const = 0;
 
-    [[nodiscard]] bool linear() const final { return true; }
+    /// Of a rule that is quadratic: (form − 1) / 2, a convex form of the entries of the family. It is then
+    /// one row, and has no row().
+    [[nodiscard]] virtual std::optional<QuadraticForm> form(const MotionFamily& family) const {
+        static_cast<void>(family);
+        return {};
+    }
+
+    [[nodiscard]] bool linear() const override { return true; }
     [[nodiscard]] const WholeMotionRule* whole() const final { return this; }
     /// It does not depend on a single point; throws ModelError.
     [[nodiscard]] RuleValue evaluate(const MotionPoint&, const Eigen::VectorXd&) const final {

@@ -194,4 +194,53 @@ std::string force_diagrams_svg(const View& view) {
     return chart_svg(chart_of(view, title.empty() ? "Forces" : title + ": forces", curves, false));
 }
 
+namespace {
+
+/// Both signs of torque and speed: the motor drives and brakes.
+ChartPanel torque_over_speed(const View& view) {
+    const std::vector<const Curve*> curves = curves_of(view, "motor");
+    const Curve &torque = *curves[0], &speed = *curves[1];
+    ChartPanel panel;
+    panel.width = panel_width;
+    panel.height = 1.6 * panel_height;
+    panel.caption = "Torque over speed";
+    panel.frame.horizontal_title = "speed of the motor (rpm)";
+    panel.frame.vertical_title = torque.unit.name;
+    const auto path = [&](const std::vector<double>& n, const std::vector<double>& values, const char* css) {
+        ChartSeries line{Look::line, css};
+        for (std::size_t i = 0; i < n.size(); ++i) line.points.push_back({n[i], values[i]});
+        panel.series.push_back(std::move(line));
+    };
+    if (torque.reference) path(speed.reference->values, torque.reference->values, "reference");
+    path(speed.values, torque.values, "optimum");
+    const LimitSpec& limits = view.solution.scene.limits;
+    const MotorCurve& curve = limits.motor_curve;
+    ChartSeries polygon{Look::line, "limit"};
+    const auto add = [&](double n, double value, std::string label = {}) {
+        polygon.points.push_back({rpm_shown.of(n), torque.unit.of(value), {}, std::move(label)});
+    };
+    for (const auto& [n, value] : curve) add(n, value, n == 0.0 ? "curve of the motor" : "");
+    for (auto point = curve.rbegin(); point != curve.rend(); ++point) add((*point)[0], -(*point)[1]);
+    for (const auto& [n, value] : curve) add(-n, -value);
+    for (auto point = curve.rbegin(); point != curve.rend(); ++point) add(-(*point)[0], (*point)[1]);
+    if (!curve.empty()) panel.series.push_back(std::move(polygon));
+    for (const int side : {1, -1})
+        if (const auto& limit = limits.motor_torque; limit && curve.empty()) {
+            const double at = side * torque.unit.of(limit->value);
+            const double most = rpm_shown.of(view.solution.drive->speed.value);
+            panel.series.push_back(
+                {Look::line, "limit", {{-most, at, {}, side > 0 ? "limit" : ""}, {most, at}}});
+        }
+    return panel;
+}
+
+}  // namespace
+
+std::string drive_svg(const View& view) {
+    const std::string& title = view.solution.scene.title;
+    Chart chart = chart_of(view, title.empty() ? "Motor" : title + ": motor", curves_of(view, "motor"), true);
+    chart.panels.push_back(torque_over_speed(view));
+    return chart_svg(std::move(chart));
+}
+
 }  // namespace camopt

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Curves of a view over the cam angle: one panel each, stacked, with limits dotted, the reference law dashed,
 // the measured motion, extremes and set points marked: motion.svg, profile_diagrams.svg, pressure_angle.svg,
-// curvature.svg and forces.svg.
+// curvature.svg, forces.svg and drive.svg.
 #pragma once
 
 #include "output/view/view.hpp"
@@ -22,5 +22,9 @@ namespace camopt {
 /// forces.svg: force or moment on the follower, camshaft torque, force along the normal, Hertz pressure.
 /// Where the follower cannot touch the cam the last two do not exist. Throws InputError without forces.
 [[nodiscard]] std::string force_diagrams_svg(const View& view);
+
+/// drive.svg: torque and speed of the motor over the angle, and torque over speed with the curve of the motor.
+/// The solution has a motor.
+[[nodiscard]] std::string drive_svg(const View& view);
 
 }  // namespace camopt

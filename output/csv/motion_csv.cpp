@@ -28,7 +28,7 @@ std::string header(const Columns& columns) {
 /// A row as the columns read it, of its first station.
 TableRow table_row(const View& view, const DeliveredRow& row) {
     return {view.degrees(row.x), row.motion, row.cam.empty() ? nullptr : &row.cam.front(),
-            row.loads.value_or(FollowerLoads())};
+            row.loads.value_or(FollowerLoads()), row.drive.value_or(DrivePoint())};
 }
 
 void add_cells(CsvLine& line, const View& view, const Columns& columns, const DeliveredRow& row) {
@@ -109,7 +109,7 @@ void refuse_digits(const std::optional<int>& digits) {
 
 std::string motion_csv(const View& view) {
     if (!view.solution.motion) throw InputError("a table needs a motion, and this solution has none");
-    const Columns columns = motion_columns(view.solution.scene.motion);
+    const Columns columns = motion_columns(view.solution.scene);
     std::string text = header(columns);
     for (const DeliveredRow& row : view.delivered.rows)
         if (!row.closing) text += line_of(view, columns, row);
@@ -170,6 +170,8 @@ UniformTable uniform_table(const View& view, const UniformTableOptions& options)
     const std::vector<double> angles = even_angles(options, table.end_deg);
     const bool plane = has_plane_cam(solution);
     const LoadsAt loads = plane ? delivered_loads(solution) : nullptr;
+    const std::optional<DriveAlong> drive =
+        solution.drive ? std::optional<DriveAlong>(solution.scene) : std::nullopt;
     for (const double theta : angles) {
         const bool last = theta == angles.back();
         const Side side = last ? Side::left : Side::right;
@@ -178,6 +180,7 @@ UniformTable uniform_table(const View& view, const UniformTableOptions& options)
         row.motion.x = x;
         if (plane) row.cam = &view.delivered.cam->at(row.motion, 0);
         if (loads) row.loads = loads(row.motion, *view.delivered.cam);
+        if (drive) row.drive = drive->at(row.motion, side);
         for (std::size_t i = 0; i < columns.size(); ++i)
             table.text += (i == 0 ? "" : ",") + cell_text(columns[i]->value(spec, row), options.digits);
         table.text += "\n";

@@ -49,6 +49,8 @@ using Json = nlohmann::ordered_json;
 
 /// null where the scene has no train, or there is no motion.
 [[nodiscard]] Json train_json(const Solution& solution);
+/// What the motion asks of the motor. The solution has one.
+[[nodiscard]] Json drive_json(const Solution& solution);
 
 // The entries of result.json that only a scene with a cam has. Private to output/.
 

@@ -31,7 +31,7 @@ Json physical_peaks_json(const Solution& solution) {
     TableRow row;
     row.motion.derivative = {0.0, peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
     Json json = Json::object();
-    for (const TableColumn* column : motion_columns(solution.scene.motion))
+    for (const TableColumn* column : motion_columns(solution.scene))
         if (column->order > 0) json[column->key] = number_json(column->value(solution.scene.motion, row));
     return json;
 }
@@ -223,6 +223,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["stationarity"] = number_json(certificate.stationarity);
     if (!solution.own_terms.empty()) json["own_terms"] = own_terms_json(solution);
     if (solution.train) json["dynamics"] = train_json(solution);
+    if (solution.drive) json["drive"] = drive_json(solution);
     json["constraints"] = constraints_json(solution);
     if (solution.motion && !placed_points(solution.scene.motion).empty())
         json["set_points"] = set_points_json(solution);

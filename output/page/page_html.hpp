@@ -14,7 +14,7 @@
 //                 rows of motion.csv, two where the jerk jumps (seen from the left, then from the right),
 //                 and after the motion those of the dwell that closes the cam
 //   curves[]      by cam angle:
-//     key, group ("motion", "cam", "forces"), title, symbol, unit, values[] (null: nothing to say there)
+//     key, group ("motion", "motor", "cam", "forces"), title, symbol, unit, values[] (null: nothing to say there)
 //     beside        null, or unit and factor: value · factor is the same by the cam angle
 //     reference     null, or title and values[] of the law
 //     measured      null, or title and values[] of the measured motion

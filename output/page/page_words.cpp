@@ -204,6 +204,7 @@ Json appendix_part(const Solution& solution, const RunOrigin& origin) {
     for (const std::string& sentence : solver_sentences(solution)) sentences.push_back(sentence);
     for (const OwnTermReport& term : solution.own_terms) sentences.push_back(own_term_sentence(term));
     for (const std::string& sentence : train_sentences(solution)) sentences.push_back(sentence);
+    for (const std::string& sentence : drive_sentences(solution)) sentences.push_back(sentence);
     return {{"sentences", std::move(sentences)}, {"command", origin.command}};
 }
 

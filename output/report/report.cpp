@@ -117,11 +117,12 @@ std::string verdict_section(const Solution& solution) {
 }
 
 std::string dynamics_section(const Solution& solution) {
-    const std::vector<std::string> sentences = train_sentences(solution);
-    if (sentences.empty()) return {};
-    std::string text = "## Dynamics\n\n";
-    for (const std::string& sentence : sentences) text += fmt::format("- {}\n", sentence);
-    return text + "\n";
+    const std::vector<std::string> train = train_sentences(solution), motor = drive_sentences(solution);
+    std::string text;
+    if (!train.empty()) text += "## Dynamics\n\n" + list_of(train) + "\n";
+    if (motor.empty()) return text;
+    return text + "\n## The motor\n\n" + list_of(motor) +
+           "\n![Torque and speed of the motor, torque over speed](drive.svg)\n";
 }
 
 std::string own_terms_section(const Solution& solution) {

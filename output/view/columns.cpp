@@ -127,6 +127,10 @@ std::vector<TableColumn> all_columns() {
             for (const TablePer per : {TablePer::radian, TablePer::degree, TablePer::second})
                 add_derivative(rows, unit, order, per);
     }
+    rows.push_back({"motor_torque_nm", "torque of the motor in N m", ColumnNeed::drive, 0,
+                    [](const auto&, const TableRow& row) { return row.drive.torque; }});
+    rows.push_back({"motor_speed_rpm", "speed of the motor in rpm", ColumnNeed::drive, 0,
+                    [](const auto&, const TableRow& row) { return rpm_shown.of(row.drive.speed); }});
     for (const CamColumn& cam : cam_columns)
         rows.push_back({cam.key, cam.meaning, cam.need, 0,
                         [&cam](const auto&, const TableRow& row) { return cam.value(*row.cam, row.loads); }});
@@ -145,6 +149,8 @@ constexpr Need needs[] = {{ColumnNeed::speed, "motion.speed_rpm",
                           {ColumnNeed::plane_cam, "a plane cam", has_plane_cam},
                           {ColumnNeed::forces, "a cam with [forces]",
                            [](const Solution& solution) { return delivered_loads(solution) != nullptr; }},
+                          {ColumnNeed::drive, "a [drive] table",
+                           [](const Solution& solution) { return solution.drive.has_value(); }},
                           {ColumnNeed::length, "a lift that is a length",
                            [](const Solution& solution) { return !solution.scene.motion.lift_is_angle; }},
                           {ColumnNeed::angle, "a lift that is an angle",
@@ -190,7 +196,8 @@ bool has_column(const Solution& solution, const TableColumn& column) {
         needs, [&](const Need& one) { return (column.need & one.bit) == 0 || one.met(solution); });
 }
 
-Columns motion_columns(const MotionSpec& motion) {
+Columns motion_columns(const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
     Keys keys = keys_by_angle(motion);
     keys.insert(keys.begin(), "theta_deg");
     keys.insert(keys.end(), {"x", "y", "dy", "ddy", "dddy"});
@@ -199,6 +206,7 @@ Columns motion_columns(const MotionSpec& motion) {
                     {"t_s", "v_deg_s", "a_deg_s2", "j_deg_s3", "v_rad_s", "a_rad_s2", "j_rad_s3"});
     else if (motion.speed)
         keys.insert(keys.end(), {"t_s", "v_mm_s", "a_mm_s2", "j_mm_s3", "a_m_s2", "j_m_s3"});
+    if (scene.drive) keys.insert(keys.end(), {"motor_torque_nm", "motor_speed_rpm"});
     return columns_of(keys);
 }
 

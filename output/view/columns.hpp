@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "objectives/drive_rules.hpp"
 #include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -18,7 +19,7 @@ namespace camopt {
 /// What a column may need beside a motion, bit by bit.
 struct ColumnNeed {
     static constexpr unsigned speed = 1, plane_cam = 2, forces = 4, length = 8, angle = 16,
-                              contact_width = 32;
+                              contact_width = 32, drive = 64;
 };
 
 /// "needs motion.speed_rpm"; empty: nothing.
@@ -30,6 +31,7 @@ struct TableRow {
     MotionPoint motion;  ///< normalised
     const MechanismPoint* cam = nullptr;
     FollowerLoads loads = {};  ///< where the cam has forces
+    DrivePoint drive = {};     ///< where there is a motor
 };
 
 struct TableColumn {
@@ -51,7 +53,7 @@ using Columns = std::vector<const TableColumn*>;
 [[nodiscard]] bool has_column(const Solution& solution, const TableColumn& column);
 
 /// Of motion.csv.
-[[nodiscard]] Columns motion_columns(const MotionSpec& motion);
+[[nodiscard]] Columns motion_columns(const Scene& scene);
 
 /// Of profile.csv: of the motion, the cam and its loads.
 [[nodiscard]] Columns profile_columns(const Solution& solution);

@@ -32,7 +32,7 @@ std::vector<CurveLimit> bounds_of(const View& view, const MotionUnit& unit) {
     const Scene& scene = view.solution.scene;
     const Motion& motion = *view.solution.motion;
     for (const MotionBound& bound : motion_bounds(scene)) {
-        if (bound.order != static_cast<int>(unit.order)) continue;
+        if (bound.of_motor() || bound.order != static_cast<int>(unit.order)) continue;
         all.push_back({view.degrees(std::max(bound.from, motion.begin())),
                        view.degrees(std::min(bound.until, motion.end())),
                        unit.per_normalised * bound.sign * bound.bound, bound.sign,
@@ -89,14 +89,6 @@ void add_set_points(std::vector<CurveMark>& marks, const View& view, const Motio
         if (point.is_region() && unit.order == 1) mark.to = view.degrees(point.end);
         marks.push_back(std::move(mark));
     }
-}
-
-/// The curve beside the motion; none: the reference is given as numbers, or nothing is optimised.
-std::shared_ptr<const Motion> reference_curve(const Solution& solution, ReferenceMotion& reference) {
-    if (reference.motion || reference.title.empty()) return std::move(reference.motion);
-    const auto is_spline = [](const ProgramSegment& one) { return one.kind == SegmentKind::spline; };
-    if (std::ranges::none_of(solution.scene.motion.segments, is_spline)) return nullptr;
-    return law_in_place(solution, solution.scene.objective.reference.law).motion;
 }
 
 std::string note_of(const View& view, const PeakRow& row, const ReferenceMotion& reference) {
@@ -181,6 +173,13 @@ Curve residual_curve(const View& view) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Motion> reference_curve(const Solution& solution, ReferenceMotion& reference) {
+    if (reference.motion || reference.title.empty()) return std::move(reference.motion);
+    const auto is_spline = [](const ProgramSegment& one) { return one.kind == SegmentKind::spline; };
+    if (std::ranges::none_of(solution.scene.motion.segments, is_spline)) return nullptr;
+    return law_in_place(solution, solution.scene.objective.reference.law).motion;
+}
 
 std::vector<Curve> motion_curves(const View& view) {
     ReferenceMotion reference = reference_motion(view.solution.scene);

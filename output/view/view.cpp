@@ -18,9 +18,11 @@ View::View(const Solution& shown)
     for (const SegmentReport& segment : solution.segments)
         segments.push_back({degrees(segment.begin), degrees(segment.end), segment_title(segment)});
     curves = motion_curves(*this);
-    if (!solution.cam) return;
-    std::vector<Curve> of_cam = cam_curves(*this);
-    curves.insert(curves.end(), std::move_iterator(of_cam.begin()), std::move_iterator(of_cam.end()));
+    const auto add = [&](std::vector<Curve> more) {
+        curves.insert(curves.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
+    };
+    if (solution.drive) add(drive_curves(*this));
+    if (solution.cam) add(cam_curves(*this));
 }
 
 std::string View::title(const char* untitled) const {

@@ -2,7 +2,8 @@
 // A solution as people see it: rows of the motion and its cam in display units, with limits, marks and
 // reference curves, made once. Charts, pages and the studio iterate over it; none of them converts a unit.
 //
-// A new quantity along the motion is one row in motion_curves.cpp or cam_curves.cpp of this folder.
+// A new quantity along the motion is one row in motion_curves.cpp, drive_curves.cpp or cam_curves.cpp of this
+// folder.
 #pragma once
 
 #include "output/view/shown_units.hpp"
@@ -16,6 +17,8 @@
 #include <vector>
 
 namespace camopt {
+
+struct ReferenceMotion;  // output/view/peak_comparison.hpp
 
 /// A limit over a stretch of the cam: a horizontal line, in the curve's unit.
 struct CurveLimit {
@@ -43,7 +46,7 @@ struct ComparedCurve {
 /// One quantity by the rows of View::delivered.
 struct Curve {
     std::string key;    ///< "velocity", "pressure_angle"
-    std::string group;  ///< "motion", "cam", "forces"
+    std::string group;  ///< "motion", "motor", "cam", "forces"
     std::string title, symbol;
     ShownUnit unit;
     std::vector<double> values = {};        ///< in `unit`; NaN: no value there
@@ -87,8 +90,13 @@ struct View {
 
 inline constexpr int curve_mark_digits = 6;  ///< of the texts of marks, as in the tables
 
+/// The curve beside the motion; none: the reference is given as numbers, or nothing is optimised.
+[[nodiscard]] std::shared_ptr<const Motion> reference_curve(const Solution& solution,
+                                                            ReferenceMotion& reference);
 /// Displacement, velocity, acceleration and jerk; with a measured motion the residual of its table.
 [[nodiscard]] std::vector<Curve> motion_curves(const View& view);
+/// Torque and speed of the motor. The solution has one.
+[[nodiscard]] std::vector<Curve> drive_curves(const View& view);
 /// Pressure angle, curvature or regularity, loads: what this cam has.
 [[nodiscard]] std::vector<Curve> cam_curves(const View& view);
 

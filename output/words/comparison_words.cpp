@@ -90,18 +90,31 @@ std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison) {
     const ShownUnits shown = shown_units(comparison.optimum.scene);
     if (!shown.in_time) return {};
     std::vector<PhysicalPeak> all;
-    std::size_t order = 1;
-    for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk}) {
-        const MotionUnit& unit = shown.motion[order++].first;
-        all.push_back({unit.symbol + " " + unit.name, unit.per_normalised, peak});
+    const auto add = [&](std::string title, std::function<double(const ComparisonRow&)> value) {
+        all.push_back({std::move(title), std::move(value)});
         double largest = 0.0;
         for (const ComparisonRow& row : comparison.rows)
-            if (const double value = all.back().value(row); std::isfinite(value))
-                largest = std::max(largest, value);
+            if (const double one = all.back().value(row); std::isfinite(one))
+                largest = std::max(largest, one);
         if (largest > 0.0)
             all.back().decimals =
                 std::max(0, table_figures - 1 - static_cast<int>(std::floor(std::log10(largest))));
+    };
+    std::size_t order = 1;
+    for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk}) {
+        const MotionUnit& unit = shown.motion[order++].first;
+        add(unit.symbol + " " + unit.name, [peak, factor = unit.per_normalised](const ComparisonRow& row) {
+            return factor * (row.motion_peaks.*peak).value;
+        });
     }
+    if (!comparison.optimum.scene.drive) return all;
+    const ShownUnit torque = shown.torque;
+    add("τ " + torque.name, [torque](const ComparisonRow& row) {
+        return row.drive ? torque.of(row.drive->torque.value) : infinity;
+    });
+    add("rms τ " + torque.name, [torque](const ComparisonRow& row) {
+        return row.drive ? torque.of(row.drive->rms_torque) : infinity;
+    });
     return all;
 }
 

@@ -142,4 +142,27 @@ std::vector<std::string> train_sentences(const Solution& solution) {
     return sentences;
 }
 
+std::vector<std::string> drive_sentences(const Solution& solution) {
+    if (!solution.drive) return {};
+    const DriveFigures& drive = *solution.drive;
+    const Scene& scene = solution.scene;
+    const ShownUnits shown = shown_units(scene);
+    const auto at = [&](const Extremum& one) { return degrees_at(solution, one.at); };
+    std::vector<std::string> sentences = {
+        fmt::format("motor: torque at most {} at {} deg, rms {} over the cycle",
+                    shown.torque.text(drive.torque.value), at(drive.torque),
+                    shown.torque.text(drive.rms_torque)),
+        fmt::format("motor: speed at most {} at {} deg, power at most {} W at {} deg",
+                    rpm_shown.text(drive.speed.value), at(drive.speed), short_text(drive.power.value),
+                    at(drive.power))};
+    if (const std::optional<double> ratio = scene.drive->inertia_ratio())
+        sentences.push_back(
+            fmt::format("motor: the load's inertia is {} times its own", short_text(*ratio, 4)));
+    if (!scene.limits.motor_curve.empty())
+        sentences.push_back(fmt::format("motor: nearest to its torque-speed curve at {} deg, {} % of it",
+                                        at(drive.share_of_curve),
+                                        short_text(100.0 * drive.share_of_curve.value, 4)));
+    return sentences;
+}
+
 }  // namespace camopt

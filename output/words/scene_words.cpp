@@ -271,6 +271,25 @@ std::string limit_text(const std::string& key, bool least, double given, const s
                        unit.empty() ? "" : " ", unit);
 }
 
+std::string drive_line(const Scene& scene) {
+    const DriveSpec& drive = *scene.drive;
+    const bool angle = scene.motion.lift_is_angle;
+    std::string text =
+        fmt::format("Motor in place of a cam: load {} {}", short_text(drive.load), angle ? "kg m²" : "kg");
+    append(text, fmt::format("inertia of motor and gear {} kg m²", short_text(drive.motor_inertia)));
+    const double a_turn = units::turn * drive.transmission;
+    append(text, angle ? fmt::format("{} deg a revolution", short_text(a_turn / units::degree))
+                       : fmt::format("{} mm a revolution", short_text(a_turn / units::millimetre)));
+    const auto add = [&](const char* name, double value, const char* unit) {
+        if (value != 0.0) append(text, fmt::format("{} {} {}", name, short_text(value), unit));
+    };
+    add("viscous friction", drive.viscous, angle ? "N m s/rad" : "N s/m");
+    add(angle ? "constant moment" : "constant force", drive.force, angle ? "N m" : "N");
+    add("dry friction", drive.friction, angle ? "N m" : "N");
+    if (drive.cycle) append(text, fmt::format("cycle {} deg", short_text(*drive.cycle / units::degree)));
+    return text;
+}
+
 /// Empty where nothing is limited.
 std::string limit_line(const Scene& scene) {
     std::string text;
@@ -281,6 +300,11 @@ std::string limit_line(const Scene& scene) {
     for (const LimitRow& row : limit_rows())
         if (const auto& limit = row.in(scene.limits))
             append(text, limit_text(limit->key, row.is_least(), limit->given(), limit->unit));
+    std::string curve;
+    for (const auto& [speed, torque] : scene.limits.motor_curve)
+        curve += fmt::format("{}{} N m at {} rpm", curve.empty() ? "" : ", ", short_text(torque),
+                             short_text(rpm_shown.of(speed)));
+    if (!curve.empty()) append(text, "torque-speed curve of the motor " + curve);
     return text;
 }
 
@@ -355,6 +379,7 @@ std::vector<std::string> scene_lines(const Scene& given) {
     if (scene.cam) lines.push_back(cam_line(scene));
     if (scene.forces) lines.push_back(force_line(scene));
     if (scene.dynamics) lines.push_back(train_line(scene));
+    if (scene.drive) lines.push_back(drive_line(scene));
     if (const std::string limits = limit_line(scene); !limits.empty()) lines.push_back("Limits: " + limits);
     lines.push_back(objective_line(scene.objective));
     lines.push_back(solver_line(scene.solver));

@@ -84,5 +84,7 @@ namespace camopt {
 [[nodiscard]] std::string dynamics_text(const TrainStudy& study);
 /// A sentence a figure: of result reports.
 [[nodiscard]] std::vector<std::string> train_sentences(const Solution& solution);
+/// What the motion asks of the motor; empty without one.
+[[nodiscard]] std::vector<std::string> drive_sentences(const Solution& solution);
 
 }  // namespace camopt

@@ -10,6 +10,7 @@
 #include "studies/sweep/sweep_row.hpp"
 
 #include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -62,13 +63,9 @@ namespace camopt {
 /// without one: then V, A, J say it all.
 struct PhysicalPeak {
     std::string title;  ///< "v mm/s"
-    double per_normalised = 1.0;
-    Extremum Peaks::*peak = nullptr;
+    std::function<double(const ComparisonRow&)> value;
     int decimals = 0;  ///< of all rows: four figures of the largest
 
-    [[nodiscard]] double value(const ComparisonRow& row) const {
-        return per_normalised * (row.motion_peaks.*peak).value;
-    }
     [[nodiscard]] std::string text(const ComparisonRow& row) const;
 };
 [[nodiscard]] std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison);

@@ -27,7 +27,7 @@ Fault missing_table_fault(const Scene& scene) {
     for (const LimitRow& row : limit_rows()) {
         if (!row.in(scene.limits)) continue;
         const std::string member = fmt::format("limits.{}", row.name);
-        if (row.needs_dynamics) continue;  // dynamics_fault.cpp
+        if (!row.of_cam()) continue;  // dynamics_fault.cpp, drive_fault.cpp
         if (!scene.cam)
             return SceneFault{member, "a limit of a cam without a cam", "only together with a [cam] table"};
         if (row.needs_forces && !scene.forces)

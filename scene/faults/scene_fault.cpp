@@ -284,6 +284,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = own_rules_fault(scene)) return fault;
     if (Fault fault = drawing_fault(scene)) return fault;
     if (Fault fault = dynamics_fault(scene)) return fault;
+    if (Fault fault = drive_fault(scene)) return fault;
     return limit_fault(scene);
 }
 

@@ -5,6 +5,7 @@
 #include "core/motion.hpp"
 #include "core/numbers/interval.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/drive_rules.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
@@ -199,6 +200,7 @@ double parameter_value(const Bench& bench, const Motion& motion, const Peaks& pe
         case Parameter::Kind::own:
             return own_peak(bench.scene, parameter.name, motion) / parameter.reference;
         case Parameter::Kind::response:
+        case Parameter::Kind::energy:
             return response_of(parameter, motion);
     }
     return 0.0;
@@ -237,6 +239,7 @@ std::string broken_without_cam(const ComparisonRow& row, std::size_t motion_limi
 void judge_limits(ComparisonRow& row, const Bench& bench, const Peaks& motion_peaks) {
     const MotionFigures figures{*row.motion, row.peaks, motion_peaks};
     row.limits = motion_limits(bench.scene, figures);
+    if (bench.scene.drive) row.drive = drive_figures(bench.scene, *row.motion);
     const std::size_t of_motion = row.limits.size();
     std::optional<CamReport> cam;
     const auto add = [&](const std::vector<ConstraintReport>& all) {

@@ -49,9 +49,10 @@ struct ComparisonRow {
     /// Against the optimum. None where infinite, without an optimum, of a law that misses a condition of the
     /// motion (another motion is no loss), and where a broken limit alone makes it better.
     std::optional<double> loss_percent;
-    std::vector<LimitOutcome> limits;  ///< the same ones, in the same order, in every row
-    bool feasible = false;             ///< every limit is satisfied
-    std::optional<NeededBase> base;    ///< where the scene limits a cam whose base radius is a dimension
+    std::vector<LimitOutcome> limits;   ///< the same ones, in the same order, in every row
+    bool feasible = false;              ///< every limit is satisfied
+    std::optional<DriveFigures> drive;  ///< where the scene has a motor
+    std::optional<NeededBase> base;     ///< where the scene limits a cam whose base radius is a dimension
 
     [[nodiscard]] bool is_optimum() const { return key.empty(); }
 };

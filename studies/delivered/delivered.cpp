@@ -132,6 +132,10 @@ Delivered sample_delivered(const Solution& solution) {
     };
     for (const MotionRow& row : motion_rows(*solution.motion, solution.motion_peaks))
         add(*solution.motion, row, false);
+    if (solution.drive) {
+        const DriveAlong along(solution.scene);
+        for (DeliveredRow& row : all.rows) row.drive = along.at(row.motion, row.side);
+    }
     if (!solution.cam) return all;
     all.whole = cam_motion(solution);
     all.cam = std::make_shared<CamPoints>(solution.cam->cam, drawn_motion(solution), all.scale);

@@ -2,6 +2,7 @@
 // The delivered motion and its cam, sampled once: what charts, pages and tables iterate over. A plain value.
 #pragma once
 
+#include "objectives/drive_rules.hpp"
 #include "profiles/sampling.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/delivered/follower_loads.hpp"
@@ -82,6 +83,7 @@ struct DeliveredRow {
     bool closing = false;             ///< of the dwell that closes the cam, after the motion itself
     std::vector<MechanismPoint> cam;  ///< by station; empty without a cam
     std::optional<FollowerLoads> loads;
+    std::optional<DrivePoint> drive = {};  ///< of a motor in place of a cam
 };
 
 /// By motion_rows, then the dwell that closes the cam. Empty where the solution has no motion.

@@ -228,6 +228,7 @@ void withdraw_motion(Solution& solution) {
     solution.cam.reset();
     solution.peaks = solution.motion_peaks = {};
     solution.own_terms.clear();
+    solution.drive.reset();
     solution.constraints.clear();
     solution.certificate.objective = infinity;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/scene_limits.hpp"
 
+#include "objectives/drive_rules.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"
@@ -153,10 +154,15 @@ std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& mo
         if (same && excess <= nearest) continue;
         nearest = excess;
         if (same) all.pop_back();
-        all.push_back({bound.name, bound.key, bound.given, bound.sign * worst.value * bound.per_normalised,
-                       bound.unit, worst.at, false, true});
+        const double shown = bound.magnitude ? std::abs(worst.value) : bound.sign * worst.value;
+        all.push_back({bound.name, bound.key, bound.given, shown * bound.per_normalised, bound.unit, worst.at,
+                       false, true});
         all.back().scale = bound.scale() * bound.per_normalised;
     }
+    if (const auto& limit = scene.limits.motor_torque_rms)
+        all.push_back({limit_row(LimitedFigure::motor_torque_rms).name, limit->key, limit->given(),
+                       drive_figures(scene, motion).rms_torque / limit->unit_value, limit->unit,
+                       motion.begin(), false, true});
     return all;
 }
 

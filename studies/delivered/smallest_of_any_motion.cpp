@@ -152,10 +152,12 @@ std::optional<AnyCurveLimit> any_curve_limit_of(const Scene& scene, const Peaks&
     const ObjectiveSpec& objective = scene.objective;
     // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
     // nothing approaches.
-    if (!goes_from_rest_to_rest(scene.motion) || objective.area > 0.0) return {};
+    if (!goes_from_rest_to_rest(scene.motion)) return {};
+    for (const ResponseTerm& term : response_terms())
+        if (term.weight_in(objective) > 0.0) return {};
     for (const CostTerm& term : cost_terms())
         if (term.kind != CostTerm::Kind::peak && term.weight_in(objective) > 0.0) return {};
-    if (!scene.own_terms.empty() || weighs_response(objective)) return {};
+    if (!scene.own_terms.empty()) return {};
     if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; })) return {};
     const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
     const auto cap = [](const std::optional<PeakLimit>& limit) {

@@ -37,13 +37,15 @@ struct ConstraintReport {
     double scale = 0.0;       ///< of the quantity, in the unit; 0: known from the limit and its row
 };
 
-/// A term of the objective that the program brought: weight · value / reference of it is in the objective.
+/// A term of the objective beside the peaks, mostly one that the program brought: weight · value / reference
+/// of it is in the objective.
 struct OwnTermReport {
     std::string name;
     double weight = 0.0, reference = 1.0;
     double value = 0.0;  ///< its largest along the motion, in its own unit; 0 where it is nowhere above
     double at = 0.0;     ///< x
-    bool of_whole_motion = false;  ///< the lost area: of no one place
+    bool of_whole_motion = false;  ///< the lost area, a root mean square: of no one place
+    bool of_scene = false;         ///< a term of scene files: the lost area, of the motor
 };
 
 /// A figure of the elastic follower train at the worst speed of its range.
@@ -257,7 +259,8 @@ struct Solution {
     std::optional<LimitCurve> any_curve_limit;
     std::optional<MeasuredReport> measured;
     std::vector<OwnTermReport> own_terms;
-    std::optional<TrainReport> train;  ///< where the scene has dynamics and there is a motion
+    std::optional<TrainReport> train;   ///< where the scene has dynamics and there is a motion
+    std::optional<DriveFigures> drive;  ///< where the scene has a motor and there is a motion
     std::vector<ConstraintReport> constraints;
     std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
     std::optional<Explanation> explanation;

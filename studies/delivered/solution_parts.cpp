@@ -2,6 +2,7 @@
 #include "studies/delivered/solution_parts.hpp"
 
 #include "core/units.hpp"
+#include "objectives/drive_rules.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
@@ -161,7 +162,17 @@ std::vector<OwnTermReport> own_term_reports(const Scene& scene, const Motion& mo
     }
     if (const double weight = scene.objective.area; weight > 0.0)
         reports.push_back({"area", weight, area_reference(scene, scene_family(scene, DesignKind::states)),
-                           lost_area(motion), motion.begin(), true});
+                           lost_area(motion), motion.begin(), true, true});
+    for (const ResponseTerm& term : response_terms()) {
+        const double weight = term.weight_in(scene.objective);
+        if (!term.needs_drive() || !(weight > 0.0)) continue;
+        const DriveFigures figures = drive_figures(scene, motion);
+        const bool rms = term.figure == ResponseFigure::motor_torque_rms;
+        reports.push_back({term.name, weight,
+                           drive_reference(scene, scene_family(scene, DesignKind::states), term),
+                           rms ? figures.rms_torque : figures.torque.value,
+                           rms ? motion.begin() : figures.torque.at, rms, true});
+    }
     return reports;
 }
 

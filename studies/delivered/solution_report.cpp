@@ -5,6 +5,7 @@
 #include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/drive_rules.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
@@ -173,6 +174,7 @@ void report_delivered(Solution& solution, MotionAndCam delivered) {
     const std::vector<ConstraintReport> own = own_constraints(solution.scene, *solution.motion);
     solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
     report_responses(solution);
+    if (solution.scene.drive) solution.drive = drive_figures(solution.scene, *solution.motion);
     judge_activity(solution);
 }
 

@@ -34,6 +34,7 @@ Scene only_limit(const Scene& scene, const std::string& key) {
     };
     for (const PeakLimitRow& row : peak_limit_rows()) drop(row.in(limits));
     for (const LimitRow& row : limit_rows()) drop(row.in(limits));
+    if (key != "limits.motor_curve") limits.motor_curve.clear();
     std::erase_if(only.own_limits, [&](const OwnLimit& limit) { return limit.key() != key; });
     if (only.cam && !key.starts_with(std::string(only.cam->face_key()) + "_"))
         only.cam->face_half_width.reset();

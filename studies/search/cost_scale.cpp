@@ -223,7 +223,10 @@ void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& ref
     solution.reference_peaks = reference;
     for (std::size_t i = 0; i < solution.own_terms.size(); ++i) {
         OwnTermReport& term = solution.own_terms[i];
-        term.weight = term.of_whole_motion ? scene.objective.area : scene.own_terms[i].weight;
+        const auto row =
+            std::ranges::find(response_terms(), std::string_view(term.name),
+                              [](const ResponseTerm& one) { return std::string_view(one.name); });
+        term.weight = term.of_scene ? row->weight_in(scene.objective) : scene.own_terms[i].weight;
     }
     if (solution.train)
         for (ResponseTermReport& term : solution.train->terms) term.weight *= factor_;

@@ -395,7 +395,7 @@ class AngleSearch {
 }  // namespace
 
 bool bounds_by_angles(const Scene& scene) {
-    if (scene.cam || !scene.own_terms.empty() || !scene.own_limits.empty()) return false;
+    if (scene.cam || scene.drive || !scene.own_terms.empty() || !scene.own_limits.empty()) return false;
     // A mean over the turn weighs segments by their angles.
     for (const CostTerm& term : cost_terms())
         if (term.kind == CostTerm::Kind::rms && term.weight_in(scene.objective) > 0.0) return false;

@@ -134,7 +134,8 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
     plan.look = options.look;
     // A root-mean-square term alone makes the optimum unique.
     plan.tie_break = scene.objective.tie_break != TieBreak::none &&
-                     !weighs_any(scene.objective, CostTerm::Kind::rms) && !scene.motion.prescribed();
+                     !weighs_any(scene.objective, CostTerm::Kind::rms) &&
+                     !(scene.objective.motor_torque_rms > 0.0) && !scene.motion.prescribed();
     plan.proof = planned_proof(plan, posed, general);
     plan.seconds = scene.solver.max_seconds;
     if (options.explain) {

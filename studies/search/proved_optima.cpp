@@ -196,7 +196,8 @@ void ProvedOptima::propose(CamProblem problem, const VectorXd& x, const VectorXd
 void ProvedOptima::settle(const Solution& solution, int number) {
     const std::shared_ptr<ProvedOptimum> optimum = std::exchange(proposed_, nullptr);
     const bool useful = optimum && solution.certificate.verdict == Verdict::optimal && solution.motion &&
-                        !solution.measured && !weighs_any(solution.scene.objective, CostTerm::Kind::rms);
+                        !solution.measured && !solution.scene.drive &&
+                        !weighs_any(solution.scene.objective, CostTerm::Kind::rms);
     if (!useful) return;
     std::erase_if(known_, [&](const auto& other) {
         return !differ_in_peak_weights_only(other->solution().scene, solution.scene);

@@ -45,6 +45,7 @@ std::vector<BrokenScene> broken_mechanisms();
 std::vector<BrokenScene> broken_spatial();
 std::vector<BrokenScene> broken_inverse();
 std::vector<BrokenScene> broken_forces();
+std::vector<BrokenScene> broken_drives();
 std::vector<BrokenScene> broken_drawings();
 std::vector<BrokenScene> broken_overrides();
 

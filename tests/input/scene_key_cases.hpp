@@ -38,6 +38,7 @@ std::vector<KeyCase> limit_cases();
 std::vector<KeyCase> cam_limit_cases();
 std::vector<KeyCase> drawing_cases();
 std::vector<KeyCase> dynamics_cases();
+std::vector<KeyCase> drive_cases();
 std::vector<KeyCase> solver_cases();
 
 }  // namespace camopt::input

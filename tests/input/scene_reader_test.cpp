@@ -48,7 +48,7 @@ std::vector<KeyCase> key_cases() {
     for (const auto& part : {motion_cases(), segment_cases(), set_point_cases(), measured_cases(),
                              spline_cases(), objective_cases(), dimension_weight_cases(), cam_cases(),
                              remote_cases(), spatial_cases(), inverse_cases(), force_cases(), limit_cases(),
-                             cam_limit_cases(), drawing_cases(), dynamics_cases(), solver_cases()})
+                             cam_limit_cases(), drawing_cases(), dynamics_cases(), drive_cases(), solver_cases()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

@@ -49,7 +49,8 @@ void for_each_key(const Visit& visit) {
 TEST(LimitTable, CoversEveryMemberOfLimitSpec) {
     // Members cannot be counted, but their size can.
     EXPECT_EQ(sizeof(LimitSpec), peak_limit_rows().size() * sizeof(std::optional<PeakLimit>) +
-                                     limit_rows().size() * sizeof(std::optional<WrittenLimit>));
+                                     limit_rows().size() * sizeof(std::optional<WrittenLimit>) +
+                                     sizeof(MotorCurve));
     LimitSpec limits;
     std::set<const void*> members;
     std::set<std::string> names;

@@ -1,0 +1,486 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/drive_rules.hpp"
+
+#include "core/numbers/polynomial.hpp"
+#include "core/units.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
+#include "objectives/rules/point_rule.hpp"
+#include "objectives/scene_model.hpp"
+#include "scene/limit_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace camopt {
+namespace {
+
+using Kind = StretchRequest::Kind;
+
+constexpr int parts_of_shape = 16;  // of a smooth piece of a law: sines squared are then exact to round-off
+constexpr double same_joint = 1e-9;
+
+/// A part of the motion with one constant torque: r F and friction of its stroke.
+struct DriveSpan {
+    double begin = -infinity, end = infinity;
+    double constant = 0.0;
+};
+
+int direction_of(const MotionFamily::Stretch& stretch) {
+    if (stretch.kind == Kind::dwell) return 0;
+    const double from = known_displacement(stretch.from).value_or(0.0);
+    const double to = known_displacement(stretch.to).value_or(from);
+    return to > from ? 1 : to < from ? -1 : 0;
+}
+
+/// One without bounds where there is no friction.
+std::vector<DriveSpan> spans_of(const Scene& scene, const MotionFamily& family) {
+    const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
+    if (torque.friction == 0.0) return {{-infinity, infinity, torque.constant}};
+    const auto span = [&](double begin, double end, int direction) {
+        return DriveSpan{begin, end, torque.constant + direction * torque.friction};
+    };
+    if (scene.motion.type != MotionType::program) {
+        std::vector<DriveSpan> all = {span(0.0, 1.0, 1)};
+        if (scene.motion.type == MotionType::rr) all.push_back(span(1.0, scene.motion.length(), -1));
+        return all;
+    }
+    std::vector<DriveSpan> all;
+    for (const MotionFamily::Stretch& stretch : family.stretches())
+        all.push_back(span(stretch.begin, stretch.end, direction_of(stretch)));
+    return all;
+}
+
+/// x that the root mean square is taken over.
+double cycle_of(const Scene& scene, const MotionFamily& family) {
+    return scene.motion.periodic() ? family.end() - family.begin()
+                                   : scene.drive->cycle.value_or(units::turn) / scene.motion.unit_angle();
+}
+
+/// Weights of y', y'' and 1.
+std::array<double, 3> torque_weights(const DriveTorque& torque, const DriveSpan& span, double factor) {
+    return {factor * torque.velocity, factor * torque.acceleration, factor * span.constant};
+}
+
+/// Calls visit(begin, end) for the parts of [begin, end] between the ends of spans.
+template <class Visit>
+void visit_parts(const std::vector<DriveSpan>& spans, double begin, double end, Visit&& visit) {
+    for (const DriveSpan& span : spans) {
+        const double first = std::max(begin, span.begin), last = std::min(end, span.end);
+        if (last - first > same_joint * (end - begin)) visit(first, last, span);
+    }
+}
+
+/// The largest |τ| / reference − q, as one rule of the whole motion. setting: the sign, the span.
+class MotorPeakRule final : public WholeMotionRule {
+ public:
+    MotorPeakRule(const Scene& scene, const MotionFamily& family, int parameter, double reference)
+        : torque_(drive_torque(*scene.drive, scene.motion)),
+          spans_(spans_of(scene, family)),
+          parameters_{parameter},
+          reference_(reference) {
+        for (const MotionFamily::Piece& piece : family.pieces())
+            if (!piece.copy) pieces_.push_back({piece.begin, piece.end, 0.0});
+    }
+    [[nodiscard]] std::string name() const override { return "motor_torque"; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] int highest_order() const override { return 2; }
+    [[nodiscard]] bool limit() const override { return false; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
+        const double own = q.size() > 0 ? q[0] : 0.0;
+        std::vector<Place> all;
+        visit_rules([&](const MotionBound& bound, std::vector<double> setting) {
+            const BoundRule rule(bound.key, bound.rule());
+            Extremum worst = bound.extreme_of(motion);
+            for (Extremum one : rule_maxima(rule, motion, {})) {
+                if (one.at < bound.from || one.at > bound.until || one.value <= own || one.at == worst.at)
+                    continue;
+                one.value -= own;
+                all.push_back({one, setting});
+            }
+            worst.value -= own;
+            all.push_back({worst, std::move(setting)});
+        });
+        return all;
+    }
+    [[nodiscard]] AffineRow row(const MotionFamily& family, double at, Side side,
+                                std::span<const double> setting) const override {
+        const DriveSpan& span = spans_[static_cast<std::size_t>(setting[1])];
+        const auto [velocity, acceleration, constant] =
+            torque_weights(torque_, span, setting[0] / reference_);
+        AffineRow sum{constant, {}, {}};
+        sum = combined(sum, velocity, family.functional(at, 1, side));
+        return combined(sum, acceleration, family.functional(at, 2, side));
+    }
+    [[nodiscard]] std::vector<Place> first() const override {
+        std::vector<Place> all;
+        for (const DriveSpan& piece : pieces_)
+            visit_rules([&](const MotionBound& bound, const std::vector<double>& setting) {
+                const double begin = std::max(piece.begin, bound.from),
+                             end = std::min(piece.end, bound.until);
+                if (!(end - begin > same_joint * (piece.end - piece.begin))) return;
+                all.push_back({{0.0, begin, Side::right}, setting});
+                all.push_back({{0.0, 0.5 * (begin + end), Side::right}, setting});
+                all.push_back({{0.0, end, Side::left}, setting});
+            });
+        return all;
+    }
+    [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double>) const override {
+        return {};
+    }
+    [[nodiscard]] std::string remark(std::span<const double>) const override { return {}; }
+
+ private:
+    template <class Visit>
+    void visit_rules(Visit&& visit) const {
+        for (std::size_t s = 0; s < spans_.size(); ++s)
+            for (const double sign : {1.0, -1.0}) {
+                MotionBound bound;
+                bound.key = name();
+                bound.order = 2;
+                bound.weights = torque_weights(torque_, spans_[s], sign / reference_);
+                bound.from = spans_[s].begin;
+                bound.until = spans_[s].end;
+                visit(bound, {sign, static_cast<double>(s)});
+            }
+    }
+
+    DriveTorque torque_;
+    std::vector<DriveSpan> spans_, pieces_;
+    std::vector<int> parameters_;
+    double reference_;
+};
+
+/// Of the root mean square over the cycle, level > 0: as a limit (m / level² − 1) / 2 <= 0, which is
+/// (rms − level) / level near it; as a term sqrt(m) / level − q.
+class MotorEnergyRule final : public WholeMotionRule {
+ public:
+    MotorEnergyRule(std::string name, const Scene& scene, const MotionFamily& family, double level, int term)
+        : name_(std::move(name)),
+          torque_(drive_torque(*scene.drive, scene.motion)),
+          spans_(spans_of(scene, family)),
+          level_(level),
+          cycle_(cycle_of(scene, family)) {
+        if (term >= 0) parameters_.push_back(term);
+    }
+    [[nodiscard]] std::string name() const override { return name_; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] bool linear() const override { return false; }
+    [[nodiscard]] Curvature curvature(double, double) const override { return Curvature::convex; }
+    [[nodiscard]] int highest_order() const override { return 2; }
+    [[nodiscard]] bool limit() const override { return parameters_.empty(); }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] bool is_one_row() const override { return true; }
+    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
+        const double share = rms(motion) / level_;
+        const double value =
+            parameters_.empty() ? 0.5 * (share * share - 1.0) : share - (q.size() > 0 ? q[0] : 0.0);
+        return {{{value, motion.begin()}, {0.0}}};
+    }
+    [[nodiscard]] AffineRow row(const MotionFamily&, double, Side, std::span<const double>) const override {
+        throw ModelError(name_ + ": a quadratic rule has no linear row");
+    }
+    [[nodiscard]] std::optional<QuadraticForm> form(const MotionFamily& family) const override {
+        EnergySum sum(family.size());
+        double length = 0.0, whole = 0.0;
+        for (const MotionFamily::Piece& piece : family.pieces()) {
+            whole += piece.end - piece.begin;
+            if (piece.copy) continue;
+            length += piece.end - piece.begin;
+            visit_parts(spans_, piece.begin, piece.end, [&](double begin, double end, const DriveSpan& span) {
+                const auto [velocity, acceleration, constant] = torque_weights(torque_, span, 1.0 / level_);
+                visit_quadrature(begin, end, piece.segment < 0 ? parts_of_shape : 1,
+                                 [&](double x, double weight) {
+                                     AffineRow row{constant, {}, {}};
+                                     row = combined(row, velocity, family.functional(x, 1));
+                                     sum.add(combined(row, acceleration, family.functional(x, 2)), weight);
+                                 });
+            });
+        }
+        const double cycle = cycle_ * length / whole;  // copies are alike
+        const double rest = torque_.constant / level_;
+        if (cycle > length) sum.add(AffineRow{rest, {}, {}}, cycle - length);
+        return sum.form(1.0 / cycle);
+    }
+    [[nodiscard]] std::vector<Place> first() const override { return {{{0.0, 0.0}, {0.0}}}; }
+    [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double>) const override {
+        return {};
+    }
+    [[nodiscard]] std::string remark(std::span<const double>) const override { return {}; }
+
+    [[nodiscard]] double rms(const Motion& motion) const {
+        const std::vector<double> breakpoints = motion.breakpoints();
+        double sum = 0.0;
+        for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i)
+            visit_parts(spans_, breakpoints[i], breakpoints[i + 1],
+                        [&](double begin, double end, const DriveSpan& span) {
+                            visit_quadrature(begin, end, parts_of_shape, [&](double x, double weight) {
+                                const auto& y = motion.at(x).derivative;
+                                const double torque =
+                                    torque_.acceleration * y[2] + torque_.velocity * y[1] + span.constant;
+                                sum += weight * torque * torque;
+                            });
+                        });
+        const double rest = std::max(0.0, cycle_ - (motion.end() - motion.begin()));
+        return std::sqrt((sum + rest * torque_.constant * torque_.constant) / cycle_);
+    }
+
+ private:
+    std::string name_;
+    DriveTorque torque_;
+    std::vector<DriveSpan> spans_;
+    std::vector<int> parameters_;
+    double level_, cycle_;
+};
+
+/// |τ n|: a polynomial on a spline.
+class PowerRule final : public PointRule {
+ public:
+    PowerRule(const DriveTorque& torque, const DriveSpan& span, int sign)
+        : torque_(torque), constant_(span.constant), sign_(sign) {}
+    [[nodiscard]] std::string name() const override { return "power"; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return none_; }
+    [[nodiscard]] bool linear() const override { return false; }
+    [[nodiscard]] int highest_order() const override { return 2; }
+    [[nodiscard]] bool limit() const override { return false; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd&) const override {
+        const double v = point.derivative[1], a = point.derivative[2], n = sign_ * torque_.speed;
+        RuleValue rule{n * v * (torque_.acceleration * a + torque_.velocity * v + constant_),
+                       Eigen::VectorXd::Zero(4), Eigen::MatrixXd::Zero(4, 4)};
+        rule.gradient[1] = n * (torque_.acceleration * a + 2.0 * torque_.velocity * v + constant_);
+        rule.gradient[2] = n * v * torque_.acceleration;
+        rule.hessian(1, 1) = 2.0 * n * torque_.velocity;
+        rule.hessian(1, 2) = rule.hessian(2, 1) = n * torque_.acceleration;
+        return rule;
+    }
+    [[nodiscard]] Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& derivatives,
+                                        const Eigen::VectorXd&) const override {
+        Eigen::VectorXd torque = torque_.velocity * derivatives[1];
+        const auto shorter = std::min(torque.size(), derivatives[2].size());
+        torque.head(shorter) += torque_.acceleration * derivatives[2].head(shorter);
+        if (torque.size() > 0) torque[0] += constant_;
+        return sign_ * torque_.speed * product(torque, derivatives[1]);
+    }
+
+ private:
+    DriveTorque torque_;
+    double constant_;
+    int sign_;
+    std::vector<int> none_;
+};
+
+/// The reference law in the place of every spline, between the displacements that are known.
+MotionChain law_chain(const Scene& scene, const MotionFamily& family) {
+    const std::shared_ptr<const Motion> law = make_law(scene.objective.reference.law);
+    const auto part = [&](double begin, double end, std::shared_ptr<const Motion> shape, double from,
+                          double to) {
+        return ChainPart{begin, end, std::move(shape), begin, end - begin, from, to - from};
+    };
+    std::vector<ChainPart> parts;
+    if (scene.motion.type != MotionType::program) {
+        parts.push_back(part(0.0, 1.0, law, 0.0, 1.0));
+        if (scene.motion.type == MotionType::rr)
+            parts.push_back(part(1.0, scene.motion.length(), law, 1.0, 0.0));
+        return MotionChain(std::move(parts));
+    }
+    double level = 0.0;
+    for (const MotionFamily::Stretch& stretch : family.stretches()) {
+        const double from = known_displacement(stretch.from).value_or(level);
+        level = known_displacement(stretch.to).value_or(from);
+        parts.push_back(part(stretch.begin, stretch.end,
+                             stretch.kind == Kind::spline  ? law
+                             : stretch.kind == Kind::shape ? stretch.shape
+                                                           : nullptr,
+                             from, level));
+        if (!parts.back().shape) parts.back().y_scale = 1.0;
+    }
+    return MotionChain(std::move(parts));
+}
+
+/// With name, key, unit and numbers of a limit.
+MotionBound written_bound(const LimitRow& row, const WrittenLimit& limit) {
+    MotionBound bound{row.name, limit.key, limit.unit};
+    bound.order = 2;
+    bound.bound = limit.value;
+    bound.given = limit.given();
+    bound.per_normalised = 1.0 / limit.unit_value;
+    return bound;
+}
+
+void add_torque_bounds(std::vector<MotionBound>& all, const Scene& scene,
+                       const std::vector<DriveSpan>& spans) {
+    const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
+    for (const LimitedFigure figure :
+         {LimitedFigure::motor_torque, LimitedFigure::motor_torque_min, LimitedFigure::motor_torque_max}) {
+        const LimitRow& row = limit_row(figure);
+        const std::optional<WrittenLimit>& limit = row.in(scene.limits);
+        if (!limit) continue;
+        for (const DriveSpan& span : spans)
+            for (const int sign : {1, -1}) {
+                if (row.side != nullptr && (sign < 0) != row.is_least()) continue;
+                MotionBound bound = written_bound(row, *limit);
+                bound.sign = sign;
+                bound.magnitude = row.side == nullptr;
+                if (row.is_least()) bound.bound = -limit->value;
+                bound.weights = torque_weights(torque, span, sign);
+                bound.from = span.begin;
+                bound.until = span.end;
+                // A bound near 0 is measured by the torques of a good motion.
+                bound.size = row.side == nullptr ? limit->value : 6.0 * torque.acceleration;
+                all.push_back(std::move(bound));
+            }
+    }
+}
+
+void add_curve_bounds(std::vector<MotionBound>& all, const Scene& scene,
+                      const std::vector<DriveSpan>& spans) {
+    const MotorCurve& curve = scene.limits.motor_curve;
+    const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
+    const auto add = [&](const DriveSpan& span, std::array<double, 3> weights) {
+        MotionBound bound{"motor_curve", "limits.motor_curve", ""};
+        bound.order = 2;
+        bound.bound = bound.given = bound.size = 1.0;
+        bound.magnitude = true;
+        bound.weights = weights;
+        bound.from = span.begin;
+        bound.until = span.end;
+        all.push_back(std::move(bound));
+    };
+    for (const DriveSpan& span : spans)
+        for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+            const double fall = (curve[i][1] - curve[i + 1][1]) / (curve[i + 1][0] - curve[i][0]);
+            const double most = curve[i][1] + fall * curve[i][0];  // |τ| + fall · |n| <= most
+            for (const double sign : {1.0, -1.0})
+                for (const double way : {1.0, -1.0}) {
+                    if (fall == 0.0 && way < 0.0) continue;
+                    std::array<double, 3> weights = torque_weights(torque, span, sign / most);
+                    weights[0] += way * fall * torque.speed / most;
+                    add(span, weights);
+                }
+        }
+    for (const double sign : {1.0, -1.0})
+        add({-infinity, infinity, 0.0}, {sign * torque.speed / curve.back()[0], 0.0, 0.0});
+}
+
+}  // namespace
+
+DriveAlong::DriveAlong(const Scene& scene) : torque_(drive_torque(*scene.drive, scene.motion)) {
+    for (const DriveSpan& span : spans_of(scene, scene_family(scene, DesignKind::states)))
+        spans_.push_back({span.begin, span.end, span.constant});
+}
+
+DrivePoint DriveAlong::at(const MotionPoint& point, Side side) const {
+    const Span* own = &spans_.front();
+    for (const Span& span : spans_)
+        if (side == Side::right ? point.x >= span.begin - same_joint : point.x > span.begin + same_joint)
+            own = &span;
+    return {
+        torque_.acceleration * point.derivative[2] + torque_.velocity * point.derivative[1] + own->constant,
+        torque_.speed * point.derivative[1]};
+}
+
+DriveFigures drive_figures(const Scene& scene, const Motion& motion) {
+    const MotionFamily family = scene_family(scene, DesignKind::states);
+    const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
+    const std::vector<DriveSpan> spans = spans_of(scene, family);
+    DriveFigures figures;
+    const auto raise = [](Extremum& worst, const Extremum& one) {
+        if (one.value > worst.value) worst = one;
+    };
+    figures.torque.at = figures.speed.at = figures.power.at = figures.share_of_curve.at = motion.begin();
+    for (const auto& place : MotorPeakRule(scene, family, 0, 1.0).maxima(motion, {}))
+        raise(figures.torque, place.where);
+    for (const DriveSpan& span : spans)
+        for (const int sign : {1, -1})
+            for (const Extremum& one : rule_maxima(PowerRule(torque, span, sign), motion, {}))
+                if (one.at >= span.begin && one.at <= span.end) raise(figures.power, one);
+    MotionBound speed;
+    speed.order = 2;
+    for (const double sign : {1.0, -1.0}) {
+        speed.weights = {sign * torque.speed, 0.0, 0.0};
+        raise(figures.speed, speed.extreme_of(motion));
+    }
+    std::vector<MotionBound> curve;
+    if (!scene.limits.motor_curve.empty()) add_curve_bounds(curve, scene, spans);
+    for (const MotionBound& bound : curve) raise(figures.share_of_curve, bound.extreme_of(motion));
+    figures.rms_torque = MotorEnergyRule("", scene, family, 1.0, -1).rms(motion);
+    return figures;
+}
+
+std::vector<MotionBound> drive_bounds(const Scene& scene, const MotionFamily& family) {
+    std::vector<MotionBound> all;
+    if (!scene.drive) return all;
+    const std::vector<DriveSpan> spans = spans_of(scene, family);
+    add_torque_bounds(all, scene, spans);
+    if (const auto& limit = scene.limits.motor_speed)
+        for (const int sign : {1, -1}) {
+            MotionBound bound = written_bound(limit_row(LimitedFigure::motor_speed), *limit);
+            bound.sign = sign;
+            bound.magnitude = true;
+            bound.size = limit->value;
+            bound.weights = {sign * drive_torque(*scene.drive, scene.motion).speed, 0.0, 0.0};
+            all.push_back(std::move(bound));
+        }
+    if (!scene.limits.motor_curve.empty()) add_curve_bounds(all, scene, spans);
+    return all;
+}
+
+double drive_reference(const Scene& scene, const MotionFamily& family, const ResponseTerm& term) {
+    const Reference& reference = scene.objective.reference;
+    if (const std::optional<double>& number = reference.*term.reference) return *number;
+    const std::string key = fmt::format("objective.reference.{}", term.name);
+    if (reference.numeric)
+        throw SceneError({key, "no number",
+                          fmt::format("a number > 0, because objective.{} = {}", term.name,
+                                      term.weight_in(scene.objective))});
+    const DriveFigures figures = drive_figures(scene, law_chain(scene, family));
+    const double own =
+        term.figure == ResponseFigure::motor_torque ? figures.torque.value : figures.rms_torque;
+    if (own > 0.0 && std::isfinite(own)) return own;
+    throw SceneError({"objective.reference",
+                      fmt::format("\"{}\", whose {} on this scene is {:.6g}", reference.law, term.name, own),
+                      fmt::format("another law, or objective.reference as numbers, with {} > 0", term.name)});
+}
+
+void add_drive_rules(CamModel& model, const Scene& scene) {
+    if (!scene.drive) return;
+    const LimitSpec& limits = scene.limits;
+    MotorBounds& motor = model.motor.emplace();
+    motor.torque = drive_torque(*scene.drive, scene.motion);
+    motor.cycle = cycle_of(scene, model.design);
+    if (limits.motor_torque_rms) motor.rms = limits.motor_torque_rms->value;
+    if (limits.motor_torque) motor.peak = limits.motor_torque->value;
+    if (limits.motor_speed) motor.speed = limits.motor_speed->value;
+    if (!limits.motor_curve.empty()) {
+        motor.peak = std::min(motor.peak, limits.motor_curve.front()[1]);
+        motor.speed = std::min(motor.speed, limits.motor_curve.back()[0]);
+    }
+    for (const ResponseTerm& term : response_terms()) {
+        const double weight = term.weight_in(scene.objective);
+        if (!term.needs_drive() || !(weight > 0.0)) continue;
+        const bool peak = term.figure == ResponseFigure::motor_torque;
+        const double reference = drive_reference(scene, model.design, term);
+        const int index = static_cast<int>(model.parameters.size());
+        Parameter parameter{term.name, peak ? Parameter::Kind::response : Parameter::Kind::energy, 0,
+                            reference, weight};
+        if (peak)
+            parameter.defined_by =
+                std::make_shared<const MotorPeakRule>(scene, model.design, index, reference);
+        else
+            parameter.defined_by =
+                std::make_shared<const MotorEnergyRule>(term.name, scene, model.design, reference, index);
+        (peak ? motor.peak_parameter : motor.rms_parameter) = index;
+        if (peak) model.rules.emplace_back(parameter.defined_by);
+        model.parameters.push_back(std::move(parameter));
+    }
+    if (const auto& limit = scene.limits.motor_torque_rms)
+        model.rules.emplace_back(
+            std::make_shared<const MotorEnergyRule>(limit->key, scene, model.design, limit->value, -1));
+}
+
+}  // namespace camopt
