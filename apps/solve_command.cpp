@@ -4,6 +4,7 @@
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
+#include "core/text/names.hpp"
 #include "output/json/result_json.hpp"
 #include "output/page/page_html.hpp"
 #include "output/report/folder_update.hpp"
@@ -79,15 +80,8 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
 constexpr int line_width = 110;
 
 const char* meaning_of(Curvature curvature) {
-    switch (curvature) {
-        case Curvature::linear:
-            return "linear";
-        case Curvature::convex:
-            return "convex";
-        case Curvature::general:
-            break;
-    }
-    return "general: an optimum may be a local one";
+    return word_of<Curvature::general>(curvature,
+                                       {"linear", "convex", "general: an optimum may be a local one"});
 }
 
 std::string limits_text(const std::vector<LimitShape>& limits) {

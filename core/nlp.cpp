@@ -2,6 +2,7 @@
 #include "core/nlp.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/names.hpp"
 
 #include <fmt/core.h>
 #include <fmt/format.h>
@@ -207,15 +208,7 @@ void DerivativeCheckOptions::validate() const {
 }
 
 const char* name_of(DerivativeKind value) {
-    switch (value) {
-        case DerivativeKind::gradient:
-            return "gradient";
-        case DerivativeKind::jacobian:
-            return "jacobian";
-        case DerivativeKind::hessian:
-            return "hessian";
-    }
-    return "unknown";
+    return word_of<DerivativeKind::hessian>(value, {"gradient", "jacobian", "hessian"});
 }
 
 DerivativeReport check_derivatives(const Nlp& problem, std::span<const VectorXd> points,

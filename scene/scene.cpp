@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.hpp"
 
+#include "core/text/names.hpp"
 #include "core/text/parsing.hpp"
 
 #include <fmt/format.h>
@@ -10,15 +11,7 @@
 namespace camopt {
 
 const char* name_of(SegmentKind value) {
-    switch (value) {
-        case SegmentKind::dwell:
-            return "dwell";
-        case SegmentKind::law:
-            return "law";
-        case SegmentKind::spline:
-            break;
-    }
-    return "spline";
+    return word_of<SegmentKind::spline>(value, {"dwell", "law", "spline"});
 }
 
 double as_written(double value) {

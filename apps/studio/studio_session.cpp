@@ -2,6 +2,7 @@
 #include "apps/studio/studio_controls.hpp"
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
+#include "core/text/names.hpp"
 #include "output/page/page_html.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/search/planned_solve.hpp"
@@ -46,15 +47,7 @@ struct AnswerWishes {
 };
 
 const char* name_of_stage(AnswerStage stage) {
-    switch (stage) {
-        case AnswerStage::curve:
-            return "curve";
-        case AnswerStage::proof:
-            return "proof";
-        case AnswerStage::rest:
-            break;
-    }
-    return "rest";
+    return word_of<AnswerStage::rest>(stage, {"curve", "proof", "rest"});
 }
 
 /// A law to compare with, or a scene without a motion that may be explained.

@@ -2,6 +2,7 @@
 #include "output/csv/sweep_csv.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/names.hpp"
 #include "core/text/parsing.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/view/shown_units.hpp"
@@ -285,17 +286,7 @@ SweepTable read_sweep_csv(std::string_view text, std::string_view name) {
 }
 
 const char* name_of(FrontEnd value) {
-    switch (value) {
-        case FrontEnd::none:
-            return "";
-        case FrontEnd::attained:
-            return "attained";
-        case FrontEnd::cut_off:
-            return "cut_off";
-        case FrontEnd::beyond:
-            break;
-    }
-    return "beyond";
+    return word_of<FrontEnd::beyond>(value, {"", "attained", "cut_off", "beyond"});
 }
 
 std::string goal_column(const ParetoFront& front, int goal) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cam and its mechanism at every cam angle, from what the leaf of its kind says of itself: points, how
 // far the cam frame has turned, parts.
+#include "core/text/names.hpp"
 #include "core/units.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "output/page/page_parts.hpp"
@@ -81,19 +82,7 @@ std::vector<Vector2d> points_of(const MechanismShape& shape, const std::pair<dou
 }
 
 const char* name_of_kind(MechanismShape::Kind kind) {
-    switch (kind) {
-        case MechanismShape::Kind::link:
-            return "link";
-        case MechanismShape::Kind::circle:
-            return "circle";
-        case MechanismShape::Kind::pivot:
-            return "pivot";
-        case MechanismShape::Kind::guide:
-            return "guide";
-        case MechanismShape::Kind::face:
-            break;
-    }
-    return "face";
+    return word_of<MechanismShape::Kind::face>(kind, {"link", "circle", "pivot", "guide", "face"});
 }
 
 Json parts_of(const PlaneCourse& course) {

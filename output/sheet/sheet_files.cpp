@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/sheet_files.hpp"
 
+#include "core/text/names.hpp"
 #include "core/text/printable.hpp"
 #include "core/units.hpp"
 #include "output/chart/svg_canvas.hpp"
@@ -147,17 +148,7 @@ std::string mm_text(double metres) {
 }
 
 const char* class_of(SheetPen pen) {
-    switch (pen) {
-        case SheetPen::thick:
-            return "thick";
-        case SheetPen::thin:
-            return "thin";
-        case SheetPen::dashed:
-            return "dashed";
-        case SheetPen::chain:
-            break;
-    }
-    return "chain";
+    return word_of<SheetPen::chain>(pen, {"thick", "thin", "dashed", "chain"});
 }
 
 std::string style() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/toolpath/tool_path_svg.hpp"
 
+#include "core/text/names.hpp"
 #include "core/units.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/nc/cutter_compensation.hpp"
@@ -43,17 +44,7 @@ constexpr const char* tool_path_style =
     ".heading{font-size:13px;font-weight:600}.refused{fill:#d00000;font-weight:600;font-size:13px}";
 
 const char* class_of(MoveRole role) {
-    switch (role) {
-        case MoveRole::rapid:
-            return "rapid";
-        case MoveRole::way:
-            return "way";
-        case MoveRole::roughing:
-            return "roughing";
-        case MoveRole::finishing:
-            return "finishing";
-    }
-    return "";
+    return word_of<MoveRole::finishing>(role, {"rapid", "way", "roughing", "finishing"});
 }
 
 /// Into how many straight pieces a move is cut to be drawn.

@@ -2,6 +2,7 @@
 #include "profiles/remote/remote_spec.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/names.hpp"
 #include "core/units.hpp"
 #include "scene/cam_kind.hpp"
 
@@ -37,17 +38,9 @@ const DimensionRow& row_of(RemoteDimension dimension) {
 }  // namespace
 
 const char* name_of(RemoteLinkage value) {
-    switch (value) {
-        case lever:
-            return "lever";
-        case lever_coupler_slider:
-            return "lever_coupler_slider";
-        case lever_coupler_lever:
-            return "lever_coupler_lever";
-        case lever_coupler_lever_coupler_slider:
-            break;
-    }
-    return "lever_coupler_lever_coupler_slider";
+    return word_of<lever_coupler_lever_coupler_slider>(
+        value,
+        {"lever", "lever_coupler_slider", "lever_coupler_lever", "lever_coupler_lever_coupler_slider"});
 }
 
 bool output_swings(RemoteLinkage value) {

@@ -2,6 +2,7 @@
 #include "profiles/spatial/spatial_cam.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/names.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 #include <Eigen/Geometry>
@@ -82,17 +83,8 @@ SpatialCam::operator CamFlanks() const {
 }
 
 const char* name_of(SpatialDimension value) {
-    switch (value) {
-        case roller_radius:
-            return "roller_radius";
-        case arm_length:
-            return "arm_length";
-        case center_distance:
-            return "center_distance";
-        case lateral_offset:
-            break;
-    }
-    return "lateral_offset";
+    return word_of<lateral_offset>(value,
+                                   {"roller_radius", "arm_length", "center_distance", "lateral_offset"});
 }
 
 RollerAxis roller_axis(const SpatialCam& cam, double theta, double s) {

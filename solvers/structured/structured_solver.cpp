@@ -2,6 +2,7 @@
 #include "solvers/structured/structured_solver.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/names.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/sequential_solver.hpp"
@@ -33,27 +34,10 @@ constexpr double least_proof =
 constexpr int most_from_near = 30;
 
 const char* word(Stop stop) {
-    switch (stop) {
-        case Stop::converged:
-            return "converged";
-        case Stop::stagnated:
-            return "no further progress";
-        case Stop::breakdown:
-            return "factorization breakdown";
-        case Stop::iteration_limit:
-            return "iteration limit";
-        case Stop::time_limit:
-            return "time limit";
-        case Stop::interrupted:
-            return "interrupted";
-        case Stop::evaluation_error:
-            return "a value of the problem is not finite";
-        case Stop::suspect_infeasible:
-            return "multipliers diverge";
-        case Stop::suspect_unbounded:
-            return "point diverges";
-    }
-    return "unknown";
+    return word_of<Stop::suspect_unbounded>(
+        stop,
+        {"converged", "no further progress", "factorization breakdown", "iteration limit", "time limit",
+         "interrupted", "a value of the problem is not finite", "multipliers diverge", "point diverges"});
 }
 
 class StructuredRun {

@@ -2,6 +2,7 @@
 #include "studies/surface/trade_off_surface.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/names.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/pareto/sweep_front.hpp"
@@ -245,19 +246,8 @@ void SurfaceRequest::validate(const Scene& scene) const {
 }
 
 const char* name_of(SurfaceEnd value) {
-    switch (value) {
-        case SurfaceEnd::reached:
-            return "reached";
-        case SurfaceEnd::solves:
-            return "solves";
-        case SurfaceEnd::own_gaps:
-            return "own_gaps";
-        case SurfaceEnd::no_motion:
-            return "no_motion";
-        case SurfaceEnd::interrupted:
-            break;
-    }
-    return "interrupted";
+    return word_of<SurfaceEnd::interrupted>(value,
+                                            {"reached", "solves", "own_gaps", "no_motion", "interrupted"});
 }
 
 PeakTriple TradeOffSurface::point(const SweepRow& row) const {
