@@ -20,17 +20,14 @@ constexpr double overshoot = 1e-12;
 SplineSpace::SplineSpace(int degree, int continuity, std::vector<double> breakpoints)
     : degree_(degree), continuity_(continuity), breakpoints_(std::move(breakpoints)) {
     if (degree < 1) throw InputError(fmt::format("degree: found {}; allowed: 1 or more", degree));
-    if (continuity < 0 || continuity >= degree) {
+    if (continuity < 0 || continuity >= degree)
         throw InputError(fmt::format("continuity: found {}; allowed: 0 … {}", continuity, degree - 1));
-    }
-    if (breakpoints_.size() < 2) {
+    if (breakpoints_.size() < 2)
         throw InputError(fmt::format("breakpoints: found {}; allowed: at least 2", breakpoints_.size()));
-    }
     for (std::size_t i = 1; i < breakpoints_.size(); ++i) {
-        if (!(breakpoints_[i] > breakpoints_[i - 1]) || !std::isfinite(breakpoints_[i])) {
+        if (!(breakpoints_[i] > breakpoints_[i - 1]) || !std::isfinite(breakpoints_[i]))
             throw InputError(fmt::format("breakpoints[{}]: found {} after {}; allowed: ascending", i,
                                          breakpoints_[i], breakpoints_[i - 1]));
-        }
     }
 }
 
@@ -55,9 +52,8 @@ std::vector<double> SplineSpace::knots() const {
 
 int SplineSpace::segment_of(double x, Side side) const {
     const double slack = overshoot * std::max(1.0, end() - begin());
-    if (!(x >= begin() - slack && x <= end() + slack)) {
+    if (!(x >= begin() - slack && x <= end() + slack))
         throw InputError(fmt::format("x: found {}; allowed: {} … {}", x, begin(), end()));
-    }
     const auto after = side == Side::right ? std::upper_bound(breakpoints_.begin(), breakpoints_.end(), x)
                                            : std::lower_bound(breakpoints_.begin(), breakpoints_.end(), x);
     return std::clamp(static_cast<int>(after - breakpoints_.begin()) - 1, 0, segments() - 1);
@@ -146,24 +142,21 @@ double growth(const Eigen::RowVectorXd& weights, double width) {
 
 SplineCurve::SplineCurve(SplineSpace space, Eigen::MatrixXd pieces)
     : space_(std::move(space)), pieces_(std::move(pieces)) {
-    if (pieces_.rows() != degree() + 1 || pieces_.cols() != space_.segments()) {
+    if (pieces_.rows() != degree() + 1 || pieces_.cols() != space_.segments())
         throw InputError(fmt::format("pieces: found {} x {}; allowed: {} x {}", pieces_.rows(),
                                      pieces_.cols(), degree() + 1, space_.segments()));
-    }
     if (!pieces_.allFinite()) throw InputError("pieces: found a value that is not finite");
 }
 
 SplineCurve SplineCurve::from_coefficients(const SplineSpace& space, const Eigen::VectorXd& coefficients) {
-    if (coefficients.size() != space.dimension()) {
+    if (coefficients.size() != space.dimension())
         throw InputError(
             fmt::format("coefficients: found {}; allowed: {}", coefficients.size(), space.dimension()));
-    }
     const int p = space.degree();
     Eigen::MatrixXd pieces(p + 1, space.segments());
-    for (int i = 0; i < space.segments(); ++i) {
+    for (int i = 0; i < space.segments(); ++i)
         pieces.col(i) =
             monomials_of_basis(space, i) * coefficients.segment(space.first_basis_function(i), p + 1);
-    }
     return {space, std::move(pieces)};
 }
 

@@ -24,9 +24,8 @@ constexpr double end_rounding = 1e-12;
 Law::Law(LawInfo info) : info_(std::move(info)) {}
 
 LawDerivatives Law::derivatives(double x, Side side) const {
-    if (!(x >= -end_rounding && x <= 1.0 + end_rounding)) {
+    if (!(x >= -end_rounding && x <= 1.0 + end_rounding))
         throw InputError(fmt::format("{}: x = {} found, allowed 0 <= x <= 1", info_.key, x));
-    }
     return evaluate(std::clamp(x, 0.0, 1.0), side);
 }
 
@@ -100,9 +99,8 @@ class Piece {
             if (at_end || left.slope == 0.0) range.take({left.value, place(i), side(i)});
             if (i == kCells) break;
             const double right_slope = pick(nodes_[i + 1], quantity).slope;
-            if ((left.slope < 0.0 && right_slope > 0.0) || (left.slope > 0.0 && right_slope < 0.0)) {
+            if ((left.slope < 0.0 && right_slope > 0.0) || (left.slope > 0.0 && right_slope < 0.0))
                 range.take(bisect(i, quantity, left.slope > 0.0));
-            }
         }
     }
 
@@ -146,9 +144,8 @@ class Piece {
 std::vector<Piece> pieces_of(const Law& law) {
     const std::vector<double> breakpoints = law.breakpoints();
     std::vector<Piece> pieces;
-    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i)
         pieces.emplace_back(law, breakpoints[i], breakpoints[i + 1]);
-    }
     return pieces;
 }
 

@@ -219,9 +219,8 @@ std::string verdict_sentence(const Certificate& certificate) {
             return fmt::format("Feasible: every limit is satisfied; {}{}.", not_optimal_words(certificate),
                                because(certificate));
         case Verdict::infeasible:
-            if (certificate.reason == Reason::conditions_contradict) {
+            if (certificate.reason == Reason::conditions_contradict)
                 return "Infeasible: no curve of this spline space meets all the conditions, see the notes.";
-            }
             return "Proved infeasible: no curve of this spline space satisfies all the limits.";
         case Verdict::failed:
             break;

@@ -243,11 +243,10 @@ std::string reference_table_text(const ReferenceTable& table) {
     std::string text = fmt::format("{}\n\n{}", title, wrapped_text(introduction, "", table_line_width));
     const std::string warning = unproved_warning(table);
     if (!warning.empty()) text += fmt::format("\n{}", wrapped_text(warning, "WARNING  ", table_line_width));
-    for (const TableSection& section : reference_table_sections(table)) {
+    for (const TableSection& section : reference_table_sections(table))
         text += fmt::format("\n{}\n{}\n{}", section.title,
                             wrapped_text(section.introduction, "", table_line_width),
                             aligned_text(section.table));
-    }
     if (!table.notes.empty()) text += "\nNotes\n";
     for (std::size_t i = 0; i < table.notes.size(); ++i)
         text += wrapped_text(table.notes[i], fmt::format("{}. ", i + 1), table_line_width);

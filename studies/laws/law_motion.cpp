@@ -76,10 +76,9 @@ MotionChain chain_of(std::span<const LawStroke> strokes,
         const LawStroke& stroke = strokes[i];
         ChainPart part{stroke.begin, stroke.end, laws[i], stroke.begin, width_of(stroke), *stroke.from, 0.0};
         if (laws[i]) part.y_scale = rise_of(stroke);
-        if (laws[i] && stroke.mirrored) {
+        if (laws[i] && stroke.mirrored)
             part = {stroke.begin,      stroke.end, laws[i],         stroke.end,
                     -width_of(stroke), *stroke.to, -rise_of(stroke)};
-        }
         parts.push_back(std::move(part));
     }
     return MotionChain(std::move(parts));

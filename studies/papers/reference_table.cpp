@@ -63,12 +63,11 @@ void add_printed_points(ConvergenceRow& row) {
 
 std::string note_of(const ConvergenceRow& row) {
     if (!row.printed) return "beyond the paper";
-    if (row.segments == misprinted_segments) {
+    if (row.segments == misprinted_segments)
         return fmt::format(
             "y3 = 0.1740 is a misprint: it breaks y''(0) = 0 (found {:.4f}); with 0.1748 the printed "
             "peaks follow",
             row.points_end_acceleration.value_or(0.0));
-    }
     const double loss = row.printed->objective - row.optimum.certificate.objective;
     if (loss < 5e-5) return "the printed figure is the optimum, rounded";
     return fmt::format("the paper's search in steps of 0.0001 stops {:.4f} above the optimum", loss);
