@@ -18,7 +18,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <complex>
 #include <memory>
 #include <optional>
 #include <span>

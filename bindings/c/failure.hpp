@@ -4,7 +4,6 @@
 
 #include "bindings/c/camopt.h"
 
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <sys/types.h>
 #include <system_error>
 #include <unistd.h>
