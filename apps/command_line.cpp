@@ -7,7 +7,7 @@
 #include "core/version.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/papers/papers.hpp"
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,7 +2,7 @@
 #include "core/nlp.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
+#include "core/word_of.hpp"
 
 #include <fmt/core.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "linear/sparse_symmetric.hpp"
 
-#include "core/text/names.hpp"
+#include "core/word_of.hpp"
 #include "linear/chain_factor.hpp"
 
 #include <Eigen/Dense>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.hpp"
 
-#include "core/text/names.hpp"
 #include "core/text/parsing.hpp"
+#include "core/word_of.hpp"
 
 #include <fmt/format.h>
 

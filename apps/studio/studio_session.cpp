@@ -2,7 +2,7 @@
 #include "apps/studio/studio_controls.hpp"
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
+#include "core/word_of.hpp"
 #include "output/page/page_html.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/search/planned_solve.hpp"

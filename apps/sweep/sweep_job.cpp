@@ -10,7 +10,6 @@
 #include "input/scene_reader.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
 #include "output/page/study_html.hpp"
-#include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/study_text.hpp"
 

@@ -2,7 +2,7 @@
 #include "bindings/c/failure.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
+#include "core/word_of.hpp"
 
 #include <new>
 
@@ -70,7 +70,8 @@ const char* camopt_error_text() {
 }
 
 const char* camopt_error_name(camopt_error code) {
-    return camopt::word_of<CAMOPT_ERROR_INTERNAL>(code, {"ok", "null", "argument", "input", "unavailable", "absent",
-                                                 "capacity", "cancelled", "callback", "memory", "internal"});
+    return camopt::word_of<CAMOPT_ERROR_INTERNAL>(
+        code, {"ok", "null", "argument", "input", "unavailable", "absent", "capacity", "cancelled",
+               "callback", "memory", "internal"});
 }
 }

@@ -10,7 +10,6 @@
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
-#include "studies/sweep/sweep_run.hpp"
 
 #include <chrono>
 #include <exception>

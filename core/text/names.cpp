@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/names.hpp"
 
+#include "core/word_of.hpp"
+
 #include <fmt/format.h>
 
 #include <numeric>

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -25,14 +24,6 @@ using OptionValue = std::variant<bool, long long, double, std::string>;
 
 [[nodiscard]] const char* name_of(MotionType value);
 [[nodiscard]] const char* name_of(DesignKind value);
-
-/// The word of a value of an enum that counts from 0 to `last`, its last value; one that it has not is
-/// "unknown".
-template <auto last, std::size_t count>
-[[nodiscard]] constexpr const char* word_of(decltype(last) value, const char* const (&words)[count]) {
-    static_assert(count == static_cast<std::size_t>(last) + 1, "one word for each value, in their order");
-    return static_cast<std::size_t>(value) < count ? words[static_cast<std::size_t>(value)] : "unknown";
-}
 
 /// The first of the choices with this name, as name_of gives it; none where no choice has it.
 template <class Choice>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Look-up in the key table, and its rows in words: error messages and the Markdown of docs/scene_file.md.
-#include "core/text/names.hpp"
+#include "core/word_of.hpp"
 #include "input/keys/scene_keys.hpp"
 
 #include <fmt/format.h>

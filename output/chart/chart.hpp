@@ -7,7 +7,7 @@
 // is left out; nothing throws.
 #pragma once
 
-#include "output/chart/plot_frame.hpp"
+#include "output/chart/svg_canvas.hpp"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "output/chart/chart.hpp"
-#include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/view/number_text.hpp"
 #include "output/words/solution_text.hpp"

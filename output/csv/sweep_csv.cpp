@@ -2,11 +2,11 @@
 #include "output/csv/sweep_csv.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
 #include "core/text/parsing.hpp"
+#include "core/word_of.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/view/shown_units.hpp"
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

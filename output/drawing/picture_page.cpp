@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/picture_page.hpp"
 
-#include "output/chart/plot_frame.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"

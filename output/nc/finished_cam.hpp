@@ -15,7 +15,7 @@
 #pragma once
 
 #include "output/nc/blank.hpp"
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The cam and its mechanism at every cam angle, from what the leaf of its kind says of itself: points, how
 // far the cam frame has turned, parts.
-#include "core/text/names.hpp"
 #include "core/units.hpp"
+#include "core/word_of.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/flank_surfaces.hpp"

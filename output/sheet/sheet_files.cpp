@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/sheet_files.hpp"
 
-#include "core/text/names.hpp"
 #include "core/text/printable.hpp"
 #include "core/units.hpp"
+#include "core/word_of.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
 #include "output/sheet/sheet_painter.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/toolpath/tool_path_svg.hpp"
 
-#include "core/text/names.hpp"
 #include "core/units.hpp"
-#include "output/chart/plot_frame.hpp"
+#include "core/word_of.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/nc/cutter_compensation.hpp"
 
 #include <fmt/format.h>

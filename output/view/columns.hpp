@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "studies/delivered/follower_loads.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <cstddef>

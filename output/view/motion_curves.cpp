@@ -8,7 +8,7 @@
 #include "output/view/view.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 
 #include <fmt/format.h>
 

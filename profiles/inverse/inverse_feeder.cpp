@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
+#include "core/word_of.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 

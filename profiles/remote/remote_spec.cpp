@@ -2,8 +2,8 @@
 #include "profiles/remote/remote_spec.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
 #include "core/units.hpp"
+#include "core/word_of.hpp"
 #include "scene/cam_kind.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "solvers/certificate/certificate.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
+#include "core/word_of.hpp"
 
 #include <fmt/format.h>
 

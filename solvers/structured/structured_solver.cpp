@@ -2,7 +2,7 @@
 #include "solvers/structured/structured_solver.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
+#include "core/word_of.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/sequential_solver.hpp"

@@ -4,7 +4,7 @@
 
 #include "profiles/sampling.hpp"
 #include "splines/motion_chain.hpp"
-#include "studies/delivered/follower_loads.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <cstddef>

@@ -5,7 +5,6 @@
 #include "scene/limit_table.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "splines/curve.hpp"
-#include "splines/extrema.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 

@@ -7,7 +7,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_parts.hpp"

@@ -4,7 +4,6 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/spatial/spatial_analysis.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
 #include "scene/cam_flanks.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/papers/spatial_tables.hpp"

@@ -2,9 +2,9 @@
 #include "studies/papers/reference_table.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
+#include "splines/curve.hpp"
 #include "splines/design_vector.hpp"
-#include "splines/extrema.hpp"
-#include "studies/papers/paper_tables.hpp"
+#include "studies/papers/paper_report.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,6 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "output/nc/block_angles.hpp"
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/nc_check.hpp"
 #include "output/nc/nc_program.hpp"
 #include "output/spatial/cam_export.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Meshes: what watertight means, and the files made from them.
 #include "core/errors.hpp"
-#include "output/surface/mesh_files.hpp"
+#include "output/surface/triangle_mesh.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
