@@ -12,10 +12,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <exception>
 #include <sstream>
-#include <string_view>
 #include <system_error>
 
 namespace camopt::apps {

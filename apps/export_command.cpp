@@ -27,13 +27,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -20,10 +20,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

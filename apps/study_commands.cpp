@@ -20,12 +20,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -9,13 +9,6 @@
 #include <Eigen/SVD>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 namespace {

@@ -4,13 +4,7 @@
 #include "core/errors.hpp"
 #include "linear/kernels.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <utility>
 
 namespace camopt {
 namespace {
@@ -113,7 +107,8 @@ void ChainFactor::analyse(const Matrix& lower, std::vector<int> signs) {
     inverse_.resize(3 * static_cast<std::size_t>(count));
     place_ = order_.position;
     for (int& place : place_) place += place < count ? 1 : 1 + matrix_.band;
-    ordered_.assign(1 + static_cast<std::size_t>(count) + static_cast<std::size_t>(matrix_.band + matrix_.border), 0.0);
+    ordered_.assign(
+        1 + static_cast<std::size_t>(count) + static_cast<std::size_t>(matrix_.band + matrix_.border), 0.0);
     matrix_.columns = values_.data();
     matrix_.corner = values_.data() + corner_;
     matrix_.opens_pair = order_.opens_pair.data();

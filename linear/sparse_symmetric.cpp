@@ -7,8 +7,6 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 
-#include <cmath>
-
 namespace camopt {
 namespace {
 

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace camopt {
 
 const char* name_of(SegmentKind value) {

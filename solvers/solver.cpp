@@ -6,8 +6,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 namespace camopt {
 
 const char* name_of(Termination value) {

@@ -8,10 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <functional>
-#include <vector>
-
 namespace camopt {
 
 // The space of piecewise polynomials of degree p on breakpoints x_0 < … < x_n that are C^k at the interior

@@ -8,9 +8,6 @@
 #include <Eigen/SparseLU>
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

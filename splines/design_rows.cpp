@@ -4,9 +4,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

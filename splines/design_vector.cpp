@@ -4,10 +4,6 @@
 #include "core/errors.hpp"
 #include "splines/design_forms.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace camopt {
 
 namespace {

@@ -16,11 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cctype>
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace camopt::apps {
 

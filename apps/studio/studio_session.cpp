@@ -10,15 +10,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <list>
 #include <mutex>
-#include <optional>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -7,12 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -6,12 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 namespace camopt::apps {
 

@@ -5,8 +5,6 @@
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <chrono>
-#include <string>
-#include <vector>
 
 namespace camopt::apps {
 

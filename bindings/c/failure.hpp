@@ -3,10 +3,9 @@
 #pragma once
 
 #include "bindings/c/camopt.h"
+#include "core/base/standard.hpp"
 
 #include <stdexcept>
-#include <string>
-#include <utility>
 
 namespace camopt::c {
 

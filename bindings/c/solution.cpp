@@ -4,10 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace camopt::c {
 
 double number_or_absent(const std::optional<double>& value) {

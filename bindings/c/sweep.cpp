@@ -13,11 +13,6 @@
 
 #include <chrono>
 #include <exception>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt::c {
 namespace {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/polynomial.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 namespace camopt {
 
 namespace {

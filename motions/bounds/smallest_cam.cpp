@@ -5,10 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 namespace camopt {
 
 namespace {

@@ -7,8 +7,6 @@
 
 #include <Eigen/SparseLU>
 
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 namespace camopt {

@@ -11,9 +11,6 @@
 #include <Eigen/Core>
 
 #include <atomic>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace camopt {
 

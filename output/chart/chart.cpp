@@ -5,13 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string_view>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -9,10 +9,6 @@
 
 #include "output/chart/svg_canvas.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Marks reach `size` to each side. A cell does so in the units of the axes, a disc in those of the

@@ -4,10 +4,7 @@
 // Nothing is checked and nothing throws.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

@@ -18,11 +18,6 @@
 
 #include "output/view/view.hpp"
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// Throws InputError where the solution has no motion.

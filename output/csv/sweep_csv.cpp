@@ -11,12 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <initializer_list>
 #include <type_traits>
-#include <utility>
 
 namespace camopt {
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/follower_drawing.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace camopt {
 
 namespace {

@@ -5,10 +5,6 @@
 #include "output/drawing/picture_page.hpp"
 #include "output/drawing/profile_shape.hpp"
 
-#include <optional>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// The parts of the follower as the drawing shows them, m.

@@ -9,12 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace camopt {
 

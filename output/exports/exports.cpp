@@ -24,12 +24,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <stdlib.h>
 #include <system_error>
-#include <utility>
 
 namespace camopt {
 

@@ -6,10 +6,6 @@
 #include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// Everything that a row's result depends on.

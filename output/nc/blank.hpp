@@ -10,9 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <string>
-
 namespace camopt {
 
 struct Blank {

@@ -17,9 +17,6 @@
 #include "output/nc/blank.hpp"
 #include "output/nc/machine.hpp"
 
-#include <memory>
-#include <vector>
-
 namespace camopt {
 
 class FinishedCam {

@@ -6,10 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -9,12 +9,9 @@
 // stays. Source: Gu, Shin, Kang, Chang, equations (11)–(15). Lengths m, frame of ToolPose.
 #pragma once
 
-#include <Eigen/Core>
+#include "core/base/standard.hpp"
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
+#include <Eigen/Core>
 
 namespace camopt {
 

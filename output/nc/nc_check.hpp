@@ -17,9 +17,6 @@
 
 #include <Eigen/Core>
 
-#include <span>
-#include <vector>
-
 namespace camopt {
 
 struct NcPoseCheck {

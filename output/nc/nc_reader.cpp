@@ -6,12 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <limits>
-#include <utility>
 
 namespace camopt {
 

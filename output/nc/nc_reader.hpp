@@ -12,10 +12,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// On which side of the programmed path the cutter goes, in the direction of its travel, seen from +Z.

@@ -8,8 +8,6 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 #include <sstream>
 #include <type_traits>

@@ -8,8 +8,6 @@
 #include "output/words/solution_text.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
-#include <cmath>
-
 namespace camopt {
 
 namespace {

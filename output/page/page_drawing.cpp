@@ -12,9 +12,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

@@ -9,11 +9,6 @@
 #include "scene/scene.hpp"
 #include "splines/motion_chain.hpp"
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 // A delivered motion as an electronic cam sees it: the slave over the master, one revolution, dwells too.

@@ -19,11 +19,6 @@
 #include "output/plc/plc_format.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct PlcFile {

@@ -18,14 +18,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cmath>
 #include <sys/types.h>
 #include <system_error>
 #include <unistd.h>
-#include <utility>
 
 namespace camopt {
 

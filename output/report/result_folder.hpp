@@ -9,11 +9,6 @@
 #include "studies/delivered/solution.hpp"
 
 #include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

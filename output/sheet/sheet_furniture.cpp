@@ -3,8 +3,6 @@
 #include "core/units.hpp"
 #include "output/sheet/sheet_painter.hpp"
 
-#include <algorithm>
-
 namespace camopt {
 
 namespace {

@@ -9,10 +9,6 @@
 #include "scene/cam_flanks.hpp"
 
 #include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace camopt {
 

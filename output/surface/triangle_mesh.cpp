@@ -8,13 +8,10 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <map>
-#include <utility>
 
 namespace camopt {
 

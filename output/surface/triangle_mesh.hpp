@@ -9,11 +9,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct TriangleMesh {

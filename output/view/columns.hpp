@@ -7,12 +7,6 @@
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// What a column may need beside a motion, bit by bit.

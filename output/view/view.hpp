@@ -9,12 +9,6 @@
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// A limit over a stretch of the cam: a horizontal line, in the curve's unit.

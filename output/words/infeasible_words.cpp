@@ -9,10 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <functional>
-#include <utility>
-
 namespace camopt {
 
 namespace {

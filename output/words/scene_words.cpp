@@ -14,10 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <numbers>
 #include <type_traits>
 #include <variant>
 

@@ -10,13 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <map>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace camopt {
 

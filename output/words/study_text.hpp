@@ -10,10 +10,6 @@
 #include "studies/search/plan.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// A finished sweep in a few lines: rows by verdict, the front where one is marked, the row of the least

@@ -6,10 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <numbers>
-
 namespace camopt {
 namespace {
 

@@ -7,9 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 namespace {
 

@@ -3,9 +3,6 @@
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_formulas.hpp"
 
-#include <cmath>
-#include <numbers>
-
 namespace camopt {
 namespace {
 

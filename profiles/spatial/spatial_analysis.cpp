@@ -9,10 +9,6 @@
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/AutoDiff>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 namespace camopt {
 namespace {
 

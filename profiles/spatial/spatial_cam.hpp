@@ -10,12 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstddef>
-#include <memory>
-#include <span>
-#include <string>
-
 namespace camopt {
 
 struct CamKind;

@@ -11,13 +11,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
-#include <string>
-#include <utility>
-
 namespace camopt {
 
 // Validates the numbers of a scene against their ranges, in the order of the scene's members.

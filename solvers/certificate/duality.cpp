@@ -3,8 +3,6 @@
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace camopt {

@@ -5,10 +5,6 @@
 #include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 namespace camopt {
 
 namespace {

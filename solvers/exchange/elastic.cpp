@@ -4,10 +4,6 @@
 #include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace camopt {
 
 class ElasticProblem::Grid final : public Nlp {

@@ -12,9 +12,6 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-
 namespace camopt {
 
 namespace {

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/linearized_problem.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-
 namespace camopt::structured {
 
 using Eigen::Index;

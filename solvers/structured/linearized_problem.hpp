@@ -14,14 +14,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <memory>
-#include <span>
-#include <vector>
-
 namespace camopt::structured {
 
 struct ActiveRows {

@@ -5,10 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <array>
-#include <string_view>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -5,10 +5,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace camopt {
 
 namespace {

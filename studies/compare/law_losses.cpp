@@ -8,9 +8,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

@@ -5,12 +5,6 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -7,14 +7,8 @@
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
 #include <tuple>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace camopt {
 

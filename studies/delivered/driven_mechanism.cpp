@@ -8,11 +8,6 @@
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-
 namespace camopt {
 
 MechanismProfile mechanism_profile(const DrivenMechanism& mechanism, const Motion& motion,

@@ -7,11 +7,6 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// About `count` points of one station, evenly by cam angle, the motion's breakpoints among them, and which

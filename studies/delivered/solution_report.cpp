@@ -13,10 +13,6 @@
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/laws/law_motion.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
 namespace camopt {
 
 namespace {

@@ -9,13 +9,6 @@
 #include "studies/delivered/solution.hpp"
 #include "studies/explain/adjustment.hpp"
 
-#include <algorithm>
-#include <memory>
-#include <optional>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 // The time an explanation may take, and the user's wish to stop: a SolveControl, and the parts it is cut

@@ -12,9 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <numbers>
-
 namespace camopt::spatial_tables {
 
 namespace {

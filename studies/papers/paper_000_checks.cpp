@@ -8,12 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace camopt::feeding_paper {
 

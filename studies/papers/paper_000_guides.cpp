@@ -8,12 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <string>
-#include <utility>
-
 namespace camopt::feeding_paper {
 
 namespace {

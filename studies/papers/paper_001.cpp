@@ -7,11 +7,6 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
-
 namespace camopt {
 
 namespace {

@@ -9,9 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

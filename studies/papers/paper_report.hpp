@@ -5,13 +5,9 @@
 // cells are numbers in the column's unit, words, or nothing; NaN and infinity count as nothing in files.
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
+#include "core/base/standard.hpp"
+
 #include <variant>
-#include <vector>
 
 namespace camopt {
 

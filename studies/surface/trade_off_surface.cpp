@@ -12,10 +12,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <utility>
 
 namespace camopt {
 

@@ -11,12 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 struct HullTriangle {

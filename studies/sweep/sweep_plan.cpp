@@ -11,15 +11,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <exception>
-#include <optional>
 #include <set>
-#include <utility>
 
 namespace camopt {
 

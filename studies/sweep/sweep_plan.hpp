@@ -12,13 +12,6 @@
 #include "studies/sweep/sweep_axis.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
-#include <functional>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 struct SweepPlan {

@@ -3,10 +3,7 @@
 
 #include "splines/curve.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace camopt {
 

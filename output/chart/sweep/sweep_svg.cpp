@@ -11,11 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 namespace camopt {
 
 namespace {

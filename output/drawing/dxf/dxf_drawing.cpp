@@ -8,11 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 void DxfDrawing::begin_entity(const char* type, std::string_view layer, const char* subclass) {

@@ -10,13 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <functional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// How far axes are drawn beyond the largest radius: this times it.

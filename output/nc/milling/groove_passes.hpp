@@ -14,9 +14,6 @@
 #include "output/nc/machine.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct GrooveMilling {

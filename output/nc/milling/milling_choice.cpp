@@ -8,9 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-
 namespace camopt {
 
 namespace {

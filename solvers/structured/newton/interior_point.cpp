@@ -5,10 +5,6 @@
 #include "solvers/structured/newton/newton_step.hpp"
 #include "solvers/structured/newton/path_reduction.hpp"
 
-#include <array>
-#include <cstddef>
-#include <utility>
-
 namespace camopt::structured {
 namespace {
 
