@@ -41,8 +41,7 @@ LoadedScene requested_scene(const SolveRequest& request) {
     if (request.dxf && cam && !cam_kind(cam->type)->is_plane_curve)
         throw InputError(
             fmt::format("--dxf: found with a cam of type \"{}\", which is not a plane curve; allowed: with "
-                        "types {}; `camopt "
-                        "export` writes its flanks and solid",
+                        "types {}; `camopt export` writes its flanks and solid",
                         cam->type, plane_types()));
     for (const auto& [given, option] :
          {std::pair(request.dxf, "--dxf"), std::pair(request.points.has_value(), "--points")})

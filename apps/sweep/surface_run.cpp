@@ -193,8 +193,7 @@ ExitCode surface_look_up(const SweepRequest& request) {
     const std::filesystem::path stored = folder / identity_name, table = folder / table_name;
     if (!std::filesystem::exists(stored))
         throw InputError(fmt::format(
-            "--at: found no {} in {}; allowed: a folder of camopt sweep SCENE --surface ERROR --out "
-            "DIR",
+            "--at: found no {} in {}; allowed: a folder of camopt sweep SCENE --surface ERROR --out DIR",
             identity_name, request.scene));
     const SurfaceIdentity identity = read_surface_json(read_text_file(stored), stored.string());
     const Scene scene = load_scene(SceneText{identity.scene_file, identity.scene_text}, {});

@@ -12,14 +12,13 @@ namespace {
 
 /// What every picture has: its page, titles, the frame of a plot. A picture's own rules come behind and hold.
 constexpr std::string_view common_style =
-    ".page{fill:#fff}.title{font-size:20px;font-weight:600;fill:#111}.subtitle{font-size:13px;fill:#444}"
-    ".caption{font-size:14px;font-weight:600;fill:#111}.value{font-size:12px;fill:#222}"
-    ".value.right,.end{text-anchor:end}.middle{text-anchor:middle}.faint{fill:#777}"
-    ".head{font-size:12px;font-weight:600;fill:#333;text-anchor:end}.head.left{text-anchor:start}"
-    ".grid{stroke:#e6e6e6;stroke-width:1}.frame{fill:none;stroke:#8a8a8a;stroke-width:1}"
-    ".zero{stroke:#a8a8a8;stroke-width:1}"
-    ".tick{font-size:11px;fill:#444}.tick.middle{text-anchor:middle}.tick.right{text-anchor:end}"
-    ".axis-title{font-size:12px;fill:#333;text-anchor:middle}";
+    ".page{fill:#fff}.title{font-size:20px;font-weight:600;fill:#111}.subtitle{font-size:13px;fill:#444}."
+    "caption{font-size:14px;font-weight:600;fill:#111}.value{font-size:12px;fill:#222}.value.right,.end{text-"
+    "anchor:end}.middle{text-anchor:middle}.faint{fill:#777}.head{font-size:12px;font-weight:600;fill:#333;"
+    "text-anchor:end}.head.left{text-anchor:start}.grid{stroke:#e6e6e6;stroke-width:1}.frame{fill:none;"
+    "stroke:#8a8a8a;stroke-width:1}.zero{stroke:#a8a8a8;stroke-width:1}.tick{font-size:11px;fill:#444}.tick."
+    "middle{text-anchor:middle}.tick.right{text-anchor:end}.axis-title{font-size:12px;fill:#333;text-anchor:"
+    "middle}";
 
 constexpr double bold_wider = 1.1;
 constexpr double ascent = 0.78, descent = 0.26;  // of the font's size

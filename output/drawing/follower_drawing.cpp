@@ -140,10 +140,9 @@ void FollowerDrawing::draw_ghost(const ProfileCanvas& canvas, double theta) cons
 
 std::string_view follower_style() {
     return ".follower{fill:#fff;fill-opacity:.75;stroke:#b35900;stroke-width:1.8;stroke-linejoin:round}"
-           ".arm{stroke:#b35900;stroke-width:5;stroke-linecap:round}.guide{stroke:#444;stroke-width:4}"
-           ".pivot{fill:#b35900}.ground{fill:#ddd;stroke:#444;stroke-width:1.2}"
-           ".bearing{fill:#fff;stroke:#444;stroke-width:1.8}"
-           ".ghost{fill:none;stroke:#e0a060;stroke-width:1.1}";
+           ".arm{stroke:#b35900;stroke-width:5;stroke-linecap:round}.guide{stroke:#444;stroke-width:4}.pivot{"
+           "fill:#b35900}.ground{fill:#ddd;stroke:#444;stroke-width:1.2}.bearing{fill:#fff;stroke:#444;"
+           "stroke-width:1.8}.ghost{fill:none;stroke:#e0a060;stroke-width:1.1}";
 }
 
 }  // namespace camopt

@@ -25,23 +25,20 @@ constexpr double arrow_radius = 0.42, arrow_head = 9, arrow_begin = 35 * degree,
 constexpr double undercut_ring = 14;  // px
 
 const char* page_style =
-    ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}"
-    ".groove{fill:#fff;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
-    ".second{fill:#e6daf0;fill-opacity:.7;stroke:#7b3fa0;stroke-width:2.2;stroke-linejoin:round}"
-    ".second-sector{fill:none;stroke:#7b3fa0;stroke-width:2.2;stroke-linejoin:round}"
-    ".second-pitch{fill:none;stroke:#9a6fb5;stroke-width:1.1;stroke-dasharray:7 4}"
-    ".sector{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
-    ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
-    ".circle{fill:none;stroke:#8a8a8a;stroke-width:1}"
-    ".prime{fill:none;stroke:#8a8a8a;stroke-width:1;stroke-dasharray:2 3}"
-    ".center{stroke:#444;stroke-width:1}.mark{stroke:#0072b2;stroke-width:1.4}"
-    ".mark-label{font-size:11px;fill:#005a8c;text-anchor:middle;paint-order:stroke;stroke:#d9e8f2;stroke-"
-    "width:3px}"
-    ".yoke{stroke:#b35900;stroke-width:5;stroke-opacity:.45;stroke-linecap:round}"
-    ".bare{stroke:#fff}.open{stroke:#d00000;stroke-width:1.4;stroke-dasharray:6 "
-    "4}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
-    ".ring{fill:none;stroke:#d00000;stroke-width:1.2}"
-    ".undercut{fill:none;stroke:#d00000;stroke-width:3.2}";
+    ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}.groove{fill:#"
+    "fff;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}.second{fill:#e6daf0;fill-opacity:.7;stroke:#"
+    "7b3fa0;stroke-width:2.2;stroke-linejoin:round}.second-sector{fill:none;stroke:#7b3fa0;stroke-width:2.2;"
+    "stroke-linejoin:round}.second-pitch{fill:none;stroke:#9a6fb5;stroke-width:1.1;stroke-dasharray:7 "
+    "4}.sector{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}.pitch{fill:none;stroke:#555;"
+    "stroke-width:1.2;stroke-dasharray:7 "
+    "4}.circle{fill:none;stroke:#8a8a8a;stroke-width:1}.prime{fill:none;stroke:#8a8a8a;stroke-width:1;stroke-"
+    "dasharray:2 "
+    "3}.center{stroke:#444;stroke-width:1}.mark{stroke:#0072b2;stroke-width:1.4}.mark-label{font-size:11px;"
+    "fill:#005a8c;text-anchor:middle;paint-order:stroke;stroke:#d9e8f2;stroke-width:3px}.yoke{stroke:#b35900;"
+    "stroke-width:5;stroke-opacity:.45;stroke-linecap:round}.bare{stroke:#fff}.open{stroke:#d00000;stroke-"
+    "width:1.4;stroke-dasharray:6 "
+    "4}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}.ring{fill:none;stroke:#d00000;"
+    "stroke-width:1.2}.undercut{fill:none;stroke:#d00000;stroke-width:3.2}";
 
 using Pieces = std::vector<std::vector<MechanismPoint>>;
 

@@ -91,12 +91,11 @@ constexpr std::array<int, 3> core_colour = {150, 160, 172}, flank_colour = {226,
 
 const char* const drum_style =
     ".hub{stroke:#96a0ac;stroke-width:9}.rib{stroke:#e2a454;stroke-width:9}.rollers{stroke:#608ec6;stroke-"
-    "width:9}"
-    ".bar{stroke:#222;stroke-width:1.6}.plus{fill:none;stroke:#0072b2;stroke-width:2}"
-    ".minus{fill:none;stroke:#d55e00;stroke-width:2}.deep{stroke-dasharray:6 4;stroke-width:1.4}"
-    ".axis{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}.turned{stroke:#c4c4c4;stroke-width:1}"
-    ".peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}"
-    ".peak-label{font-weight:600;fill:#005a8c;paint-order:stroke;stroke:#fff;stroke-width:4px}";
+    "width:9}.bar{stroke:#222;stroke-width:1.6}.plus{fill:none;stroke:#0072b2;stroke-width:2}.minus{fill:"
+    "none;stroke:#d55e00;stroke-width:2}.deep{stroke-dasharray:6 "
+    "4;stroke-width:1.4}.axis{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 "
+    "4}.turned{stroke:#c4c4c4;stroke-width:1}.peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}.peak-label{"
+    "font-weight:600;fill:#005a8c;paint-order:stroke;stroke:#fff;stroke-width:4px}";
 
 FlankGrid drum_grid(const CamFlanks& cam, const FollowerMotion& motion, int sections) {
     return flank_grid(cam, motion, {sections, drum_angles, 0.0, 0.0});

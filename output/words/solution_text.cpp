@@ -107,8 +107,7 @@ std::string interrupted_sentence(const Solution& solution) {
                                                   : fmt::format(" in the search, after {} starts", starts);
     if (solution.certificate.verdict == Verdict::failed)
         return fmt::format(
-            "Interrupted{}: no motion that satisfies every limit was found. Whether one exists is "
-            "open.",
+            "Interrupted{}: no motion that satisfies every limit was found. Whether one exists is open.",
             where);
     return fmt::format("Interrupted{}: the best motion found so far satisfies every limit; {}.", where,
                        not_optimal_words(solution.certificate));
@@ -291,8 +290,7 @@ std::vector<std::string> solver_sentences(const Solution& solution) {
     if (solution.certificate.proof)
         all.emplace_back(
             "To check the proof without camopt: certificate.json holds the rows, the multipliers, the box "
-            "and "
-            "the bound; its entry how_to_check describes the check, one sum.");
+            "and the bound; its entry how_to_check describes the check, one sum.");
     return all;
 }
 

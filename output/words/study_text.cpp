@@ -138,10 +138,8 @@ constexpr int table_line_width = 100;
 constexpr const char* title = "The best cubic spline and the modified sine";
 constexpr const char* introduction =
     "Rise between two dwells; C2 cubic spline on n equal segments, y(x) + y(1 − x) = 1. Every optimum is "
-    "found and "
-    "proved by camopt; compared with the values printed in a paper of 1994. Source:  T.-Y. Shon, M.-Y. Yang, "
-    "\"Synthesis of "
-    "Optimum CAM Curve by Cubic Spline\", 1994.";
+    "found and proved by camopt; compared with the values printed in a paper of 1994. Source:  T.-Y. Shon, "
+    "M.-Y. Yang, \"Synthesis of Optimum CAM Curve by Cubic Spline\", 1994.";
 
 constexpr int comparison_line_width = 110;
 constexpr int objective_decimals = 6, peak_decimals = 4;
@@ -300,8 +298,7 @@ std::string starts_sentence(const SolvePlan& plan) {
     if (plan.breakpoints > 0)
         return fmt::format(
             "first on the given breakpoints, then the structured solver moves them from at most {}: the "
-            "given "
-            "ones, then random ones (seed {})",
+            "given ones, then random ones (seed {})",
             counted(plan.starts, "start"), plan.seed);
     return fmt::format(
         "a convex relaxation first ({}), then the best of at most {}: {}its optimum, the smoothest motion, "
@@ -325,8 +322,7 @@ std::string verdict_sentence(const SolvePlan& plan) {
             plan.angles == 2 ? "local or feasible" : "feasible");
     if (plan.proof == ProofKind::boxes)
         return "optimal or infeasible if the relaxation or a bound over boxes proves it, else local or "
-               "feasible "
-               "with a bound";
+               "feasible with a bound";
     if (plan.proof == ProofKind::none) return "local or feasible, without a bound";
     return plan.reason.empty() && plan.solver != "structured"
                ? fmt::format("optimal or infeasible, both with a proof; if {} fails, feasible", plan.solver)

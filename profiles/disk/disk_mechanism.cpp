@@ -164,8 +164,7 @@ std::string DiskMechanism::undercut_words() const {
     if (has_edge(follower_)) return {};
     return fmt::format(
         "the cam intersects itself there; the remaining part does not guide the follower as designed. A "
-        "larger "
-        "base radius{} {}",
+        "larger base radius{} {}",
         has_roller(follower_) ? " or a smaller roller" : "",
         is_oscillating(follower_) ? "may help" : "helps");
 }

@@ -76,8 +76,7 @@ class SpatialMechanism final : public CamMechanism {
     [[nodiscard]] bool planar() const override { return false; }
     [[nodiscard]] std::string undercut_words() const override {
         return "a flank folds there and is cut away by the roller's own sweep. A smaller or shorter roller "
-               "or a "
-               "larger cam helps";
+               "or a larger cam helps";
     }
     [[nodiscard]] std::string check_words(int points) const override {
         return fmt::format("the follower is driven by {} points of each flank at either end of its roller",

@@ -34,9 +34,7 @@ std::string free_displacement(std::span<const LawStroke> strokes) {
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (strokes[i].from && strokes[i].to) continue;
         return fmt::format(
-            "the scene leaves a displacement of segment {} free, and there is no optimum to "
-            "take it from",
-            i);
+            "the scene leaves a displacement of segment {} free, and there is no optimum to take it from", i);
     }
     return {};
 }

@@ -114,8 +114,7 @@ BarrelOptima barrel_optima(const Example& example, const SolveControl& control,
         "optimised",
         "An optimised motion and the modified sine",
         fmt::format("Quintic spline of 16 segments; 0.4 V + 0.4 A + 0.2 J over those of the modified "
-                    "sine; |φ| limited to {} deg, or to {} deg with the distance of the axes free; g "
-                    ">= {}.",
+                    "sine; |φ| limited to {} deg, or to {} deg with the distance of the axes free; g >= {}.",
                     limit_here_deg, limit_smallest_deg, undercut_margin),
         {{"motion", "motion", ""},
          {"center_distance_mm", "l3", "mm", 7},

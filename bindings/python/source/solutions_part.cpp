@@ -53,8 +53,7 @@ const SplineCurve& curve(const SolvedScene& solved) {
     if (!of(solved).curve)
         throw InputError(
             "one spline: found a program, whose segments have their own; allowed: DRD and RR. Its segments "
-            "stand in "
-            "to_dict()[\"segments\"]");
+            "stand in to_dict()[\"segments\"]");
     return *of(solved).curve;
 }
 

@@ -346,12 +346,10 @@ std::string dxf_before_entities(const DxfScaffold& scaffold) {
 std::string dxf_after_entities() {
     return tags(
                "0 ENDSEC|0 SECTION|2 OBJECTS|0 DICTIONARY|5 A|330 0|100 AcDbDictionary|281 1|3 "
-               "ACAD_GROUP|350 C|"
-               "3 ACAD_LAYOUT|350 D|3 ACAD_PLOTSTYLENAME|350 E|"
-               "0 DICTIONARY|5 C|330 A|100 AcDbDictionary|281 1|"
-               "0 DICTIONARY|5 D|330 A|100 AcDbDictionary|281 1|3 Model|350 1A|3 Layout1|350 1E|"
-               "0 ACDBDICTIONARYWDFLT|5 E|330 A|100 AcDbDictionary|281 1|3 Normal|350 F|"
-               "100 AcDbDictionaryWithDefault|340 F|0 ACDBPLACEHOLDER|5 F|330 E") +
+               "ACAD_GROUP|350 C|3 ACAD_LAYOUT|350 D|3 ACAD_PLOTSTYLENAME|350 E|0 DICTIONARY|5 C|330 A|100 "
+               "AcDbDictionary|281 1|0 DICTIONARY|5 D|330 A|100 AcDbDictionary|281 1|3 Model|350 1A|3 "
+               "Layout1|350 1E|0 ACDBDICTIONARYWDFLT|5 E|330 A|100 AcDbDictionary|281 1|3 Normal|350 F|100 "
+               "AcDbDictionaryWithDefault|340 F|0 ACDBPLACEHOLDER|5 F|330 E") +
            layout("Model", "1A", true) + layout("Layout1", "1E", false) + tags("0 ENDSEC|0 EOF");
 }
 
