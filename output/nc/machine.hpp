@@ -50,9 +50,6 @@ struct CutterLocation {
 /// `roller` at the steered station.
 [[nodiscard]] ToolPose cutter_pose(const RollerPose& roller, const CutterLocation& location);
 
-/// The cutter over the cam angle. Throws InputError for a location that is not valid.
-[[nodiscard]] ToolPath cutter_path(RollerPath roller, const CutterLocation& location);
-
 // The path of an end mill around a plane cam: its axis stands off the contour by its radius and the stock.
 //
 //   tip = (P + (T_D / 2 + λ) n, bottom),  axis −z
@@ -71,9 +68,6 @@ struct PlaneCutter {
 
     void validate() const;  ///< throws InputError
 };
-
-/// Throws InputError for a cutter that is not valid.
-[[nodiscard]] ToolPath plane_cutter_path(PlaneContour contour, const PlaneCutter& cutter);
 
 // Machine tools as pure kinematics: from the pose of the cutter in the cam to the values of the axes, and
 // back.

@@ -252,10 +252,4 @@ std::vector<NcMove> read_nc_travel(std::string_view text, const Machine& machine
     return reader_of(text, machine, post).finish();
 }
 
-std::vector<NcMove> read_nc_text(std::string_view text, const Machine& machine, const PostProcessor& post) {
-    std::vector<NcMove> moves = read_nc_travel(text, machine, post);
-    std::erase_if(moves, [](const NcMove& move) { return !move.values.allFinite(); });
-    return moves;
-}
-
 }  // namespace camopt

@@ -11,7 +11,6 @@
 #include <bit>
 #include <cstdint>
 #include <iterator>
-#include <map>
 
 namespace camopt {
 
@@ -106,27 +105,6 @@ void append(TriangleMesh& mesh, const TriangleMesh& part) {
     mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
     for (const auto& t : part.triangles)
         mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-}
-
-MeshEdges mesh_edges(const TriangleMesh& mesh) {
-    std::map<std::pair<int, int>, std::pair<int, int>> passes;  // by edge: forward, backward
-    MeshEdges edges;
-    for (const auto& triangle : mesh.triangles) {
-        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
-            ++edges.flat;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const int a = triangle[i], b = triangle[(i + 1) % 3];
-            auto& [forward, backward] = passes[std::minmax(a, b)];
-            ++(a < b ? forward : backward);
-        }
-    }
-    for (const auto& [edge, count] : passes) {
-        const int total = count.first + count.second;
-        if (total == 1) ++edges.open;
-        if (total > 2) ++edges.crowded;
-        if (total == 2 && count.first != 1) ++edges.reversed;
-    }
-    return edges;
 }
 
 double volume(const TriangleMesh& mesh) {

@@ -2,7 +2,7 @@
 // Triangles: open surfaces and closed solids, for STL, OBJ and pictures.
 //
 // In a solid the corners of a triangle run counterclockwise seen from outside, and every edge belongs to two
-// triangles that pass it in opposite directions (watertight: mesh_edges). m.
+// triangles that pass it in opposite directions (watertight). m.
 #pragma once
 
 #include "output/surface/bspline_surface.hpp"
@@ -27,16 +27,6 @@ struct TriangleMesh {
 
 /// `part` beside what is there.
 void append(TriangleMesh& mesh, const TriangleMesh& part);
-
-struct MeshEdges {
-    int open = 0;      ///< edges of one triangle only
-    int crowded = 0;   ///< edges of more than two
-    int reversed = 0;  ///< edges that two triangles pass in the same direction
-    int flat = 0;      ///< triangles that use a vertex twice
-
-    [[nodiscard]] bool watertight() const { return open + crowded + reversed + flat == 0; }
-};
-[[nodiscard]] MeshEdges mesh_edges(const TriangleMesh& mesh);
 
 /// Signed, m³: of a watertight mesh.
 [[nodiscard]] double volume(const TriangleMesh& mesh);

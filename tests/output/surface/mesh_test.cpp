@@ -2,6 +2,7 @@
 // Meshes: what watertight means, and the files made from them.
 #include "core/errors.hpp"
 #include "output/surface/triangle_mesh.hpp"
+#include "tests/output/surface/mesh_edges.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
