@@ -11,6 +11,85 @@ namespace camopt {
 namespace {
 // Points computed from angles may exceed the ends by a few units in the last place.
 constexpr double overshoot = 1e-12;
+
+/// Local knots u_{1} … u_{2p} around a segment, measured from its left end: the B-splines on the segment
+/// depend on no others.
+Eigen::VectorXd local_knots(const SplineSpace& space, int segment) {
+    const int p = space.degree();
+    const int first = space.first_basis_function(segment);
+    const double origin = space.breakpoints()[segment];
+    Eigen::VectorXd local(2 * p);
+    for (int k = 0; k < 2 * p; ++k) local[k] = space.knot(first + 1 + k) - origin;
+    return local;
+}
+
+/// Amplification of a piece's round-off in a control point: coefficients of t^m are accurate to 1/h^m of
+/// their last digit.
+double growth(const Eigen::RowVectorXd& weights, double width) {
+    double sum = 0.0, power = 1.0;
+    for (Eigen::Index m = 0; m < weights.size(); ++m, power /= width) sum += std::abs(weights[m]) * power;
+    return sum;
+}
+
+// An optimum reaches its peaks at many locations, each to the tolerance of a solve, some 1e-9 of the peak;
+// values this close are the same peak, and their order in the last digits is meaningless.
+constexpr double same_peak = 1e-8;
+
+double mean_square(const SplineCurve& curve, int order) {
+    double integral = 0.0;
+    for (int i = 0; i < curve.segments(); ++i) {
+        const Eigen::VectorXd part = curve.derivative_polynomial(i, order);
+        const Eigen::VectorXd square = product(part, part);
+        double power = 1.0;
+        for (Eigen::Index m = 0; m < square.size(); ++m) {
+            power *= curve.space().width(i);
+            integral += square[m] * power / static_cast<double>(m + 1);
+        }
+    }
+    return integral / (curve.end() - curve.begin());
+}
+
+/// Of functions one by one, in the order of their segments.
+class LargestMagnitude {
+ public:
+    explicit LargestMagnitude(const SplineSpace& space) : space_(space) {}
+
+    void add(int segment, const Eigen::VectorXd& polynomial) {
+        candidates_.clear();
+        add_candidates_on_segment(space_, segment, polynomial, candidates_);
+        for (const Extremum& candidate : candidates_)
+            add({std::abs(candidate.value), candidate.at, candidate.side});
+    }
+
+    /// The largest value, at the first location within `same_peak` of it.
+    [[nodiscard]] Extremum largest() const {
+        Extremum largest = records_.back();
+        const auto first = std::ranges::find_if(records_, [&](const Extremum& record) {
+            return record.value >= largest.value - same_peak * largest.value;
+        });
+        if (first != records_.end()) largest = {largest.value, first->at, first->side};  // else: NaN
+        return largest;
+    }
+
+ private:
+    void add(const Extremum& place) {
+        if (records_.empty()) {
+            records_.push_back(place);
+        } else if (place.value > records_.back().value) {
+            if (!climbing_) records_.push_back(place);
+            records_.back() = place;
+            climbing_ = true;
+        } else {
+            climbing_ = climbing_ && place.at == records_.back().at;  // the other side of the same breakpoint
+        }
+    }
+
+    const SplineSpace& space_;
+    std::vector<Extremum> records_;  ///< local maxima, each above all before it
+    bool climbing_ = true;           ///< whether the ascent to the last of them may continue
+    std::vector<Extremum> candidates_;
+};
+
 }  // namespace
 
 SplineSpace::SplineSpace(int degree, int continuity, std::vector<double> breakpoints)
@@ -64,21 +143,6 @@ bool SplineSpace::is_symmetric() const {
     return true;
 }
 
-namespace {
-
-/// Local knots u_{1} … u_{2p} around a segment, measured from its left end: the B-splines on the segment
-/// depend on no others.
-Eigen::VectorXd local_knots(const SplineSpace& space, int segment) {
-    const int p = space.degree();
-    const int first = space.first_basis_function(segment);
-    const double origin = space.breakpoints()[segment];
-    Eigen::VectorXd local(2 * p);
-    for (int k = 0; k < 2 * p; ++k) local[k] = space.knot(first + 1 + k) - origin;
-    return local;
-}
-
-}  // namespace
-
 Eigen::MatrixXd monomials_of_basis(const SplineSpace& space, int segment) {
     const int p = space.degree();
     const Eigen::VectorXd u = local_knots(space, segment);
@@ -123,18 +187,6 @@ Eigen::RowVectorXd blossom_weights(const SplineSpace& space, int function, int s
     }
     return weights;
 }
-
-namespace {
-
-/// Amplification of a piece's round-off in a control point: coefficients of t^m are accurate to 1/h^m of
-/// their last digit.
-double growth(const Eigen::RowVectorXd& weights, double width) {
-    double sum = 0.0, power = 1.0;
-    for (Eigen::Index m = 0; m < weights.size(); ++m, power /= width) sum += std::abs(weights[m]) * power;
-    return sum;
-}
-
-}  // namespace
 
 SplineCurve::SplineCurve(SplineSpace space, Eigen::MatrixXd pieces)
     : space_(std::move(space)), pieces_(std::move(pieces)) {
@@ -237,28 +289,6 @@ Eigen::MatrixXd derivative_bounds(const SplineSpace& space, const KnownBounds& k
     return bounds;
 }
 
-namespace {
-
-// An optimum reaches its peaks at many locations, each to the tolerance of a solve, some 1e-9 of the peak;
-// values this close are the same peak, and their order in the last digits is meaningless.
-constexpr double same_peak = 1e-8;
-
-double mean_square(const SplineCurve& curve, int order) {
-    double integral = 0.0;
-    for (int i = 0; i < curve.segments(); ++i) {
-        const Eigen::VectorXd part = curve.derivative_polynomial(i, order);
-        const Eigen::VectorXd square = product(part, part);
-        double power = 1.0;
-        for (Eigen::Index m = 0; m < square.size(); ++m) {
-            power *= curve.space().width(i);
-            integral += square[m] * power / static_cast<double>(m + 1);
-        }
-    }
-    return integral / (curve.end() - curve.begin());
-}
-
-}  // namespace
-
 void add_candidates_on_segment(const SplineSpace& space, int segment, const Eigen::VectorXd& polynomial,
                                std::vector<Extremum>& all) {
     const double origin = space.breakpoints()[segment];
@@ -275,51 +305,6 @@ void add_candidates_on_segment(const SplineSpace& space, int segment, const Eige
     }
     all.push_back({evaluate_polynomial(polynomial, width), space.breakpoints()[segment + 1], Side::left});
 }
-
-namespace {
-
-/// Of functions one by one, in the order of their segments.
-class LargestMagnitude {
- public:
-    explicit LargestMagnitude(const SplineSpace& space) : space_(space) {}
-
-    void add(int segment, const Eigen::VectorXd& polynomial) {
-        candidates_.clear();
-        add_candidates_on_segment(space_, segment, polynomial, candidates_);
-        for (const Extremum& candidate : candidates_)
-            add({std::abs(candidate.value), candidate.at, candidate.side});
-    }
-
-    /// The largest value, at the first location within `same_peak` of it.
-    [[nodiscard]] Extremum largest() const {
-        Extremum largest = records_.back();
-        const auto first = std::ranges::find_if(records_, [&](const Extremum& record) {
-            return record.value >= largest.value - same_peak * largest.value;
-        });
-        if (first != records_.end()) largest = {largest.value, first->at, first->side};  // else: NaN
-        return largest;
-    }
-
- private:
-    void add(const Extremum& place) {
-        if (records_.empty()) {
-            records_.push_back(place);
-        } else if (place.value > records_.back().value) {
-            if (!climbing_) records_.push_back(place);
-            records_.back() = place;
-            climbing_ = true;
-        } else {
-            climbing_ = climbing_ && place.at == records_.back().at;  // the other side of the same breakpoint
-        }
-    }
-
-    const SplineSpace& space_;
-    std::vector<Extremum> records_;  ///< local maxima, each above all before it
-    bool climbing_ = true;           ///< whether the ascent to the last of them may continue
-    std::vector<Extremum> candidates_;
-};
-
-}  // namespace
 
 Extremum largest_magnitude(const SplineSpace& space, const SegmentFunction& function) {
     LargestMagnitude largest(space);

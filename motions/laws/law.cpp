@@ -14,31 +14,6 @@ namespace {
 /// Tolerance of x outside [0, 1]: some roundings of a cam angle divided by a rise angle.
 constexpr double end_rounding = 1e-12;
 
-}  // namespace
-
-Law::Law(LawInfo info) : info_(std::move(info)) {}
-
-LawDerivatives Law::derivatives(double x, Side side) const {
-    if (!(x >= -end_rounding && x <= 1.0 + end_rounding))
-        throw InputError(fmt::format("{}: x = {} found, allowed 0 <= x <= 1", info_.key, x));
-    return evaluate(std::clamp(x, 0.0, 1.0), side);
-}
-
-MotionPoint Law::at(double x, Side side) const {
-    const LawDerivatives value = derivatives(x, side);
-    return {x, {value[0], value[1], value[2], value[3]}};
-}
-
-Peaks Law::peaks() const {
-    return find_peaks(*this);
-}
-
-JerkExtrema Law::jerk_extrema() const {
-    return find_jerk_extrema(*this);
-}
-
-namespace {
-
 /// The fastest wave in the catalogue is the torque of Freudenstein 1-3-5: 20 half waves in its one piece.
 constexpr int kCells = 256;
 constexpr int most_bisections = 200;  // more than enough to reach neighbouring doubles
@@ -182,6 +157,27 @@ Range jerk_range(const std::vector<Piece>& pieces, const Law& law) {
 }
 
 }  // namespace
+
+Law::Law(LawInfo info) : info_(std::move(info)) {}
+
+LawDerivatives Law::derivatives(double x, Side side) const {
+    if (!(x >= -end_rounding && x <= 1.0 + end_rounding))
+        throw InputError(fmt::format("{}: x = {} found, allowed 0 <= x <= 1", info_.key, x));
+    return evaluate(std::clamp(x, 0.0, 1.0), side);
+}
+
+MotionPoint Law::at(double x, Side side) const {
+    const LawDerivatives value = derivatives(x, side);
+    return {x, {value[0], value[1], value[2], value[3]}};
+}
+
+Peaks Law::peaks() const {
+    return find_peaks(*this);
+}
+
+JerkExtrema Law::jerk_extrema() const {
+    return find_jerk_extrema(*this);
+}
 
 Peaks find_peaks_without_impulses(const Law& law) {
     const std::vector<Piece> pieces = pieces_of(law);

@@ -24,6 +24,35 @@ constexpr double bold_wider = 1.1;
 constexpr double ascent = 0.78, descent = 0.26;  // of the font's size
 constexpr double apart = 1.0;                    // px
 
+constexpr double rounding = 1e-9;  // relative to the step: a tick on the end of the axis is inside
+
+std::vector<double> multiples(double step, double lower, double upper) {
+    std::vector<double> ticks;
+    const long first = std::lround(std::ceil(lower / step - rounding));
+    const long last = std::lround(std::floor(upper / step + rounding));
+    for (long k = first; k <= last; ++k) ticks.push_back(static_cast<double>(k) * step);
+    return ticks;
+}
+
+double round_step(double least) {
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= least * (1.0 - rounding)) return factor * power;
+    return 10.0 * power;
+}
+
+/// "10⁻⁹".
+std::string power_words(int exponent) {
+    static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    if (exponent == 0 || exponent == 1) return exponent == 0 ? "1" : "10";
+    std::string text = exponent < 0 ? "10⁻" : "10";
+    for (const char digit : std::to_string(std::abs(exponent)))
+        text += digits[static_cast<std::size_t>(digit - '0')];
+    return text;
+}
+
+constexpr double tick_font = 11, tick_gap = 7, title_ascent = 12;  // px
+
 }  // namespace
 
 std::string svg_number(double value) {
@@ -148,39 +177,6 @@ bool PlacedTexts::draw(SvgCanvas& canvas, std::string_view words, std::span<cons
     }
     return false;
 }
-
-namespace {
-
-constexpr double rounding = 1e-9;  // relative to the step: a tick on the end of the axis is inside
-
-std::vector<double> multiples(double step, double lower, double upper) {
-    std::vector<double> ticks;
-    const long first = std::lround(std::ceil(lower / step - rounding));
-    const long last = std::lround(std::floor(upper / step + rounding));
-    for (long k = first; k <= last; ++k) ticks.push_back(static_cast<double>(k) * step);
-    return ticks;
-}
-
-double round_step(double least) {
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= least * (1.0 - rounding)) return factor * power;
-    return 10.0 * power;
-}
-
-/// "10⁻⁹".
-std::string power_words(int exponent) {
-    static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    if (exponent == 0 || exponent == 1) return exponent == 0 ? "1" : "10";
-    std::string text = exponent < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::abs(exponent)))
-        text += digits[static_cast<std::size_t>(digit - '0')];
-    return text;
-}
-
-constexpr double tick_font = 11, tick_gap = 7, title_ascent = 12;  // px
-
-}  // namespace
 
 std::vector<double> round_ticks(double lower, double upper, int wanted) {
     if (!(upper > lower) || !std::isfinite(upper - lower)) return {};

@@ -113,6 +113,11 @@ class PlaneMachine final : public Machine {
     std::vector<MachineAxis> axes_{x_axis, y_axis, z_axis};
 };
 
+// A cutter that is said to equal the roller may differ in the last digits of the unit it was given in.
+constexpr double equal_diameters = 1e-9;
+
+constexpr Requirement require_location{"cutter location"};
+
 }  // namespace
 
 Eigen::VectorXd nearest_turn(const Machine& machine, Eigen::VectorXd values, const Eigen::VectorXd& before) {
@@ -135,15 +140,6 @@ std::unique_ptr<Machine> rotary_table_machine() {
 std::unique_ptr<Machine> plane_milling_machine() {
     return std::make_unique<PlaneMachine>();
 }
-
-namespace {
-
-// A cutter that is said to equal the roller may differ in the last digits of the unit it was given in.
-constexpr double equal_diameters = 1e-9;
-
-constexpr Requirement require_location{"cutter location"};
-
-}  // namespace
 
 void CutterLocation::validate() const {
     require_location(std::isfinite(roller_radius) && roller_radius > 0.0, "the roller radius must be > 0 m",

@@ -41,45 +41,6 @@ std::string picture_of(const CamFlanks& cam, const FollowerMotion& motion, const
     return mesh_svg(drum_parts(cam, motion, grid), drum_view(cam), title);
 }
 
-}  // namespace
-
-bool indexes(const CamFlanks& cam, const FollowerMotion& motion) {
-    const bool turn = is_whole_turn(motion.end() - motion.begin());
-    const double advance = motion.state(motion.end()).s - motion.state(motion.begin()).s;
-    return turn && cam.swings && std::abs(advance) > same_angle;
-}
-
-Paths write_cam_files(const std::filesystem::path& folder, const CamFlanks& cam, const FollowerMotion& motion,
-                      const CamExportOptions& options) {
-    const bool indexing = indexes(cam, motion);
-    const FollowerMotion way = indexing ? IndexingGroove(cam, motion, cam.roller_length).path() : motion;
-    FlankSampling sampling = options.sampling;
-    if (indexing)  // as dense as over one turn
-        sampling.angles =
-            static_cast<int>(std::ceil(sampling.angles * (way.end() - way.begin()) / units::turn));
-    const FlankGrid grid = flank_grid(cam, way, sampling);
-    const TriangleMesh body =
-        indexing && (options.stl || options.obj) ? indexing_body(cam, motion) : TriangleMesh{};
-    Paths written;
-    if (options.csv) write_bytes(written, folder / "flanks.csv", flank_csv(grid));
-    if (options.step) write_step(written, folder / "flanks.step", grid, options.title);
-    if (options.stl) {
-        write_bytes(written, folder / "groove.stl", stl_bytes(groove_body(grid), options.title + ", groove"));
-        if (indexing) write_bytes(written, folder / "cam.stl", stl_bytes(body, options.title));
-    }
-    if (options.obj) {
-        std::vector<NamedMesh> parts;
-        for (const SurfaceGrid& flank : flank_surfaces(grid)) parts.push_back({flank.name, mesh_of(flank)});
-        if (indexing) parts.push_back({"body", body});
-        write_bytes(written, folder / "cam.obj", obj_text(parts, options.title));
-    }
-    if (options.picture)
-        write_bytes(written, folder / "cam.svg", picture_of(cam, motion, grid, options.title));
-    return written;
-}
-
-namespace {
-
 using Eigen::Vector2d, Eigen::Vector3d;
 using units::degree;
 
@@ -204,6 +165,41 @@ std::vector<PaintedMesh> painted_indexing_cam(TriangleMesh body, TriangleMesh ro
 }
 
 }  // namespace
+
+bool indexes(const CamFlanks& cam, const FollowerMotion& motion) {
+    const bool turn = is_whole_turn(motion.end() - motion.begin());
+    const double advance = motion.state(motion.end()).s - motion.state(motion.begin()).s;
+    return turn && cam.swings && std::abs(advance) > same_angle;
+}
+
+Paths write_cam_files(const std::filesystem::path& folder, const CamFlanks& cam, const FollowerMotion& motion,
+                      const CamExportOptions& options) {
+    const bool indexing = indexes(cam, motion);
+    const FollowerMotion way = indexing ? IndexingGroove(cam, motion, cam.roller_length).path() : motion;
+    FlankSampling sampling = options.sampling;
+    if (indexing)  // as dense as over one turn
+        sampling.angles =
+            static_cast<int>(std::ceil(sampling.angles * (way.end() - way.begin()) / units::turn));
+    const FlankGrid grid = flank_grid(cam, way, sampling);
+    const TriangleMesh body =
+        indexing && (options.stl || options.obj) ? indexing_body(cam, motion) : TriangleMesh{};
+    Paths written;
+    if (options.csv) write_bytes(written, folder / "flanks.csv", flank_csv(grid));
+    if (options.step) write_step(written, folder / "flanks.step", grid, options.title);
+    if (options.stl) {
+        write_bytes(written, folder / "groove.stl", stl_bytes(groove_body(grid), options.title + ", groove"));
+        if (indexing) write_bytes(written, folder / "cam.stl", stl_bytes(body, options.title));
+    }
+    if (options.obj) {
+        std::vector<NamedMesh> parts;
+        for (const SurfaceGrid& flank : flank_surfaces(grid)) parts.push_back({flank.name, mesh_of(flank)});
+        if (indexing) parts.push_back({"body", body});
+        write_bytes(written, folder / "cam.obj", obj_text(parts, options.title));
+    }
+    if (options.picture)
+        write_bytes(written, folder / "cam.svg", picture_of(cam, motion, grid, options.title));
+    return written;
+}
 
 std::vector<PaintedMesh> drum_parts(const CamFlanks& cam, const FollowerMotion& motion,
                                     const FlankGrid& grid) {

@@ -63,63 +63,6 @@ void check_sections(std::span<const std::vector<Eigen::Vector3d>> sections, bool
     }
 }
 
-}  // namespace
-
-TriangleMesh mesh_of(const SurfaceGrid& grid) {
-    grid.validate();
-    TriangleMesh mesh;
-    mesh.vertices = grid.points;
-    const int columns = static_cast<int>(grid.u.size()), rows = static_cast<int>(grid.v.size());
-    for (int row = 0; row + 1 < rows; ++row)
-        for (int column = 0; column + 1 < columns; ++column) {
-            const int corner = row * columns + column;
-            add_cell(mesh, {corner, corner + 1, corner + columns + 1, corner + columns});
-        }
-    return mesh;
-}
-
-TriangleMesh swept_solid(std::span<const std::vector<Eigen::Vector3d>> sections, bool ring) {
-    check_sections(sections, ring);
-    TriangleMesh mesh;
-    const int corners = static_cast<int>(sections[0].size()), count = static_cast<int>(sections.size());
-    for (const auto& section : sections)
-        mesh.vertices.insert(mesh.vertices.end(), section.begin(), section.end());
-    for (int k = 0; k < (ring ? count : count - 1); ++k) {
-        const int here = k * corners, next = (k + 1) % count * corners;
-        for (int i = 0; i < corners; ++i) {
-            const int after = (i + 1) % corners;
-            add_cell(mesh, {here + i, here + after, next + after, next + i});
-        }
-    }
-    if (!ring) {
-        add_cap(mesh, 0, corners, true);
-        add_cap(mesh, (count - 1) * corners, corners, false);
-    }
-    if (volume(mesh) < 0.0)
-        for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-    return mesh;
-}
-
-void append(TriangleMesh& mesh, const TriangleMesh& part) {
-    const int offset = static_cast<int>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
-    for (const auto& t : part.triangles)
-        mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-}
-
-double volume(const TriangleMesh& mesh) {
-    double six_fold = 0.0;
-    for (const auto& t : mesh.triangles) {
-        const Eigen::Vector3d &a = mesh.vertices[static_cast<std::size_t>(t[0])],
-                              &b = mesh.vertices[static_cast<std::size_t>(t[1])],
-                              &c = mesh.vertices[static_cast<std::size_t>(t[2])];
-        six_fold += a.dot(b.cross(c));
-    }
-    return six_fold / 6.0;
-}
-
-namespace {
-
 constexpr std::size_t stl_header = 80, stl_triangle = 50;
 
 void add_bytes(std::string& bytes, std::uint32_t value) {
@@ -201,6 +144,59 @@ std::vector<Facet> sorted_facets(std::span<const PaintedMesh> parts, const MeshV
 }
 
 }  // namespace
+
+TriangleMesh mesh_of(const SurfaceGrid& grid) {
+    grid.validate();
+    TriangleMesh mesh;
+    mesh.vertices = grid.points;
+    const int columns = static_cast<int>(grid.u.size()), rows = static_cast<int>(grid.v.size());
+    for (int row = 0; row + 1 < rows; ++row)
+        for (int column = 0; column + 1 < columns; ++column) {
+            const int corner = row * columns + column;
+            add_cell(mesh, {corner, corner + 1, corner + columns + 1, corner + columns});
+        }
+    return mesh;
+}
+
+TriangleMesh swept_solid(std::span<const std::vector<Eigen::Vector3d>> sections, bool ring) {
+    check_sections(sections, ring);
+    TriangleMesh mesh;
+    const int corners = static_cast<int>(sections[0].size()), count = static_cast<int>(sections.size());
+    for (const auto& section : sections)
+        mesh.vertices.insert(mesh.vertices.end(), section.begin(), section.end());
+    for (int k = 0; k < (ring ? count : count - 1); ++k) {
+        const int here = k * corners, next = (k + 1) % count * corners;
+        for (int i = 0; i < corners; ++i) {
+            const int after = (i + 1) % corners;
+            add_cell(mesh, {here + i, here + after, next + after, next + i});
+        }
+    }
+    if (!ring) {
+        add_cap(mesh, 0, corners, true);
+        add_cap(mesh, (count - 1) * corners, corners, false);
+    }
+    if (volume(mesh) < 0.0)
+        for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+    return mesh;
+}
+
+void append(TriangleMesh& mesh, const TriangleMesh& part) {
+    const int offset = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
+    for (const auto& t : part.triangles)
+        mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+}
+
+double volume(const TriangleMesh& mesh) {
+    double six_fold = 0.0;
+    for (const auto& t : mesh.triangles) {
+        const Eigen::Vector3d &a = mesh.vertices[static_cast<std::size_t>(t[0])],
+                              &b = mesh.vertices[static_cast<std::size_t>(t[1])],
+                              &c = mesh.vertices[static_cast<std::size_t>(t[2])];
+        six_fold += a.dot(b.cross(c));
+    }
+    return six_fold / 6.0;
+}
 
 std::string stl_bytes(const TriangleMesh& mesh, const std::string& title) {
     if (mesh.triangles.empty()) throw InputError("STL: the mesh has no triangles");

@@ -226,6 +226,11 @@ TradeOffSurface SurfaceSearch::run() {
     return std::move(surface_);
 }
 
+// A point this far above a plane, relative to its height, sees the triangle from above.
+constexpr double above = 1e-13;
+// Triangles of less than this part of the whole have no inside: their corners lie on one line.
+constexpr double least_area = 1e-14;
+
 }  // namespace
 
 void SurfaceRequest::validate(const Scene& scene) const {
@@ -282,15 +287,6 @@ TradeOffSurface trade_off_surface(const Scene& scene, const SurfaceRequest& requ
     request.validate(scene);
     return SurfaceSearch(scene, request, control, std::move(known), finished).run();
 }
-
-namespace {
-
-// A point this far above a plane, relative to its height, sees the triangle from above.
-constexpr double above = 1e-13;
-// Triangles of less than this part of the whole have no inside: their corners lie on one line.
-constexpr double least_area = 1e-14;
-
-}  // namespace
 
 WeightHull::WeightHull(const std::array<double, 3>& heights) : heights_(heights.begin(), heights.end()) {
     for (int k = 0; k < 3; ++k) points_.emplace_back(Eigen::Vector3d::Unit(k));

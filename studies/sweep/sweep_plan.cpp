@@ -100,6 +100,37 @@ struct Seen {
     }
 };
 
+std::optional<double> finite(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+void set_figures(SweepRow& row, const Peaks& peaks) {
+    for (const CostTerm& term : cost_terms())
+        row.figures[static_cast<std::size_t>(term.figure)] = finite(term.measured.of(peaks));
+}
+
+void set_train(SweepRow& row, const TrainReport& train) {
+    if (train.residual) row.train.residual = finite(train.residual->value);
+    if (train.acceleration) row.train.dynamic_acceleration = finite(train.acceleration->value);
+    if (train.least_force) row.train.contact_force = finite(train.least_force->value);
+}
+
+void set_cam(SweepRow& row, const CamSummary& cam) {
+    row.cam.pressure_angle = finite(cam.pressure_angle.value);
+    if (cam.convex_radius) row.cam.convex_radius = finite(cam.convex_radius->value);
+    if (cam.concave_radius) row.cam.concave_radius = finite(cam.concave_radius->value);
+}
+
+void set_dimensions(SweepRow& row, const Solution& solution) {
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto index = static_cast<DimensionIndex>(i);
+        const Dimension* const own = solution.scene.cam->find(index);
+        if (own != nullptr && own->is_variable())
+            row.dimensions[static_cast<std::size_t>(i)] =
+                finite(delivered_dimension(solution, index).value());
+    }
+}
+
 }  // namespace
 
 SweepPlan sweep_grid(std::span<const SweepAxis> axes) {
@@ -222,41 +253,6 @@ SweepColumns check_rows(SweepScenes& scenes) {
     }
     return columns;
 }
-
-namespace {
-
-std::optional<double> finite(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
-void set_figures(SweepRow& row, const Peaks& peaks) {
-    for (const CostTerm& term : cost_terms())
-        row.figures[static_cast<std::size_t>(term.figure)] = finite(term.measured.of(peaks));
-}
-
-void set_train(SweepRow& row, const TrainReport& train) {
-    if (train.residual) row.train.residual = finite(train.residual->value);
-    if (train.acceleration) row.train.dynamic_acceleration = finite(train.acceleration->value);
-    if (train.least_force) row.train.contact_force = finite(train.least_force->value);
-}
-
-void set_cam(SweepRow& row, const CamSummary& cam) {
-    row.cam.pressure_angle = finite(cam.pressure_angle.value);
-    if (cam.convex_radius) row.cam.convex_radius = finite(cam.convex_radius->value);
-    if (cam.concave_radius) row.cam.concave_radius = finite(cam.concave_radius->value);
-}
-
-void set_dimensions(SweepRow& row, const Solution& solution) {
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto index = static_cast<DimensionIndex>(i);
-        const Dimension* const own = solution.scene.cam->find(index);
-        if (own != nullptr && own->is_variable())
-            row.dimensions[static_cast<std::size_t>(i)] =
-                finite(delivered_dimension(solution, index).value());
-    }
-}
-
-}  // namespace
 
 SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution) {
     const Certificate& certificate = solution.certificate;
