@@ -5,7 +5,7 @@
 #include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/drawing/profile_shape.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/solve/solve.hpp"

@@ -6,7 +6,7 @@
 #include "profiles/disk/disk_spec.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
 #include "profiles/remote/remote_spec.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 
 #include <fmt/format.h>
 

@@ -4,13 +4,11 @@
 #include "core/errors.hpp"
 #include "core/word_of.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
-#include "scene/cam_kind.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 namespace camopt {
-
 namespace {
 
 using Eigen::Vector3d;
@@ -60,42 +58,6 @@ std::optional<Vector3d> pivot_of(const SpatialCam& cam) {
     return Vector3d(across, away, cam.axial_offset);
 }
 
-// Whether a spatial cam can be built: at rest, and over the whole range of its motion.
-
-using enum SpatialDimension;
-
-std::string length_text(double value) {
-    return fmt::format("{:.6g} mm", value / 1e-3);
-}
-
-std::string dimension_fault(const SpatialCam& cam) {
-    for (int i = 0; i < spatial_dimension_count; ++i) {
-        const auto index = static_cast<SpatialDimension>(i);
-        if (!std::isfinite(cam[index])) return fmt::format("the {} is not a number", name_of(index));
-        const bool unused = index == arm_length && cam.follower == SpatialFollower::cylindrical_translating;
-        if (index != lateral_offset && !unused && !(cam[index] > 0.0))
-            return fmt::format("the {} of {} is not positive", name_of(index), length_text(cam[index]));
-    }
-    if (!std::isfinite(cam.axial_offset) || !std::isfinite(cam.start))
-        return "the axial_offset or the start is not a number";
-    if (cam.roller_length > 0.0) return {};
-    return fmt::format("the roller_length of {} is not positive", length_text(cam.roller_length));
-}
-
-std::string swing_fault(double low, double high) {
-    const double right_angle = 0.5 * std::numbers::pi;
-    if (low > -right_angle && high < right_angle) return {};
-    const double degree = std::numbers::pi / 180.0;
-    return fmt::format("the follower swings from {:.6g} to {:.6g} deg, beyond a right angle", low / degree,
-                       high / degree);
-}
-
-/// The far end of the roller's axis keeps its distance from the cam's axis: `radial` > 0.
-std::string far_end_fault(double radial) {
-    if (radial > 0.0) return {};
-    return fmt::format("the far end of the roller is {} from the cam's axis", length_text(radial));
-}
-
 }  // namespace
 
 SpatialCam::operator CamFlanks() const {
@@ -143,6 +105,46 @@ SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerSt
     return point;
 }
 
+// Whether a spatial cam can be built: at rest, and over the whole range of its motion.
+
+namespace {
+
+using enum SpatialDimension;
+
+std::string length_text(double value) {
+    return fmt::format("{:.6g} mm", value / 1e-3);
+}
+
+std::string dimension_fault(const SpatialCam& cam) {
+    for (int i = 0; i < spatial_dimension_count; ++i) {
+        const auto index = static_cast<SpatialDimension>(i);
+        if (!std::isfinite(cam[index])) return fmt::format("the {} is not a number", name_of(index));
+        const bool unused = index == arm_length && cam.follower == SpatialFollower::cylindrical_translating;
+        if (index != lateral_offset && !unused && !(cam[index] > 0.0))
+            return fmt::format("the {} of {} is not positive", name_of(index), length_text(cam[index]));
+    }
+    if (!std::isfinite(cam.axial_offset) || !std::isfinite(cam.start))
+        return "the axial_offset or the start is not a number";
+    if (cam.roller_length > 0.0) return {};
+    return fmt::format("the roller_length of {} is not positive", length_text(cam.roller_length));
+}
+
+std::string swing_fault(double low, double high) {
+    const double right_angle = 0.5 * std::numbers::pi;
+    if (low > -right_angle && high < right_angle) return {};
+    const double degree = std::numbers::pi / 180.0;
+    return fmt::format("the follower swings from {:.6g} to {:.6g} deg, beyond a right angle", low / degree,
+                       high / degree);
+}
+
+/// The far end of the roller's axis keeps its distance from the cam's axis: `radial` > 0.
+std::string far_end_fault(double radial) {
+    if (radial > 0.0) return {};
+    return fmt::format("the far end of the roller is {} from the cam's axis", length_text(radial));
+}
+
+}  // namespace
+
 std::string geometry_fault(const SpatialCam& cam, double least, double most) {
     if (std::string fault = dimension_fault(cam); !fault.empty()) return fault;
     if (cam.follower == SpatialFollower::cylindrical_translating || cam.follower == SpatialFollower::barrel) {
@@ -156,142 +158,6 @@ std::string geometry_fault(const SpatialCam& cam, double least, double most) {
     const double straightest = low <= 0.0 && high >= 0.0 ? 0.0 : std::min(std::abs(low), std::abs(high));
     return far_end_fault(cam[center_distance] -
                          (cam[arm_length] + cam.roller_length) * std::cos(straightest));
-}
-
-using enum SpatialFollower;
-
-const char* name_of(SpatialFollower value) {
-    return word_of<cylindrical_translating>(value,
-                                            {"barrel", "cylindrical_rotating", "cylindrical_translating"});
-}
-
-const char* name_of_number(SpatialNumber value) {
-    static constexpr std::array<const char*, spatial_number_count> names = {
-        "roller_radius", "arm_length", "center_distance", "lateral_offset", "axial_offset",
-        "roller_length", "start"};
-    return names[static_cast<std::size_t>(value)];
-}
-
-CamSpec blank_spatial_spec(SpatialFollower follower) {
-    CamSpec spec;
-    spec.type = follower == barrel ? barrel_type : cylindrical_type;
-    if (follower != barrel)
-        spec.choices["follower"] = follower == cylindrical_rotating ? "rotating" : "translating";
-    for (int i = 0; i < spatial_number_count; ++i) {
-        const auto number = static_cast<SpatialNumber>(i);
-        spec.dimensions.push_back(
-            {name_of_number(number), {}, number == SpatialNumber::start && swings(follower)});
-    }
-    return spec;
-}
-
-SpatialFollower spatial_follower(const CamSpec& spec) {
-    if (spec.type == barrel_type) return barrel;
-    const auto choice = spec.choices.find("follower");
-    if (spec.type == cylindrical_type && choice != spec.choices.end()) {
-        if (choice->second == "rotating") return cylindrical_rotating;
-        if (choice->second == "translating") return cylindrical_translating;
-    }
-    throw InputError(
-        "a mechanism of type \"" + spec.type +
-        "\"; allowed: \"barrel\", or \"cylindrical\" with a follower \"rotating\" or \"translating\"");
-}
-
-namespace {
-
-using enum KeyType;
-using enum SpatialFollower;
-using namespace spellings;
-
-// A row is read as a row.
-// clang-format off
-std::vector<KeyRow> spatial_rows() {
-    return {
-        {"cam", "follower", text, plain, any, {}, "required",
-         "With a cylindrical cam `rotating`, whose lift is an angle, or `translating`, whose lift is a length."},
-        {"cam", "center_distance", number_or_range, length, positive, {}, "required for rotating, barrel",
-         "Cylindrical: to the pivot of a rotating follower. Barrel: from the cam's axis to the rollers' near end."},
-        {"cam", "arm_length", number_or_range, length, positive, {}, "required for rotating, barrel",
-         "To the roller's near end: `rotating`; barrel: the index radius, from the index's axis to the rollers'."},
-        {"cam", "cylinder_radius", number_or_range, length, positive, {}, "required for cylindrical, translating",
-         "From the cam's axis to the roller's near end; the roller's axis points to the cam's. "
-         "`cylindrical` with a `translating` follower only."},
-        {"cam", "roller_length", number_or_range, length, positive, {}, "required for barrel, cylindrical",
-         "Length of the roller; every limit holds from its near to its far end."},
-        {"cam", "lateral_offset", number_or_range, length, any, {}, "0",
-         "From the cam's axis across it: to the pivot of a rotating or the axis of a translating follower (+x); "
-         "of a barrel cam's index axis (−x)."},
-        {"cam", "axial_offset", number, length, any, {}, "0",
-         "Of the follower along the cam's axis; shifts the cam and changes no limit."},
-        {"cam", "start_angle", number, angle, any, {}, "minus half the lift",
-         "Angle of the index arm or the rotating follower from the line through both axes at displacement 0."},
-    };
-}
-// clang-format on
-
-/// The key in [cam] that says a number; empty: none does.
-std::string key_of(SpatialFollower follower, SpatialNumber number) {
-    const bool slides = follower == cylindrical_translating;
-    if (number == SpatialNumber::center_distance && slides) return "cylinder_radius";
-    if (number == SpatialNumber::arm_length && slides) return {};
-    if (number == SpatialNumber::start) return slides ? "" : "start_angle";
-    return name_of_number(number);
-}
-
-/// What a scene need not say.
-CamNumber number_of(SpatialFollower follower, int index) {
-    const auto number = static_cast<SpatialNumber>(index);
-    CamNumber one{"cam", key_of(follower, number), true, {}, 0.0, index};
-    const bool is_offset = number == SpatialNumber::lateral_offset || number == SpatialNumber::axial_offset;
-    if (is_offset || number == SpatialNumber::start || one.key.empty()) one.value = 0.0;
-    if (number == SpatialNumber::start && swings(follower)) one.per_lift = -0.5;
-    return one;
-}
-
-CamVariant variant(SpatialFollower follower) {
-    CamVariant all{follower == barrel                 ? barrel_type
-                   : follower == cylindrical_rotating ? "rotating"
-                                                      : "translating",
-                   fmt::format("this cam (\"{}\")", name_of(follower)),
-                   swings(follower),
-                   follower == barrel ? "the rollers of an index" : "a roller in a groove",
-                   {},
-                   {},
-                   [follower] { return blank_spatial_spec(follower); }};
-    for (int i = 0; i < spatial_number_count; ++i) all.numbers.push_back(number_of(follower, i));
-    // Keys of the other followers.
-    for (const char* key : {"cylinder_radius", "center_distance", "arm_length", "start_angle"})
-        if (std::ranges::find(all.numbers, key, &CamNumber::key) == all.numbers.end())
-            all.numbers.push_back({"cam", key, false});
-    return all;
-}
-
-CamKind kind_of(const char* type, std::vector<CamVariant> variants) {
-    CamKind kind;
-    kind.type = type;
-    kind.variants = std::move(variants);
-    kind.with_angle = "\"rotating\"";
-    kind.with_length = "a cylindrical cam with a \"translating\" follower";
-    kind.is_plane_curve = false;
-    return kind;
-}
-
-}  // namespace
-
-CamKind barrel_kind() {
-    CamKind kind = kind_of(barrel_type, {variant(barrel)});
-    kind.spoken = "a barrel cam with its index";
-    kind.rows = spatial_rows();
-    return kind;
-}
-
-CamKind cylindrical_kind() {
-    CamKind kind =
-        kind_of(cylindrical_type, {variant(cylindrical_rotating), variant(cylindrical_translating)});
-    kind.spoken = "a cylindrical cam";
-    kind.choosing_table = "cam";
-    kind.choosing_key = "follower";
-    return kind;
 }
 
 }  // namespace camopt

@@ -1,55 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The dimensions of a barrel or cylindrical cam: their names, once for the scene reader and the formulas
-// (profiles/spatial).
-#pragma once
-
-#include "core/motion.hpp"
-#include "scene/cam_flanks.hpp"
-#include "scene/cam_mechanism.hpp"
-#include "scene/cam_spec.hpp"
-
-#include <Eigen/Core>
-
-namespace camopt {
-
-struct CamKind;
-
-/// cam.type of such a cam.
-inline constexpr const char* barrel_type = "barrel";
-inline constexpr const char* cylindrical_type = "cylindrical";
-
-enum class SpatialFollower { barrel, cylindrical_rotating, cylindrical_translating };
-[[nodiscard]] const char* name_of(SpatialFollower value);
-
-/// The follower turns (an index, a lever): its lift is an angle.
-[[nodiscard]] constexpr bool swings(SpatialFollower value) {
-    return value != SpatialFollower::cylindrical_translating;
-}
-
-/// All numbers of such a mechanism in their order; profiles/spatial/spatial_cam.hpp has the formulas.
-enum class SpatialNumber {
-    roller_radius,
-    arm_length,       ///< barrel: index radius; rotating: pivot to the roller's near end; else unused
-    center_distance,  ///< barrel, translating: cam's axis to the roller's near end; rotating: to the pivot
-    lateral_offset,
-    axial_offset,  ///< changes no limit
-    roller_length,
-    start  ///< position of the follower at displacement 0: rad, m
-};
-inline constexpr int spatial_number_count = 7;
-[[nodiscard]] const char* name_of_number(SpatialNumber value);  ///< "roller_radius", …
-
-/// A cam of this kind with every number at 0 and without formulas (spatial_spec of spatial_cam.hpp adds
-/// them); type "barrel" or "cylindrical", the latter with the
-/// choice "follower" = "rotating" or "translating".
-[[nodiscard]] CamSpec blank_spatial_spec(SpatialFollower follower);
-/// Back again; throws InputError for a spec of another type.
-[[nodiscard]] SpatialFollower spatial_follower(const CamSpec& spec);
-
-/// Barrel and cylindrical cams, as scene files know them.
-[[nodiscard]] CamKind barrel_kind();
-[[nodiscard]] CamKind cylindrical_kind();
-
 // Three-dimensional cams whose follower carries a cylindrical roller: the kinematics of the roller's axis.
 //
 // Frames. The cam's axis is z. In the fixed frame the cam turns by σθ about +z, with σ = +1
@@ -77,6 +26,17 @@ inline constexpr int spatial_number_count = 7;
 // s, s', s'' are by the cam angle: m, m/rad, m/rad² for the translating follower, else rad, 1, 1/rad.
 // Lengths m. Where W = 0 (the axis does not move across itself) n and g are not defined: NaN.
 // Sources: seeds 001 (OCRF) and 002 (barrel cam) with their formulas corrected (docs/papers).
+#pragma once
+
+#include "core/motion.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
+#include "scene/cam_flanks.hpp"
+#include "scene/cam_mechanism.hpp"
+#include "scene/cam_spec.hpp"
+
+#include <Eigen/Core>
+
+namespace camopt {
 
 /// The dimensions on which limits depend. m.
 enum class SpatialDimension {
@@ -152,7 +112,7 @@ struct SpatialValue {
 // 2 k is flank +1, station 2 k + 1 flank −1 of height k. The pressure angle is the same on both flanks, and
 // cos φm V_u − sin φm |V_b| is linear in h, so that its limit holds everywhere if it holds at both ends: it
 // binds at two stations only. g binds at every station. Dimensions in the order of SpatialNumber
-// (profiles/spatial/spatial_cam.hpp); m, rad.
+// (profiles/spatial/spatial_spec.hpp); m, rad.
 
 /// Heights at which g is enforced; g is smooth over a roller (its extremes have always been found at its
 /// ends).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/spatial/spatial_cam.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
 #include <numbers>
