@@ -9,7 +9,6 @@
 #include "studies/papers/papers.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <exception>

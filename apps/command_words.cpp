@@ -3,7 +3,6 @@
 #include "core/errors.hpp"
 #include "core/text/names.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt::apps {

@@ -3,7 +3,6 @@
 #include "apps/command_line.hpp"
 #include "output/plc/plc_format.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt::apps {

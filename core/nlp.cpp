@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "core/word_of.hpp"
 
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <map>

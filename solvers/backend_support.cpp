@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "core/text/names.hpp"
 
-#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 namespace camopt {

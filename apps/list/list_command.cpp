@@ -13,7 +13,6 @@
 #include "output/view/number_text.hpp"
 #include "solvers/registry.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt::apps {

@@ -3,7 +3,6 @@
 #include "core/version.hpp"
 #include "input/keys/scene_keys.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <iterator>

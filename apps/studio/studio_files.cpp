@@ -13,7 +13,6 @@
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cctype>

@@ -4,7 +4,6 @@
 #include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cctype>

@@ -8,7 +8,6 @@
 #include "output/view/columns.hpp"
 #include "output/view/number_text.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt {

@@ -8,7 +8,6 @@
 #include "output/view/shown_units.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <initializer_list>

@@ -21,7 +21,6 @@
 #include "studies/delivered/delivered.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cstdlib>

@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 

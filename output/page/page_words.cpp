@@ -12,7 +12,6 @@
 #include "output/words/study_text.hpp"
 #include "studies/compare/comparison.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt {

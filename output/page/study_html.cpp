@@ -10,7 +10,6 @@
 #include "scene/cost_table.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt {

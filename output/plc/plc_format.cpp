@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt {

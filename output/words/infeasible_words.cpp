@@ -6,7 +6,6 @@
 #include "output/words/solution_text.hpp"
 #include "scene/motion/set_points.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt {

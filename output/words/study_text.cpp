@@ -7,7 +7,6 @@
 #include "output/words/solution_text.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <map>

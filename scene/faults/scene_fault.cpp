@@ -8,7 +8,6 @@
 #include "scene/limit_table.hpp"
 #include "scene/scene.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt {

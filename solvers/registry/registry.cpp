@@ -9,7 +9,6 @@
 #include "solvers/nlopt/nlopt_solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 namespace camopt {

@@ -7,7 +7,6 @@
 #include "scene/cost_table.hpp"
 #include "scene/scene.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt {

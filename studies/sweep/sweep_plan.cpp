@@ -8,7 +8,6 @@
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <bit>

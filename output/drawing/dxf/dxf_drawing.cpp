@@ -5,7 +5,6 @@
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt {
