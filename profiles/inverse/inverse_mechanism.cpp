@@ -96,30 +96,7 @@ class InverseMechanism final : public CamMechanism {
         return number(numbers, roller_end);
     }
     [[nodiscard]] std::string fault(std::span<const double> numbers, double least,
-                                    double most) const override {
-        const double rest = number(numbers, roller_rest), from = number(numbers, roller_from),
-                     to = number(numbers, roller_end);
-        if (!(rest >= 0.0 && from > rest && to > from))
-            return fmt::format(
-                "the roller rests at {:.6g} m, is at {:.6g} m where the rise begins and at {:.6g} m at the "
-                "end "
-                "of its stroke; these must ascend",
-                rest, from, to);
-        if (!(number(numbers, roller_angle) > 0.0)) return "the cam angle of the roller's stroke must be > 0";
-        try {
-            linkage_of(numbers).validate();
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        for (int i = 0; i <= reach_places; ++i) {
-            const double s = least + (most - least) * i / reach_places;
-            const InverseFault found = node_at(numbers, {s, 0.0, 0.0}, 0.0).fault;
-            if (found != InverseFault::none)
-                return fmt::format("the feeder's linkage does not reach displacement {:.6g} m: {}", s,
-                                   name_of(found));
-        }
-        return {};
-    }
+                                    double most) const override;
     [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
                                           std::span<const int> active) const override {
         if (node_at(state.dimensions, state.output, state.theta).fault != InverseFault::none) {
@@ -133,120 +110,24 @@ class InverseMechanism final : public CamMechanism {
     [[nodiscard]] std::optional<RangeOver> pressure_over(double limit, int sign,
                                                          const MechanismStateOver& state,
                                                          int station) const override;
-    /// margin − 1 ± r κ times (1 + L² ψ'²)^(3/2) L'²/(r L |dθ/ds|): linear in s''.
     [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
-                                                           int station) const override {
-        const InverseOver own(state);
-        const auto still = inverse::guide_bend<RangeOver>(own.roller, own.body(state.velocity, 0.0));
-        const RangeOver cubed = cube_of_root(squared(still.tangent) + RangeOver(1.0));
-        const RangeOver radius = own.numbers[static_cast<std::size_t>(InverseNumber::roller_radius)];
-        const RangeOver lever = own.roller.distance * own.ratio(), turned = sign_of(lever);
-        const RangeOver room = side_of(station) * still.top + (margin - 1.0) * (cubed / radius);
-        return room * squared(own.roller.velocity) / (turned * lever) -
-               side_of(station) * (turned * state.acceleration);
-    }
+                                                           int station) const override;
     [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
                                                            const MechanismStateAlong& state,
-                                                           int station) const override {
-        std::array<RangeAlong, inverse_number_count> numbers;
-        std::copy_n(state.dimensions.begin(), inverse_number_count, numbers.begin());
-        const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
-        return value_of<RangeAlong>(which, numbers, {state.s, state.velocity, state.acceleration},
-                                    state.theta, wall);
-    }
-    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
-                                       int station) const override {
-        const GuideNode found = node_at(state.dimensions, state.output, theta);
-        MechanismPoint point;
-        point.theta = theta;
-        point.pitch = point.contact = point.normal = Eigen::Vector3d::Constant(nowhere);
-        point.pressure_angle = point.pitch_curvature = point.cam_radius = point.regularity = nowhere;
-        if (found.fault != InverseFault::none) return point;
-        const PolarNode& node = found.node;
-        const double radius = number(state.dimensions, InverseNumber::roller_radius), side = side_of(station);
-        const double tangent = node.distance * node.slope, secant = std::sqrt(1.0 + tangent * tangent);
-        point.pressure_angle = std::atan(tangent);
-        const double direction = node.angle + point.pressure_angle;
-        const Eigen::Vector3d left(-std::sin(direction), std::cos(direction), 0.0);
-        point.pitch = {node.distance * std::cos(node.angle), node.distance * std::sin(node.angle), 0.0};
-        point.contact = point.pitch + side * radius * left;
-        point.normal = -side * left;  // out of the body, towards the roller
-        point.pitch_curvature = side * (node.distance * node.bend + node.slope * (2.0 + tangent * tangent)) /
-                                (secant * secant * secant);
-        point.cam_radius = 1.0 / point.pitch_curvature - radius;
-        point.regularity = 1.0 - radius * point.pitch_curvature;
-        return point;
-    }
+                                                           int station) const override;
+    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     /// The rotation of the body given by its guide.
     [[nodiscard]] double turned(const MechanismState& state) const override {
         const GuideNode found = node_at(state.dimensions, state.output, state.theta);
         return found.fault == InverseFault::none ? -found.node.angle : nowhere;
     }
-    /// Body with its pin, slotted rocker, feeder; the roller, which moves along +x.
-    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override {
-        using Kind = MechanismShape::Kind;
-        using Eigen::Vector2d;
-        const FeederLinkage linkage = linkage_of(state.dimensions);
-        const FeederMotion moved = feeder_motion(linkage, {turned(state), 0.0, 0.0});
-        if (moved.fault != InverseFault::none) return {};
-        const Vector2d pivot = linkage.rocker_pivot;
-        const double line = pivot.x() + linkage.feeder_offset, start = number(state.dimensions, feeder_start);
-        const Vector2d feeder(line, start + state.output.s);
-        const Vector2d roller(state_of(stroke_of(state.dimensions), state.theta).distance, 0.0);
-        return {{Kind::pivot, "body_pivot", {Vector2d::Zero()}},
-                {Kind::link, "body", {Vector2d::Zero(), moved.pin}},
-                {Kind::link, "rocker", {moved.pin, pivot, feeder}},
-                {Kind::pivot, "rocker_pivot", {pivot}},
-                {Kind::guide, "feeder", {Vector2d(line, start), feeder}},
-                {Kind::circle, "roller", {roller}, number(state.dimensions, InverseNumber::roller_radius)}};
-    }
-    /// The feeder's rest is where its displacement counts from.
-    [[nodiscard]] std::optional<RollerGuide> guide(std::span<const double> numbers) const override {
-        const FeederLinkage linkage = linkage_of(numbers);
-        const RollerStroke stroke = stroke_of(numbers);
-        RollerGuide guide;
-        guide.roller_radius = number(numbers, InverseNumber::roller_radius);
-        guide.distance = [stroke](double theta) { return state_of(stroke, theta).distance; };
-        guide.cam_angle = [stroke](double distance) { return time_at(stroke, distance); };
-        guide.angle = [linkage, start = number(numbers, feeder_start)](const FollowerState& output) {
-            return -body_motion(linkage, {output.s + start, output.velocity, output.acceleration}).body.angle;
-        };
-        guide.ratio = [linkage](double angle) {
-            return std::abs(feeder_motion(linkage, {-angle, 1.0, 0.0}).feeder.velocity);
-        };
-        return guide;
-    }
+    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
+    [[nodiscard]] std::optional<RollerGuide> guide(std::span<const double> numbers) const override;
 
  private:
     template <int n>
     static MechanismValue expanded(MechanismQuantity which, const MechanismState& state, int station,
-                                   std::span<const int> active) {
-        std::array<SecondOrder<n>, inverse_number_count> numbers;
-        for (int i = 0; i < inverse_number_count; ++i) {
-            const auto place = static_cast<std::size_t>(i);
-            const double value = state.dimensions[place];
-            numbers[place] =
-                n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : SecondOrder<n>(FirstOrder<n>(value));
-        }
-        const inverse::Feeder<SecondOrder<n>> output{variable<n>(state.output.s, 0),
-                                                     variable<n>(state.output.velocity, 1),
-                                                     variable<n>(state.output.acceleration, 2)};
-        const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
-        const auto value =
-            value_of<SecondOrder<n>>(which, numbers, output, variable<n>(state.theta, angle_column), wall);
-        const auto size = static_cast<Eigen::Index>(3 + active.size());
-        const auto from = [&](Eigen::Index k) {
-            return k < 3 ? k : 4 + static_cast<Eigen::Index>(active[static_cast<std::size_t>(k - 3)]);
-        };
-        MechanismValue result{value.value().value(), Eigen::VectorXd(size), Eigen::MatrixXd(size, size)};
-        for (Eigen::Index a = 0; a < size; ++a) {
-            result.gradient(a) = value.value().derivatives()(from(a));
-            for (Eigen::Index b = 0; b < size; ++b)
-                result.hessian(a, b) = value.derivatives()(from(a)).derivatives()(from(b));
-        }
-        result.by_angle = value.value().derivatives()(angle_column);
-        return result;
-    }
+                                   std::span<const int> active);
 };
 
 /// A mechanism over a box: its roller, its linkage, its feeder without the derivatives of its motion.
@@ -286,7 +167,141 @@ std::optional<RangeOver> InverseMechanism::pressure_over(double limit, int sign,
     return -sign * (turned * state.velocity) - (sine * own.roller.velocity) / (cosine * (turned * lever));
 }
 
+/// margin − 1 ± r κ times (1 + L² ψ'²)^(3/2) L'²/(r L |dθ/ds|): linear in s''.
+std::optional<RangeOver> InverseMechanism::regularity_over(double margin, const MechanismStateOver& state,
+                                                           int station) const {
+    const InverseOver own(state);
+    const auto still = inverse::guide_bend<RangeOver>(own.roller, own.body(state.velocity, 0.0));
+    const RangeOver cubed = cube_of_root(squared(still.tangent) + RangeOver(1.0));
+    const RangeOver radius = own.numbers[static_cast<std::size_t>(InverseNumber::roller_radius)];
+    const RangeOver lever = own.roller.distance * own.ratio(), turned = sign_of(lever);
+    const RangeOver room = side_of(station) * still.top + (margin - 1.0) * (cubed / radius);
+    return room * squared(own.roller.velocity) / (turned * lever) -
+           side_of(station) * (turned * state.acceleration);
+}
+
+std::optional<RangeAlong> InverseMechanism::quantity_along(MechanismQuantity which,
+                                                           const MechanismStateAlong& state,
+                                                           int station) const {
+    std::array<RangeAlong, inverse_number_count> numbers;
+    std::copy_n(state.dimensions.begin(), inverse_number_count, numbers.begin());
+    const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
+    return value_of<RangeAlong>(which, numbers, {state.s, state.velocity, state.acceleration}, state.theta,
+                                wall);
+}
+
 template <int n>
+MechanismValue InverseMechanism::expanded(MechanismQuantity which, const MechanismState& state, int station,
+                                          std::span<const int> active) {
+    std::array<SecondOrder<n>, inverse_number_count> numbers;
+    for (int i = 0; i < inverse_number_count; ++i) {
+        const auto place = static_cast<std::size_t>(i);
+        const double value = state.dimensions[place];
+        numbers[place] = n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : SecondOrder<n>(FirstOrder<n>(value));
+    }
+    const inverse::Feeder<SecondOrder<n>> output{variable<n>(state.output.s, 0),
+                                                 variable<n>(state.output.velocity, 1),
+                                                 variable<n>(state.output.acceleration, 2)};
+    const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
+    const auto value =
+        value_of<SecondOrder<n>>(which, numbers, output, variable<n>(state.theta, angle_column), wall);
+    const auto size = static_cast<Eigen::Index>(3 + active.size());
+    const auto from = [&](Eigen::Index k) {
+        return k < 3 ? k : 4 + static_cast<Eigen::Index>(active[static_cast<std::size_t>(k - 3)]);
+    };
+    MechanismValue result{value.value().value(), Eigen::VectorXd(size), Eigen::MatrixXd(size, size)};
+    for (Eigen::Index a = 0; a < size; ++a) {
+        result.gradient(a) = value.value().derivatives()(from(a));
+        for (Eigen::Index b = 0; b < size; ++b)
+            result.hessian(a, b) = value.derivatives()(from(a)).derivatives()(from(b));
+    }
+    result.by_angle = value.value().derivatives()(angle_column);
+    return result;
+}
+
+std::string InverseMechanism::fault(std::span<const double> numbers, double least, double most) const {
+    const double rest = number(numbers, roller_rest), from = number(numbers, roller_from),
+                 to = number(numbers, roller_end);
+    if (!(rest >= 0.0 && from > rest && to > from))
+        return fmt::format(
+            "the roller rests at {:.6g} m, is at {:.6g} m where the rise begins and at {:.6g} m at the end "
+            "of its stroke; these must ascend",
+            rest, from, to);
+    if (!(number(numbers, roller_angle) > 0.0)) return "the cam angle of the roller's stroke must be > 0";
+    try {
+        linkage_of(numbers).validate();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    for (int i = 0; i <= reach_places; ++i) {
+        const double s = least + (most - least) * i / reach_places;
+        const InverseFault found = node_at(numbers, {s, 0.0, 0.0}, 0.0).fault;
+        if (found != InverseFault::none)
+            return fmt::format("the feeder's linkage does not reach displacement {:.6g} m: {}", s,
+                               name_of(found));
+    }
+    return {};
+}
+
+MechanismPoint InverseMechanism::point(double theta, const MechanismState& state, int station) const {
+    const GuideNode found = node_at(state.dimensions, state.output, theta);
+    MechanismPoint point;
+    point.theta = theta;
+    point.pitch = point.contact = point.normal = Eigen::Vector3d::Constant(nowhere);
+    point.pressure_angle = point.pitch_curvature = point.cam_radius = point.regularity = nowhere;
+    if (found.fault != InverseFault::none) return point;
+    const PolarNode& node = found.node;
+    const double radius = number(state.dimensions, InverseNumber::roller_radius), side = side_of(station);
+    const double tangent = node.distance * node.slope, secant = std::sqrt(1.0 + tangent * tangent);
+    point.pressure_angle = std::atan(tangent);
+    const double direction = node.angle + point.pressure_angle;
+    const Eigen::Vector3d left(-std::sin(direction), std::cos(direction), 0.0);
+    point.pitch = {node.distance * std::cos(node.angle), node.distance * std::sin(node.angle), 0.0};
+    point.contact = point.pitch + side * radius * left;
+    point.normal = -side * left;  // out of the body, towards the roller
+    point.pitch_curvature = side * (node.distance * node.bend + node.slope * (2.0 + tangent * tangent)) /
+                            (secant * secant * secant);
+    point.cam_radius = 1.0 / point.pitch_curvature - radius;
+    point.regularity = 1.0 - radius * point.pitch_curvature;
+    return point;
+}
+
+/// Body with its pin, slotted rocker, feeder; the roller, which moves along +x.
+std::vector<MechanismShape> InverseMechanism::shapes(const MechanismState& state) const {
+    using Kind = MechanismShape::Kind;
+    using Eigen::Vector2d;
+    const FeederLinkage linkage = linkage_of(state.dimensions);
+    const FeederMotion moved = feeder_motion(linkage, {turned(state), 0.0, 0.0});
+    if (moved.fault != InverseFault::none) return {};
+    const Vector2d pivot = linkage.rocker_pivot;
+    const double line = pivot.x() + linkage.feeder_offset, start = number(state.dimensions, feeder_start);
+    const Vector2d feeder(line, start + state.output.s);
+    const Vector2d roller(state_of(stroke_of(state.dimensions), state.theta).distance, 0.0);
+    return {{Kind::pivot, "body_pivot", {Vector2d::Zero()}},
+            {Kind::link, "body", {Vector2d::Zero(), moved.pin}},
+            {Kind::link, "rocker", {moved.pin, pivot, feeder}},
+            {Kind::pivot, "rocker_pivot", {pivot}},
+            {Kind::guide, "feeder", {Vector2d(line, start), feeder}},
+            {Kind::circle, "roller", {roller}, number(state.dimensions, InverseNumber::roller_radius)}};
+}
+
+/// The feeder's rest is where its displacement counts from.
+std::optional<RollerGuide> InverseMechanism::guide(std::span<const double> numbers) const {
+    const FeederLinkage linkage = linkage_of(numbers);
+    const RollerStroke stroke = stroke_of(numbers);
+    RollerGuide guide;
+    guide.roller_radius = number(numbers, InverseNumber::roller_radius);
+    guide.distance = [stroke](double theta) { return state_of(stroke, theta).distance; };
+    guide.cam_angle = [stroke](double distance) { return time_at(stroke, distance); };
+    guide.angle = [linkage, start = number(numbers, feeder_start)](const FollowerState& output) {
+        return -body_motion(linkage, {output.s + start, output.velocity, output.acceleration}).body.angle;
+    };
+    guide.ratio = [linkage](double angle) {
+        return std::abs(feeder_motion(linkage, {-angle, 1.0, 0.0}).feeder.velocity);
+    };
+    return guide;
+}
+
 }  // namespace
 
 FeederLinkage linkage_of(std::span<const double> numbers) {

@@ -17,9 +17,7 @@ struct CondensedPattern {
         int slot, source;
         double product;
     };
-    CondensedPattern(const ConvexModel& model, const RangeRows& ranges, const Matrix& by_column) {
-        PatternBuilder(model, ranges, by_column).run(*this);
-    }
+    CondensedPattern(const ConvexModel& model, const RangeRows& ranges, const Matrix& by_column);
 
     SymmetricFactor::Matrix lower;
     std::vector<Term> terms;
@@ -139,6 +137,11 @@ class PatternBuilder {
     std::vector<int> entries_, inner_, outer_ = {0};
     std::vector<double> values_;
 };
+
+CondensedPattern::CondensedPattern(const ConvexModel& model, const RangeRows& ranges,
+                                   const Matrix& by_column) {
+    PatternBuilder(model, ranges, by_column).run(*this);
+}
 
 using Eigen::Index;
 using Eigen::VectorXd;
