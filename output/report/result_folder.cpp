@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <csignal>
 #include <sys/types.h>
 #include <system_error>
 #include <unistd.h>
