@@ -7,15 +7,12 @@
 #include "core/version.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/papers/papers.hpp"
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <exception>
 #include <sstream>
-#include <string_view>
 #include <system_error>
 
 namespace camopt::apps {
@@ -46,10 +43,9 @@ const char* examples =
     "  camopt table spline-vs-modified-sine         the published table and the proved optima\n"
     "  camopt reproduce 004 --out paper             a paper's tables and figures and ours\n"
     "\n"
-    "Exit codes: 0 optimal, local or feasible, interrupted or not; 1 failed, interrupted before a "
-    "motion was found, or standard output not written (a full disk); 2 wrong input; 3 proved infeasible; 130 "
-    "a sweep was "
-    "interrupted.\n";
+    "Exit codes: 0 optimal, local or feasible, interrupted or not; 1 failed, interrupted before a motion "
+    "was found, or standard output not written (a full disk); 2 wrong input; 3 proved infeasible; 130 a "
+    "sweep was interrupted.\n";
 
 constexpr int most_points = 1'000'000;  // more is a slip of the keyboard: some hundred megabytes
 
@@ -195,8 +191,7 @@ constexpr const char* sweep_examples =
     "  camopt sweep scene.toml --weights simplex:20 --out map\n"
     "  camopt sweep scene.toml --weights weights.csv --vary spline.segments=8,16,32 --out map\n"
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --vary limits.pressure_angle_deg=25:35:3 "
-    "--out "
-    "map\n"
+    "--out map\n"
     "  camopt sweep scene.toml --weights simplex:20 --out map --resume        continue after Ctrl-C\n"
     "  camopt sweep scene.toml --weights simplex:20 --out part1 --shard 1/2   on one machine\n"
     "  camopt sweep scene.toml --weights simplex:20 --out part2 --shard 2/2   on another\n"
@@ -218,10 +213,9 @@ void add_sweep_work(CLI::App& command, SweepRequest& request) {
         ->check(CLI::Range(1, most_workers));
     command
         .add_option("--chunk", request.chunk,
-                    "Rows solved in sequence, each started from the previous result; the unit of "
-                    "--resume; default: 25, up to 500 where weights of a convex scene move fastest, fewer "
-                    "where that makes fewer than 16 "
-                    "chunks")
+                    "Rows solved in sequence, each started from the previous result; the unit of --resume; "
+                    "default: 25, up to 500 where weights of a convex scene move fastest, fewer where that "
+                    "makes fewer than 16 chunks")
         ->type_name("N")
         ->check(CLI::Range(1, most_sweep_rows));
     command.add_option("--shard", request.shard, "Only every N-th chunk, from the i-th on")->type_name("i/N");

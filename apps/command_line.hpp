@@ -7,10 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt::apps {
 
 /// Prints one line "camopt: …" to stderr and returns the code where something is wrong. Never throws.

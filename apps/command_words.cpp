@@ -3,10 +3,7 @@
 #include "core/errors.hpp"
 #include "core/text/names.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
 
 namespace camopt::apps {
 

@@ -5,10 +5,6 @@
 
 #include "solvers/certificate/certificate.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt::apps {
 
 // The exit codes of camopt, the same for every command. 130 is what a shell says of Ctrl-C.

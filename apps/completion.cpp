@@ -7,9 +7,6 @@
 #include "output/view/columns.hpp"
 #include "studies/papers/papers.hpp"
 
-#include <string_view>
-#include <vector>
-
 namespace camopt::apps {
 
 namespace {

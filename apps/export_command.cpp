@@ -13,12 +13,11 @@
 #include "output/exports/exports.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/cam_files.hpp"
-#include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "output/sheet/sheet_files.hpp"
 #include "output/spatial/cam_export.hpp"
-#include "output/surface/mesh_files.hpp"
+#include "output/surface/triangle_mesh.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
@@ -28,13 +27,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -3,7 +3,6 @@
 #include "apps/command_line.hpp"
 #include "output/plc/plc_format.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace camopt::apps {
@@ -123,8 +122,7 @@ void add_units(CLI::App& command, std::string& units) {
 CLI::App& add_export(CLI::App& program, ExportRequest& request) {
     CLI::App& command = *program.add_subcommand("export",
                                                 "Write the cam of a scene, which is solved, or of a result "
-                                                "folder, which is used as it is, for CAD, CAM "
-                                                "and machine");
+                                                "folder, which is used as it is, for CAD, CAM and machine");
     command
         .add_option("WHAT", request.scene,
                     "Scene file (TOML), or the folder that `camopt solve SCENE --out DIR` wrote: nothing is "
@@ -166,9 +164,8 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
     command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
     command
         .add_option("--drawing", request.sheet,
-                    "drawing.svg, drawing.pdf, drawing.dxf: the workshop drawing of a plane cam, to scale on "
-                    "A4 or A3, "
-                    "with what [drawing] says")
+                    "drawing.svg, drawing.pdf, drawing.dxf: the workshop drawing of a plane cam, to scale "
+                    "on A4 or A3, with what [drawing] says")
         ->type_name("FORMAT")
         ->check(one_of(drawing_formats()));
     command.add_flag("--step", request.step,
@@ -186,8 +183,7 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
     command
         .add_option("--points", request.points,
                     "Points over one revolution: of table.csv (default 361), of a cam's points (as many as "
-                    "it needs), of "
-                    "an electronic cam (the joints of the motion)")
+                    "it needs), of an electronic cam (the joints of the motion)")
         ->type_name("N")
         ->check(CLI::Range(least_points, most_angles));
     command

@@ -4,11 +4,6 @@
 
 #include "scene/scene.hpp"
 
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt::apps {
 
 /// The settings, and --solver as one of them.

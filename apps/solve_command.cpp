@@ -4,13 +4,13 @@
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 #include "output/json/result_json.hpp"
 #include "output/page/page_html.hpp"
-#include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/number_text.hpp"
-#include "output/words/plan_words.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/study_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/checked/checked_cam.hpp"
@@ -20,10 +20,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 
@@ -45,8 +41,7 @@ LoadedScene requested_scene(const SolveRequest& request) {
     if (request.dxf && cam && !cam_kind(cam->type)->is_plane_curve)
         throw InputError(
             fmt::format("--dxf: found with a cam of type \"{}\", which is not a plane curve; allowed: with "
-                        "types {}; `camopt "
-                        "export` writes its flanks and solid",
+                        "types {}; `camopt export` writes its flanks and solid",
                         cam->type, plane_types()));
     for (const auto& [given, option] :
          {std::pair(request.dxf, "--dxf"), std::pair(request.points.has_value(), "--points")})
@@ -79,15 +74,8 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
 constexpr int line_width = 110;
 
 const char* meaning_of(Curvature curvature) {
-    switch (curvature) {
-        case Curvature::linear:
-            return "linear";
-        case Curvature::convex:
-            return "convex";
-        case Curvature::general:
-            break;
-    }
-    return "general: an optimum may be a local one";
+    return word_of<Curvature::general>(curvature,
+                                       {"linear", "convex", "general: an optimum may be a local one"});
 }
 
 std::string limits_text(const std::vector<LimitShape>& limits) {

@@ -10,7 +10,6 @@
 #include "output/csv/study_csv.hpp"
 #include "output/json/study_json.hpp"
 #include "output/page/study_html.hpp"
-#include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
@@ -21,12 +20,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

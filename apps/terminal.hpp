@@ -5,11 +5,6 @@
 
 #include "solvers/solver.hpp"
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <string_view>
-
 namespace camopt::apps {
 
 /// To standard output, all of it. Throws std::system_error where it does not take the text (a full disk, a

@@ -11,7 +11,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/report/result_folder.hpp"
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>

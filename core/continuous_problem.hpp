@@ -10,11 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// A local maximum over the cam angle of the violation of one rule.

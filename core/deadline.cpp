@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/deadline.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <limits>
-#include <utility>
 
 namespace camopt {
 

@@ -6,8 +6,7 @@
 // speed exactly where was_felt().
 #pragma once
 
-#include <functional>
-#include <memory>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

@@ -3,8 +3,9 @@
 // exceptions.
 #pragma once
 
+#include "core/base/standard.hpp"
+
 #include <stdexcept>
-#include <string>
 
 namespace camopt {
 

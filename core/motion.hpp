@@ -8,11 +8,6 @@
 #include "core/numbers/extremum.hpp"
 #include "core/numbers/interval.hpp"
 
-#include <array>
-#include <optional>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// (y, y', y'', y''') at x. Index r of `derivative` is the r-th derivative.

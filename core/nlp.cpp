@@ -2,15 +2,10 @@
 #include "core/nlp.hpp"
 
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 
-#include <fmt/core.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <map>
 
 namespace camopt {
@@ -207,15 +202,7 @@ void DerivativeCheckOptions::validate() const {
 }
 
 const char* name_of(DerivativeKind value) {
-    switch (value) {
-        case DerivativeKind::gradient:
-            return "gradient";
-        case DerivativeKind::jacobian:
-            return "jacobian";
-        case DerivativeKind::hessian:
-            return "hessian";
-    }
-    return "unknown";
+    return word_of<DerivativeKind::hessian>(value, {"gradient", "jacobian", "hessian"});
 }
 
 DerivativeReport check_derivatives(const Nlp& problem, std::span<const VectorXd> points,

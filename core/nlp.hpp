@@ -13,11 +13,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 // Where a constraint row comes from, for reports and explanations. Names of rows are for users.

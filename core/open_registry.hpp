@@ -3,14 +3,11 @@
 // may read and add concurrently. Entries are never removed, and a returned span remains valid.
 #pragma once
 
-#include <algorithm>
+#include "core/base/standard.hpp"
+
 #include <atomic>
 #include <deque>
 #include <mutex>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt {
 

@@ -2,8 +2,7 @@
 // SI and radians inside; display units only at the edges.
 #pragma once
 
-#include <cmath>
-#include <numbers>
+#include "core/base/standard.hpp"
 
 namespace camopt::units {
 

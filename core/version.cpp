@@ -53,10 +53,8 @@ std::vector<LicensedPart> licensed_parts() {
 std::string terms_of_binary() {
     if ((has_spqr || has_suitesparse) && has_ipopt)
         return "A binary of this build holds parts under the GPL (SuiteSparse) and under the EPL (Ipopt), "
-               "whose "
-               "terms cannot both be met when it is distributed: use it yourself; to distribute one, build "
-               "with "
-               "CAMOPT_GPL=OFF, or without Ipopt.";
+               "whose terms cannot both be met when it is distributed: use it yourself; to distribute one, "
+               "build with CAMOPT_GPL=OFF, or without Ipopt.";
     if (has_spqr || has_suitesparse)
         return "A binary of this build may be distributed under the GPL, version 2 or later, as a whole: it "
                "holds "

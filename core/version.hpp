@@ -2,9 +2,7 @@
 // What this build is: its version, and the terms under which it may be distributed.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

@@ -11,8 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <vector>
-
 namespace camopt {
 
 struct LinearTrain {

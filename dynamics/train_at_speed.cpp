@@ -9,8 +9,6 @@
 #include <fmt/format.h>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include <algorithm>
-#include <cmath>
 #include <deque>
 
 namespace camopt {

@@ -9,13 +9,6 @@
 #include <Eigen/SVD>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 namespace {
@@ -52,43 +45,6 @@ void set_static_shapes(LinearTrain& train) {
         train.compliance[i] /= loaded;
     }
 }
-
-}  // namespace
-
-Eigen::MatrixXd LinearTrain::elongations() const {
-    Eigen::MatrixXd rows = weighted_elongations(*this, &TrainStage::stiffness);
-    if (return_stiffness == 0.0) return rows;
-    const int n = masses();
-    rows.conservativeResize(n + 1, n);
-    rows.row(n).setZero();
-    rows(n, n - 1) = std::sqrt(return_stiffness / stages.back().mass);
-    return rows;
-}
-
-Eigen::MatrixXd LinearTrain::damped_elongations() const {
-    return weighted_elongations(*this, &TrainStage::damping);
-}
-
-LinearTrain linear_train(const DynamicsSpec& spec) {
-    LinearTrain train;
-    train.stages = spec.stages;
-    train.stages.push_back(spec.output());
-    train.return_stiffness = spec.return_stiffness;
-    train.preload = spec.preload;
-    if (train.masses() > most_masses)
-        throw SceneError({"dynamics.stage", fmt::format("{} stages before the output", spec.stages.size()),
-                          fmt::format("at most {}", most_masses - 1)});
-    for (const TrainStage& stage : train.stages)
-        if (!(stage.mass > 0.0) || !(stage.stiffness > 0.0) || !(stage.damping >= 0.0))
-            throw InputError(
-                fmt::format("dynamics: found mass {}, stiffness {}, damping {}; allowed: masses and "
-                            "stiffnesses > 0, damping >= 0",
-                            stage.mass, stage.stiffness, stage.damping));
-    set_static_shapes(train);
-    return train;
-}
-
-namespace {
 
 // Any motion as pieces on which y' is a polynomial.
 //
@@ -269,6 +225,39 @@ class LinearTrainFormulas final : public TrainFormulas {
 };
 
 }  // namespace
+
+Eigen::MatrixXd LinearTrain::elongations() const {
+    Eigen::MatrixXd rows = weighted_elongations(*this, &TrainStage::stiffness);
+    if (return_stiffness == 0.0) return rows;
+    const int n = masses();
+    rows.conservativeResize(n + 1, n);
+    rows.row(n).setZero();
+    rows(n, n - 1) = std::sqrt(return_stiffness / stages.back().mass);
+    return rows;
+}
+
+Eigen::MatrixXd LinearTrain::damped_elongations() const {
+    return weighted_elongations(*this, &TrainStage::damping);
+}
+
+LinearTrain linear_train(const DynamicsSpec& spec) {
+    LinearTrain train;
+    train.stages = spec.stages;
+    train.stages.push_back(spec.output());
+    train.return_stiffness = spec.return_stiffness;
+    train.preload = spec.preload;
+    if (train.masses() > most_masses)
+        throw SceneError({"dynamics.stage", fmt::format("{} stages before the output", spec.stages.size()),
+                          fmt::format("at most {}", most_masses - 1)});
+    for (const TrainStage& stage : train.stages)
+        if (!(stage.mass > 0.0) || !(stage.stiffness > 0.0) || !(stage.damping >= 0.0))
+            throw InputError(
+                fmt::format("dynamics: found mass {}, stiffness {}, damping {}; allowed: masses and "
+                            "stiffnesses > 0, damping >= 0",
+                            stage.mass, stage.stiffness, stage.damping));
+    set_static_shapes(train);
+    return train;
+}
 
 std::shared_ptr<const TrainFormulas> train_formulas(const DynamicsSpec& spec) {
     return std::make_shared<LinearTrainFormulas>(linear_train(spec));

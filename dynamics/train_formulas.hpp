@@ -4,8 +4,6 @@
 
 #include "scene/scene.hpp"
 
-#include <memory>
-
 namespace camopt {
 
 /// Throws InputError for a chain of more than four masses, or one without mass or stiffness.

@@ -89,7 +89,7 @@ InputError, UnavailableError for STEP or PDF in a build without the library.]]
 camopt_promise(extrema [[
 Exact extrema of piecewise polynomials and the peaks of a spline curve: every end of a segment from both
 sides, every stationary point inside. No sampling. No units.]]
-  splines/extrema.hpp)
+  splines/curve.hpp)
 camopt_promise(forward_check [[
 The finished cam turned under its follower, by its points alone: does the follower move as designed?
 checked_cam(solution) for a solved scene with a cam of any kind, forward_check(input) for points of any
@@ -265,7 +265,7 @@ camopt_promise(surfaces [[
 Flanks and solids of cams as STL, OBJ and (where this build has Open CASCADE: step_available()) STEP. m
 inside, mm in files. Errors: UnavailableError for STEP in a build without it.]]
   output/spatial/cam_export.hpp
-  output/surface/mesh_files.hpp
+  output/surface/triangle_mesh.hpp
   output/surface/step/step_file.hpp)
 camopt_promise(sweep [[
 Many solves as one table: which keys of a scene vary (SweepAxis), the rows in an order of neighbours
@@ -276,7 +276,7 @@ set).]]
   studies/sweep/sweep_axis.hpp
   studies/sweep/sweep_plan.hpp
   studies/sweep/sweep_row.hpp
-  studies/sweep/sweep_run.hpp)
+  studies/sweep/sweep_plan.hpp)
 camopt_promise(tables [[
 Motion and cam as CSV text: a header line, a point a row, display units, "." as decimal sign regardless of the
 locale.]]

@@ -10,12 +10,7 @@
 #include "input/scene_reader.hpp"
 #include "scene/scene.hpp"
 
-#include <memory>
-#include <span>
-#include <string>
-#include <string_view>
 #include <variant>
-#include <vector>
 
 namespace camopt::input {
 

@@ -10,10 +10,6 @@
 #include "scene/scene.hpp"
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt::input {
 

@@ -14,10 +14,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <system_error>
-#include <utility>
 
 namespace camopt::input {
 

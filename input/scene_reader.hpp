@@ -9,13 +9,6 @@
 #include "scene/scene.hpp"
 
 #include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt::input {
 

@@ -19,9 +19,6 @@
 
 #include "linear/sparse_symmetric.hpp"
 
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 /// Null if the matrix is not such a chain: its band would be wide and dense storage would cost more than it

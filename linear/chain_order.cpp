@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "linear/chain_factor.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
 #include <numeric>
-#include <utility>
 
 namespace camopt {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "linear/compressed_rows.hpp"
 
-#include <algorithm>
-#include <cstddef>
 #include <numeric>
 
 namespace camopt {

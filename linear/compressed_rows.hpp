@@ -6,12 +6,11 @@
 // column.
 #pragma once
 
+#include "core/base/standard.hpp"
 #include "linear/kernels.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-
-#include <vector>
 
 namespace camopt {
 

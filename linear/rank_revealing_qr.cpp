@@ -3,10 +3,6 @@
 
 #include "core/errors.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 namespace camopt {
 namespace {
 

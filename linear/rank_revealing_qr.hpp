@@ -8,11 +8,10 @@
 // independent (up to some thousand rows; beyond that the fill-reducing order decides).
 #pragma once
 
+#include "core/base/standard.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-
-#include <utility>
-#include <vector>
 
 namespace camopt {
 

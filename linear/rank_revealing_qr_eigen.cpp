@@ -5,8 +5,6 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseQR>
 
-#include <cstddef>
-
 namespace camopt::internal {
 namespace {
 

@@ -3,8 +3,6 @@
 #include "linear/rank_revealing_qr.hpp"
 
 #include <SuiteSparseQR.hpp>
-#include <cstddef>
-#include <memory>
 
 namespace camopt::internal {
 namespace {

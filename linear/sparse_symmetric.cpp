@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "linear/sparse_symmetric.hpp"
 
+#include "core/word_of.hpp"
 #include "linear/chain_factor.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
-
-#include <cmath>
 
 namespace camopt {
 namespace {
@@ -87,17 +86,7 @@ VectorXd gmres_cycle(const SymmetricFactor& factor, const Matrix& lower, const V
 }  // namespace
 
 const char* name_of(FactorOutcome value) {
-    switch (value) {
-        case FactorOutcome::ok:
-            return "ok";
-        case FactorOutcome::zero_pivot:
-            return "zero_pivot";
-        case FactorOutcome::wrong_sign:
-            return "wrong_sign";
-        case FactorOutcome::not_finite:
-            return "not_finite";
-    }
-    return "unknown";
+    return word_of<FactorOutcome::not_finite>(value, {"ok", "zero_pivot", "wrong_sign", "not_finite"});
 }
 
 std::unique_ptr<SymmetricFactor> make_simplicial_factor() {

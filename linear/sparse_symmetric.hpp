@@ -15,13 +15,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <cstddef>
-#include <memory>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 enum class FactorOutcome {

@@ -3,8 +3,6 @@
 #include "core/errors.hpp"
 #include "linear/sparse_symmetric.hpp"
 
-#include <string>
-
 namespace camopt {
 namespace {
 

@@ -8,10 +8,6 @@
 #include "objectives/rules/peak_rule.hpp"
 #include "scene/scene.hpp"
 
-#include <array>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// sign · y^{(order)} <= bound from `from` to `until`, both included. In lifts, by x of the whole motion. Of

@@ -4,11 +4,7 @@
 
 #include "core/nlp.hpp"
 
-#include <algorithm>
 #include <map>
-#include <span>
-#include <utility>
-#include <vector>
 
 namespace camopt {
 

@@ -7,8 +7,6 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace camopt {
 namespace {
 

@@ -8,8 +8,6 @@
 #include "objectives/rules/point_rule.hpp"
 #include "scene/scene.hpp"
 
-#include <memory>
-
 namespace camopt {
 
 class OwnPointRule final : public PointRule {

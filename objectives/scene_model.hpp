@@ -10,12 +10,6 @@
 #include "splines/design_vector.hpp"
 #include "splines/motion_family.hpp"
 
-#include <array>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 // The strokes of a motion, and their range under motion.within_lift and motion.monotone.

@@ -5,10 +5,6 @@
 #include "core/motion.hpp"
 #include "scene/cam_mechanism.hpp"
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 /// The units of a motion: s = lift · y, θ = unit_angle · x.

@@ -14,12 +14,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 /// The motion of a follower over the cam angle: s, s', s'' by the cam angle θ (rad) in SI.

@@ -8,14 +8,7 @@
 #include "scene/cam_spec.hpp"
 #include "scene/key_row.hpp"
 
-#include <algorithm>
-#include <functional>
 #include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

@@ -8,9 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 const char* name_of(Rotation value) {
@@ -128,8 +125,7 @@ std::optional<RangeAlong> CamMechanism::pressure_along(double limit, int sign,
 
 std::string CamMechanism::undercut_words() const {
     return "the cam intersects itself there; the remaining part does not guide the roller as designed. A "
-           "smaller "
-           "roller or a larger distance of the cam's centre helps";
+           "smaller roller or a larger distance of the cam's centre helps";
 }
 
 std::string CamMechanism::check_words(int points) const {

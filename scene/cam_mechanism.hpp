@@ -18,13 +18,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 struct CamFlanks;

@@ -7,16 +7,7 @@
 #include "core/motion.hpp"
 #include "scene/follower.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
 #include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

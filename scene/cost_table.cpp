@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/cost_table.hpp"
 
-#include <algorithm>
-
 namespace camopt {
 namespace {
 

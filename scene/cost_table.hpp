@@ -11,13 +11,6 @@
 #include "core/motion.hpp"
 #include "scene/scene.hpp"
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// The figures of a motion in an objective, in the order of the rows and of the columns.

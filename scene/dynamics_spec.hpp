@@ -17,13 +17,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <complex>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
-
 namespace camopt {
 
 /// One mass on its spring and damper.

@@ -3,9 +3,6 @@
 
 #include <Eigen/Geometry>
 
-#include <cmath>
-#include <numbers>
-
 namespace camopt {
 namespace {
 

@@ -3,12 +3,9 @@
 // reads the rows; the formulas are in profiles/disk.
 #pragma once
 
-#include <Eigen/Core>
+#include "core/base/standard.hpp"
 
-#include <array>
-#include <functional>
-#include <string>
-#include <vector>
+#include <Eigen/Core>
 
 namespace camopt {
 

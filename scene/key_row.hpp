@@ -4,12 +4,6 @@
 
 #include "core/units.hpp"
 
-#include <limits>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 // The interval allowed for a number of a scene, with its words in error messages. Used by the validation of a

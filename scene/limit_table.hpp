@@ -11,12 +11,6 @@
 #include "scene/key_row.hpp"
 #include "scene/scene.hpp"
 
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-
 namespace camopt {
 
 /// A cap on a peak of the motion, or on one side of a derivative, normalised or in time.

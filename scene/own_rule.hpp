@@ -15,10 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
-#include <string>
-#include <utility>
-
 namespace camopt {
 
 /// A figure at one point of the motion, with its partials by (y, y', y'', y''').

@@ -2,23 +2,14 @@
 #include "scene/scene.hpp"
 
 #include "core/text/parsing.hpp"
+#include "core/word_of.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace camopt {
 
 const char* name_of(SegmentKind value) {
-    switch (value) {
-        case SegmentKind::dwell:
-            return "dwell";
-        case SegmentKind::law:
-            return "law";
-        case SegmentKind::spline:
-            break;
-    }
-    return "spline";
+    return word_of<SegmentKind::spline>(value, {"dwell", "law", "spline"});
 }
 
 double as_written(double value) {

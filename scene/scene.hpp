@@ -11,12 +11,7 @@
 #include "scene/dynamics_spec.hpp"
 #include "scene/own_rule.hpp"
 
-#include <array>
 #include <map>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt {
 

@@ -8,12 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-#include <string>
-#include <string_view>
-
 namespace camopt {
 namespace {
 

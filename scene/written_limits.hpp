@@ -20,56 +20,17 @@ namespace camopt {
 // motion.speed; lengths where the lift is a length, angles where it is an angle. solve() refuses another
 // unit.
 
-[[nodiscard]] inline PeakLimit peak_in(double number, const char* unit) {
-    return {0.0, {}, number, unit};
-}
-
-[[nodiscard]] inline PeakLimit millimetres_per_second(double number) {
-    return peak_in(number, "mm/s");
-}
-[[nodiscard]] inline PeakLimit metres_per_second(double number) {
-    return peak_in(number, "m/s");
-}
-[[nodiscard]] inline PeakLimit inches_per_second(double number) {
-    return peak_in(number, "in/s");
-}
-[[nodiscard]] inline PeakLimit degrees_per_second(double number) {
-    return peak_in(number, "deg/s");
-}
-[[nodiscard]] inline PeakLimit radians_per_second(double number) {
-    return peak_in(number, "rad/s");
-}
-
-[[nodiscard]] inline PeakLimit millimetres_per_second_squared(double number) {
-    return peak_in(number, "mm/s^2");
-}
-[[nodiscard]] inline PeakLimit metres_per_second_squared(double number) {
-    return peak_in(number, "m/s^2");
-}
-[[nodiscard]] inline PeakLimit inches_per_second_squared(double number) {
-    return peak_in(number, "in/s^2");
-}
-[[nodiscard]] inline PeakLimit degrees_per_second_squared(double number) {
-    return peak_in(number, "deg/s^2");
-}
-[[nodiscard]] inline PeakLimit radians_per_second_squared(double number) {
-    return peak_in(number, "rad/s^2");
-}
-
-[[nodiscard]] inline PeakLimit millimetres_per_second_cubed(double number) {
-    return peak_in(number, "mm/s^3");
-}
-[[nodiscard]] inline PeakLimit metres_per_second_cubed(double number) {
-    return peak_in(number, "m/s^3");
-}
-[[nodiscard]] inline PeakLimit inches_per_second_cubed(double number) {
-    return peak_in(number, "in/s^3");
-}
-[[nodiscard]] inline PeakLimit degrees_per_second_cubed(double number) {
-    return peak_in(number, "deg/s^3");
-}
-[[nodiscard]] inline PeakLimit radians_per_second_cubed(double number) {
-    return peak_in(number, "rad/s^3");
-}
+struct PeakUnit {
+    const char* unit;
+    [[nodiscard]] PeakLimit operator()(double number) const { return {0.0, {}, number, unit}; }
+};
+inline constexpr PeakUnit millimetres_per_second{"mm/s"}, metres_per_second{"m/s"}, inches_per_second{"in/s"},
+    degrees_per_second{"deg/s"}, radians_per_second{"rad/s"};
+inline constexpr PeakUnit millimetres_per_second_squared{"mm/s^2"}, metres_per_second_squared{"m/s^2"},
+    inches_per_second_squared{"in/s^2"}, degrees_per_second_squared{"deg/s^2"},
+    radians_per_second_squared{"rad/s^2"};
+inline constexpr PeakUnit millimetres_per_second_cubed{"mm/s^3"}, metres_per_second_cubed{"m/s^3"},
+    inches_per_second_cubed{"in/s^3"}, degrees_per_second_cubed{"deg/s^3"},
+    radians_per_second_cubed{"rad/s^3"};
 
 }  // namespace camopt

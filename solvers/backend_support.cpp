@@ -4,11 +4,7 @@
 #include "core/errors.hpp"
 #include "core/text/names.hpp"
 
-#include <fmt/core.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace camopt {
 
@@ -81,6 +77,18 @@ void check_pattern(const char* name, const SparsityPattern& pattern, int rows, i
     }
 }
 
+/// A choice that this build does not have is refused before the solve; nothing is substituted.
+void refuse_absent(const SolverEntry& entry, const NativeOption& option, const OptionValue& value) {
+    const auto* word = std::get_if<std::string>(&value);
+    if (word == nullptr || std::ranges::find(option.absent, *word) == option.absent.end()) return;
+    std::vector<std::string> there;
+    for (const std::string& choice : option.choices)
+        if (std::ranges::find(option.absent, choice) == option.absent.end()) there.push_back(choice);
+    throw UnavailableError(
+        fmt::format("option '{}' of {}: '{}' is not built into this camopt; available: {}; {}", option.name,
+                    entry.name, *word, fmt::join(there, ", "), option.remedy));
+}
+
 }  // namespace
 
 NativeOption flag_option(std::string name, std::string default_value, std::string meaning) {
@@ -106,22 +114,6 @@ NativeOption text_option(std::string name, std::string default_value,
     option.range = fmt::format("'{}'", fmt::join(option.choices, "' or '"));
     return option;
 }
-
-namespace {
-
-/// A choice that this build does not have is refused before the solve; nothing is substituted.
-void refuse_absent(const SolverEntry& entry, const NativeOption& option, const OptionValue& value) {
-    const auto* word = std::get_if<std::string>(&value);
-    if (word == nullptr || std::ranges::find(option.absent, *word) == option.absent.end()) return;
-    std::vector<std::string> there;
-    for (const std::string& choice : option.choices)
-        if (std::ranges::find(option.absent, choice) == option.absent.end()) there.push_back(choice);
-    throw UnavailableError(
-        fmt::format("option '{}' of {}: '{}' is not built into this camopt; available: {}; {}", option.name,
-                    entry.name, *word, fmt::join(there, ", "), option.remedy));
-}
-
-}  // namespace
 
 void check_native_options(const SolverEntry& entry, const std::map<std::string, OptionValue>& options) {
     for (const auto& [name, value] : options) {

@@ -12,9 +12,6 @@
 #include <exception>
 #include <initializer_list>
 #include <map>
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace camopt {
 

@@ -25,10 +25,6 @@
 
 #include <Eigen/Core>
 
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 /// Columns worth chaining: without Hessian entries, in at least `share` of the rows. None if more than `most`

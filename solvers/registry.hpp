@@ -4,13 +4,7 @@
 
 #include "solvers/solver.hpp"
 
-#include <functional>
 #include <map>
-#include <memory>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

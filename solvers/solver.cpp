@@ -2,39 +2,16 @@
 #include "solvers/solver.hpp"
 
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 
 #include <fmt/core.h>
-
-#include <cmath>
 
 namespace camopt {
 
 const char* name_of(Termination value) {
-    switch (value) {
-        case Termination::not_run:
-            return "not_run";
-        case Termination::converged:
-            return "converged";
-        case Termination::acceptable:
-            return "acceptable";
-        case Termination::infeasible:
-            return "infeasible";
-        case Termination::unbounded:
-            return "unbounded";
-        case Termination::iteration_limit:
-            return "iteration_limit";
-        case Termination::time_limit:
-            return "time_limit";
-        case Termination::interrupted:
-            return "interrupted";
-        case Termination::numerical_failure:
-            return "numerical_failure";
-        case Termination::evaluation_error:
-            return "evaluation_error";
-        case Termination::unsupported:
-            return "unsupported";
-    }
-    return "unknown";
+    return word_of<Termination::unsupported>(
+        value, {"not_run", "converged", "acceptable", "infeasible", "unbounded", "iteration_limit",
+                "time_limit", "interrupted", "numerical_failure", "evaluation_error", "unsupported"});
 }
 
 void BackendOptions::validate() const {

@@ -9,13 +9,7 @@
 
 #include <Eigen/Core>
 
-#include <functional>
 #include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

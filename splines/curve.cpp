@@ -6,31 +6,103 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace camopt {
 
 namespace {
 // Points computed from angles may exceed the ends by a few units in the last place.
 constexpr double overshoot = 1e-12;
+
+/// Local knots u_{1} … u_{2p} around a segment, measured from its left end: the B-splines on the segment
+/// depend on no others.
+Eigen::VectorXd local_knots(const SplineSpace& space, int segment) {
+    const int p = space.degree();
+    const int first = space.first_basis_function(segment);
+    const double origin = space.breakpoints()[segment];
+    Eigen::VectorXd local(2 * p);
+    for (int k = 0; k < 2 * p; ++k) local[k] = space.knot(first + 1 + k) - origin;
+    return local;
+}
+
+/// Amplification of a piece's round-off in a control point: coefficients of t^m are accurate to 1/h^m of
+/// their last digit.
+double growth(const Eigen::RowVectorXd& weights, double width) {
+    double sum = 0.0, power = 1.0;
+    for (Eigen::Index m = 0; m < weights.size(); ++m, power /= width) sum += std::abs(weights[m]) * power;
+    return sum;
+}
+
+// An optimum reaches its peaks at many locations, each to the tolerance of a solve, some 1e-9 of the peak;
+// values this close are the same peak, and their order in the last digits is meaningless.
+constexpr double same_peak = 1e-8;
+
+double mean_square(const SplineCurve& curve, int order) {
+    double integral = 0.0;
+    for (int i = 0; i < curve.segments(); ++i) {
+        const Eigen::VectorXd part = curve.derivative_polynomial(i, order);
+        const Eigen::VectorXd square = product(part, part);
+        double power = 1.0;
+        for (Eigen::Index m = 0; m < square.size(); ++m) {
+            power *= curve.space().width(i);
+            integral += square[m] * power / static_cast<double>(m + 1);
+        }
+    }
+    return integral / (curve.end() - curve.begin());
+}
+
+/// Of functions one by one, in the order of their segments.
+class LargestMagnitude {
+ public:
+    explicit LargestMagnitude(const SplineSpace& space) : space_(space) {}
+
+    void add(int segment, const Eigen::VectorXd& polynomial) {
+        candidates_.clear();
+        add_candidates_on_segment(space_, segment, polynomial, candidates_);
+        for (const Extremum& candidate : candidates_)
+            add({std::abs(candidate.value), candidate.at, candidate.side});
+    }
+
+    /// The largest value, at the first location within `same_peak` of it.
+    [[nodiscard]] Extremum largest() const {
+        Extremum largest = records_.back();
+        const auto first = std::ranges::find_if(records_, [&](const Extremum& record) {
+            return record.value >= largest.value - same_peak * largest.value;
+        });
+        if (first != records_.end()) largest = {largest.value, first->at, first->side};  // else: NaN
+        return largest;
+    }
+
+ private:
+    void add(const Extremum& place) {
+        if (records_.empty()) {
+            records_.push_back(place);
+        } else if (place.value > records_.back().value) {
+            if (!climbing_) records_.push_back(place);
+            records_.back() = place;
+            climbing_ = true;
+        } else {
+            climbing_ = climbing_ && place.at == records_.back().at;  // the other side of the same breakpoint
+        }
+    }
+
+    const SplineSpace& space_;
+    std::vector<Extremum> records_;  ///< local maxima, each above all before it
+    bool climbing_ = true;           ///< whether the ascent to the last of them may continue
+    std::vector<Extremum> candidates_;
+};
+
 }  // namespace
 
 SplineSpace::SplineSpace(int degree, int continuity, std::vector<double> breakpoints)
     : degree_(degree), continuity_(continuity), breakpoints_(std::move(breakpoints)) {
     if (degree < 1) throw InputError(fmt::format("degree: found {}; allowed: 1 or more", degree));
-    if (continuity < 0 || continuity >= degree) {
+    if (continuity < 0 || continuity >= degree)
         throw InputError(fmt::format("continuity: found {}; allowed: 0 … {}", continuity, degree - 1));
-    }
-    if (breakpoints_.size() < 2) {
+    if (breakpoints_.size() < 2)
         throw InputError(fmt::format("breakpoints: found {}; allowed: at least 2", breakpoints_.size()));
-    }
     for (std::size_t i = 1; i < breakpoints_.size(); ++i) {
-        if (!(breakpoints_[i] > breakpoints_[i - 1]) || !std::isfinite(breakpoints_[i])) {
+        if (!(breakpoints_[i] > breakpoints_[i - 1]) || !std::isfinite(breakpoints_[i]))
             throw InputError(fmt::format("breakpoints[{}]: found {} after {}; allowed: ascending", i,
                                          breakpoints_[i], breakpoints_[i - 1]));
-        }
     }
 }
 
@@ -55,9 +127,8 @@ std::vector<double> SplineSpace::knots() const {
 
 int SplineSpace::segment_of(double x, Side side) const {
     const double slack = overshoot * std::max(1.0, end() - begin());
-    if (!(x >= begin() - slack && x <= end() + slack)) {
+    if (!(x >= begin() - slack && x <= end() + slack))
         throw InputError(fmt::format("x: found {}; allowed: {} … {}", x, begin(), end()));
-    }
     const auto after = side == Side::right ? std::upper_bound(breakpoints_.begin(), breakpoints_.end(), x)
                                            : std::lower_bound(breakpoints_.begin(), breakpoints_.end(), x);
     return std::clamp(static_cast<int>(after - breakpoints_.begin()) - 1, 0, segments() - 1);
@@ -71,21 +142,6 @@ bool SplineSpace::is_symmetric() const {
     }
     return true;
 }
-
-namespace {
-
-/// Local knots u_{1} … u_{2p} around a segment, measured from its left end: the B-splines on the segment
-/// depend on no others.
-Eigen::VectorXd local_knots(const SplineSpace& space, int segment) {
-    const int p = space.degree();
-    const int first = space.first_basis_function(segment);
-    const double origin = space.breakpoints()[segment];
-    Eigen::VectorXd local(2 * p);
-    for (int k = 0; k < 2 * p; ++k) local[k] = space.knot(first + 1 + k) - origin;
-    return local;
-}
-
-}  // namespace
 
 Eigen::MatrixXd monomials_of_basis(const SplineSpace& space, int segment) {
     const int p = space.degree();
@@ -132,38 +188,23 @@ Eigen::RowVectorXd blossom_weights(const SplineSpace& space, int function, int s
     return weights;
 }
 
-namespace {
-
-/// Amplification of a piece's round-off in a control point: coefficients of t^m are accurate to 1/h^m of
-/// their last digit.
-double growth(const Eigen::RowVectorXd& weights, double width) {
-    double sum = 0.0, power = 1.0;
-    for (Eigen::Index m = 0; m < weights.size(); ++m, power /= width) sum += std::abs(weights[m]) * power;
-    return sum;
-}
-
-}  // namespace
-
 SplineCurve::SplineCurve(SplineSpace space, Eigen::MatrixXd pieces)
     : space_(std::move(space)), pieces_(std::move(pieces)) {
-    if (pieces_.rows() != degree() + 1 || pieces_.cols() != space_.segments()) {
+    if (pieces_.rows() != degree() + 1 || pieces_.cols() != space_.segments())
         throw InputError(fmt::format("pieces: found {} x {}; allowed: {} x {}", pieces_.rows(),
                                      pieces_.cols(), degree() + 1, space_.segments()));
-    }
     if (!pieces_.allFinite()) throw InputError("pieces: found a value that is not finite");
 }
 
 SplineCurve SplineCurve::from_coefficients(const SplineSpace& space, const Eigen::VectorXd& coefficients) {
-    if (coefficients.size() != space.dimension()) {
+    if (coefficients.size() != space.dimension())
         throw InputError(
             fmt::format("coefficients: found {}; allowed: {}", coefficients.size(), space.dimension()));
-    }
     const int p = space.degree();
     Eigen::MatrixXd pieces(p + 1, space.segments());
-    for (int i = 0; i < space.segments(); ++i) {
+    for (int i = 0; i < space.segments(); ++i)
         pieces.col(i) =
             monomials_of_basis(space, i) * coefficients.segment(space.first_basis_function(i), p + 1);
-    }
     return {space, std::move(pieces)};
 }
 
@@ -246,6 +287,59 @@ Eigen::MatrixXd derivative_bounds(const SplineSpace& space, const KnownBounds& k
         }
     }
     return bounds;
+}
+
+void add_candidates_on_segment(const SplineSpace& space, int segment, const Eigen::VectorXd& polynomial,
+                               std::vector<Extremum>& all) {
+    const double origin = space.breakpoints()[segment];
+    const double width = space.width(segment);
+    all.push_back({polynomial[0], origin, Side::right});
+    const auto add = [&](double t) {
+        all.push_back({evaluate_polynomial(polynomial, t), origin + t, Side::right});
+    };
+    if (polynomial.size() == 3) {  // a parabola, as most are: the sign change of its slope
+        const double at_begin = polynomial[1], bend = 2.0 * polynomial[2];
+        if (at_begin * (bend * width + at_begin) < 0.0) add(std::clamp(-at_begin / bend, 0.0, width));
+    } else if (polynomial.size() > 3) {
+        for (const double t : sign_changes(differentiated(polynomial), 0.0, width)) add(t);
+    }
+    all.push_back({evaluate_polynomial(polynomial, width), space.breakpoints()[segment + 1], Side::left});
+}
+
+Extremum largest_magnitude(const SplineSpace& space, const SegmentFunction& function) {
+    LargestMagnitude largest(space);
+    for (int i = 0; i < space.segments(); ++i) largest.add(i, function(i));
+    return largest.largest();
+}
+
+Extremum peak_of(const SplineCurve& curve, int order) {
+    LargestMagnitude largest(curve.space());
+    Eigen::VectorXd polynomial(std::max(1, curve.degree() + 1 - order));
+    for (int i = 0; i < curve.segments(); ++i) {
+        curve.derivative_polynomial(i, order, polynomial);
+        largest.add(i, polynomial);
+    }
+    return largest.largest();
+}
+
+double mean_of(const SplineCurve& curve, int order) {
+    return std::sqrt(mean_square(curve, order));
+}
+
+Extremum torque_peak_of(const SplineCurve& curve) {
+    return largest_magnitude(curve.space(), [&](int segment) {
+        return product(curve.derivative_polynomial(segment, 1), curve.derivative_polynomial(segment, 2));
+    });
+}
+
+Peaks peaks_of(const SplineCurve& curve) {
+    Peaks peaks;
+    for (int order = 1; order <= 3; ++order) {
+        derivative_peak(peaks, order) = peak_of(curve, order);
+        derivative_mean(peaks, order) = mean_of(curve, order);
+    }
+    peaks.torque = torque_peak_of(curve);
+    return peaks;
 }
 
 }  // namespace camopt

@@ -8,9 +8,6 @@
 #include <Eigen/SparseLU>
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -105,12 +102,11 @@ void add_continuity_rows(DesignForm& form, const DesignRequest& request) {
 
 DesignForm states_form(const DesignRequest& request) {
     const SplineSpace& space = request.space;
-    if ((space.degree() != 3 && space.degree() != 5) || space.continuity() < 2) {
+    if ((space.degree() != 3 && space.degree() != 5) || space.continuity() < 2)
         throw InputError(
             fmt::format("design \"states\": found degree {} with continuity {}; allowed: degree 3 or "
                         "5 with continuity 2 or more",
                         space.degree(), space.continuity()));
-    }
     DesignForm form;
     const int last = space.segments();
     for (int i = 0; i <= last; ++i) {
@@ -196,18 +192,15 @@ Interpolation interpolation_of(const DesignRequest& request) {
     const auto add_row = [&](int segment, double t, int order) {
         const Eigen::RowVectorXd values =
             state_of_monomials(p, t).row(order) * monomials_of_basis(space, segment);
-        for (int k = 0; k <= p; ++k) {
+        for (int k = 0; k <= p; ++k)
             entries.emplace_back(row, space.first_basis_function(segment) + k, values[k]);
-        }
         return row++;
     };
-    for (int order = 0; order <= end_orders; ++order) {
+    for (int order = 0; order <= end_orders; ++order)
         right(add_row(0, 0.0, order), n - 1) = request.begin_state[order];
-    }
     for (int i = 1; i < n; ++i) right(add_row(i, 0.0, 0), i - 1) = 1.0;
-    for (int order = 0; order <= end_orders; ++order) {
+    for (int order = 0; order <= end_orders; ++order)
         right(add_row(n - 1, space.width(n - 1), order), n - 1) = request.end_state[order];
-    }
     Eigen::SparseMatrix<double> collocation(size, size);
     collocation.setFromTriplets(entries.begin(), entries.end());
     Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(collocation);
@@ -218,12 +211,11 @@ Interpolation interpolation_of(const DesignRequest& request) {
 DesignForm ordinates_form(const DesignRequest& request) {
     const SplineSpace& space = request.space;
     const int p = space.degree();
-    if ((p != 3 && p != 5) || space.continuity() != p - 1) {
+    if ((p != 3 && p != 5) || space.continuity() != p - 1)
         throw InputError(
             fmt::format("design \"ordinates\": found degree {} with continuity {}; allowed: degree 3 or "
                         "5 with continuity degree − 1 (the ordinates alone do not fix a rougher spline)",
                         p, space.continuity()));
-    }
     DesignForm form;
     form.dense = true;
     for (int i = 1; i < space.segments(); ++i) form.entries.push_back({fmt::format("y[{}]", i), 0, i});

@@ -4,9 +4,6 @@
 
 #include "splines/design_vector.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct DesignEntry {

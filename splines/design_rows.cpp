@@ -4,9 +4,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -70,9 +67,8 @@ std::vector<ConflictRow> contradiction_rows(const DependentRow& dependent,
     const double sign = dependent.mismatch > 0.0 ? -1.0 : 1.0;
     const Candidate& own = candidates[dependent.row];
     std::vector<ConflictRow> rows{{own.name(), own.row, sign}};
-    for (const auto& [row, factor] : dependent.combination) {
+    for (const auto& [row, factor] : dependent.combination)
         rows.push_back({candidates[row].name(), candidates[row].row, -sign * factor});
-    }
     return rows;
 }
 
@@ -176,9 +172,8 @@ ConditionSelection select_conditions(const DesignRequest& request) {
     }
     for (const DependentRow& dependent : dependence.dependent) {
         double size_met = std::max(1.0, std::abs(right[dependent.row]));
-        for (const auto& [row, factor] : dependent.combination) {
+        for (const auto& [row, factor] : dependent.combination)
             size_met = std::max(size_met, std::abs(factor * right[row]));
-        }
         if (std::abs(dependent.mismatch) > contradiction * size_met) {
             selection.contradictions.push_back(conflict_of(dependent, candidates));
             selection.contradictions.back().rows = contradiction_rows(dependent, candidates);

@@ -4,10 +4,6 @@
 #include "core/errors.hpp"
 #include "splines/design_forms.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace camopt {
 
 namespace {
@@ -71,9 +67,8 @@ AffineRow functional_of(const LocalMap& map, double t, int order) {
 }
 
 DesignVector DesignVector::make(const DesignRequest& request) {
-    if (request.symmetry != Symmetry::none && !request.space.is_symmetric()) {
+    if (request.symmetry != Symmetry::none && !request.space.is_symmetric())
         throw InputError("symmetry: the breakpoints are not symmetric about the middle");
-    }
     DesignForm form = raw_form(request);
     DesignVector design(request.space);
     design.kind_ = request.kind;
@@ -96,9 +91,8 @@ DesignVector DesignVector::make(const DesignRequest& request) {
     if (!request.conditions.empty() || request.space.dimension() < 6) selection = select_conditions(request);
     design.redundant_ = std::move(selection.redundant);
     design.contradictions_ = std::move(selection.contradictions);
-    for (const Equality& equality : form.rows) {
+    for (const Equality& equality : form.rows)
         design.add_equality(without_fixed(equality.row, form, new_index), equality.name);
-    }
     std::vector<AffineRow> asked;
     for (const auto* conditions : {&form.leftover, &selection.kept}) {
         for (const PointCondition& condition : *conditions) {
@@ -164,11 +158,10 @@ Eigen::VectorXd DesignVector::values_of(const SplineCurve& curve) const {
     Eigen::VectorXd values(size());
     const Eigen::VectorXd coefficients =
         kind_ == DesignKind::coefficients ? curve.coefficients() : Eigen::VectorXd();
-    for (int j = 0; j < size(); ++j) {
+    for (int j = 0; j < size(); ++j)
         values[j] = kind_ == DesignKind::coefficients
                         ? coefficients[places_[j]]
                         : curve.derivative(space_.breakpoints()[places_[j]], orders_[j]);
-    }
     return values;
 }
 

@@ -16,10 +16,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// value(x) = offset + Σ_k weights_k x[columns_k].

@@ -6,9 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -25,9 +22,8 @@ FreeKnotForm::FreeKnotForm(const DesignRequest& request, double least_part)
       sum_(request.begin_state[0] + request.end_state[0]) {
     const int all = space_.segments();
     const bool half = symmetry_ != Symmetry::none;
-    if (half && !space_.is_symmetric()) {
+    if (half && !space_.is_symmetric())
         throw InputError("breakpoints: found ones that are not symmetric; allowed: symmetric ones");
-    }
     segments_ = half ? (all + 1) / 2 : all;
     end_ = half ? 0.5 * (space_.begin() + space_.end()) : space_.end();
     least_ = least_part * mean_length();
@@ -58,11 +54,10 @@ void FreeKnotForm::add_ends(const DesignRequest& request) {
     for (int order = 0; order < 3; ++order) fix(coefficient(0, order), request.begin_state[order]);
     const FreePlace last{segments_ - 1, true, 1.0};
     if (symmetry_ == Symmetry::none) {
-        for (int order = 0; order < 3; ++order) {
+        for (int order = 0; order < 3; ++order)
             add_equality(
                 last, order, request.end_state[order],
                 fmt::format("{}({:.6g}) = {:.6g}", derivative_name[order], end_, request.end_state[order]));
-        }
         return;
     }
     // Where mirroring changes the sign, the value in the middle is half the offset; if the middle is not a
@@ -77,14 +72,13 @@ void FreeKnotForm::add_ends(const DesignRequest& request) {
 
 void FreeKnotForm::add_joints() {
     for (int i = 0; i + 1 < segments_; ++i) {
-        for (int order = 0; order <= continuity(); ++order) {
+        for (int order = 0; order <= continuity(); ++order)
             equalities_.push_back(
                 {{i, true, 1.0},
                  order,
                  coefficient(i + 1, order),
                  0.0,
                  fmt::format("continuity of derivative {} at breakpoint {}", order, i + 1)});
-        }
     }
 }
 
@@ -190,9 +184,8 @@ std::vector<double> FreeKnotForm::breakpoints(const Eigen::VectorXd& x) const {
     if (symmetry_ == Symmetry::none) return modelled;
     const int all = space_.segments();
     if (all % 2 == 1) modelled.pop_back();
-    for (int k = static_cast<int>(modelled.size()); k <= all; ++k) {
+    for (int k = static_cast<int>(modelled.size()); k <= all; ++k)
         modelled.push_back(begin() + whole_end() - modelled[static_cast<std::size_t>(all - k)]);
-    }
     return modelled;
 }
 
@@ -233,9 +226,8 @@ SegmentEnergy segment_energy(const FreeKnotForm& form, const Eigen::VectorXd& x,
     for (int k = 0; k < terms; ++k) a[k] = x[form.coefficient(segment, order + k)];
     Eigen::MatrixXd gram(terms, terms);
     for (int k = 0; k < terms; ++k) {
-        for (int l = 0; l < terms; ++l) {
+        for (int l = 0; l < terms; ++l)
             gram(k, l) = h * FreeKnotForm::power(h, 0, k) * FreeKnotForm::power(h, 0, l) / (k + l + 1);
-        }
     }
     SegmentEnergy energy{a.dot(gram * a), Eigen::VectorXd::Zero(terms + 2),
                          Eigen::MatrixXd::Zero(terms + 2, terms + 2)};

@@ -14,10 +14,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// A location on a segment: the fraction `at` of it (it moves along), or the fixed x `at`.

@@ -3,9 +3,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

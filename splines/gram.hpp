@@ -14,8 +14,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <vector>
-
 namespace camopt {
 
 struct QuadraticForm {

@@ -5,10 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace camopt {
 
 namespace {
@@ -78,12 +74,11 @@ MotionChain::MotionChain(std::vector<ChainPart> parts) : parts_(std::move(parts)
     const double tolerance = same_joint * std::max(1.0, std::abs(end() - begin()));
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const bool joined = i == 0 || std::abs(parts_[i].begin - parts_[i - 1].end) <= tolerance;
-        if (!joined || !(parts_[i].end > parts_[i].begin)) {
+        if (!joined || !(parts_[i].end > parts_[i].begin))
             throw InputError(
                 fmt::format("a chain of motions: found part {} from {} to {}; allowed: ascending parts "
                             "without gaps",
                             i, parts_[i].begin, parts_[i].end));
-        }
         own_breakpoints_.push_back(parts_[i].shape ? parts_[i].shape->breakpoints() : std::vector<double>{});
     }
 }

@@ -8,9 +8,6 @@
 
 #include "core/motion.hpp"
 
-#include <memory>
-#include <vector>
-
 namespace camopt {
 
 struct ChainPart {

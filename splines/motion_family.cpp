@@ -3,9 +3,6 @@
 
 #include "splines/design_forms.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 std::optional<double> known_displacement(const AffineRow& row) {

@@ -12,12 +12,6 @@
 #include "splines/gram.hpp"
 #include "splines/motion_chain.hpp"
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
-
 namespace camopt {
 
 struct StretchRequest {

@@ -13,15 +13,7 @@
 #include "output/view/number_text.hpp"
 #include "solvers/registry.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 
@@ -96,8 +88,7 @@ std::string keys_text() {
     }
     return text +
            "\nEach quantity is written once, in one of its units. --set TABLE.KEY=VALUE replaces one key of "
-           "a "
-           "scene.\n";
+           "a scene.\n";
 }
 
 /// An array, one entry a row of the table in its order: table, name, keys as they may be written with their
@@ -228,9 +219,8 @@ std::string followers_text() {
     }
     return text +
            "\nEach line: name, key of its lift, contact with the cam, its dimensions: keys of [cam] or of "
-           "the "
-           "table before the dot. Most are numbers or ranges { min = …, max = … }; docs/scene_file.md has "
-           "every key with its unit, default and meaning.\n";
+           "the table before the dot. Most are numbers or ranges { min = …, max = … }; docs/scene_file.md "
+           "has every key with its unit, default and meaning.\n";
 }
 
 Json followers_json() {

@@ -3,13 +3,9 @@
 #include "core/version.hpp"
 #include "input/keys/scene_keys.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <iterator>
-#include <string_view>
-#include <vector>
 
 namespace camopt::apps {
 
@@ -140,12 +136,11 @@ std::string keys_of_scenes() {
 }
 
 constexpr std::string_view description =
-    "camopt reads a scene (one TOML file: motion, cam, objective and limits that must not be "
-    "exceeded), finds "
-    "the spline of least weighted peaks of velocity, acceleration and jerk, and proves a lower bound that no "
-    "spline of that space can improve on. If no curve satisfies all limits it proves this and reports how "
-    "much each "
-    "would have to be relaxed. With a [cam] table motion and cam are designed together.";
+    "camopt reads a scene (one TOML file: motion, cam, objective and limits that must not be exceeded), "
+    "finds the spline of least weighted peaks of velocity, acceleration and jerk, and proves a lower bound "
+    "that no spline of that space can improve on. If no curve satisfies all limits it proves this and "
+    "reports how much each would have to be relaxed. With a [cam] table motion and cam are designed "
+    "together.";
 
 constexpr std::string_view files =
     "With --out a folder is written: report.html and report.md, result.json, certificate.json (the proof, "
@@ -157,9 +152,7 @@ constexpr std::string_view files =
 std::string manual_page(const CLI::App& program) {
     const Closing closing = closing_of(program);
     std::string page = fmt::format(
-        ".\\\" SPDX-License-Identifier: MIT\n.TH CAMOPT 1 \"\" \"camopt {}\" \"User "
-        "commands\"\n",
-        version());
+        ".\\\" SPDX-License-Identifier: MIT\n.TH CAMOPT 1 \"\" \"camopt {}\" \"User commands\"\n", version());
     page += section("NAME") + "camopt \\- the best motion curve for a cam, found and proved\n";
     page += section("SYNOPSIS");
     for (const CLI::App* command : commands_in(program))

@@ -3,14 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstdint>
 #include <iterator>
-#include <optional>
 #include <poll.h>
 #include <stdexcept>
 #include <sys/eventfd.h>

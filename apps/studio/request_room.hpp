@@ -4,16 +4,12 @@
 // Internal to studio_server.cpp.
 #pragma once
 
+#include "core/base/standard.hpp"
+
 #include <atomic>
 #include <chrono>
-#include <cstddef>
-#include <functional>
 #include <mutex>
-#include <string>
-#include <string_view>
 #include <thread>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -9,11 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <set>
-#include <string_view>
 
 namespace camopt::apps {
 

@@ -7,9 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <string>
-#include <vector>
-
 namespace camopt::apps {
 
 /// `text`: a scene that was read without an error. An array in the order of the table, one entry a key:

@@ -13,14 +13,9 @@
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cctype>
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace camopt::apps {
 

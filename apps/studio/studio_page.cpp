@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
 #include <variant>
 
 namespace camopt::apps {
@@ -32,8 +31,7 @@ using SceneJson = nlohmann::ordered_json;
 [[noreturn]] void unfit_setting(const std::string& key) {
     throw InputError(
         fmt::format("{}: found a value of another kind; allowed: a number, a text, true, false, a range of "
-                    "min and max, or "
-                    "null",
+                    "min and max, or null",
                     key));
 }
 

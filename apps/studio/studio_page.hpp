@@ -8,13 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt::apps {
 
 // The scene a page asks about: the text of a scene file and what its controls set since.

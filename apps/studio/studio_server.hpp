@@ -10,11 +10,7 @@
 // studio_absent.cpp stands in where the build has no HTTP library.
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <memory>
-#include <string>
-#include <string_view>
+#include "core/base/standard.hpp"
 
 namespace camopt::apps {
 

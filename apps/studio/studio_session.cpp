@@ -2,6 +2,7 @@
 #include "apps/studio/studio_controls.hpp"
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 #include "output/page/page_html.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/search/planned_solve.hpp"
@@ -9,15 +10,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <list>
 #include <mutex>
-#include <optional>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 
@@ -46,15 +41,7 @@ struct AnswerWishes {
 };
 
 const char* name_of_stage(AnswerStage stage) {
-    switch (stage) {
-        case AnswerStage::curve:
-            return "curve";
-        case AnswerStage::proof:
-            return "proof";
-        case AnswerStage::rest:
-            break;
-    }
-    return "rest";
+    return word_of<AnswerStage::rest>(stage, {"curve", "proof", "rest"});
 }
 
 /// A law to compare with, or a scene without a motion that may be explained.

@@ -9,12 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <string_view>
-
 namespace camopt::apps {
 
 namespace {

@@ -4,15 +4,9 @@
 #include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

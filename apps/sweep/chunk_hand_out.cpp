@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep/chunk_hand_out.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstring>
 
 namespace camopt::apps {

@@ -2,12 +2,9 @@
 // Who gets which chunk: a queue, and what is out. Knows no messages.
 #pragma once
 
+#include "core/base/standard.hpp"
+
 #include <deque>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -6,12 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 namespace camopt::apps {
 
@@ -63,8 +61,7 @@ std::unique_ptr<MessagePassing> start_message_passing(const RankLaunch& launch) 
     if (path.empty())
         throw InputError(
             fmt::format("{}, and this camopt was built without MPI; allowed: camopt without "
-                        "mpirun, --shard i/N, or a build with libopenmpi-dev installed "
-                        "(CAMOPT_WITH_MPI)",
+                        "mpirun, --shard i/N, or a build with libopenmpi-dev installed (CAMOPT_WITH_MPI)",
                         started));
     // Global, since MPI loads parts of itself that look for its symbols. Its own symbols first: MUMPS without
     // MPI (below Ipopt) brings an MPI_Init that does nothing. Never closed: parts of MPI stay to the end.

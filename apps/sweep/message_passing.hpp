@@ -5,11 +5,7 @@
 // mpirun started the program and nowhere else, so camopt starts and runs where there is no MPI.
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
+#include "core/base/standard.hpp"
 
 namespace camopt::apps {
 

@@ -2,7 +2,6 @@
 // Messages over MPI: the module camopt_mpi.so. The one source that knows MPI.
 #include "apps/sweep/message_passing.hpp"
 
-#include <algorithm>
 #include <mpi.h>
 
 namespace camopt::apps {

@@ -12,17 +12,14 @@
 #include "output/csv/sweep_csv.hpp"
 #include "output/json/sweep_json.hpp"
 #include "output/page/study_html.hpp"
-#include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/surface/mesh_files.hpp"
+#include "output/surface/triangle_mesh.hpp"
 #include "output/view/number_text.hpp"
 #include "studies/compare/law_losses.hpp"
 #include "studies/pareto/sweep_front.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 
 namespace camopt::apps {
@@ -196,8 +193,7 @@ ExitCode surface_look_up(const SweepRequest& request) {
     const std::filesystem::path stored = folder / identity_name, table = folder / table_name;
     if (!std::filesystem::exists(stored))
         throw InputError(fmt::format(
-            "--at: found no {} in {}; allowed: a folder of camopt sweep SCENE --surface ERROR --out "
-            "DIR",
+            "--at: found no {} in {}; allowed: a folder of camopt sweep SCENE --surface ERROR --out DIR",
             identity_name, request.scene));
     const SurfaceIdentity identity = read_surface_json(read_text_file(stored), stored.string());
     const Scene scene = load_scene(SceneText{identity.scene_file, identity.scene_text}, {});

@@ -7,13 +7,11 @@
 #include "output/chart/studies/study_svg.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/page/study_html.hpp"
-#include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/sweep_folder.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <thread>

@@ -10,19 +10,15 @@
 #include "input/scene_reader.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
 #include "output/page/study_html.hpp"
-#include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/study_text.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
-#include <optional>
 #include <sys/file.h>
 #include <unistd.h>
-#include <utility>
 
 namespace camopt::apps {
 

@@ -11,10 +11,6 @@
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <filesystem>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt::apps {
 

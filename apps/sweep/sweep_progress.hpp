@@ -2,11 +2,9 @@
 // How far a sweep is and how long it will take, in one line for a terminal.
 #pragma once
 
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <chrono>
-#include <string>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -8,11 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <ctime>
-#include <optional>
 #include <poll.h>
 #include <stdexcept>
 #include <thread>

@@ -7,11 +7,9 @@
 // decides) and dies with the parent, whatever kills that.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
+#include "core/base/standard.hpp"
+
 #include <sys/types.h>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -3,7 +3,7 @@
 
 #include "core/units.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "studies/papers/paper_tables.hpp"
+#include "studies/papers/paper_report.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "benchmarks/parts/combination.hpp"
 
 #include "solvers/registry.hpp"
-#include "studies/papers/paper_tables.hpp"
+#include "studies/papers/paper_report.hpp"
 #include "studies/papers/reference_table.hpp"
 
 #include <fmt/format.h>

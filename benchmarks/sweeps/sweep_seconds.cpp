@@ -15,7 +15,7 @@
 #include "output/csv/csv_line.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_axis.hpp"
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <algorithm>
 #include <chrono>

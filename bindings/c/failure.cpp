@@ -2,6 +2,7 @@
 #include "bindings/c/failure.hpp"
 
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 
 #include <new>
 
@@ -69,30 +70,8 @@ const char* camopt_error_text() {
 }
 
 const char* camopt_error_name(camopt_error code) {
-    switch (code) {
-        case CAMOPT_OK:
-            return "ok";
-        case CAMOPT_ERROR_NULL:
-            return "null";
-        case CAMOPT_ERROR_ARGUMENT:
-            return "argument";
-        case CAMOPT_ERROR_INPUT:
-            return "input";
-        case CAMOPT_ERROR_UNAVAILABLE:
-            return "unavailable";
-        case CAMOPT_ERROR_ABSENT:
-            return "absent";
-        case CAMOPT_ERROR_CAPACITY:
-            return "capacity";
-        case CAMOPT_ERROR_CANCELLED:
-            return "cancelled";
-        case CAMOPT_ERROR_CALLBACK:
-            return "callback";
-        case CAMOPT_ERROR_MEMORY:
-            return "memory";
-        case CAMOPT_ERROR_INTERNAL:
-            return "internal";
-    }
-    return "unknown";
+    return camopt::word_of<CAMOPT_ERROR_INTERNAL>(
+        code, {"ok", "null", "argument", "input", "unavailable", "absent", "capacity", "cancelled",
+               "callback", "memory", "internal"});
 }
 }

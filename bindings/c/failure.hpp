@@ -3,11 +3,9 @@
 #pragma once
 
 #include "bindings/c/camopt.h"
+#include "core/base/standard.hpp"
 
-#include <exception>
 #include <stdexcept>
-#include <string>
-#include <utility>
 
 namespace camopt::c {
 

@@ -3,10 +3,6 @@
 #include "core/units.hpp"
 #include "output/exports/exports.hpp"
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 namespace camopt::c {
 namespace {
 

@@ -7,16 +7,8 @@
 #include "output/json/result_json.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <algorithm>
-#include <cstddef>
 #include <cstring>
-#include <limits>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <vector>
 
 struct camopt_scene {
     camopt::input::SceneDocument document;

@@ -8,9 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <vector>
-
 namespace camopt::c {
 namespace {
 

@@ -12,10 +12,7 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <new>
-#include <string>
-#include <vector>
 
 namespace camopt::c {
 namespace {

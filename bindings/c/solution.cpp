@@ -4,10 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace camopt::c {
 
 double number_or_absent(const std::optional<double>& value) {
@@ -145,19 +141,9 @@ auto relaxations_of(const camopt_solution& handle) {
 }  // namespace
 
 camopt_verdict verdict_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::optimal:
-            return CAMOPT_OPTIMAL;
-        case Verdict::local:
-            return CAMOPT_LOCAL;
-        case Verdict::feasible:
-            return CAMOPT_FEASIBLE;
-        case Verdict::infeasible:
-            return CAMOPT_INFEASIBLE;
-        case Verdict::failed:
-            break;
-    }
-    return CAMOPT_FAILED;
+    static_assert(CAMOPT_OPTIMAL == static_cast<int>(Verdict::optimal) &&
+                  CAMOPT_FAILED == static_cast<int>(Verdict::failed));  // the same verdicts in the same order
+    return static_cast<camopt_verdict>(verdict);
 }
 
 const MotionChain& motion_of(const camopt_solution* solution) {

@@ -10,15 +10,9 @@
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
-#include "studies/sweep/sweep_run.hpp"
 
 #include <chrono>
 #include <exception>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace camopt::c {
 namespace {
@@ -32,7 +26,15 @@ class CallbackControl {
     CallbackControl(const CallbackControl&) = delete;
     CallbackControl& operator=(const CallbackControl&) = delete;
 
-    [[nodiscard]] SolveControl control();
+    [[nodiscard]] SolveControl control() {
+        SolveControl control;
+        // Also without `cancel`: a callback that threw stops the search.
+        if (options_.cancel != nullptr || options_.progress != nullptr)
+            control.stop_requested = [this] { return asked_to_stop(); };
+        if (options_.progress != nullptr)
+            control.progress = [this](const Progress& progress) { report(progress); };
+        return control;
+    }
 
     /// Calls `work`, a callback of the caller, unless one has thrown before.
     template <class Work>
@@ -49,10 +51,22 @@ class CallbackControl {
     [[nodiscard]] bool stopped() const { return stopped_ || thrown_; }
     void stop() { stopped_ = true; }
 
-    [[nodiscard]] double seconds() const;
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+    }
 
     /// Throws Failure (CALLBACK) where a callback threw.
-    void finish() const;
+    void finish() const {
+        if (!thrown_) return;
+        try {
+            std::rethrow_exception(thrown_);
+        } catch (const std::exception& error) {
+            throw Failure(CAMOPT_ERROR_CALLBACK, std::string("a callback threw: ") + error.what());
+        } catch (...) {
+            throw Failure(CAMOPT_ERROR_CALLBACK,
+                          "a callback threw an exception that is not a std::exception");
+        }
+    }
 
  private:
     camopt_solve_options options_;
@@ -60,55 +74,26 @@ class CallbackControl {
     std::exception_ptr thrown_;
     bool stopped_ = false;
 
-    [[nodiscard]] bool asked_to_stop();
-    void report(const Progress& progress);
-};
-
-SolveControl CallbackControl::control() {
-    SolveControl control;
-    // Also without `cancel`: a callback that threw stops the search.
-    if (options_.cancel != nullptr || options_.progress != nullptr)
-        control.stop_requested = [this] { return asked_to_stop(); };
-    if (options_.progress != nullptr)
-        control.progress = [this](const Progress& progress) { report(progress); };
-    return control;
-}
-
-bool CallbackControl::asked_to_stop() {
-    // Once said is said: a callback that changes its mind would leave a search half stopped.
-    if (!stopped() && options_.cancel != nullptr)
-        call([&] { stopped_ = options_.cancel(options_.user) != 0; });
-    return stopped();
-}
-
-void CallbackControl::report(const Progress& progress) {
-    call([&] {
-        const std::string text(progress.message);
-        const camopt_progress shown{sizeof(camopt_progress),
-                                    text.c_str(),
-                                    seconds(),
-                                    progress.round.value_or(0),
-                                    number_or_absent(progress.incumbent),
-                                    number_or_absent(progress.bound),
-                                    number_or_absent(progress.violation)};
-        options_.progress(&shown, options_.user);
-    });
-}
-
-double CallbackControl::seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
-}
-
-void CallbackControl::finish() const {
-    if (!thrown_) return;
-    try {
-        std::rethrow_exception(thrown_);
-    } catch (const std::exception& error) {
-        throw Failure(CAMOPT_ERROR_CALLBACK, std::string("a callback threw: ") + error.what());
-    } catch (...) {
-        throw Failure(CAMOPT_ERROR_CALLBACK, "a callback threw an exception that is not a std::exception");
+    [[nodiscard]] bool asked_to_stop() {
+        // Once said is said: a callback that changes its mind would leave a search half stopped.
+        if (!stopped() && options_.cancel != nullptr)
+            call([&] { stopped_ = options_.cancel(options_.user) != 0; });
+        return stopped();
     }
-}
+    void report(const Progress& progress) {
+        call([&] {
+            const std::string text(progress.message);
+            const camopt_progress shown{sizeof(camopt_progress),
+                                        text.c_str(),
+                                        seconds(),
+                                        progress.round.value_or(0),
+                                        number_or_absent(progress.incumbent),
+                                        number_or_absent(progress.bound),
+                                        number_or_absent(progress.violation)};
+            options_.progress(&shown, options_.user);
+        });
+    }
+};
 
 std::vector<std::string> station_names(const Solution& solution) {
     std::vector<std::string> names;

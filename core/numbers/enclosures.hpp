@@ -8,12 +8,6 @@
 
 #include "core/numbers/interval.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-
 namespace camopt {
 
 // Enclosures of a function of the cam angle over an interval: of its values, first and second derivatives.

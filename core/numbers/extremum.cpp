@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/extremum.hpp"
 
-#include <cmath>
-#include <span>
-
 namespace camopt {
 
 namespace {

@@ -3,12 +3,7 @@
 // along a motion.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <utility>
-#include <vector>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

@@ -7,10 +7,7 @@
 // of one that contains a negative number give (-infinity, infinity).
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/polynomial.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 namespace camopt {
 
 namespace {
@@ -57,9 +53,8 @@ double evaluate_polynomial(const Eigen::Ref<const Eigen::VectorXd>& coefficients
 Eigen::VectorXd differentiated(const Eigen::Ref<const Eigen::VectorXd>& coefficients) {
     if (coefficients.size() <= 1) return Eigen::VectorXd::Zero(1);
     Eigen::VectorXd slope(coefficients.size() - 1);
-    for (Eigen::Index m = 0; m < slope.size(); ++m) {
+    for (Eigen::Index m = 0; m < slope.size(); ++m)
         slope[m] = static_cast<double>(m + 1) * coefficients[m + 1];
-    }
     return slope;
 }
 
@@ -86,9 +81,7 @@ std::vector<double> sign_changes(const Eigen::Ref<const Eigen::VectorXd>& coeffi
     double value_a = evaluate_polynomial(coefficients, a);
     for (const double b : ends) {
         const double value_b = evaluate_polynomial(coefficients, b);
-        if (value_a * value_b < 0.0) {
-            changes.push_back(bracketed_root(coefficients, a, b));
-        }
+        if (value_a * value_b < 0.0) changes.push_back(bracketed_root(coefficients, a, b));
         // An exact zero keeps the sign before it, so that a crossing through it is still found.
         if (value_b != 0.0) {
             a = b;

@@ -6,10 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 [[nodiscard]] double evaluate_polynomial(const Eigen::Ref<const Eigen::VectorXd>& coefficients, double t);

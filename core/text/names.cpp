@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/names.hpp"
 
+#include "core/word_of.hpp"
+
 #include <fmt/format.h>
 
 #include <numeric>
@@ -8,29 +10,11 @@
 namespace camopt {
 
 const char* name_of(MotionType value) {
-    switch (value) {
-        case MotionType::drd:
-            return "DRD";
-        case MotionType::rr:
-            return "RR";
-        case MotionType::program:
-            break;
-    }
-    return "program";
+    return word_of<MotionType::program>(value, {"DRD", "RR", "program"});
 }
 
 const char* name_of(DesignKind value) {
-    switch (value) {
-        case DesignKind::ordinates:
-            return "ordinates";
-        case DesignKind::coefficients:
-            return "coefficients";
-        case DesignKind::states:
-            return "states";
-        case DesignKind::automatic:
-            break;
-    }
-    return "auto";
+    return word_of<DesignKind::states>(value, {"auto", "ordinates", "coefficients", "states"});
 }
 
 namespace {

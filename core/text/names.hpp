@@ -3,13 +3,10 @@
 // misspelled word may have meant.
 #pragma once
 
-#include <algorithm>
+#include "core/base/standard.hpp"
+
 #include <initializer_list>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <variant>
-#include <vector>
 
 namespace camopt {
 

@@ -4,8 +4,6 @@
 #include "core/errors.hpp"
 
 #include <charconv>
-#include <cmath>
-#include <string>
 #include <system_error>
 
 namespace camopt {

@@ -4,9 +4,7 @@
 // A sign, digits with a point, an exponent; no white space, no hexadecimal; "inf" and "nan" are not numbers.
 #pragma once
 
-#include <optional>
-#include <string_view>
-#include <vector>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstddef>
-
 namespace camopt {
 
 namespace {
@@ -34,9 +31,10 @@ Letter first_letter(std::string_view text) {
 
 // U+00A0 … 00FF, between commas.
 constexpr std::string_view latin_letters =
-    " ,!,c,GBP,?,JPY,|,par. ,\",(C),a,<<,not ,-,(R),-, deg,+/-,2,3,',u,par. ,.,,1,o,>>,1/4,1/2,3/4,?,"
-    "A,A,A,A,Ae,A,Ae,C,E,E,E,E,I,I,I,I,D,N,O,O,O,O,Oe,x,Oe,U,U,U,Ue,Y,Th,ss,"
-    "a,a,a,a,ae,a,ae,c,e,e,e,e,i,i,i,i,d,n,o,o,o,o,oe,/,oe,u,u,u,ue,y,th,y";
+    " ,!,c,GBP,?,JPY,|,par. ,\",(C),a,<<,not ,-,(R),-, deg,+/-,2,3,',u,par. "
+    ",.,,1,o,>>,1/4,1/2,3/"
+    "4,?,A,A,A,A,Ae,A,Ae,C,E,E,E,E,I,I,I,I,D,N,O,O,O,O,Oe,x,Oe,U,U,U,Ue,Y,Th,ss,a,a,a,a,ae,a,ae,c,e,e,e,e,i,"
+    "i,i,i,d,n,o,o,o,o,oe,/,oe,u,u,u,ue,y,th,y";
 
 std::string_view ascii_of(char32_t code) {
     struct Sign {

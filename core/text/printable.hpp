@@ -8,8 +8,7 @@
 // readers (NC controls) letters and signs are transliterated.
 #pragma once
 
-#include <string>
-#include <string_view>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

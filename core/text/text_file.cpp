@@ -5,16 +5,13 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
-#include <memory>
 #include <system_error>
 #include <unistd.h>
-#include <utility>
 
 namespace camopt {
 

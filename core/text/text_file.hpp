@@ -3,10 +3,10 @@
 // After an interruption either the old file exists or the new one, never half of one.
 #pragma once
 
+#include "core/base/standard.hpp"
+
 #include <cstdint>
 #include <filesystem>
-#include <string>
-#include <string_view>
 
 namespace camopt {
 

@@ -5,11 +5,6 @@
 
 #include "core/errors.hpp"
 
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt::input {
 
 /// Where something was written: a line and column of the file, an override ("--set KEY=VALUE"), or a program

@@ -8,10 +8,6 @@
 #include "scene/cam_spec.hpp"
 
 #include <initializer_list>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 
 namespace camopt::input {
 

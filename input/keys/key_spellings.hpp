@@ -5,10 +5,6 @@
 #include "core/units.hpp"
 #include "input/keys/scene_keys.hpp"
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt::input::spellings {
 
 using camopt::spellings::angle;

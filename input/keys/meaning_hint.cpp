@@ -5,10 +5,6 @@
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
 
-#include <algorithm>
-#include <array>
-#include <span>
-
 namespace camopt::input {
 namespace {
 

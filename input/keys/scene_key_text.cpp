@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Look-up in the key table, and its rows in words: error messages and the Markdown of docs/scene_file.md.
+#include "core/word_of.hpp"
 #include "input/keys/scene_keys.hpp"
 
 #include <fmt/format.h>
@@ -7,41 +8,11 @@
 namespace camopt::input {
 
 std::string_view type_words(KeyType type) {
-    switch (type) {
-        case KeyType::text:
-            return "text";
-        case KeyType::boolean:
-            return "boolean";
-        case KeyType::integer:
-            return "integer";
-        case KeyType::number:
-            return "number";
-        case KeyType::number_or_range:
-            return "number or range";
-        case KeyType::number_or_bounds:
-            return "number or table of `min`, `max`";
-        case KeyType::bounds:
-            return "table of `min`, `max`";
-        case KeyType::number_or_points:
-            return "number or array of pairs";
-        case KeyType::points:
-            return "array of pairs";
-        case KeyType::numbers:
-            return "array of numbers";
-        case KeyType::texts:
-            return "array of texts";
-        case KeyType::boolean_or_text:
-            return "boolean or text";
-        case KeyType::table:
-            return "table";
-        case KeyType::tables:
-            return "array of tables";
-        case KeyType::text_or_table:
-            return "text or table";
-        case KeyType::options:
-            break;
-    }
-    return "table of options";
+    return word_of<KeyType::options>(
+        type, {"text", "boolean", "integer", "number", "number or range", "number or table of `min`, `max`",
+               "table of `min`, `max`", "number or array of pairs", "array of pairs", "array of numbers",
+               "array of texts", "table", "array of tables", "text or table", "boolean or text",
+               "table of options"});
 }
 
 namespace {

@@ -5,10 +5,6 @@
 
 #include "scene/key_row.hpp"
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt::input {
 
 using camopt::Availability;

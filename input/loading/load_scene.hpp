@@ -8,9 +8,6 @@
 #include "solvers/registry.hpp"
 
 #include <filesystem>
-#include <span>
-#include <string>
-#include <string_view>
 
 namespace camopt {
 

@@ -3,13 +3,9 @@
 // folders.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "core/base/standard.hpp"
 
-#include <memory>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
+#include <nlohmann/json.hpp>
 
 namespace camopt::input {
 

@@ -9,8 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 namespace camopt::input {
 
 namespace {

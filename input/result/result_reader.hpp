@@ -4,14 +4,11 @@
 // of them (studies/restored/restored_solution.hpp). Errors: InputError "FILE: KEY: found …; allowed: …".
 #pragma once
 
+#include "core/base/standard.hpp"
+
 #include <Eigen/Core>
 
 #include <map>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace camopt::input {
 

@@ -6,12 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 namespace camopt {
 
 namespace {
@@ -282,9 +276,8 @@ void AnyCurveLimitInput::validate() const {
     weight("velocity_weight", velocity_weight);
     weight("acceleration_weight", acceleration_weight);
     weight("jerk_weight", jerk_weight);
-    if (velocity_weight + acceleration_weight + jerk_weight <= 0.0) {
+    if (velocity_weight + acceleration_weight + jerk_weight <= 0.0)
         throw InputError("any-curve limit: all weights are 0, at least one must be > 0");
-    }
     const auto cap = [](const char* name, const std::optional<double>& value) {
         if (value) require(*value > 0.0 && std::isfinite(*value), name, *value, "> 0 and finite");
     };

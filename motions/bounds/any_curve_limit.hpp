@@ -22,9 +22,6 @@
 
 #include "core/text/names.hpp"
 
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 struct AnyCurveLimitInput {

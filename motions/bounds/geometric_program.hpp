@@ -12,9 +12,9 @@
 // never a NaN. Source: S. Boyd, L. Vandenberghe, Convex Optimization (2004), sections 4.5 and 11.7.
 #pragma once
 
-#include <Eigen/Core>
+#include "core/base/standard.hpp"
 
-#include <vector>
+#include <Eigen/Core>
 
 namespace camopt {
 

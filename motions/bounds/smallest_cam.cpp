@@ -5,10 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 namespace camopt {
 
 namespace {
@@ -23,17 +19,15 @@ void require_positive(const char* name, double found) {
 
 void require_stroke(const CamStroke& stroke) {
     require_positive("lift", stroke.lift);
-    if (!std::isfinite(stroke.offset)) {
+    if (!std::isfinite(stroke.offset))
         throw InputError(
             fmt::format("smallest cam: offset = {} found, allowed a finite number", stroke.offset));
-    }
 }
 
 double tangent_of(double pressure_angle) {
-    if (!(pressure_angle > 0.0 && pressure_angle < 0.5 * std::numbers::pi)) {
+    if (!(pressure_angle > 0.0 && pressure_angle < 0.5 * std::numbers::pi))
         throw InputError(fmt::format(
             "smallest cam: pressure angle = {} found, allowed 0 < pressure angle < π/2", pressure_angle));
-    }
     return std::tan(pressure_angle);
 }
 
@@ -104,9 +98,8 @@ double least_pressure_angle(const CamStroke& stroke, double prime_coordinate, do
     // as σe + t (s0 + s) >= (t - low)(s0 + s), it lies below `high`.
     double low = std::abs(stroke.offset) / prime_coordinate, high = low + centred;
     if (steepest_angle(stroke, prime_coordinate, low) <= angle) return std::atan(low);
-    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high)) {
+    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
         (steepest_angle(stroke, prime_coordinate, middle) > angle ? low : high) = middle;
-    }
     return std::atan(high);
 }
 

@@ -5,11 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 namespace camopt {
 
 namespace {
@@ -22,10 +17,9 @@ constexpr double kRestTolerance = 1e-12;
 void require_cover(const LawInfo& info, const std::vector<AccelerationPiece>& shape) {
     double reached = 0.0;
     for (const AccelerationPiece& piece : shape) {
-        if (piece.begin != reached || !(piece.end > piece.begin)) {
+        if (piece.begin != reached || !(piece.end > piece.begin))
             throw ModelError(fmt::format("{}: a piece [{}, {}] follows x = {}", info.key, piece.begin,
                                          piece.end, reached));
-        }
         reached = piece.end;
     }
     if (reached != 1.0)
@@ -104,10 +98,9 @@ HarmonicLaw::HarmonicLaw(LawInfo info, std::vector<AccelerationPiece> shape) : L
         velocity = last[1];
         pieces_.push_back(std::move(piece));
     }
-    if (!(displacement > 0.0) || !(std::abs(velocity) <= kRestTolerance * displacement)) {
+    if (!(displacement > 0.0) || !(std::abs(velocity) <= kRestTolerance * displacement))
         throw ModelError(fmt::format("{}: the shape ends at y = {}, y' = {}, not at rest above 0", key(),
                                      displacement, velocity));
-    }
     for (Piece& piece : pieces_) {
         piece.velocity /= displacement;
         piece.displacement /= displacement;
@@ -170,10 +163,9 @@ PolynomialLaw::PolynomialLaw(LawInfo info, std::vector<double> from_below, std::
     double scale = 1.0;
     for (const double coefficient : from_below_) scale += std::abs(coefficient);
     for (std::size_t r = 0; r < below.size(); ++r) {
-        if (!(std::abs(below[r] - top[r]) <= kMeeting * scale)) {
+        if (!(std::abs(below[r] - top[r]) <= kMeeting * scale))
             throw ModelError(fmt::format("{}: derivative {} at x = 1/2 is {} from below and {} from the top",
                                          key(), r, below[r], top[r]));
-        }
         scale *= static_cast<double>(from_below_.size());
     }
 }

@@ -12,8 +12,6 @@
 
 #include "motions/laws/law.hpp"
 
-#include <vector>
-
 namespace camopt {
 
 struct HarmonicTerm {

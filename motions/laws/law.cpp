@@ -7,43 +7,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 namespace camopt {
 
 namespace {
 
 /// Tolerance of x outside [0, 1]: some roundings of a cam angle divided by a rise angle.
 constexpr double end_rounding = 1e-12;
-
-}  // namespace
-
-Law::Law(LawInfo info) : info_(std::move(info)) {}
-
-LawDerivatives Law::derivatives(double x, Side side) const {
-    if (!(x >= -end_rounding && x <= 1.0 + end_rounding)) {
-        throw InputError(fmt::format("{}: x = {} found, allowed 0 <= x <= 1", info_.key, x));
-    }
-    return evaluate(std::clamp(x, 0.0, 1.0), side);
-}
-
-MotionPoint Law::at(double x, Side side) const {
-    const LawDerivatives value = derivatives(x, side);
-    return {x, {value[0], value[1], value[2], value[3]}};
-}
-
-Peaks Law::peaks() const {
-    return find_peaks(*this);
-}
-
-JerkExtrema Law::jerk_extrema() const {
-    return find_jerk_extrema(*this);
-}
-
-namespace {
 
 /// The fastest wave in the catalogue is the torque of Freudenstein 1-3-5: 20 half waves in its one piece.
 constexpr int kCells = 256;
@@ -100,9 +69,8 @@ class Piece {
             if (at_end || left.slope == 0.0) range.take({left.value, place(i), side(i)});
             if (i == kCells) break;
             const double right_slope = pick(nodes_[i + 1], quantity).slope;
-            if ((left.slope < 0.0 && right_slope > 0.0) || (left.slope > 0.0 && right_slope < 0.0)) {
+            if ((left.slope < 0.0 && right_slope > 0.0) || (left.slope > 0.0 && right_slope < 0.0))
                 range.take(bisect(i, quantity, left.slope > 0.0));
-            }
         }
     }
 
@@ -146,9 +114,8 @@ class Piece {
 std::vector<Piece> pieces_of(const Law& law) {
     const std::vector<double> breakpoints = law.breakpoints();
     std::vector<Piece> pieces;
-    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i)
         pieces.emplace_back(law, breakpoints[i], breakpoints[i + 1]);
-    }
     return pieces;
 }
 
@@ -190,6 +157,27 @@ Range jerk_range(const std::vector<Piece>& pieces, const Law& law) {
 }
 
 }  // namespace
+
+Law::Law(LawInfo info) : info_(std::move(info)) {}
+
+LawDerivatives Law::derivatives(double x, Side side) const {
+    if (!(x >= -end_rounding && x <= 1.0 + end_rounding))
+        throw InputError(fmt::format("{}: x = {} found, allowed 0 <= x <= 1", info_.key, x));
+    return evaluate(std::clamp(x, 0.0, 1.0), side);
+}
+
+MotionPoint Law::at(double x, Side side) const {
+    const LawDerivatives value = derivatives(x, side);
+    return {x, {value[0], value[1], value[2], value[3]}};
+}
+
+Peaks Law::peaks() const {
+    return find_peaks(*this);
+}
+
+JerkExtrema Law::jerk_extrema() const {
+    return find_jerk_extrema(*this);
+}
 
 Peaks find_peaks_without_impulses(const Law& law) {
     const std::vector<Piece> pieces = pieces_of(law);

@@ -17,10 +17,6 @@
 
 #include "core/motion.hpp"
 
-#include <array>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// What follows the law at x = 1.

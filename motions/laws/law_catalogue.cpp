@@ -9,13 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -10,12 +10,6 @@
 
 #include "motions/laws/law.hpp"
 
-#include <functional>
-#include <memory>
-#include <span>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// Pieces narrower than this are indistinguishable from jumps in double precision; parameters keep this

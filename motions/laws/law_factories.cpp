@@ -6,12 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 namespace {
@@ -51,16 +45,14 @@ bool is_antisymmetric(const Law& law, const LawDerivatives& scale) {
 
 void require_suitable(const std::unique_ptr<Law>& law, double split) {
     if (!law) throw InputError("asymmetric law: no law found, allowed an antisymmetric law");
-    if (law->info().top != TopEnd::dwell || !is_antisymmetric(*law, scales(*law))) {
+    if (law->info().top != TopEnd::dwell || !is_antisymmetric(*law, scales(*law)))
         throw InputError(fmt::format(
             "asymmetric law: {} found, allowed a rise between dwells with y(x) + y(1 - x) = 1 and y'' >= 0 "
             "on its first half",
             law->key()));
-    }
-    if (!(split >= kNarrowestPart && split <= 1.0 - kNarrowestPart)) {
+    if (!(split >= kNarrowestPart && split <= 1.0 - kNarrowestPart))
         throw InputError(fmt::format("asymmetric_{}: split = {} found, allowed {} <= split <= {}", law->key(),
                                      split, kNarrowestPart, 1.0 - kNarrowestPart));
-    }
 }
 
 /// y, y', … of a part whose x and y are `stretch` times those of f, except for the constant of y.
@@ -180,10 +172,9 @@ LawInfo one_dwell(const char* key, std::string title) {
 }
 
 LawInfo one_dwell(const char* key, const char* title, double ta, double widest) {
-    if (!(ta >= kNarrowestPiece && ta <= widest)) {
+    if (!(ta >= kNarrowestPiece && ta <= widest))
         throw InputError(
             fmt::format("{}: Ta = {} found, allowed {} <= Ta <= {}", key, ta, kNarrowestPiece, widest));
-    }
     LawInfo info = one_dwell(key, fmt::format("{} (one dwell, Ta = {})", title, ta));
     info.parameters = {{"Ta", ta}};
     return info;

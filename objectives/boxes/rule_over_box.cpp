@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/boxes/rule_over_box.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

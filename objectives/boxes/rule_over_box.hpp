@@ -17,9 +17,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 /// slope · z + constant <= h(z) for every z of the box: <= 0 wherever the rule is satisfied.

@@ -2,8 +2,6 @@
 // Cost, its partials, and the Hessian of all.
 #include "objectives/free_knots/free_knot_problem.hpp"
 
-#include <algorithm>
-
 namespace camopt {
 
 std::vector<int> FreeKnotNlp::energy_columns(int segment, int order) const {

@@ -3,9 +3,6 @@
 
 #include "objectives/scene_model.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

@@ -11,7 +11,6 @@
 #include "scene/scene.hpp"
 #include "splines/free_knot_form.hpp"
 
-#include <memory>
 #include <set>
 #include <tuple>
 

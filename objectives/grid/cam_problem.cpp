@@ -4,9 +4,6 @@
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/point_rule.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

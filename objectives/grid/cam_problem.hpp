@@ -14,11 +14,6 @@
 #include <Eigen/SparseCore>
 
 #include <map>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 namespace camopt {
 

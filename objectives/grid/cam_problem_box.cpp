@@ -3,9 +3,6 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "splines/curve.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

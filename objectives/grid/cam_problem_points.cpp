@@ -3,12 +3,10 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/point_rule.hpp"
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 
 #include <Eigen/SparseLU>
 
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 namespace camopt {

@@ -2,7 +2,6 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/point_rule.hpp"
 
-#include <algorithm>
 #include <numeric>
 
 namespace camopt {

@@ -2,8 +2,6 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/nlp_parts.hpp"
 
-#include <algorithm>
-
 namespace camopt {
 
 namespace {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/response/train_figures.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 namespace {
 

@@ -17,7 +17,6 @@
 #include "scene/limit_table.hpp"
 
 #include <map>
-#include <memory>
 #include <mutex>
 
 namespace camopt {

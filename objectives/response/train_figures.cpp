@@ -4,9 +4,6 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 namespace {
 

@@ -8,11 +8,7 @@
 #include "splines/motion_family.hpp"
 
 #include <complex>
-#include <functional>
 #include <map>
-#include <memory>
-#include <span>
-#include <vector>
 
 namespace camopt {
 

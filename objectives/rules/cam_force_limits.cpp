@@ -6,11 +6,6 @@
 #include "objectives/rules/cam_rule.hpp"
 #include "scene/limit_table.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
 namespace camopt::cam_limit_parts {
 
 namespace {

@@ -3,10 +3,6 @@
 
 #include "scene/limit_table.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-
 namespace camopt {
 
 namespace cam_limit_parts {

@@ -27,9 +27,6 @@
 #include "scene/cam_spec.hpp"
 #include "scene/scene.hpp"
 
-#include <memory>
-#include <vector>
-
 namespace camopt {
 
 /// Every limit of the scene on its cam; empty if it has none. Throws InputError for a limit that the follower

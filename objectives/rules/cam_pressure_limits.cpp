@@ -4,10 +4,6 @@
 #include "objectives/rules/cam_rule.hpp"
 #include "scene/motion/set_points.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -7,16 +7,6 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 // One state of a cam, the argument of the formula of a limit, in one of three algebras: values with first and

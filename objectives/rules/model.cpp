@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/model.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 double measured_displacement(double displacement) {

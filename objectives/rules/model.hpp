@@ -12,9 +12,6 @@
 #include <Eigen/Core>
 
 #include <atomic>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace camopt {
 

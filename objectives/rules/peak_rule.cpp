@@ -3,10 +3,6 @@
 
 #include "core/numbers/polynomial.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace camopt {
 
 PeakRule::PeakRule(int order, int sign, int parameter, double reference)

@@ -15,12 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Partials by (y, y', y'', y''', q_1 … q_m): gradient 4 + m, hessian (4 + m) x (4 + m), symmetric.

@@ -7,11 +7,7 @@
 // is left out; nothing throws.
 #pragma once
 
-#include "output/chart/plot_frame.hpp"
-
-#include <optional>
-#include <string>
-#include <vector>
+#include "output/chart/svg_canvas.hpp"
 
 namespace camopt {
 

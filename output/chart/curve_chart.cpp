@@ -3,17 +3,11 @@
 
 #include "core/errors.hpp"
 #include "output/chart/chart.hpp"
-#include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/view/number_text.hpp"
 #include "output/words/solution_text.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
 
 namespace camopt {
 

@@ -6,9 +6,6 @@
 
 #include "output/view/view.hpp"
 
-#include <string>
-#include <string_view>
-
 namespace camopt {
 
 /// motion.svg: displacement, velocity, acceleration and jerk, the verdict below the title. Throws InputError

@@ -2,10 +2,7 @@
 // One line of a CSV file, cell by cell (RFC 4180, line feed).
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

@@ -8,12 +8,7 @@
 #include "output/view/columns.hpp"
 #include "output/view/number_text.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace camopt {
 
@@ -126,8 +121,8 @@ std::string profile_csv(const View& view, const std::vector<DeliveredRow>& rows)
 std::string guide_csv(const View& view, const std::vector<DeliveredRow>& left,
                       const std::vector<DeliveredRow>& right) {
     static constexpr const char* titles =
-        "theta_deg,s_mm,middle_x_mm,middle_y_mm,left_x_mm,left_y_mm,right_x_mm,right_y_mm,"
-        "pressure_angle_deg,middle_radius_mm,regularity_left,regularity_right\n";
+        "theta_deg,s_mm,middle_x_mm,middle_y_mm,left_x_mm,left_y_mm,right_x_mm,right_y_mm,pressure_angle_deg,"
+        "middle_radius_mm,regularity_left,regularity_right\n";
     static const Columns first = columns_of(
                              {"theta_deg", "s_mm", "pitch_x_mm", "pitch_y_mm", "cam_x_mm", "cam_y_mm"}),
                          second = columns_of({"cam_x_mm", "cam_y_mm"}),

@@ -6,7 +6,7 @@
 //                jumps the angle stands in two rows: as seen from the left, then from the right
 //   profile.csv  one side of a cam, one row a point. Radii are signed, > 0 convex. Of the loads the force
 //                along the normal and the Hertz pressure are empty where the follower cannot touch the cam
-//                as designed (studies/delivered/follower_loads.hpp). Cam frame of
+//                as designed (studies/delivered/driven_mechanism.hpp). Cam frame of
 //                output/drawing/profile_shape.hpp
 //   guide.csv    both walls of a guide in the frame of the body (origin: its pivot; x axis: through the
 //                roller where the body stands at angle 0): theta_deg, s_mm (the feeder's), middle_x_mm,
@@ -17,11 +17,6 @@
 #pragma once
 
 #include "output/view/view.hpp"
-
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

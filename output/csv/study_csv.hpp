@@ -7,8 +7,6 @@
 #include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 
-#include <string>
-
 namespace camopt {
 
 // dynamics.csv: motion by motion, speed by speed; history.csv: instant by instant at the scene's speed.

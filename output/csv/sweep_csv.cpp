@@ -3,19 +3,15 @@
 
 #include "core/errors.hpp"
 #include "core/text/parsing.hpp"
+#include "core/word_of.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/view/shown_units.hpp"
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <initializer_list>
 #include <type_traits>
-#include <utility>
 
 namespace camopt {
 
@@ -285,17 +281,7 @@ SweepTable read_sweep_csv(std::string_view text, std::string_view name) {
 }
 
 const char* name_of(FrontEnd value) {
-    switch (value) {
-        case FrontEnd::none:
-            return "";
-        case FrontEnd::attained:
-            return "attained";
-        case FrontEnd::cut_off:
-            return "cut_off";
-        case FrontEnd::beyond:
-            break;
-    }
-    return "beyond";
+    return word_of<FrontEnd::beyond>(value, {"", "attained", "cut_off", "beyond"});
 }
 
 std::string goal_column(const ParetoFront& front, int goal) {

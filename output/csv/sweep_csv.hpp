@@ -11,12 +11,6 @@
 #include "studies/pareto/pareto_front.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// A property of the delivered cam: a column of sweep.csv, and a panel of sweep.svg.

@@ -9,11 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 namespace {

@@ -10,8 +10,6 @@
 #include "output/drawing/profile_shape.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 
-#include <optional>
-
 namespace camopt {
 
 /// The allowance of the blank is around the cam; its faces are those of the cam.

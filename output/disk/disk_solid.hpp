@@ -10,9 +10,6 @@
 #include "output/surface/triangle_mesh.hpp"
 #include "scene/cam_spec.hpp"
 
-#include <optional>
-#include <string>
-
 namespace camopt {
 
 struct DiskMeshOptions {

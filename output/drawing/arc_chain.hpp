@@ -9,12 +9,9 @@
 // Computer-Aided Design 7 (1975).
 #pragma once
 
-#include <Eigen/Core>
+#include "core/base/standard.hpp"
 
-#include <array>
-#include <functional>
-#include <span>
-#include <vector>
+#include <Eigen/Core>
 
 namespace camopt {
 

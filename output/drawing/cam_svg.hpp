@@ -7,10 +7,6 @@
 #include "output/drawing/profile_shape.hpp"
 #include "output/view/view.hpp"
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// A shape that is not closed is drawn as the sector it is.

@@ -9,12 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace camopt {
 
@@ -30,27 +25,24 @@ constexpr double arrow_part = 0.45, arrow_begin = 35 * degree, arrow_end = 145 *
 constexpr double label_font = 12;
 
 const char* const mechanism_style =
-    ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}"
-    ".sector{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
-    ".open{stroke:#d00000;stroke-width:1.4;stroke-dasharray:6 4}"
-    ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
-    ".link{fill:none;stroke:#444;stroke-width:5;stroke-linecap:round;stroke-linejoin:round}"
-    ".ghost{fill:none;stroke:#9a9a9a;stroke-width:1.4;stroke-linejoin:round}"
-    ".roller{fill:#fff;fill-opacity:.75;stroke:#b35900;stroke-width:2}"
-    ".joint{fill:#fff;stroke:#444;stroke-width:2}.pivot{fill:#222;stroke:#fff;stroke-width:1.5}"
-    ".guide{stroke:#009e73;stroke-width:9;stroke-opacity:.35;stroke-linecap:round}"
-    ".slider{fill:#009e73;stroke:#009e73;stroke-width:9;stroke-linecap:round}"
-    ".center{stroke:#444;stroke-width:1}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
-    ".label{paint-order:stroke;stroke:#fff;stroke-width:4px}";
+    ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}.sector{fill:"
+    "none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}.open{stroke:#d00000;stroke-width:1.4;stroke-"
+    "dasharray:6 "
+    "4}.pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 "
+    "4}.link{fill:none;stroke:#444;stroke-width:5;stroke-linecap:round;stroke-linejoin:round}.ghost{fill:"
+    "none;stroke:#9a9a9a;stroke-width:1.4;stroke-linejoin:round}.roller{fill:#fff;fill-opacity:.75;stroke:#"
+    "b35900;stroke-width:2}.joint{fill:#fff;stroke:#444;stroke-width:2}.pivot{fill:#222;stroke:#fff;stroke-"
+    "width:1.5}.guide{stroke:#009e73;stroke-width:9;stroke-opacity:.35;stroke-linecap:round}.slider{fill:#"
+    "009e73;stroke:#009e73;stroke-width:9;stroke-linecap:round}.center{stroke:#444;stroke-width:1}.arrow{"
+    "fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}.label{paint-order:stroke;stroke:#fff;"
+    "stroke-width:4px}";
 
 const char* const guide_style =
     ".slot{fill:#d9e8f2;stroke:none}.wall-left{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:"
-    "round}"
-    ".wall-right{fill:none;stroke:#d55e00;stroke-width:2.2;stroke-linejoin:round}"
-    ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
-    ".roller{fill:#fff;fill-opacity:.75;stroke:#b35900;stroke-width:1.8}.pivot{fill:#222;stroke:#222;stroke-"
-    "width:6}"
-    ".label{paint-order:stroke;stroke:#fff;stroke-width:4px}";
+    "round}.wall-right{fill:none;stroke:#d55e00;stroke-width:2.2;stroke-linejoin:round}.pitch{fill:none;"
+    "stroke:#555;stroke-width:1.2;stroke-dasharray:7 "
+    "4}.roller{fill:#fff;fill-opacity:.75;stroke:#b35900;stroke-width:1.8}.pivot{fill:#222;stroke:#222;"
+    "stroke-width:6}.label{paint-order:stroke;stroke:#fff;stroke-width:4px}";
 
 std::vector<Vector2d> line_of(const std::vector<DeliveredRow>& rows, Eigen::Vector3d MechanismPoint::*place) {
     std::vector<Vector2d> line;

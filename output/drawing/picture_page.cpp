@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/picture_page.hpp"
 
-#include "output/chart/plot_frame.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <utility>
 
 namespace camopt {
 

@@ -10,10 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <span>
-#include <string>
-#include <string_view>
-
 namespace camopt {
 
 // Drawing in the cam frame: metres in, px out, the same scale both ways.

@@ -5,10 +5,6 @@
 #include "core/units.hpp"
 #include "studies/delivered/delivered.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -14,13 +14,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 struct ProfileShape {

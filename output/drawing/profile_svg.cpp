@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
 #include "output/drawing/cam_svg.hpp"
-#include "output/drawing/follower_drawing.hpp"
 #include "output/drawing/picture_page.hpp"
+#include "output/drawing/profile_shape.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <vector>
 
 namespace camopt {
 
@@ -20,6 +14,154 @@ namespace {
 
 using Eigen::Vector2d;
 using units::degree;
+
+// The follower of the cam in the cam frame: where the motion begins, whole; at other cam angles, as a ghost.
+
+// Of the size, below.
+constexpr double stem_length = 1.2, stem_half_width = 0.07, guide_begin = 0.6, guide_end = 1.0;
+constexpr double ghost_length = 0.45, plate = 0.07, face_margin = 0.12, pivot_radius = 0.06;
+
+Vector2d turned_left(const Vector2d& direction) {
+    return {-direction.y(), direction.x()};
+}
+
+/// CSS rules of the follower: guide, pivot, ghost.
+constexpr const char* follower_style =
+    ".follower{fill:#fff;fill-opacity:.75;stroke:#b35900;stroke-width:1.8;stroke-linejoin:round}"
+    ".arm{stroke:#b35900;stroke-width:5;stroke-linecap:round}.guide{stroke:#444;stroke-width:4}.pivot{"
+    "fill:#b35900}.ground{fill:#ddd;stroke:#444;stroke-width:1.2}.bearing{fill:#fff;stroke:#444;"
+    "stroke-width:1.8}.ghost{fill:none;stroke:#e0a060;stroke-width:1.1}";
+
+/// The parts of the follower as the drawing shows them, m.
+class FollowerDrawing {
+ public:
+    /// Least and largest contact offset over the cam: a flat face reaches a little beyond, unless the shape
+    /// says how wide it is.
+    FollowerDrawing(const ProfileShape& shape, double least_offset, double largest_offset)
+        : shape_(shape),
+          start_(shape.at(shape.start)),
+          pitch_(in_plane(start_.pitch)),
+          contact_(in_plane(start_.contact)),
+          normal_(in_plane(start_.normal)),
+          pose_(follower_pose(shape.cam, start_)),
+          size_(std::max(shape.base_radius(), shape.roller_radius())),
+          least_(least_offset - face_margin * size_),
+          largest_(largest_offset + face_margin * size_) {
+        if (const std::optional<double> half = pushed_face(); half) least_ = -*half, largest_ = *half;
+    }
+
+    /// Points that the whole follower reaches, for the extent of the drawing.
+    [[nodiscard]] std::vector<Vector2d> reach() const {
+        if (shape_.formulas().swings()) {
+            const Vector2d around = Vector2d::Constant(2.5 * pivot_radius * size_);
+            return {pose_.pivot + around, pose_.pivot - around, pitch_};
+        }
+        std::vector<Vector2d> reach = {
+            pitch_ + std::max(1.2 * shape_.roller_radius(), (stem_length + plate) * size_) * pose_.lift};
+        if (shape_.has_face()) {
+            const Vector2d along = along_face(pose_), foot = contact_ - start_.contact_offset * along;
+            reach.emplace_back(foot + least_ * along);
+            reach.emplace_back(foot + largest_ * along);
+        }
+        return reach;
+    }
+    [[nodiscard]] std::vector<Vector2d> ghost_reach(double theta) const {
+        const Ghost ghost = ghost_at(theta);
+        const Vector2d around = Vector2d::Constant(shape_.roller_radius());
+        return {ghost.center - around, ghost.center + around, ghost.from, ghost.to};
+    }
+    void draw_whole(const ProfileCanvas& canvas) const {
+        if (shape_.formulas().swings()) return draw_swinging(canvas);
+        if (shape_.has_face()) {
+            const Vector2d along = along_face(pose_), foot = contact_ - start_.contact_offset * along;
+            const Vector2d up = plate * size_ * pose_.lift;
+            canvas.polyline(std::array<Vector2d, 4>{foot + least_ * along, foot + largest_ * along,
+                                                    foot + largest_ * along + up, foot + least_ * along + up},
+                            true, "follower");
+            return draw_stem(canvas, foot + up, 0.0);
+        }
+        draw_stem(canvas, pitch_, shape_.has_roller() ? 0.0 : 2.0 * stem_half_width);
+        if (!shape_.has_roller()) return;
+        canvas.circle(pitch_, shape_.roller_radius(), "follower");
+        canvas.circle(pitch_, canvas.px(2.0), "pivot");
+    }
+    void draw_ghost(const ProfileCanvas& canvas, double theta) const {
+        const Ghost ghost = ghost_at(theta);
+        canvas.line(ghost.from, ghost.to, "ghost");
+        if (shape_.has_roller()) canvas.circle(ghost.center, shape_.roller_radius(), "ghost");
+    }
+
+ private:
+    struct Ghost {
+        Vector2d center, from, to;
+    };
+
+    /// Half the width of a flat face that is pushed straight, where it is given.
+    [[nodiscard]] std::optional<double> pushed_face() const {
+        if (!shape_.has_pushed_face()) return std::nullopt;
+        return shape_.face_half_width;
+    }
+    [[nodiscard]] Ghost ghost_at(double theta) const {
+        const MechanismPoint point = shape_.at(theta);
+        const Vector2d pitch = in_plane(point.pitch), contact = in_plane(point.contact);
+        const FollowerPose pose = follower_pose(shape_.cam, point);
+        const double length = ghost_length * size_;
+        if (shape_.has_face()) {
+            if (pushed_face()) {
+                const Vector2d direction = along_face(pose),
+                               foot = contact - point.contact_offset * direction;
+                return {contact, foot + least_ * direction, foot + largest_ * direction};
+            }
+            const Vector2d along = length * turned_left(in_plane(point.normal));
+            return {contact, contact - along, contact + along};
+        }
+        const bool swings = shape_.formulas().swings();
+        const Vector2d away = swings ? Vector2d((pose.pivot - pitch).normalized()) : pose.lift;
+        return {pitch, pitch, pitch + std::max(length, 1.2 * shape_.roller_radius()) * away};
+    }
+    /// Direction of growing contact offset, which is that of x (from the pivot) in the fixed frame.
+    [[nodiscard]] Vector2d along_face(const FollowerPose& pose) const { return -turned_left(pose.lift); }
+    /// A stem in its guide; with a gap it ends in an edge at the foot.
+    void draw_stem(const ProfileCanvas& canvas, const Vector2d& foot, double gap) const {
+        const Vector2d side = stem_half_width * size_ * turned_left(pose_.lift);
+        const auto at = [&](double height) -> Vector2d { return foot + height * size_ * pose_.lift; };
+        std::vector<Vector2d> stem = {at(stem_length) + side, at(gap) + side};
+        if (gap > 0.0) stem.push_back(foot);
+        stem.emplace_back(at(gap) - side);
+        stem.emplace_back(at(stem_length) - side);
+        canvas.polyline(stem, false, "follower");
+        for (const double sign : {-1.5, 1.5})
+            canvas.line(at(guide_begin) + sign * side, at(guide_end) + sign * side, "guide");
+    }
+    void draw_swinging(const ProfileCanvas& canvas) const {
+        if (shape_.has_roller()) {
+            canvas.line(pose_.pivot, pitch_, "arm");
+            canvas.circle(pitch_, shape_.roller_radius(), "follower");
+            canvas.circle(pitch_, canvas.px(2.0), "pivot");
+        } else {
+            const Vector2d along = (contact_ - pose_.foot).normalized(), up = plate * size_ * normal_;
+            canvas.polyline(std::array<Vector2d, 5>{pose_.pivot, pose_.foot + std::max(least_, 0.0) * along,
+                                                    pose_.foot + largest_ * along,
+                                                    pose_.foot + largest_ * along + up, pose_.pivot + up},
+                            true, "follower");
+        }
+        draw_pivot(canvas, pose_.pivot);
+    }
+    void draw_pivot(const ProfileCanvas& canvas, const Vector2d& pivot) const {
+        const double radius = pivot_radius * size_;
+        canvas.polyline(std::array<Vector2d, 3>{pivot, pivot + 2.4 * radius * Vector2d(-0.6, -1.0),
+                                                pivot + 2.4 * radius * Vector2d(0.6, -1.0)},
+                        true, "ground");
+        canvas.circle(pivot, radius, "bearing");
+    }
+
+    const ProfileShape& shape_;
+    MechanismPoint start_;
+    Vector2d pitch_, contact_, normal_;  ///< of start_
+    FollowerPose pose_;
+    double size_;  ///< what the parts without a dimension are measured by
+    double least_, largest_;
+};
 
 // Layout, px.
 constexpr int steps = 1440;  // a quarter of a degree
@@ -31,23 +173,20 @@ constexpr double arrow_radius = 0.42, arrow_head = 9, arrow_begin = 35 * degree,
 constexpr double undercut_ring = 14;  // px
 
 const char* page_style =
-    ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}"
-    ".groove{fill:#fff;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
-    ".second{fill:#e6daf0;fill-opacity:.7;stroke:#7b3fa0;stroke-width:2.2;stroke-linejoin:round}"
-    ".second-sector{fill:none;stroke:#7b3fa0;stroke-width:2.2;stroke-linejoin:round}"
-    ".second-pitch{fill:none;stroke:#9a6fb5;stroke-width:1.1;stroke-dasharray:7 4}"
-    ".sector{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
-    ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
-    ".circle{fill:none;stroke:#8a8a8a;stroke-width:1}"
-    ".prime{fill:none;stroke:#8a8a8a;stroke-width:1;stroke-dasharray:2 3}"
-    ".center{stroke:#444;stroke-width:1}.mark{stroke:#0072b2;stroke-width:1.4}"
-    ".mark-label{font-size:11px;fill:#005a8c;text-anchor:middle;paint-order:stroke;stroke:#d9e8f2;stroke-"
-    "width:3px}"
-    ".yoke{stroke:#b35900;stroke-width:5;stroke-opacity:.45;stroke-linecap:round}"
-    ".bare{stroke:#fff}.open{stroke:#d00000;stroke-width:1.4;stroke-dasharray:6 "
-    "4}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
-    ".ring{fill:none;stroke:#d00000;stroke-width:1.2}"
-    ".undercut{fill:none;stroke:#d00000;stroke-width:3.2}";
+    ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}.groove{fill:#"
+    "fff;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}.second{fill:#e6daf0;fill-opacity:.7;stroke:#"
+    "7b3fa0;stroke-width:2.2;stroke-linejoin:round}.second-sector{fill:none;stroke:#7b3fa0;stroke-width:2.2;"
+    "stroke-linejoin:round}.second-pitch{fill:none;stroke:#9a6fb5;stroke-width:1.1;stroke-dasharray:7 "
+    "4}.sector{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}.pitch{fill:none;stroke:#555;"
+    "stroke-width:1.2;stroke-dasharray:7 "
+    "4}.circle{fill:none;stroke:#8a8a8a;stroke-width:1}.prime{fill:none;stroke:#8a8a8a;stroke-width:1;stroke-"
+    "dasharray:2 "
+    "3}.center{stroke:#444;stroke-width:1}.mark{stroke:#0072b2;stroke-width:1.4}.mark-label{font-size:11px;"
+    "fill:#005a8c;text-anchor:middle;paint-order:stroke;stroke:#d9e8f2;stroke-width:3px}.yoke{stroke:#b35900;"
+    "stroke-width:5;stroke-opacity:.45;stroke-linecap:round}.bare{stroke:#fff}.open{stroke:#d00000;stroke-"
+    "width:1.4;stroke-dasharray:6 "
+    "4}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}.ring{fill:none;stroke:#d00000;"
+    "stroke-width:1.2}.undercut{fill:none;stroke:#d00000;stroke-width:3.2}";
 
 using Pieces = std::vector<std::vector<MechanismPoint>>;
 
@@ -225,7 +364,7 @@ std::string profile_svg(const ProfileShape& shape, std::string_view title) {
     const Pieces pieces = profile_pieces(shape, steps);
     const FollowerDrawing follower = follower_drawing(shape, pieces);
     SvgCanvas canvas(picture_width, picture_height,
-                     page_style + std::string(follower_style()) + std::string(picture_style()), title);
+                     page_style + std::string(follower_style) + std::string(picture_style()), title);
     canvas.rectangle(0, 0, picture_width, picture_height, "page");
     canvas.text(picture_left, 38, title, "title");
     const ProfileCanvas drawing = fitted_canvas(canvas, extent_of(shape, pieces, follower));

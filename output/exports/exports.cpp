@@ -12,24 +12,20 @@
 #include "output/page/page_html.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/cam_files.hpp"
-#include "output/report/folder_update.hpp"
+#include "output/report/result_folder.hpp"
 #include "output/sheet/sheet_files.hpp"
 #include "output/spatial/cam_export.hpp"
-#include "output/surface/mesh_files.hpp"
+#include "output/surface/triangle_mesh.hpp"
 #include "output/toolpath/tool_path_svg.hpp"
 #include "output/view/shown_units.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <stdlib.h>
 #include <system_error>
-#include <utility>
 
 namespace camopt {
 

@@ -23,11 +23,6 @@
 #include "studies/delivered/solution.hpp"
 
 #include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

@@ -6,7 +6,6 @@
 #include "solvers/certificate/box_proof.hpp"
 
 #include <map>
-#include <vector>
 
 namespace camopt {
 

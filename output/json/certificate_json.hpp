@@ -6,8 +6,6 @@
 #include "solvers/certificate/certificate.hpp"
 
 #include <filesystem>
-#include <string>
-#include <string_view>
 
 namespace camopt {
 

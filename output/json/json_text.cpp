@@ -3,10 +3,6 @@
 
 #include "core/text/printable.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
 namespace camopt {
 
 namespace {

@@ -10,11 +10,6 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-
 namespace camopt {
 
 using Json = nlohmann::ordered_json;

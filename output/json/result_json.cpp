@@ -11,9 +11,6 @@
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/search/plan.hpp"
 
-#include <optional>
-#include <string_view>
-
 namespace camopt {
 
 namespace {

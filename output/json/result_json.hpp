@@ -7,8 +7,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <string>
-
 namespace camopt {
 
 // Where a result comes from, so that the run can be repeated from its folder.

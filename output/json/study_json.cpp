@@ -7,8 +7,6 @@
 #include "output/words/study_text.hpp"
 #include "studies/delivered/scene_limits.hpp"
 
-#include <cstddef>
-
 namespace camopt {
 
 namespace {

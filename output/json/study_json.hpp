@@ -8,8 +8,6 @@
 #include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 
-#include <string>
-
 namespace camopt {
 
 // What an elastic follower train makes of motions.

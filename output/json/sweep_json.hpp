@@ -3,12 +3,8 @@
 #pragma once
 
 #include "studies/surface/trade_off_surface.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/sweep_row.hpp"
-#include "studies/sweep/sweep_run.hpp"
-
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

@@ -2,13 +2,10 @@
 #include "output/nc/blank.hpp"
 
 #include "core/units.hpp"
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace camopt {
 

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The blank that a cam is cut from: a full cylinder about the cam's axis, and how far a cutter is from it.
 //
-//   { x² + y² <= radius², lower <= z <= upper }      cam frame (cutter_location.hpp), m
+//   { x² + y² <= radius², lower <= z <= upper }      cam frame (machine.hpp), m
 // Bores and what is cut already are left out: where rapids are concerned a blank is full. A cutter is its
 // cylinder without an upper end: what holds it is at least as thick and stands above.
 #pragma once
 
-#include "output/nc/cutter_location.hpp"
 #include "output/nc/machine.hpp"
 
 #include <Eigen/Core>
-
-#include <optional>
-#include <string>
 
 namespace camopt {
 

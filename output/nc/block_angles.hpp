@@ -8,11 +8,6 @@
 
 #include "output/nc/machine.hpp"
 
-#include <functional>
-#include <optional>
-#include <span>
-#include <vector>
-
 namespace camopt {
 
 struct BlockOptions {

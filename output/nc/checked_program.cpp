@@ -6,10 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 namespace camopt {
 
 namespace {
@@ -108,8 +104,7 @@ std::string words_of_clamp(const NcJob& job, const Machine& machine, const Blank
     if (is_plane(machine))
         return fmt::format(
             "fixture: the cam is held by its bore, clamps lie within diameter {:g} mm about its axis, at "
-            "most "
-            "{:g} mm above the blank",
+            "most {:g} mm above the blank",
             diameter, (clamp.upper - job.blank.upper) / units::millimetre);
     return fmt::format("fixture: the cam is clamped at both ends within diameter {:g} mm about its axis",
                        diameter);

@@ -13,13 +13,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Into the cam or out of it, beside the blocks of the path.

@@ -6,9 +6,6 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-
 namespace camopt {
 
 namespace {

@@ -15,11 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// The moves of the cutter's centre; what is not compensated stays as it is. Throws InputError for what no

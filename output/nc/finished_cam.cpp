@@ -7,10 +7,6 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace camopt {
 
 namespace {

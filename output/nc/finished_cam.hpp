@@ -15,10 +15,7 @@
 #pragma once
 
 #include "output/nc/blank.hpp"
-#include "output/nc/cutter_location.hpp"
-
-#include <memory>
-#include <vector>
+#include "output/nc/machine.hpp"
 
 namespace camopt {
 

@@ -2,11 +2,9 @@
 #include "output/nc/machine.hpp"
 
 #include "core/errors.hpp"
+#include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
 
 namespace camopt {
 
@@ -115,6 +113,11 @@ class PlaneMachine final : public Machine {
     std::vector<MachineAxis> axes_{x_axis, y_axis, z_axis};
 };
 
+// A cutter that is said to equal the roller may differ in the last digits of the unit it was given in.
+constexpr double equal_diameters = 1e-9;
+
+constexpr Requirement require_location{"cutter location"};
+
 }  // namespace
 
 Eigen::VectorXd nearest_turn(const Machine& machine, Eigen::VectorXd values, const Eigen::VectorXd& before) {
@@ -136,6 +139,39 @@ std::unique_ptr<Machine> rotary_table_machine() {
 
 std::unique_ptr<Machine> plane_milling_machine() {
     return std::make_unique<PlaneMachine>();
+}
+
+void CutterLocation::validate() const {
+    require_location(std::isfinite(roller_radius) && roller_radius > 0.0, "the roller radius must be > 0 m",
+                     roller_radius);
+    require_location(std::isfinite(diameter) && diameter > 0.0, "the cutter diameter must be > 0 m",
+                     diameter);
+    require_location(std::isfinite(stock) && stock >= 0.0, "the stock must be >= 0 m", stock);
+    require_location(flank == 1 || flank == -1, "the flank must be +1 or -1", flank);
+    require_location(std::isfinite(station), "the station must be a finite length", station);
+    require_location(std::isfinite(tip_beyond) && tip_beyond >= 0.0,
+                     "the tip must lie at or beyond the steered station, by >= 0 m", tip_beyond);
+    require_location(
+        0.5 * diameter + stock <= roller_radius * (1.0 + equal_diameters),
+        "cutter radius + stock must not exceed the roller radius, or the other flank is cut away; m",
+        0.5 * diameter + stock);
+}
+
+ToolPose cutter_pose(const RollerPose& roller, const CutterLocation& location) {
+    const double radius = location.roller_radius;
+    const Eigen::Vector3d near = roller.center + location.flank * radius * roller.normal;
+    const Eigen::Vector3d far = roller.center - location.flank * radius * roller.normal;
+    const double share = (location.diameter + 2.0 * location.stock) / (4.0 * radius);
+    const Eigen::Vector3d steered = near + share * (far - near);
+    return {steered + location.tip_beyond * roller.axis, roller.axis};
+}
+
+void PlaneCutter::validate() const {
+    if (!(std::isfinite(diameter) && diameter > 0.0))
+        throw InputError(fmt::format("plane cutter: the diameter must be > 0 m, found {:g}", diameter));
+    if (!(std::isfinite(stock) && stock >= 0.0))
+        throw InputError(fmt::format("plane cutter: the stock must be >= 0 m, found {:g}", stock));
+    if (!std::isfinite(bottom)) throw InputError("plane cutter: the bottom must be a finite height");
 }
 
 }  // namespace camopt

@@ -12,13 +12,10 @@
 // m, rad, s.
 #pragma once
 
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/nc_reader.hpp"
 
 #include <Eigen/Core>
-
-#include <span>
-#include <vector>
 
 namespace camopt {
 

@@ -4,15 +4,13 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/nc/cutter_compensation.hpp"
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/nc_writer.hpp"
 #include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 
 namespace camopt {
 

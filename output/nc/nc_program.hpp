@@ -19,10 +19,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// The block that ends at a pose goes round: three axes only.

@@ -6,12 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <limits>
-#include <utility>
 
 namespace camopt {
 
@@ -255,12 +250,6 @@ NcWords read_nc_words(std::string_view text, const Machine& machine, const PostP
 
 std::vector<NcMove> read_nc_travel(std::string_view text, const Machine& machine, const PostProcessor& post) {
     return reader_of(text, machine, post).finish();
-}
-
-std::vector<NcMove> read_nc_text(std::string_view text, const Machine& machine, const PostProcessor& post) {
-    std::vector<NcMove> moves = read_nc_travel(text, machine, post);
-    std::erase_if(moves, [](const NcMove& move) { return !move.values.allFinite(); });
-    return moves;
 }
 
 }  // namespace camopt

@@ -12,10 +12,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// On which side of the programmed path the cutter goes, in the direction of its travel, seen from +Z.
@@ -43,16 +39,12 @@ struct NcWords {
     bool counterclockwise = false;  ///< M4
 };
 
-/// Throws like read_nc_text.
+/// Throws like read_nc_travel.
 [[nodiscard]] NcWords read_nc_words(std::string_view text, const Machine& machine, const PostProcessor& post);
 
-/// All moves; an axis that has no value yet is NaN. Throws like read_nc_text.
+/// All moves; an axis that has no value yet is NaN. Throws InputError (see above), also where units, G90 or a
+/// feed are missing, and for a G1 before every axis has a value.
 [[nodiscard]] std::vector<NcMove> read_nc_travel(std::string_view text, const Machine& machine,
                                                  const PostProcessor& post);
-
-/// Moves from the block on in which every axis has a value. Throws InputError (see above), also where units,
-/// G90 or a feed are missing, and for a G1 before every axis has a value.
-[[nodiscard]] std::vector<NcMove> read_nc_text(std::string_view text, const Machine& machine,
-                                               const PostProcessor& post);
 
 }  // namespace camopt

@@ -18,11 +18,6 @@
 #include "output/nc/machine.hpp"
 #include "output/nc/nc_reader.hpp"
 
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct NcTravelTask {

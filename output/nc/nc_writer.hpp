@@ -5,8 +5,6 @@
 #include "output/nc/nc_program.hpp"
 
 #include <map>
-#include <string>
-#include <string_view>
 
 namespace camopt {
 

@@ -4,12 +4,9 @@
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 #include <sstream>
 #include <type_traits>

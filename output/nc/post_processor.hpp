@@ -10,9 +10,6 @@
 
 #include <filesystem>
 #include <map>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

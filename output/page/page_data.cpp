@@ -2,13 +2,11 @@
 #include "core/version.hpp"
 #include "output/page/page_html.hpp"
 #include "output/page/page_parts.hpp"
-#include "output/spatial/drum_pictures.hpp"
+#include "output/spatial/cam_export.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
-
-#include <cmath>
 
 namespace camopt {
 

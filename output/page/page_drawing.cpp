@@ -2,6 +2,7 @@
 // The cam and its mechanism at every cam angle, from what the leaf of its kind says of itself: points, how
 // far the cam frame has turned, parts.
 #include "core/units.hpp"
+#include "core/word_of.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/flank_surfaces.hpp"
@@ -10,9 +11,6 @@
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <Eigen/Geometry>
-
-#include <algorithm>
-#include <cmath>
 
 namespace camopt {
 
@@ -81,19 +79,7 @@ std::vector<Vector2d> points_of(const MechanismShape& shape, const std::pair<dou
 }
 
 const char* name_of_kind(MechanismShape::Kind kind) {
-    switch (kind) {
-        case MechanismShape::Kind::link:
-            return "link";
-        case MechanismShape::Kind::circle:
-            return "circle";
-        case MechanismShape::Kind::pivot:
-            return "pivot";
-        case MechanismShape::Kind::guide:
-            return "guide";
-        case MechanismShape::Kind::face:
-            break;
-    }
-    return "face";
+    return word_of<MechanismShape::Kind::face>(kind, {"link", "circle", "pivot", "guide", "face"});
 }
 
 Json parts_of(const PlaneCourse& course) {

@@ -48,11 +48,6 @@
 #include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// The reference law in the scene's place: its limits need a second look at the cam, up to some tenths of a

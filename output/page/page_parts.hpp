@@ -8,12 +8,6 @@
 #include "output/view/number_text.hpp"
 #include "output/view/view.hpp"
 
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// To so many significant digits: eight are as many as a page can show. null for what is not finite.

@@ -12,11 +12,7 @@
 #include "output/words/study_text.hpp"
 #include "studies/compare/comparison.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace camopt {
 

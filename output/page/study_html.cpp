@@ -10,13 +10,7 @@
 #include "scene/cost_table.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <set>
 
 namespace camopt {
 

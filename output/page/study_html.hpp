@@ -22,8 +22,6 @@
 #include "output/json/sweep_json.hpp"
 #include "studies/compare/comparison.hpp"
 
-#include <string>
-
 namespace camopt {
 
 /// The scene of a law is that of the comparison with this law as its reference.

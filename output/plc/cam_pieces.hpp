@@ -9,11 +9,6 @@
 #include "scene/scene.hpp"
 #include "splines/motion_chain.hpp"
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 // A delivered motion as an electronic cam sees it: the slave over the master, one revolution, dwells too.
@@ -83,5 +78,33 @@ struct FitOptions {
 /// Without `points` the breakpoints of the motion are joints; a stretch on which the motion is not such a
 /// polynomial is halved until s is within 1e-8 of the lift, or until there are `most` pieces.
 [[nodiscard]] std::vector<CamPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& options);
+
+// How far an electronic cam is from the motion it stands for: over one revolution, not at samples.
+//
+// On a stretch where the motion is a polynomial the difference is one, and its greatest magnitude is found
+// from the sign changes of its derivative: exact but for rounding. On a stretch of a law it is searched for
+// between 64 places, each top by golden sections. Units as in MasterCurve.
+
+struct CamDifference {
+    double value = 0.0;  ///< magnitude
+    double at = 0.0;     ///< deg
+};
+
+struct MasterStretch {
+    double from = 0.0, to = 0.0;  ///< deg
+};
+
+/// Largest |motion − piece| of the derivative of that order (0 … 3) on a stretch. Without a breakpoint of the
+/// motion inside, but where stretches between them are looked at one after another.
+[[nodiscard]] CamDifference largest_difference(const MasterCurve& curve, const CamPiece& piece,
+                                               const MasterStretch& stretch, int order);
+
+/// Of the first `orders` of s, s', s'', s''' over the turn. Throws InputError where the pieces leave a gap,
+/// overlap, or do not go from 0 to the end.
+[[nodiscard]] std::array<CamDifference, 4> cam_loss(const MasterCurve& curve,
+                                                    const std::vector<CamPiece>& pieces, int orders = 4);
+
+/// Largest |s|, |s'|, |s''|, |s'''| of the motion itself.
+[[nodiscard]] std::array<CamDifference, 4> cam_peaks(const MasterCurve& curve);
 
 }  // namespace camopt

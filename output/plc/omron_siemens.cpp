@@ -14,8 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -51,10 +49,8 @@ std::string omron_text(const PlcTable& table) {
     for (std::size_t i = 1; i < knots.size(); ++i)
         text += fmt::format(
             "CamNodes[{0}].Phase := {1}; CamNodes[{0}].Distance := {2}; CamNodes[{0}].Curve := "
-            "_mcPolynomic3; "
-            "CamNodes[{0}].ConnectingVelEnable := TRUE; CamNodes[{0}].ConnectingVel := {3}; "
-            "CamNodes[{0}].PhasePitch "
-            ":= {4};\n",
+            "_mcPolynomic3; CamNodes[{0}].ConnectingVelEnable := TRUE; CamNodes[{0}].ConnectingVel := {3}; "
+            "CamNodes[{0}].PhasePitch := {4};\n",
             i - 1, real_text(static_cast<float>(knots[i].theta)), real_text(static_cast<float>(knots[i].s)),
             real_text(static_cast<float>(knots[i].v * per_second)), real_text(omron_pitch));
     return text;

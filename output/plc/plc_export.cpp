@@ -11,10 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <string_view>
 
 namespace camopt {
 

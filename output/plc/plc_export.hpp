@@ -15,14 +15,9 @@
 // loss are rounded up to three digits.
 #pragma once
 
-#include "output/plc/cam_loss.hpp"
+#include "output/plc/cam_pieces.hpp"
 #include "output/plc/plc_format.hpp"
 #include "studies/delivered/solution.hpp"
-
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace camopt {
 

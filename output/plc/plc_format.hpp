@@ -8,11 +8,6 @@
 
 #include "output/plc/cam_pieces.hpp"
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// What one unit of the numbers in a file is.

@@ -8,9 +8,6 @@
 #include "output/plc/cam_pieces.hpp"
 
 #include <map>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

@@ -9,10 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -65,8 +61,7 @@ std::string codesys_text(const PlcTable& table) {
         knots.size() - 1);
     for (std::size_t i = 0; i < knots.size(); ++i)
         text += fmt::format(
-            "Points[{0}].dX := {1}; Points[{0}].dY := {2}; Points[{0}].dV := {3}; Points[{0}].dA := "
-            "{4};\n",
+            "Points[{0}].dX := {1}; Points[{0}].dY := {2}; Points[{0}].dV := {3}; Points[{0}].dA := {4};\n",
             i, lreal_text(knots[i].theta), lreal_text(knots[i].s), lreal_text(knots[i].v),
             lreal_text(knots[i].a));
     text += fmt::format(
@@ -114,8 +109,7 @@ constexpr std::array<const char*, 4> rockwell_fields = {"C0", "C1", "C2", "C3"};
 void append_rockwell_element(std::string& text, std::size_t index, const CamPiece& piece) {
     text += fmt::format(
         "Profile[{0}].Status := 2; Profile[{0}].SegmentType := 1; Profile[{0}].Master := {1}; "
-        "Profile[{0}].Slave "
-        ":= {2};\n   ",
+        "Profile[{0}].Slave := {2};\n   ",
         index, lreal_text(piece.begin), lreal_text(piece.coefficients.front()));
     for (std::size_t k = 0; k < rockwell_fields.size(); ++k)
         text += fmt::format(" Profile[{}].{} := {};", index, rockwell_fields[k],

@@ -9,10 +9,6 @@
 #include "output/view/cam_words.hpp"
 #include "studies/delivered/delivered.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-
 namespace camopt {
 
 namespace {

@@ -12,10 +12,6 @@
 #include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// What a file shows.

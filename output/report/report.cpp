@@ -12,10 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 namespace {

@@ -10,8 +10,6 @@
 #include "output/json/sweep_json.hpp"
 
 #include <filesystem>
-#include <span>
-#include <vector>
 
 namespace camopt {
 

@@ -11,12 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -15,9 +15,6 @@
 #include "output/sheet/sheet.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 inline constexpr double default_thickness = 20e-3;  ///< m, of a disk cam where nothing says it

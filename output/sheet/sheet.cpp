@@ -7,9 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

@@ -11,9 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 enum class SheetSpace { paper, model };

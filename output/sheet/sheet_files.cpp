@@ -3,15 +3,13 @@
 
 #include "core/text/printable.hpp"
 #include "core/units.hpp"
+#include "core/word_of.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
 #include "output/sheet/sheet_painter.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace camopt {
 
@@ -147,17 +145,7 @@ std::string mm_text(double metres) {
 }
 
 const char* class_of(SheetPen pen) {
-    switch (pen) {
-        case SheetPen::thick:
-            return "thick";
-        case SheetPen::thin:
-            return "thin";
-        case SheetPen::dashed:
-            return "dashed";
-        case SheetPen::chain:
-            break;
-    }
-    return "chain";
+    return word_of<SheetPen::chain>(pen, {"thick", "thin", "dashed", "chain"});
 }
 
 std::string style() {

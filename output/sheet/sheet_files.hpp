@@ -6,8 +6,6 @@
 
 #include "output/sheet/sheet.hpp"
 
-#include <string>
-
 namespace camopt {
 
 [[nodiscard]] std::string sheet_dxf(const Sheet& sheet);

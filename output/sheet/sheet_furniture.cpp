@@ -3,8 +3,6 @@
 #include "core/units.hpp"
 #include "output/sheet/sheet_painter.hpp"
 
-#include <algorithm>
-
 namespace camopt {
 
 namespace {
@@ -64,22 +62,6 @@ std::vector<std::string> broken_lines(const std::string& words, double width) {
     return lines;
 }
 
-}  // namespace
-
-std::string fitted_words(const std::string& words, double height, double width) {
-    if (widest_text(words, height) <= width) return words;
-    std::string shorter = words;
-    do {
-        do shorter.pop_back();
-        while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xc0U) == 0x80U);
-        if (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xc0U) == 0xc0U)
-            shorter.pop_back();
-    } while (!shorter.empty() && widest_text(shorter + "…", height) > width);
-    return shorter + "…";
-}
-
-namespace {
-
 /// ISO 5456-2: a frustum seen from the side and, where the view from the left stands, from its small end.
 void add_projection_symbol(Sheet& sheet, const Vector2d& left, Projection projection) {
     constexpr double large = 2.0e-3, small = 1.0e-3, length = 6e-3, gap = 2e-3, overhang = 0.8e-3;
@@ -104,6 +86,18 @@ void add_projection_symbol(Sheet& sheet, const Vector2d& left, Projection projec
 }
 
 }  // namespace
+
+std::string fitted_words(const std::string& words, double height, double width) {
+    if (widest_text(words, height) <= width) return words;
+    std::string shorter = words;
+    do {
+        do shorter.pop_back();
+        while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xc0U) == 0x80U);
+        if (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xc0U) == 0xc0U)
+            shorter.pop_back();
+    } while (!shorter.empty() && widest_text(shorter + "…", height) > width);
+    return shorter + "…";
+}
 
 void add_frame(Sheet& sheet, const TitleBlock& title, const std::string& mass, Projection projection) {
     const Vector2d low(sheet_left_margin, sheet_margin),

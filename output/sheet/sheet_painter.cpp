@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/sheet_painter.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace camopt {
 
 namespace {

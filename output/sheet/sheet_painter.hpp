@@ -5,12 +5,6 @@
 #include "output/sheet/sheet.hpp"
 #include "scene/cam_spec.hpp"
 
-#include <array>
-#include <cmath>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Line width and dash pattern, m on the paper.

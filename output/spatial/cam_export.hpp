@@ -3,15 +3,12 @@
 // scene/cam_flanks.hpp; mm in files.
 #pragma once
 
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/milling/milling_choice.hpp"
+#include "output/surface/triangle_mesh.hpp"
 #include "scene/cam_flanks.hpp"
 
 #include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace camopt {
 
@@ -62,9 +59,37 @@ struct NcExportOptions : MillingOptions {
                                        const Machine& machine, const PostProcessor& post,
                                        const NcExportOptions& options);
 
-// The roller of a three-dimensional cam as the NC programs want it (output/nc/cutter_location.hpp).
+// The roller of a three-dimensional cam as the NC programs want it (output/nc/machine.hpp).
 
 /// Stations are heights h along the roller; flank +1 is σ_f = +1, the D of paper 001.
 [[nodiscard]] RollerPath roller_path(const CamFlanks& cam, const FollowerMotion& motion);
+
+// Pictures of a three-dimensional cam in the style of all others: the drum, shaded, with its ribs or its
+// groove, and its developed surface to scale.
+//
+// Developed: x = R ψ over z, R the mean radius of the roller's outer end, ψ the angle around the drum,
+// counted from the roller at cam angle 0, as the cam angle grows; both flanks at both ends of the roller and
+// the way of its axis. Frame of scene/cam_flanks.hpp.
+
+struct Solution;
+
+inline constexpr const char* drum_picture = "drum.svg";
+inline constexpr const char* developed_picture = "developed.svg";
+
+/// A drum with its motion over one revolution.
+struct Drum {
+    const Solution& solution;
+    const CamFlanks& cam;
+    const FollowerMotion& motion;
+};
+
+[[nodiscard]] std::string drum_svg(const Drum& drum);
+[[nodiscard]] std::string developed_svg(const Drum& drum);
+
+/// What is shown of it: an indexing cam with the rollers that hold it; of others both flanks around a core.
+[[nodiscard]] std::vector<PaintedMesh> drum_parts(const CamFlanks& cam, const FollowerMotion& motion,
+                                                  const FlankGrid& grid);
+/// From the side on which the first part of the motion lies.
+[[nodiscard]] MeshView drum_view(const CamFlanks& cam);
 
 }  // namespace camopt

@@ -9,10 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace camopt {
 

@@ -7,12 +7,6 @@
 #include "output/surface/triangle_mesh.hpp"
 #include "scene/cam_flanks.hpp"
 
-#include <array>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// σ_f = +1, then −1; u the cam angle in rad, v the height h in m, breaks those of the motion.

@@ -9,12 +9,6 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 namespace {

@@ -21,10 +21,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Below the roller's far end, that it does not rub on the floor of its groove.

@@ -6,9 +6,6 @@
 #include <Eigen/SparseLU>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 namespace camopt {
 
 namespace {

@@ -7,11 +7,9 @@
 // one patch a piece: patches meet in the same points. Lengths m.
 #pragma once
 
-#include <Eigen/Core>
+#include "core/base/standard.hpp"
 
-#include <cstddef>
-#include <string>
-#include <vector>
+#include <Eigen/Core>
 
 namespace camopt {
 

@@ -6,11 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
-#include <utility>
 
 namespace camopt {
 

@@ -6,10 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <span>
-#include <vector>
-
 namespace camopt {
 
 struct Bore {

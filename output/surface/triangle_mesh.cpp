@@ -2,12 +2,15 @@
 #include "output/surface/triangle_mesh.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/printable.hpp"
+#include "core/units.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <map>
-#include <utility>
+#include <bit>
+#include <cstdint>
+#include <iterator>
 
 namespace camopt {
 
@@ -60,6 +63,86 @@ void check_sections(std::span<const std::vector<Eigen::Vector3d>> sections, bool
     }
 }
 
+constexpr std::size_t stl_header = 80, stl_triangle = 50;
+
+void add_bytes(std::string& bytes, std::uint32_t value) {
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>((value >> shift) & 0xffU);
+}
+
+void add_vector(std::string& bytes, const Eigen::Vector3d& vector) {
+    for (int i = 0; i < 3; ++i) add_bytes(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(vector(i))));
+}
+
+constexpr double margin = 12.0;   // px
+constexpr double ambient = 0.38;  // share of the light that comes from everywhere
+// Of the depth of the whole: facets less apart are equally far, and drawn in the order of their mesh. Which
+// of them is nearer by rounding, or by the tolerance of the solve that made the surface, shall not decide how
+// the picture is written.
+constexpr double same_depth = 1e-6;
+
+struct Facet {
+    std::array<Eigen::Vector2d, 3> corner;
+    int group = 0;  // before, of or after what is revolved
+    double depth = 0.0;
+    int shade = 0;  // 0 … 255 of the full light
+    std::array<int, 3> colour{};
+};
+
+struct Camera {
+    Eigen::Vector3d right, up, eye, light;
+
+    explicit Camera(const MeshView& view)
+        : eye(std::cos(view.elevation) * std::cos(view.azimuth),
+              std::cos(view.elevation) * std::sin(view.azimuth), std::sin(view.elevation)) {
+        right = view.up.cross(eye).normalized();
+        up = eye.cross(right);
+        light = (eye + 0.7 * up - 0.6 * right).normalized();
+    }
+};
+
+void add_facets(std::vector<Facet>& facets, const PaintedMesh& part, const Camera& camera,
+                bool has_revolved) {
+    for (const auto& t : part.mesh.triangles) {
+        std::array<Eigen::Vector3d, 3> p;
+        for (std::size_t i = 0; i < 3; ++i) p[i] = part.mesh.vertices[static_cast<std::size_t>(t[i])];
+        const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+        if (!(normal.dot(camera.eye) > 0.0)) continue;
+        Facet facet;
+        for (std::size_t i = 0; i < 3; ++i) facet.corner[i] = {p[i].dot(camera.right), -p[i].dot(camera.up)};
+        facet.depth = (p[0] + p[1] + p[2]).dot(camera.eye);
+        const Eigen::Vector3d middle = (p[0] + p[1] + p[2]) / 3.0;
+        const bool towards = middle.x() * camera.eye.x() + middle.y() * camera.eye.y() > 0.0;
+        facet.group = part.place == MeshPlace::revolved || !has_revolved     ? 1
+                      : part.place == MeshPlace::around_revolved && !towards ? 0
+                                                                             : 2;
+        const double light = ambient + (1.0 - ambient) * std::max(0.0, normal.dot(camera.light));
+        facet.shade = static_cast<int>(std::lround(255.0 * light));
+        facet.colour = part.colour;
+        facets.push_back(facet);
+    }
+}
+
+void round_depths(std::vector<Facet>& facets) {
+    double largest = 0.0;
+    for (const Facet& facet : facets) largest = std::max(largest, std::abs(facet.depth));
+    if (!(largest > 0.0)) return;
+    for (Facet& facet : facets) facet.depth = std::round(facet.depth / (same_depth * largest));
+}
+
+std::vector<Facet> sorted_facets(std::span<const PaintedMesh> parts, const MeshView& view) {
+    std::vector<Facet> facets;
+    const Camera camera(view);
+    const bool has_revolved =
+        std::ranges::any_of(parts, [](const PaintedMesh& part) { return part.place == MeshPlace::revolved; });
+    for (const PaintedMesh& part : parts) add_facets(facets, part, camera, has_revolved);
+    if (facets.empty()) throw InputError("picture of a mesh: there is no facet to draw");
+    round_depths(facets);
+    std::ranges::stable_sort(facets, [](const Facet& a, const Facet& b) {
+        return a.group != b.group ? a.group < b.group : a.depth < b.depth;
+    });
+    return facets;
+}
+
 }  // namespace
 
 TriangleMesh mesh_of(const SurfaceGrid& grid) {
@@ -104,27 +187,6 @@ void append(TriangleMesh& mesh, const TriangleMesh& part) {
         mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
-MeshEdges mesh_edges(const TriangleMesh& mesh) {
-    std::map<std::pair<int, int>, std::pair<int, int>> passes;  // by edge: forward, backward
-    MeshEdges edges;
-    for (const auto& triangle : mesh.triangles) {
-        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
-            ++edges.flat;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const int a = triangle[i], b = triangle[(i + 1) % 3];
-            auto& [forward, backward] = passes[std::minmax(a, b)];
-            ++(a < b ? forward : backward);
-        }
-    }
-    for (const auto& [edge, count] : passes) {
-        const int total = count.first + count.second;
-        if (total == 1) ++edges.open;
-        if (total > 2) ++edges.crowded;
-        if (total == 2 && count.first != 1) ++edges.reversed;
-    }
-    return edges;
-}
-
 double volume(const TriangleMesh& mesh) {
     double six_fold = 0.0;
     for (const auto& t : mesh.triangles) {
@@ -134,6 +196,84 @@ double volume(const TriangleMesh& mesh) {
         six_fold += a.dot(b.cross(c));
     }
     return six_fold / 6.0;
+}
+
+std::string stl_bytes(const TriangleMesh& mesh, const std::string& title) {
+    if (mesh.triangles.empty()) throw InputError("STL: the mesh has no triangles");
+    std::string bytes = "binary STL in mm: " + printable(title);  // "solid" there would mean a text file
+    bytes.resize(stl_header, ' ');
+    bytes.reserve(stl_header + 4 + stl_triangle * mesh.triangles.size());
+    add_bytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (const auto& triangle : mesh.triangles) {
+        std::array<Eigen::Vector3d, 3> corner;
+        for (std::size_t i = 0; i < 3; ++i)
+            corner[i] = mesh.vertices[static_cast<std::size_t>(triangle[i])] / units::millimetre;
+        add_vector(bytes, (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized());
+        for (const Eigen::Vector3d& point : corner) add_vector(bytes, point);
+        bytes.append(2, '\0');
+    }
+    return bytes;
+}
+
+std::string obj_text(std::span<const NamedMesh> meshes, const std::string& title) {
+    std::string text = fmt::format("# {}\n# lengths in mm\n", printable(title));
+    int offset = 1;
+    for (const NamedMesh& part : meshes) {
+        std::string name = part.name;
+        std::replace(name.begin(), name.end(), ' ', '_');
+        fmt::format_to(std::back_inserter(text), "o {}\n", name);
+        for (const Eigen::Vector3d& vertex : part.mesh.vertices) {
+            const Eigen::Vector3d mm = vertex / units::millimetre;
+            fmt::format_to(std::back_inserter(text), "v {:.6f} {:.6f} {:.6f}\n", mm.x(), mm.y(), mm.z());
+        }
+        for (const auto& t : part.mesh.triangles)
+            fmt::format_to(std::back_inserter(text), "f {} {} {}\n", t[0] + offset, t[1] + offset,
+                           t[2] + offset);
+        offset += static_cast<int>(part.mesh.vertices.size());
+    }
+    return text;
+}
+
+MeshElements mesh_elements(std::span<const PaintedMesh> parts, const MeshView& view, double height) {
+    const std::vector<Facet> facets = sorted_facets(parts, view);
+    Eigen::Vector2d low = facets[0].corner[0], high = low;
+    for (const Facet& facet : facets)
+        for (const Eigen::Vector2d& corner : facet.corner) {
+            low = low.cwiseMin(corner);
+            high = high.cwiseMax(corner);
+        }
+    const Eigen::Vector2d size = (high - low).cwiseMax(Eigen::Vector2d::Constant(1e-12));
+    MeshElements drawn;
+    drawn.scale = std::min(view.width / size.x(), height / size.y());
+    drawn.width = drawn.scale * size.x();
+    drawn.height = drawn.scale * size.y();
+    drawn.elements = "<g stroke-width=\".6\" stroke-linejoin=\"round\">\n";
+    for (const Facet& facet : facets) {
+        std::string path;
+        for (const Eigen::Vector2d& corner : facet.corner) {
+            const Eigen::Vector2d px = drawn.scale * (corner - low);
+            fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', px.x(),
+                           px.y());
+        }
+        const auto part = [&](std::size_t i) { return facet.colour[i] * facet.shade / 255; };
+        const std::string colour = fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
+        fmt::format_to(std::back_inserter(drawn.elements), "<path d=\"{}Z\" fill=\"{}\" stroke=\"{}\"/>\n",
+                       path, colour, colour);
+    }
+    drawn.elements += "</g>\n";
+    return drawn;
+}
+
+std::string mesh_svg(std::span<const PaintedMesh> parts, const MeshView& view, const std::string& title) {
+    MeshView inside = view;
+    inside.width = view.width - 2.0 * margin;
+    const MeshElements drawn = mesh_elements(parts, inside, HUGE_VAL);
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+        "height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n"
+        "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g transform=\"translate({3:.0f} {3:.0f})\">\n"
+        "{4}</g>\n</svg>\n",
+        view.width, drawn.height + 2.0 * margin, xml_text(title), margin, drawn.elements);
 }
 
 }  // namespace camopt

@@ -2,16 +2,11 @@
 #include "output/toolpath/tool_path_svg.hpp"
 
 #include "core/units.hpp"
-#include "output/chart/plot_frame.hpp"
+#include "core/word_of.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/nc/cutter_compensation.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
-#include <utility>
 
 namespace camopt {
 
@@ -31,29 +26,17 @@ constexpr int most_turns = 8;  // of a program about the cam's axis, for its out
 constexpr double room = 0.04;  // of a view, on either side
 
 constexpr const char* tool_path_style =
-    ".blank{fill:#f4efe6;stroke:#9a8866;stroke-width:1.2;stroke-dasharray:6 4}"
-    ".finished{fill:#d9e8f2;stroke:#0072b2;stroke-width:1.1;stroke-linejoin:round}"
-    ".groove{fill:#fff;fill-rule:evenodd;stroke:#0072b2;stroke-width:1.1;stroke-linejoin:round}"
-    ".flank{fill:none;stroke:#0072b2;stroke-width:1.1}"
-    ".rapid{fill:none;stroke:#d55e00;stroke-width:1.2;stroke-dasharray:5 4}"
-    ".way{fill:none;stroke:#009e73;stroke-width:1.6}"
-    ".roughing{fill:none;stroke:#8a8a8a;stroke-width:.9}"
-    ".finishing{fill:none;stroke:#7b3fa0;stroke-width:1.8;stroke-linejoin:round}"
-    ".cutter{fill:#7b3fa0;fill-opacity:.10;stroke:#7b3fa0;stroke-width:1}"
-    ".heading{font-size:13px;font-weight:600}.refused{fill:#d00000;font-weight:600;font-size:13px}";
+    ".blank{fill:#f4efe6;stroke:#9a8866;stroke-width:1.2;stroke-dasharray:6 "
+    "4}.finished{fill:#d9e8f2;stroke:#0072b2;stroke-width:1.1;stroke-linejoin:round}.groove{fill:#fff;fill-"
+    "rule:evenodd;stroke:#0072b2;stroke-width:1.1;stroke-linejoin:round}.flank{fill:none;stroke:#0072b2;"
+    "stroke-width:1.1}.rapid{fill:none;stroke:#d55e00;stroke-width:1.2;stroke-dasharray:5 "
+    "4}.way{fill:none;stroke:#009e73;stroke-width:1.6}.roughing{fill:none;stroke:#8a8a8a;stroke-width:.9}."
+    "finishing{fill:none;stroke:#7b3fa0;stroke-width:1.8;stroke-linejoin:round}.cutter{fill:#7b3fa0;fill-"
+    "opacity:.10;stroke:#7b3fa0;stroke-width:1}.heading{font-size:13px;font-weight:600}.refused{fill:#d00000;"
+    "font-weight:600;font-size:13px}";
 
 const char* class_of(MoveRole role) {
-    switch (role) {
-        case MoveRole::rapid:
-            return "rapid";
-        case MoveRole::way:
-            return "way";
-        case MoveRole::roughing:
-            return "roughing";
-        case MoveRole::finishing:
-            return "finishing";
-    }
-    return "";
+    return word_of<MoveRole::finishing>(role, {"rapid", "way", "roughing", "finishing"});
 }
 
 /// Into how many straight pieces a move is cut to be drawn.

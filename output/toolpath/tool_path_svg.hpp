@@ -14,9 +14,6 @@
 #include "output/nc/checked_program.hpp"
 #include "output/view/shown_units.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct ToolPathLine {

@@ -7,11 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <string_view>
-#include <utility>
-
 namespace camopt {
 
 namespace {

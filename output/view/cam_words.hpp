@@ -7,11 +7,6 @@
 #include "scene/cam_spec.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Name and value of a dimension as files show it: mm, or deg.

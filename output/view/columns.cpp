@@ -7,12 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
-#include <utility>
 
 namespace camopt {
 

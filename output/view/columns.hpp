@@ -5,14 +5,8 @@
 
 #include "core/motion.hpp"
 #include "objectives/drive_rules.hpp"
-#include "studies/delivered/follower_loads.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/solution.hpp"
-
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

@@ -4,9 +4,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <string>
-#include <string_view>
-
 namespace camopt {
 
 struct KeyWords {

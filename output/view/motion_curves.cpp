@@ -8,15 +8,9 @@
 #include "output/view/view.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <utility>
 
 namespace camopt {
 

@@ -2,10 +2,7 @@
 // Numbers as text: exact for machines, short for people. None of them depends on the locale.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

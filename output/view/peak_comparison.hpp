@@ -8,12 +8,6 @@
 #include "studies/delivered/solution.hpp"
 #include "studies/laws/law_motion.hpp"
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 // The reference law, placed into the scene so that it can be compared with the optimum: the law itself on the

@@ -5,9 +5,6 @@
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

@@ -17,11 +17,6 @@
 #include "output/view/number_text.hpp"
 #include "scene/scene.hpp"
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string>
-
 namespace camopt {
 
 struct ShownUnit {

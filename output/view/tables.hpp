@@ -6,10 +6,6 @@
 #include "output/view/number_text.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 /// Peaks of a segment by its own angle and displacement, `at` in x: a spline's as reported, a law's from the

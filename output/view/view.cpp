@@ -3,10 +3,7 @@
 
 #include "output/view/tables.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace camopt {
 

@@ -10,12 +10,6 @@
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct ReferenceMotion;  // output/view/peak_comparison.hpp

@@ -12,10 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
 namespace camopt {
 
 namespace {
@@ -88,8 +84,7 @@ std::string smallest_remark(const Solution& solution, const SmallestCamReport& s
     const ShownUnits shown = shown_units(solution.scene);
     return fmt::format(
         "Smallest possible cam: for a pressure angle of {} every motion needs a prime radius of at least {} "
-        "{}; "
-        "this cam has {}.",
+        "{}; this cam has {}.",
         shown.angle.text(smallest.pressure_angle), shown.length.text(smallest.prime_radius),
         stroke_words(solution, smallest), shown.length.text(smallest.given));
 }

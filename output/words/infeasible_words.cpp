@@ -6,12 +6,7 @@
 #include "output/words/solution_text.hpp"
 #include "scene/motion/set_points.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <functional>
-#include <utility>
 
 namespace camopt {
 

@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstddef>
 
 namespace camopt {
 
@@ -120,10 +117,9 @@ TableSection laws_section(const ReferenceTable& table) {
          {}}};
     for (const LawComparisonRow& law : table.laws) {
         Row row = {law.name, "", "", ""};
-        if (law.printed) {
+        if (law.printed)
             row = {law.name, fixed_text(law.printed->velocity, 2), fixed_text(law.printed->acceleration, 2),
                    fixed_text(law.printed->jerk, 0)};
-        }
         if (law.exact) {
             row.push_back(fixed_text(law.exact->velocity, 4));
             row.push_back(fixed_text(law.exact->acceleration, 4));

@@ -14,10 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <numbers>
 #include <type_traits>
 #include <variant>
 
@@ -32,10 +28,9 @@ void append(std::string& list, const std::string& part) {
 }
 
 std::string kind_of_motion(const MotionSpec& motion) {
-    if (motion.type == MotionType::program) {
+    if (motion.type == MotionType::program)
         return fmt::format("a program of {} segments over {} deg", motion.segments.size(),
                            short_text(degrees_shown.of(motion.length() * motion.unit_angle())));
-    }
     return motion.type == MotionType::drd ? "rise between two dwells"
                                           : "rise and return without a dwell at the top";
 }

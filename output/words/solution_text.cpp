@@ -14,9 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -110,8 +107,7 @@ std::string interrupted_sentence(const Solution& solution) {
                                                   : fmt::format(" in the search, after {} starts", starts);
     if (solution.certificate.verdict == Verdict::failed)
         return fmt::format(
-            "Interrupted{}: no motion that satisfies every limit was found. Whether one exists is "
-            "open.",
+            "Interrupted{}: no motion that satisfies every limit was found. Whether one exists is open.",
             where);
     return fmt::format("Interrupted{}: the best motion found so far satisfies every limit; {}.", where,
                        not_optimal_words(solution.certificate));
@@ -219,9 +215,8 @@ std::string verdict_sentence(const Certificate& certificate) {
             return fmt::format("Feasible: every limit is satisfied; {}{}.", not_optimal_words(certificate),
                                because(certificate));
         case Verdict::infeasible:
-            if (certificate.reason == Reason::conditions_contradict) {
+            if (certificate.reason == Reason::conditions_contradict)
                 return "Infeasible: no curve of this spline space meets all the conditions, see the notes.";
-            }
             return "Proved infeasible: no curve of this spline space satisfies all the limits.";
         case Verdict::failed:
             break;
@@ -295,8 +290,7 @@ std::vector<std::string> solver_sentences(const Solution& solution) {
     if (solution.certificate.proof)
         all.emplace_back(
             "To check the proof without camopt: certificate.json holds the rows, the multipliers, the box "
-            "and "
-            "the bound; its entry how_to_check describes the check, one sum.");
+            "and the bound; its entry how_to_check describes the check, one sum.");
     return all;
 }
 

@@ -7,10 +7,6 @@
 #include "studies/response/train_study.hpp"
 
 #include <filesystem>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

@@ -7,12 +7,8 @@
 #include "studies/compare/comparison.hpp"
 #include "studies/papers/paper_report.hpp"
 #include "studies/papers/reference_table.hpp"
+#include "studies/search/plan.hpp"
 #include "studies/sweep/sweep_row.hpp"
-
-#include <optional>
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace camopt {
 
@@ -105,5 +101,10 @@ struct TableSection {
 
 /// One sentence naming them; empty where every row is proved.
 [[nodiscard]] std::string unproved_warning(const ReferenceTable& table);
+
+// The plan of a solve in words, for `camopt check`.
+
+/// One line each: "Searched: …", "Solved: by …", …; what the plan does not contain is left out.
+[[nodiscard]] std::vector<std::string> plan_lines(const SolvePlan& plan);
 
 }  // namespace camopt

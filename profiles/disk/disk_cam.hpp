@@ -34,11 +34,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-
 namespace camopt {
 
 /// A cam with all its dimensions fixed.

@@ -14,8 +14,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstddef>
 #include <tuple>
 
 namespace camopt::expansion {

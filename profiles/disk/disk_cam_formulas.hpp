@@ -12,8 +12,6 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "scene/cam_spec.hpp"
 
-#include <cmath>
-
 namespace camopt::formulas {
 
 /// The position of the follower on the base circle.

@@ -15,13 +15,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 namespace {
 

@@ -6,13 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <numbers>
-
 namespace camopt {
 namespace {
 
@@ -56,7 +49,11 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] int roller_radius() const override {
         return has_roller(follower_) ? place_of(DimensionIndex::roller_radius) : -1;
     }
-    [[nodiscard]] int roller_radius_at(int station) const override;
+    /// That of a separate second roller is last among the numbers of the form.
+    [[nodiscard]] int roller_radius_at(int station) const override {
+        if (station == 0 || !form_.is_conjugate() || !form_.second_roller_radius) return roller_radius();
+        return static_cast<int>(which_.size() + form_dimensions(follower_, form_).size()) - 1;
+    }
     [[nodiscard]] bool planar() const override { return true; }
     [[nodiscard]] bool is_direct() const override { return true; }
     [[nodiscard]] bool has_pitch_curve() const override { return !has_flat_face(follower_); }
@@ -65,7 +62,17 @@ class DiskMechanism final : public CamMechanism {
         if (swings() || has_flat_face(follower_)) return {};
         return sense_of(rotation_) * cam(dimensions)[DimensionIndex::offset];
     }
-    [[nodiscard]] std::vector<std::vector<SignedIndex>> reach() const override;
+    [[nodiscard]] std::vector<std::vector<SignedIndex>> reach() const override {
+        std::vector<std::vector<SignedIndex>> all;
+        for (const auto& sum : reach_of(follower_)) {
+            std::vector<SignedIndex>& own = all.emplace_back();
+            own.reserve(sum.size());
+            // A dimension that the follower does not have is 0.
+            for (const auto& [dimension, sign] : sum)
+                if (has_dimension(follower_, dimension)) own.push_back({place_of(dimension), sign});
+        }
+        return all;
+    }
     /// The pivot's distance, or the prime radius.
     [[nodiscard]] double length(std::span<const double> dimensions) const override {
         const DiskCam own = cam(dimensions);
@@ -86,34 +93,130 @@ class DiskMechanism final : public CamMechanism {
                                                        const MotionSpec& motion) const override {
         return disk_fault(disk_of(spec), motion);
     }
-    [[nodiscard]] std::string undercut_words() const override;
+    [[nodiscard]] std::string undercut_words() const override {
+        if (has_edge(follower_)) return {};
+        return fmt::format(
+            "the cam intersects itself there; the remaining part does not guide the follower as designed. A "
+            "larger base radius{} {}",
+            has_roller(follower_) ? " or a smaller roller" : "",
+            is_oscillating(follower_) ? "may help" : "helps");
+    }
     [[nodiscard]] std::string check_words(int points) const override {
         if (form_.is_grooved())
             return fmt::format("a roller run along both flanks over {} points of each", points);
         if (form_.is_conjugate()) return fmt::format("each roller run over {} points of its disk", points);
         return fmt::format("a follower run over {} points of the cam", points);
     }
+    /// Where sign · N cos φm − D sin φm is convex in the motion (and, translating, in the dimensions):
+    /// docs/theory/pressure_angle.md. For an oscillating roller it is l(1 + σψ') cos φm − a cos(ψ ∓ φm):
+    /// convex where the cosine is concave for the upper side, where it is convex for the lower one. The
+    /// second disk is the same in ψ2 = γ − ψ; translating it has +s0 where the first has −s0, which is
+    /// concave in the dimensions unless it is linear in them.
     [[nodiscard]] Curvature pressure_shape(const PressureSide& side, const MechanismSetting& setting,
-                                           double least, double most) const override;
+                                           double least, double most) const override {
+        constexpr double right_angle = 0.5 * std::numbers::pi;
+        const DiskCam own = cam(setting.dimensions);
+        const bool second = side.station == 1;
+        if (!swings()) {
+            // Nothing variable but base and roller, no offset: N = s', D = base + roller + s.
+            const bool straight =
+                !is_active(setting, DimensionIndex::offset) && own[DimensionIndex::offset] == 0.0;
+            if (setting.active.empty() || straight) return Curvature::linear;
+            return second ? Curvature::general : Curvature::convex;
+        }
+        if (!setting.active.empty() || !std::isfinite(least) || !std::isfinite(most))
+            return Curvature::general;
+        const double start = second ? second_rest_position(own) : rest_position(own);
+        const double low = start + (second ? -most : least), high = start + (second ? -least : most);
+        const double limit = side.limit;
+        const bool convex = has_turning_face(follower_) ? low >= -right_angle && high <= right_angle
+                            : side.sign > 0 ? low >= limit - right_angle && high <= limit + right_angle
+                                            : low >= right_angle - limit && high <= 3.0 * right_angle - limit;
+        return convex ? Curvature::convex : Curvature::general;
+    }
+    /// sign · N cos φm <= D sin φm bounds the arm's velocity for any angle: σψ' <= a/(l cos φm) − 1 for the
+    /// upper side of a roller, >= −a/(l cos φm) − 1 for the lower one; f(1 + σψ') <= a tan φm for a face.
     [[nodiscard]] Interval pressure_slopes(const PressureSide& side,
-                                           std::span<const double> dimensions) const override;
-    [[nodiscard]] bool upper_side_rises(int station) const override;
-    [[nodiscard]] bool leans_at_rest(int station, const MechanismSetting& setting) const override;
-    [[nodiscard]] Curvature shape(MechanismQuantity which, const MechanismSetting& setting) const override;
+                                           std::span<const double> dimensions) const override {
+        using enum DimensionIndex;
+        if (!swings()) return Interval::everything();
+        const bool second = side.station == 1;
+        const DiskCam own = second ? second_disk(cam(dimensions)) : cam(dimensions);
+        const bool roller = has_roller(follower_);
+        const double lever = roller ? own[arm_length] : std::abs(own[face_offset]);
+        if (lever == 0.0) return Interval::everything();
+        const double reach =
+            own[center_distance] / lever * (roller ? 1.0 / std::cos(side.limit) : std::tan(side.limit));
+        const Interval all = Interval::everything();
+        // With the face on the other side of the arm the sides are exchanged.
+        const bool upper = (side.sign > 0) == (roller || own[face_offset] > 0.0);
+        const Interval turned = upper ? Interval(all.lower, reach - 1.0) : Interval(-reach - 1.0, all.upper);
+        const bool as_seen = (sense_of(own.rotation) > 0.0) != second;  // the second disk's ψ' is −ψ'
+        return as_seen ? turned : Interval(-turned.upper, -turned.lower);
+    }
+    /// An arm's rise turns the cam's way clockwise. The mirror of the second disk turns the other way, and it
+    /// falls where the follower rises.
+    [[nodiscard]] bool upper_side_rises(int station) const override {
+        return swings() ? sense_of(rotation_) > 0.0 : station == 0;
+    }
+    /// The follower's contact may have an offset from its line of travel.
+    [[nodiscard]] bool leans_at_rest(int station, const MechanismSetting& setting) const override {
+        if (swings()) return true;
+        if (station == 1 && form_.second_offset) return *form_.second_offset != 0.0;
+        return cam(setting.dimensions)[DimensionIndex::offset] != 0.0 ||
+               is_active(setting, DimensionIndex::offset);
+    }
+    [[nodiscard]] Curvature shape(MechanismQuantity which, const MechanismSetting& setting) const override {
+        using enum MechanismQuantity;
+        const bool height = which == pressure_denominator && !swings() && setting.active.empty();
+        const bool face = which == cam_radius && has_pushed_face(follower_);
+        return height || face ? Curvature::linear : Curvature::general;
+    }
     [[nodiscard]] double face_turn() const override {
         return has_turning_face(follower_) ? sense_of(rotation_) : 0.0;
     }
     [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
-                                          std::span<const int> active) const override;
+                                          std::span<const int> active) const override {
+        const auto size = static_cast<Eigen::Index>(3 + active.size());
+        if (which == MechanismQuantity::pitch_curvature && !has_pitch_curve()) {
+            const double none = std::numeric_limits<double>::quiet_NaN();
+            return {none, Eigen::VectorXd::Constant(size, none), Eigen::MatrixXd::Constant(size, size, none)};
+        }
+        const QuantityValue all = camopt::quantity(cam(state.dimensions), state.output, which, station);
+        // The form's numbers are not variables of a quantity.
+        std::array<int, quantity_variables> columns = {0, 1, 2};
+        for (std::size_t k = 0; k < active.size(); ++k)
+            columns[3 + k] = column_of(which_[static_cast<std::size_t>(active[k])]);
+        MechanismValue value{all.value, MechanismValue::Gradient(size), MechanismValue::Hessian(size, size)};
+        for (Eigen::Index i = 0; i < size; ++i) {
+            value.gradient[i] = all.gradient[columns[static_cast<std::size_t>(i)]];
+            for (Eigen::Index j = 0; j < size; ++j)
+                value.hessian(i, j) =
+                    all.hessian(columns[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
+        }
+        return value;
+    }
     [[nodiscard]] std::optional<RangeOver> quantity_over(MechanismQuantity which,
                                                          const MechanismStateOver& state,
                                                          int station) const override {
         return camopt::quantity(form(), over(state), which, station);
     }
     [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
-                                                           int station) const override;
+                                                           int station) const override {
+        if (!has_roller(follower_)) return CamMechanism::regularity_over(margin, state, station);
+        const DiskCam own = form();
+        const StateOver box = over(state);
+        const double wider = form_.is_grooved() ? 0.5 * form_.groove_clearance : 0.0;
+        return curvature_excess(own, box, roller_on(own, box, station) + wider, 1.0 - margin, station);
+    }
     [[nodiscard]] std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
-                                                       int station) const override;
+                                                       int station) const override {
+        const DiskCam own = form();
+        const StateOver box = over(state);
+        const RangeOver factor =
+            has_roller(follower_) ? roller_on(own, box, station) + shift : RangeOver(shift);
+        return curvature_excess(own, box, factor, 1.0, station);
+    }
     [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
                                                            const MechanismStateAlong& state,
                                                            int station) const override {
@@ -133,7 +236,13 @@ class DiskMechanism final : public CamMechanism {
         return form_.is_conjugate() ? "on conjugate disks" : "";
     }
     [[nodiscard]] std::vector<NamedDimension> named_dimensions(
-        std::span<const double> dimensions) const override;
+        std::span<const double> dimensions) const override {
+        std::vector<NamedDimension> all;
+        for (std::size_t i = 0; i < which_.size(); ++i) all.push_back({name_of(which_[i]), dimensions[i]});
+        for (const auto& dimension : form_dimensions(follower_, form_))
+            all.push_back({dimension.name, dimension.value.low, dimension.is_angle, true});
+        return all;
+    }
     [[nodiscard]] std::optional<Eigen::Vector2d> arm_pivot(
         std::span<const double> dimensions) const override {
         if (!swings()) return std::nullopt;
@@ -143,17 +252,94 @@ class DiskMechanism final : public CamMechanism {
         if (!form_.is_grooved()) return std::nullopt;
         return form_.groove_wall.value_or(cam(dimensions)[DimensionIndex::roller_radius]);
     }
-    [[nodiscard]] std::vector<DrivenMechanism> pieces(std::span<const double> dimensions) const override;
-    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
+    [[nodiscard]] std::vector<DrivenMechanism> pieces(std::span<const double> dimensions) const override {
+        if (!form_.is_conjugate()) return {};
+        DiskCam first = cam(dimensions);
+        first.form = {};
+        DiskCam second = first;
+        const auto set = [&second](DimensionIndex which, const std::optional<double>& value) {
+            if (value) second.dimensions[static_cast<std::size_t>(which)] = *value;
+        };
+        set(DimensionIndex::roller_radius, form_.second_roller_radius);
+        set(DimensionIndex::offset, form_.second_offset);
+        set(DimensionIndex::arm_length, form_.second_arm_length);
+        return {disk_mechanism(first), disk_mechanism(second)};
+    }
+    /// A pushed follower is on a stem that is guided above the cam, a swinging one on an arm.
+    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override {
+        using Kind = MechanismShape::Kind;
+        using Eigen::Vector2d;
+        const DiskCam own = cam(state.dimensions);
+        const double rest = rest_position(own), now = rest + state.output.s;
+        const double roller = has_roller(follower_) ? own[DimensionIndex::roller_radius] : 0.0;
+        std::vector<MechanismShape> shapes = {{Kind::pivot, "cam_center", {Vector2d::Zero()}}};
+        Vector2d tip;
+        if (is_oscillating(follower_)) {
+            const Vector2d pivot(own[DimensionIndex::center_distance], 0.0);
+            const Vector2d along(-std::cos(now), std::sin(now)), down(-std::sin(now), -std::cos(now));
+            if (has_flat_face(follower_)) {
+                tip = pivot + own[DimensionIndex::face_offset] * down;
+                shapes.push_back({Kind::face, "face", {tip, tip + along}});
+            } else {
+                tip = pivot + own[DimensionIndex::arm_length] * along;
+            }
+            shapes.push_back({Kind::link, "arm", {tip, pivot}});
+            shapes.push_back({Kind::pivot, "arm_pivot", {pivot}});
+        } else {
+            const bool flat = has_flat_face(follower_);
+            const Vector2d up(0.0, stem_length * std::max(own[DimensionIndex::base_radius], roller));
+            tip = {flat ? 0.0 : own[DimensionIndex::offset], now};
+            if (flat) shapes.push_back({Kind::face, "face", {tip, tip + Vector2d::UnitX()}});
+            shapes.push_back({Kind::link, "stem", {tip, tip + up}});
+            shapes.push_back({Kind::guide, "guide", {Vector2d(tip.x(), rest + up.y()), tip + up}});
+        }
+        if (has_roller(follower_)) shapes.push_back({Kind::circle, "roller", {tip}, roller});
+        if (form_.is_conjugate()) add_second_roller(shapes, own, state.output, tip);
+        return shapes;
+    }
+    /// The second roller of a conjugate cam runs on its own disk, in a mirror image in which it falls when
+    /// the first one rises.
     [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> dimensions,
-                                                           int station) const override;
+                                                           int station) const override {
+        using enum DimensionIndex;
+        const bool second = station == 1 && form_.is_conjugate();
+        const DiskCam own = second ? second_disk(cam(dimensions)) : cam(dimensions);
+        FollowerGeometry found;
+        found.contact = contact();
+        found.swings = swings();
+        found.roller_radius = own[DimensionIndex::roller_radius];
+        found.offset = own[offset];
+        found.pivot_distance = own[center_distance];
+        found.arm = own[arm_length];
+        found.face_offset = own[face_offset];
+        found.rest_distance = own[base_radius] + own[DimensionIndex::roller_radius];
+        found.mirrored = found.falls = second;
+        found.from_inside = station == 1 && form_.is_grooved();
+        return found;
+    }
 
  private:
+    /// On the slide, or on a separate arm.
     void add_second_roller(std::vector<MechanismShape>& shapes, const DiskCam& own,
-                           const FollowerState& output, const Eigen::Vector2d& first) const;
+                           const FollowerState& output, const Eigen::Vector2d& first) const {
+        using Kind = MechanismShape::Kind;
+        const Eigen::Vector2d center = profile_point(own, 0.0, output, 1).center;
+        if (is_oscillating(follower_)) {
+            const Eigen::Vector2d pivot(own[DimensionIndex::center_distance], 0.0);
+            shapes.push_back({Kind::link, "second_arm", {center, pivot}});
+        } else {
+            shapes.push_back({Kind::link, "yoke", {first, center}});
+        }
+        shapes.push_back({Kind::circle, "second_roller", {center}, roller_radius_of(own, 1)});
+    }
     /// The cam without its dimensions, for boxes of them.
     [[nodiscard]] DiskCam form() const { return {follower_, rotation_, {}, form_}; }
-    [[nodiscard]] StateOver over(const MechanismStateOver& state) const;
+    [[nodiscard]] StateOver over(const MechanismStateOver& state) const {
+        StateOver own{state.s, state.velocity, state.acceleration, {}};
+        for (std::size_t i = 0; i < which_.size(); ++i)
+            own.dimensions[static_cast<std::size_t>(which_[i])] = state.dimensions[i];
+        return own;
+    }
     [[nodiscard]] bool is_active(const MechanismSetting& setting, DimensionIndex dimension) const {
         return std::ranges::find(setting.active, place_of(dimension)) != setting.active.end();
     }
@@ -166,238 +352,6 @@ class DiskMechanism final : public CamMechanism {
     FormSpec form_;
     std::vector<DimensionIndex> which_;
 };
-
-std::string DiskMechanism::undercut_words() const {
-    if (has_edge(follower_)) return {};
-    return fmt::format(
-        "the cam intersects itself there; the remaining part does not guide the follower as designed. A "
-        "larger "
-        "base radius{} {}",
-        has_roller(follower_) ? " or a smaller roller" : "",
-        is_oscillating(follower_) ? "may help" : "helps");
-}
-
-/// On the slide, or on a separate arm.
-void DiskMechanism::add_second_roller(std::vector<MechanismShape>& shapes, const DiskCam& own,
-                                      const FollowerState& output, const Eigen::Vector2d& first) const {
-    using Kind = MechanismShape::Kind;
-    const Eigen::Vector2d center = profile_point(own, 0.0, output, 1).center;
-    if (is_oscillating(follower_)) {
-        const Eigen::Vector2d pivot(own[DimensionIndex::center_distance], 0.0);
-        shapes.push_back({Kind::link, "second_arm", {center, pivot}});
-    } else {
-        shapes.push_back({Kind::link, "yoke", {first, center}});
-    }
-    shapes.push_back({Kind::circle, "second_roller", {center}, roller_radius_of(own, 1)});
-}
-
-/// A pushed follower is on a stem that is guided above the cam, a swinging one on an arm.
-std::vector<MechanismShape> DiskMechanism::shapes(const MechanismState& state) const {
-    using Kind = MechanismShape::Kind;
-    using Eigen::Vector2d;
-    const DiskCam own = cam(state.dimensions);
-    const double rest = rest_position(own), now = rest + state.output.s;
-    const double roller = has_roller(follower_) ? own[DimensionIndex::roller_radius] : 0.0;
-    std::vector<MechanismShape> shapes = {{Kind::pivot, "cam_center", {Vector2d::Zero()}}};
-    Vector2d tip;
-    if (is_oscillating(follower_)) {
-        const Vector2d pivot(own[DimensionIndex::center_distance], 0.0);
-        const Vector2d along(-std::cos(now), std::sin(now)), down(-std::sin(now), -std::cos(now));
-        if (has_flat_face(follower_)) {
-            tip = pivot + own[DimensionIndex::face_offset] * down;
-            shapes.push_back({Kind::face, "face", {tip, tip + along}});
-        } else {
-            tip = pivot + own[DimensionIndex::arm_length] * along;
-        }
-        shapes.push_back({Kind::link, "arm", {tip, pivot}});
-        shapes.push_back({Kind::pivot, "arm_pivot", {pivot}});
-    } else {
-        const bool flat = has_flat_face(follower_);
-        const Vector2d up(0.0, stem_length * std::max(own[DimensionIndex::base_radius], roller));
-        tip = {flat ? 0.0 : own[DimensionIndex::offset], now};
-        if (flat) shapes.push_back({Kind::face, "face", {tip, tip + Vector2d::UnitX()}});
-        shapes.push_back({Kind::link, "stem", {tip, tip + up}});
-        shapes.push_back({Kind::guide, "guide", {Vector2d(tip.x(), rest + up.y()), tip + up}});
-    }
-    if (has_roller(follower_)) shapes.push_back({Kind::circle, "roller", {tip}, roller});
-    if (form_.is_conjugate()) add_second_roller(shapes, own, state.output, tip);
-    return shapes;
-}
-
-/// The second roller of a conjugate cam runs on its own disk, in a mirror image in which it falls when the
-/// first one rises.
-std::optional<FollowerGeometry> DiskMechanism::follower(std::span<const double> dimensions,
-                                                        int station) const {
-    using enum DimensionIndex;
-    const bool second = station == 1 && form_.is_conjugate();
-    const DiskCam own = second ? second_disk(cam(dimensions)) : cam(dimensions);
-    FollowerGeometry found;
-    found.contact = contact();
-    found.swings = swings();
-    found.roller_radius = own[DimensionIndex::roller_radius];
-    found.offset = own[offset];
-    found.pivot_distance = own[center_distance];
-    found.arm = own[arm_length];
-    found.face_offset = own[face_offset];
-    found.rest_distance = own[base_radius] + own[DimensionIndex::roller_radius];
-    found.mirrored = found.falls = second;
-    found.from_inside = station == 1 && form_.is_grooved();
-    return found;
-}
-
-std::vector<std::vector<CamMechanism::SignedIndex>> DiskMechanism::reach() const {
-    std::vector<std::vector<SignedIndex>> all;
-    for (const auto& sum : reach_of(follower_)) {
-        std::vector<SignedIndex>& own = all.emplace_back();
-        own.reserve(sum.size());
-        // A dimension that the follower does not have is 0.
-        for (const auto& [dimension, sign] : sum)
-            if (has_dimension(follower_, dimension)) own.push_back({place_of(dimension), sign});
-    }
-    return all;
-}
-
-/// That of a separate second roller is last among the numbers of the form.
-int DiskMechanism::roller_radius_at(int station) const {
-    if (station == 0 || !form_.is_conjugate() || !form_.second_roller_radius) return roller_radius();
-    return static_cast<int>(which_.size() + form_dimensions(follower_, form_).size()) - 1;
-}
-
-std::vector<NamedDimension> DiskMechanism::named_dimensions(std::span<const double> dimensions) const {
-    std::vector<NamedDimension> all;
-    for (std::size_t i = 0; i < which_.size(); ++i) all.push_back({name_of(which_[i]), dimensions[i]});
-    for (const auto& dimension : form_dimensions(follower_, form_))
-        all.push_back({dimension.name, dimension.value.low, dimension.is_angle, true});
-    return all;
-}
-
-std::vector<DrivenMechanism> DiskMechanism::pieces(std::span<const double> dimensions) const {
-    if (!form_.is_conjugate()) return {};
-    DiskCam first = cam(dimensions);
-    first.form = {};
-    DiskCam second = first;
-    const auto set = [&second](DimensionIndex which, const std::optional<double>& value) {
-        if (value) second.dimensions[static_cast<std::size_t>(which)] = *value;
-    };
-    set(DimensionIndex::roller_radius, form_.second_roller_radius);
-    set(DimensionIndex::offset, form_.second_offset);
-    set(DimensionIndex::arm_length, form_.second_arm_length);
-    return {disk_mechanism(first), disk_mechanism(second)};
-}
-
-/// Where sign · N cos φm − D sin φm is convex in the motion (and, translating, in the dimensions):
-/// docs/theory/pressure_angle.md. For an oscillating roller it is l(1 + σψ') cos φm − a cos(ψ ∓ φm): convex
-/// where the cosine is concave for the upper side, where it is convex for the lower one.
-/// The second disk is the same in ψ2 = γ − ψ; translating it has +s0 where the first has −s0, which is
-/// concave in the dimensions unless it is linear in them.
-Curvature DiskMechanism::pressure_shape(const PressureSide& side, const MechanismSetting& setting,
-                                        double least, double most) const {
-    constexpr double right_angle = 0.5 * std::numbers::pi;
-    const DiskCam own = cam(setting.dimensions);
-    const bool second = side.station == 1;
-    if (!swings()) {
-        // Nothing variable but base and roller, no offset: N = s', D = base + roller + s.
-        const bool straight =
-            !is_active(setting, DimensionIndex::offset) && own[DimensionIndex::offset] == 0.0;
-        if (setting.active.empty() || straight) return Curvature::linear;
-        return second ? Curvature::general : Curvature::convex;
-    }
-    if (!setting.active.empty() || !std::isfinite(least) || !std::isfinite(most)) return Curvature::general;
-    const double start = second ? second_rest_position(own) : rest_position(own);
-    const double low = start + (second ? -most : least), high = start + (second ? -least : most);
-    const double limit = side.limit;
-    const bool convex = has_turning_face(follower_) ? low >= -right_angle && high <= right_angle
-                        : side.sign > 0 ? low >= limit - right_angle && high <= limit + right_angle
-                                        : low >= right_angle - limit && high <= 3.0 * right_angle - limit;
-    return convex ? Curvature::convex : Curvature::general;
-}
-
-/// sign · N cos φm <= D sin φm bounds the arm's velocity for any angle: σψ' <= a/(l cos φm) − 1 for the upper
-/// side of a roller, >= −a/(l cos φm) − 1 for the lower one; f(1 + σψ') <= a tan φm for a face.
-Interval DiskMechanism::pressure_slopes(const PressureSide& side, std::span<const double> dimensions) const {
-    using enum DimensionIndex;
-    if (!swings()) return Interval::everything();
-    const bool second = side.station == 1;
-    const DiskCam own = second ? second_disk(cam(dimensions)) : cam(dimensions);
-    const bool roller = has_roller(follower_);
-    const double lever = roller ? own[arm_length] : std::abs(own[face_offset]);
-    if (lever == 0.0) return Interval::everything();
-    const double reach =
-        own[center_distance] / lever * (roller ? 1.0 / std::cos(side.limit) : std::tan(side.limit));
-    const Interval all = Interval::everything();
-    // With the face on the other side of the arm the sides are exchanged.
-    const bool upper = (side.sign > 0) == (roller || own[face_offset] > 0.0);
-    const Interval turned = upper ? Interval(all.lower, reach - 1.0) : Interval(-reach - 1.0, all.upper);
-    const bool as_seen = (sense_of(own.rotation) > 0.0) != second;  // the second disk's ψ' is −ψ'
-    return as_seen ? turned : Interval(-turned.upper, -turned.lower);
-}
-
-/// An arm's rise turns the cam's way clockwise. The mirror of the second disk turns the other way, and it
-/// falls where the follower rises.
-bool DiskMechanism::upper_side_rises(int station) const {
-    return swings() ? sense_of(rotation_) > 0.0 : station == 0;
-}
-
-/// The follower's contact may have an offset from its line of travel.
-bool DiskMechanism::leans_at_rest(int station, const MechanismSetting& setting) const {
-    if (swings()) return true;
-    if (station == 1 && form_.second_offset) return *form_.second_offset != 0.0;
-    return cam(setting.dimensions)[DimensionIndex::offset] != 0.0 ||
-           is_active(setting, DimensionIndex::offset);
-}
-
-Curvature DiskMechanism::shape(MechanismQuantity which, const MechanismSetting& setting) const {
-    using enum MechanismQuantity;
-    const bool height = which == pressure_denominator && !swings() && setting.active.empty();
-    const bool face = which == cam_radius && has_pushed_face(follower_);
-    return height || face ? Curvature::linear : Curvature::general;
-}
-
-StateOver DiskMechanism::over(const MechanismStateOver& state) const {
-    StateOver own{state.s, state.velocity, state.acceleration, {}};
-    for (std::size_t i = 0; i < which_.size(); ++i)
-        own.dimensions[static_cast<std::size_t>(which_[i])] = state.dimensions[i];
-    return own;
-}
-
-std::optional<RangeOver> DiskMechanism::regularity_over(double margin, const MechanismStateOver& state,
-                                                        int station) const {
-    if (!has_roller(follower_)) return CamMechanism::regularity_over(margin, state, station);
-    const DiskCam own = form();
-    const StateOver box = over(state);
-    const double wider = form_.is_grooved() ? 0.5 * form_.groove_clearance : 0.0;
-    return curvature_excess(own, box, roller_on(own, box, station) + wider, 1.0 - margin, station);
-}
-
-std::optional<RangeOver> DiskMechanism::radius_over(double shift, const MechanismStateOver& state,
-                                                    int station) const {
-    const DiskCam own = form();
-    const StateOver box = over(state);
-    const RangeOver factor = has_roller(follower_) ? roller_on(own, box, station) + shift : RangeOver(shift);
-    return curvature_excess(own, box, factor, 1.0, station);
-}
-
-MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismState& state, int station,
-                                       std::span<const int> active) const {
-    const auto size = static_cast<Eigen::Index>(3 + active.size());
-    if (which == MechanismQuantity::pitch_curvature && !has_pitch_curve()) {
-        const double none = std::numeric_limits<double>::quiet_NaN();
-        return {none, Eigen::VectorXd::Constant(size, none), Eigen::MatrixXd::Constant(size, size, none)};
-    }
-    const QuantityValue all = camopt::quantity(cam(state.dimensions), state.output, which, station);
-    // The form's numbers are not variables of a quantity.
-    std::array<int, quantity_variables> columns = {0, 1, 2};
-    for (std::size_t k = 0; k < active.size(); ++k)
-        columns[3 + k] = column_of(which_[static_cast<std::size_t>(active[k])]);
-    MechanismValue value{all.value, MechanismValue::Gradient(size), MechanismValue::Hessian(size, size)};
-    for (Eigen::Index i = 0; i < size; ++i) {
-        value.gradient[i] = all.gradient[columns[static_cast<std::size_t>(i)]];
-        for (Eigen::Index j = 0; j < size; ++j)
-            value.hessian(i, j) =
-                all.hessian(columns[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
-    }
-    return value;
-}
 
 }  // namespace
 

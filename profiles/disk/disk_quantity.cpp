@@ -28,14 +28,6 @@ struct SourceAlong : StateAlong {
     [[nodiscard]] RangeAlong number(DimensionIndex which) const { return {cam[which]}; }
 };
 
-}  // namespace
-
-RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which) {
-    return formulas::quantity_of_first_side<RangeAlong>(cam, SourceAlong{state, cam}, which);
-}
-
-namespace {
-
 using enum DimensionIndex;
 
 RangeOver prime_radius_over(const DiskCam& cam, const StateOver& state) {
@@ -141,6 +133,10 @@ StateOver second_over(const DiskCam& cam, const StateOver& state) {
 }
 
 }  // namespace
+
+RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which) {
+    return formulas::quantity_of_first_side<RangeAlong>(cam, SourceAlong{state, cam}, which);
+}
 
 RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which) {
     return formulas::quantity_of_first_side<RangeOver>(cam, SourceOver{cam, state}, which);

@@ -3,9 +3,6 @@
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 
-#include <array>
-#include <cmath>
-
 namespace camopt {
 namespace {
 

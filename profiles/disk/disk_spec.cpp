@@ -8,10 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string>
-#include <utility>
-
 namespace camopt {
 namespace {
 
@@ -66,6 +62,15 @@ Fault foreign_number_fault(const DiskSpec& cam) {
     return std::nullopt;
 }
 
+/// In a unit of a scene file: as written, else mm.
+void complete_key(Dimension& dimension, const char* name) {
+    if (!dimension.key.empty()) return;
+    const Spelling* spelling = std::ranges::find(spellings::length, dimension.unit, &Spelling::factor);
+    if (spelling == std::ranges::end(spellings::length)) spelling = std::ranges::begin(spellings::length);
+    dimension.key = fmt::format("cam.{}{}", name, spelling->suffix);
+    dimension.unit = spelling->factor;
+}
+
 }  // namespace
 
 std::optional<SceneFault> foreign_fault(const DiskSpec& cam) {
@@ -77,19 +82,6 @@ std::optional<SceneFault> foreign_fault(const DiskSpec& cam) {
             "only with translating_roller and oscillating_roller: the others touch one side"};
     return foreign_number_fault(cam);
 }
-
-namespace {
-
-/// In a unit of a scene file: as written, else mm.
-void complete_key(Dimension& dimension, const char* name) {
-    if (!dimension.key.empty()) return;
-    const Spelling* spelling = std::ranges::find(spellings::length, dimension.unit, &Spelling::factor);
-    if (spelling == std::ranges::end(spellings::length)) spelling = std::ranges::begin(spellings::length);
-    dimension.key = fmt::format("cam.{}{}", name, spelling->suffix);
-    dimension.unit = spelling->factor;
-}
-
-}  // namespace
 
 const char* name_of(CamForm value) {
     if (value == CamForm::open) return "open";

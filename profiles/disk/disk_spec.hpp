@@ -4,11 +4,6 @@
 
 #include "scene/cam_spec.hpp"
 
-#include <array>
-#include <functional>
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 struct CamKind;

@@ -6,8 +6,6 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/cam_spec.hpp"
 
-#include <memory>
-
 namespace camopt {
 
 /// CamSpec::make for any kind, including those added by the program (add_cam_kind). Throws InputError for an

@@ -18,9 +18,7 @@
 
 #include <Eigen/Core>
 
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace camopt {
 

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <numbers>
 
 namespace camopt {
 
@@ -109,25 +104,9 @@ void FeederLinkage::validate() const {
 }
 
 std::string_view name_of(InverseFault fault) {
-    switch (fault) {
-        case InverseFault::none:
-            return "none";
-        case InverseFault::roller_before_guide:
-            return "roller_before_guide";
-        case InverseFault::roller_beyond_guide:
-            return "roller_beyond_guide";
-        case InverseFault::pin_on_rocker_pivot:
-            return "pin_on_rocker_pivot";
-        case InverseFault::rocker_along_feeder:
-            return "rocker_along_feeder";
-        case InverseFault::rocker_misses_pin:
-            return "rocker_misses_pin";
-        case InverseFault::pin_at_dead_point:
-            return "pin_at_dead_point";
-        case InverseFault::roller_at_rest:
-            return "roller_at_rest";
-    }
-    return "unknown";
+    return word_of<InverseFault::roller_at_rest>(
+        fault, {"none", "roller_before_guide", "roller_beyond_guide", "pin_on_rocker_pivot",
+                "rocker_along_feeder", "rocker_misses_pin", "pin_at_dead_point", "roller_at_rest"});
 }
 
 FeederMotion feeder_motion(const FeederLinkage& linkage, const BodyMotion& body) {

@@ -9,8 +9,6 @@
 #include "core/numbers/interval.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 
-#include <cmath>
-
 namespace camopt::inverse {
 
 /// Which of the two pins on a line through the rocker's pivot, and to which side of the pivot it lies.

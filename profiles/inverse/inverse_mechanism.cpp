@@ -9,12 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-
 namespace camopt {
 
 namespace {
@@ -80,8 +74,7 @@ class InverseMechanism final : public CamMechanism {
     [[nodiscard]] bool has_guide() const override { return true; }
     [[nodiscard]] std::string undercut_words() const override {
         return "a wall of the guide intersects itself there and does not guide the roller as designed. A "
-               "smaller "
-               "roller or a longer stroke helps";
+               "smaller roller or a longer stroke helps";
     }
     [[nodiscard]] std::string check_words(int points) const override {
         return fmt::format("the roller pushes the body along {} points of the guide's walls", points);
@@ -232,8 +225,7 @@ std::string InverseMechanism::fault(std::span<const double> numbers, double leas
     if (!(rest >= 0.0 && from > rest && to > from))
         return fmt::format(
             "the roller rests at {:.6g} m, is at {:.6g} m where the rise begins and at {:.6g} m at the end "
-            "of its stroke; "
-            "these must ascend",
+            "of its stroke; these must ascend",
             rest, from, to);
     if (!(number(numbers, roller_angle) > 0.0)) return "the cam angle of the roller's stroke must be > 0";
     try {

@@ -11,11 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
-#include <span>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 // The roller's motion along its axis: strokes of constant acceleration, one after the other.

@@ -3,9 +3,6 @@
 
 #include "scene/cam_kind.hpp"
 
-#include <array>
-#include <cstddef>
-
 namespace camopt {
 
 const char* name_of_number(InverseNumber value) {

@@ -5,11 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-
 namespace camopt {
 
 using Eigen::Vector2d;

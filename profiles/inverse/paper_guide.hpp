@@ -5,8 +5,6 @@
 #include "profiles/inverse/guide.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 
-#include <vector>
-
 namespace camopt {
 
 // The guide of the paper: a line from the pivot, two arcs, a line towards which the pivot lies; tangents

@@ -4,10 +4,6 @@
 
 #include "scene/cam_kind.hpp"
 
-#include <span>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// In the order of the manual; a [cam] without a type counts as the first.

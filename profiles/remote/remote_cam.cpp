@@ -6,10 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <numbers>
-
 namespace camopt {
 namespace {
 
@@ -22,6 +18,70 @@ double sign_of_branch(const CamSpec& spec, const char* name) {
 Eigen::Vector3d in_cam_frame(const remote::Vector<double>& fixed, double turn) {
     const double c = std::cos(turn), s = std::sin(turn);
     return {c * fixed.x + s * fixed.y, c * fixed.y - s * fixed.x, 0.0};
+}
+
+// Whether a linkage reaches over its whole motion, and which dyad does not and by how much. Sampled so
+// densely that what happens between samples is below manufacturing accuracy.
+
+constexpr int places = 256;
+
+std::string length_text(double value) {
+    return fmt::format("{:.6g} mm", value / 1e-3);
+}
+
+std::string output_text(RemoteLinkage linkage, double s) {
+    return output_swings(linkage) ? fmt::format("{:.6g} deg", s * 180.0 / std::numbers::pi) : length_text(s);
+}
+
+struct DyadNames {
+    const char* arm;
+    const char* coupler;
+};
+
+std::string dyad_fault(const remote::Dyad<double>& dyad, const remote::Vector<double>& far,
+                       const DyadNames& names) {
+    const remote::Vector<double> v = remote::difference(far, dyad.pivot);
+    const double distance = std::hypot(v.x, v.y);
+    const double least = std::abs(dyad.arm - dyad.coupler), most = dyad.arm + dyad.coupler;
+    if (distance > least && distance < most) return {};
+    const bool short_of = distance >= most;
+    return fmt::format("the {} of {} and the {} of {} {} by {}: their far ends are {} apart", names.arm,
+                       length_text(dyad.arm), names.coupler, length_text(dyad.coupler),
+                       short_of ? "are too short" : "cannot fold so far",
+                       length_text(short_of ? distance - most : least - distance), length_text(distance));
+}
+
+std::string reach_fault(const remote::Linkage<double>& linkage, double s) {
+    if (linkage.type == RemoteLinkage::lever) return {};
+    if (linkage.type == RemoteLinkage::lever_coupler_lever_coupler_slider) {
+        std::string fault =
+            dyad_fault(linkage.rocker_dyad(), linkage.slider(s).at, {"rocker_output_arm", "second_coupler"});
+        if (!fault.empty()) return fault;
+    }
+    return dyad_fault(linkage.lever_dyad(), linkage.far_joint(s).at, {"lever_arm", "coupler"});
+}
+
+std::string roller_fault(const RemoteEvaluation<double>& own, double s) {
+    const remote::RollerState<double> roller = own.roller({s, 0.0, 0.0});
+    if (!(own.side * roller.across > 0.0))
+        return "the roller's arm points along the line to the cam's centre: the cam cannot move it";
+    const double distance = std::hypot(roller.along, roller.across);
+    const double radius = own.linkage[RemoteDimension::roller_radius];
+    if (distance > radius) return {};
+    return fmt::format("the roller's centre is {} from the cam's centre and its radius is {}",
+                       length_text(distance), length_text(radius));
+}
+
+std::string dimension_fault(RemoteLinkage linkage, std::span<const double> dimensions) {
+    for (int i = 0; i < remote_dimension_count; ++i) {
+        const auto which = static_cast<RemoteDimension>(i);
+        if (!has_dimension(linkage, which)) continue;
+        const double value = dimensions[static_cast<std::size_t>(i)];
+        if (!std::isfinite(value)) return fmt::format("the {} is not a number", name_of(which));
+        if (!has_sign(which) && !(value > 0.0))
+            return fmt::format("the {} of {} is not positive", name_of(which), length_text(value));
+    }
+    return {};
 }
 
 }  // namespace
@@ -93,74 +153,6 @@ MechanismPoint RemoteCam::point(double theta, const MechanismState& state, int) 
     point.regularity = own.regularity(roller);
     return point;
 }
-
-// Whether a linkage reaches over its whole motion, and which dyad does not and by how much. Sampled so
-// densely that what happens between samples is below manufacturing accuracy.
-
-namespace {
-
-constexpr int places = 256;
-
-std::string length_text(double value) {
-    return fmt::format("{:.6g} mm", value / 1e-3);
-}
-
-std::string output_text(RemoteLinkage linkage, double s) {
-    return output_swings(linkage) ? fmt::format("{:.6g} deg", s * 180.0 / std::numbers::pi) : length_text(s);
-}
-
-struct DyadNames {
-    const char* arm;
-    const char* coupler;
-};
-
-std::string dyad_fault(const remote::Dyad<double>& dyad, const remote::Vector<double>& far,
-                       const DyadNames& names) {
-    const remote::Vector<double> v = remote::difference(far, dyad.pivot);
-    const double distance = std::hypot(v.x, v.y);
-    const double least = std::abs(dyad.arm - dyad.coupler), most = dyad.arm + dyad.coupler;
-    if (distance > least && distance < most) return {};
-    const bool short_of = distance >= most;
-    return fmt::format("the {} of {} and the {} of {} {} by {}: their far ends are {} apart", names.arm,
-                       length_text(dyad.arm), names.coupler, length_text(dyad.coupler),
-                       short_of ? "are too short" : "cannot fold so far",
-                       length_text(short_of ? distance - most : least - distance), length_text(distance));
-}
-
-std::string reach_fault(const remote::Linkage<double>& linkage, double s) {
-    if (linkage.type == RemoteLinkage::lever) return {};
-    if (linkage.type == RemoteLinkage::lever_coupler_lever_coupler_slider) {
-        std::string fault =
-            dyad_fault(linkage.rocker_dyad(), linkage.slider(s).at, {"rocker_output_arm", "second_coupler"});
-        if (!fault.empty()) return fault;
-    }
-    return dyad_fault(linkage.lever_dyad(), linkage.far_joint(s).at, {"lever_arm", "coupler"});
-}
-
-std::string roller_fault(const RemoteEvaluation<double>& own, double s) {
-    const remote::RollerState<double> roller = own.roller({s, 0.0, 0.0});
-    if (!(own.side * roller.across > 0.0))
-        return "the roller's arm points along the line to the cam's centre: the cam cannot move it";
-    const double distance = std::hypot(roller.along, roller.across);
-    const double radius = own.linkage[RemoteDimension::roller_radius];
-    if (distance > radius) return {};
-    return fmt::format("the roller's centre is {} from the cam's centre and its radius is {}",
-                       length_text(distance), length_text(radius));
-}
-
-std::string dimension_fault(RemoteLinkage linkage, std::span<const double> dimensions) {
-    for (int i = 0; i < remote_dimension_count; ++i) {
-        const auto which = static_cast<RemoteDimension>(i);
-        if (!has_dimension(linkage, which)) continue;
-        const double value = dimensions[static_cast<std::size_t>(i)];
-        if (!std::isfinite(value)) return fmt::format("the {} is not a number", name_of(which));
-        if (!has_sign(which) && !(value > 0.0))
-            return fmt::format("the {} of {} is not positive", name_of(which), length_text(value));
-    }
-    return {};
-}
-
-}  // namespace
 
 std::string RemoteCam::fault(std::span<const double> dimensions, double least, double most) const {
     if (std::string found = dimension_fault(linkage_, dimensions); !found.empty()) return found;

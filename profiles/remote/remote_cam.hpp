@@ -19,11 +19,6 @@
 #include "profiles/remote/remote_spec.hpp"
 #include "scene/cam_mechanism.hpp"
 
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 class RemoteCam final : public CamMechanism {

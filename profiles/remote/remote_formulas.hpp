@@ -13,10 +13,6 @@
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_spec.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace camopt::remote {
 
 template <class T>

@@ -7,9 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 namespace {
 
@@ -126,6 +123,27 @@ RangeAlong range_of(const RemoteCam& cam, const MechanismStateAlong& state, cons
     return formula(own, own.roller({state.s, state.velocity, state.acceleration}));
 }
 
+// The limits of a remote follower over a box of the output's motion and of dimensions, by the formulas of
+// remote_formulas.hpp. Each is divided by its coefficient of the highest derivative and is thus linear in it:
+// the curved part is a function of s, or of s and s'.
+
+RemoteEvaluation<RangeOver> evaluation_over(const RemoteCam& cam, const MechanismStateOver& state) {
+    std::array<RangeOver, remote_dimension_count> all;
+    std::copy_n(state.dimensions.begin(), remote_dimension_count, all.begin());
+    return {cam, all};
+}
+
+/// (factor κ − share) |V|³ over the size of the coefficient of s'' in κ |V|³, which is −C_across l ψ_s.
+RangeOver curvature_excess_over(const RemoteEvaluation<RangeOver>& own, const MechanismStateOver& state,
+                                const RangeOver& factor, double share) {
+    const remote::RollerState<RangeOver> still = own.roller({state.s, state.velocity, RangeOver(0.0)});
+    const RangeOver coefficient = still.across * (still.arm * still.ratio);
+    const RangeOver sign = sign_of(coefficient), size = sign * coefficient;
+    const RangeOver along = still.normal_along();
+    const RangeOver cubed = cube_of_root(squared(along) + squared(still.across));
+    return (factor * still.turning() - share * cubed) / size - factor * (sign * state.acceleration);
+}
+
 }  // namespace
 
 MechanismValue RemoteCam::quantity(MechanismQuantity which, const MechanismState& state, int,
@@ -147,31 +165,6 @@ std::optional<RangeAlong> RemoteCam::pressure_along(double limit, int sign, cons
                                                     int) const {
     return range_of(*this, state, PressureFormula{sign * std::cos(limit), std::sin(limit)});
 }
-
-// The limits of a remote follower over a box of the output's motion and of dimensions, by the formulas of
-// remote_formulas.hpp. Each is divided by its coefficient of the highest derivative and is thus linear in it:
-// the curved part is a function of s, or of s and s'.
-
-namespace {
-
-RemoteEvaluation<RangeOver> evaluation_over(const RemoteCam& cam, const MechanismStateOver& state) {
-    std::array<RangeOver, remote_dimension_count> all;
-    std::copy_n(state.dimensions.begin(), remote_dimension_count, all.begin());
-    return {cam, all};
-}
-
-/// (factor κ − share) |V|³ over the size of the coefficient of s'' in κ |V|³, which is −C_across l ψ_s.
-RangeOver curvature_excess_over(const RemoteEvaluation<RangeOver>& own, const MechanismStateOver& state,
-                                const RangeOver& factor, double share) {
-    const remote::RollerState<RangeOver> still = own.roller({state.s, state.velocity, RangeOver(0.0)});
-    const RangeOver coefficient = still.across * (still.arm * still.ratio);
-    const RangeOver sign = sign_of(coefficient), size = sign * coefficient;
-    const RangeOver along = still.normal_along();
-    const RangeOver cubed = cube_of_root(squared(along) + squared(still.across));
-    return (factor * still.turning() - share * cubed) / size - factor * (sign * state.acceleration);
-}
-
-}  // namespace
 
 std::optional<RangeOver> RemoteCam::pressure_over(double limit, int sign, const MechanismStateOver& state,
                                                   int) const {

@@ -3,9 +3,6 @@
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_formulas.hpp"
 
-#include <cmath>
-#include <numbers>
-
 namespace camopt {
 namespace {
 
@@ -30,6 +27,32 @@ void add_rocker(const remote::Linkage<double>& linkage, double s, std::vector<Me
         linkage.rocker_pivot(), linkage[RemoteDimension::rocker_output_arm], linkage.rocker(s));
     shapes.push_back({Kind::link, "rocker", {input, pivot, vector(output.at)}});
     shapes.push_back({Kind::link, "second_coupler", {vector(output.at), vector(linkage.slider(s).at)}});
+}
+
+using Eigen::Vector2d;
+
+double at(std::span<const double> dimensions, RemoteDimension which) {
+    return dimensions[static_cast<std::size_t>(which)];
+}
+
+double cross(const Vector2d& a, const Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+Vector2d direction_of(double angle) {
+    return {std::cos(angle), std::sin(angle)};
+}
+
+/// Where circles about two centres meet; branch +1: left of the line from the first centre to the second.
+Vector2d meeting(const Vector2d& first, double first_radius, const Vector2d& second, double second_radius,
+                 double branch) {
+    const Vector2d line = second - first;
+    const double distance = line.norm();
+    const double along =
+        0.5 * (distance + (first_radius - second_radius) * (first_radius + second_radius) / distance);
+    const double height = std::sqrt(first_radius * first_radius - along * along);
+    const Vector2d unit = line / distance;
+    return first + along * unit + branch * height * Vector2d(-unit.y(), unit.x());
 }
 
 }  // namespace
@@ -60,36 +83,6 @@ std::vector<MechanismShape> RemoteCam::shapes(const MechanismState& state) const
     if (!output_swings(linkage.type)) add_slider(linkage, s, shapes);
     return shapes;
 }
-
-namespace {
-
-using Eigen::Vector2d;
-
-double at(std::span<const double> dimensions, RemoteDimension which) {
-    return dimensions[static_cast<std::size_t>(which)];
-}
-
-double cross(const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-Vector2d direction_of(double angle) {
-    return {std::cos(angle), std::sin(angle)};
-}
-
-/// Where circles about two centres meet; branch +1: left of the line from the first centre to the second.
-Vector2d meeting(const Vector2d& first, double first_radius, const Vector2d& second, double second_radius,
-                 double branch) {
-    const Vector2d line = second - first;
-    const double distance = line.norm();
-    const double along =
-        0.5 * (distance + (first_radius - second_radius) * (first_radius + second_radius) / distance);
-    const double height = std::sqrt(first_radius * first_radius - along * along);
-    const Vector2d unit = line / distance;
-    return first + along * unit + branch * height * Vector2d(-unit.y(), unit.x());
-}
-
-}  // namespace
 
 RemoteLinkageForward::RemoteLinkageForward(const RemoteCam& cam, std::span<const double> dimensions)
     : linkage_(cam.linkage()), dimensions_(dimensions.begin(), dimensions.end()) {

@@ -5,8 +5,6 @@
 
 #include "scene/cam_spec.hpp"
 
-#include <string>
-
 namespace camopt {
 
 struct CamKind;

@@ -9,10 +9,6 @@
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/AutoDiff>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 namespace camopt {
 namespace {
 
@@ -92,6 +88,37 @@ class Chain {
     Slope back_, position_;
 };
 
+using enum SpatialDimension;
+
+constexpr int height_steps = 16;     // g is smooth over a roller
+constexpr int height_sections = 40;  // golden sections between two of them
+constexpr int bisections = 60;       // to neighbouring doubles
+constexpr int search_steps = 64;     // of the centre distance, until g < 0 is met
+constexpr double end_share = 1e-12;  // of the motion: pieces are searched from this far inside their ends
+
+/// Of function(θ) over the motion.
+template <class Function>
+Extremum largest_over(const FollowerMotion& motion, const Function& function) {
+    const double inset = end_share * (motion.end() - motion.begin());
+    return largest_along(motion.breakpoints, [&](double theta, Side side) {
+        return function(side == Side::left ? theta - inset : theta + inset);
+    });
+}
+
+spatial_formulas::AxisMotion<double> motion_at(const SpatialCam& cam, const FollowerMotion& motion,
+                                               double theta, double height) {
+    return spatial_formulas::axis_motion(cam, spatial_formulas::variables_of(cam, motion.state(theta)),
+                                         height);
+}
+
+/// Of −g over the cam angle.
+Extremum worst_undercut(const SpatialCam& cam, const FollowerMotion& motion, const RollerStation& station) {
+    return largest_over(motion, [&](double theta) {
+        return -spatial_formulas::undercut(motion_at(cam, motion, theta, station.height), cam[roller_radius],
+                                           station.flank);
+    });
+}
+
 }  // namespace
 
 Vector3d envelope_contact(const SpatialCam& cam, double theta, const FollowerState& state,
@@ -131,41 +158,6 @@ Vector3d relative_velocity_contact(const SpatialCam& cam, double theta, const Fo
         point + cam[roller_radius] * (std::cos(angle) * first + std::sin(angle) * axis.travel);
     return Eigen::AngleAxisd(-sense * theta, Vector3d::UnitZ()) * contact;
 }
-
-namespace {
-
-using enum SpatialDimension;
-
-constexpr int height_steps = 16;     // g is smooth over a roller
-constexpr int height_sections = 40;  // golden sections between two of them
-constexpr int bisections = 60;       // to neighbouring doubles
-constexpr int search_steps = 64;     // of the centre distance, until g < 0 is met
-constexpr double end_share = 1e-12;  // of the motion: pieces are searched from this far inside their ends
-
-/// Of function(θ) over the motion.
-template <class Function>
-Extremum largest_over(const FollowerMotion& motion, const Function& function) {
-    const double inset = end_share * (motion.end() - motion.begin());
-    return largest_along(motion.breakpoints, [&](double theta, Side side) {
-        return function(side == Side::left ? theta - inset : theta + inset);
-    });
-}
-
-spatial_formulas::AxisMotion<double> motion_at(const SpatialCam& cam, const FollowerMotion& motion,
-                                               double theta, double height) {
-    return spatial_formulas::axis_motion(cam, spatial_formulas::variables_of(cam, motion.state(theta)),
-                                         height);
-}
-
-/// Of −g over the cam angle.
-Extremum worst_undercut(const SpatialCam& cam, const FollowerMotion& motion, const RollerStation& station) {
-    return largest_over(motion, [&](double theta) {
-        return -spatial_formulas::undercut(motion_at(cam, motion, theta, station.height), cam[roller_radius],
-                                           station.flank);
-    });
-}
-
-}  // namespace
 
 SpatialExtreme largest_pressure_angle(const SpatialCam& cam, const FollowerMotion& motion, double height) {
     const double sign = spatial_formulas::sign_of_b(cam);

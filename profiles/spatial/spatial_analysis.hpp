@@ -7,9 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 // Contact of a roller with its flanks, by the two classical methods; they agree with spatial_point to

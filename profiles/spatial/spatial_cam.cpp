@@ -2,14 +2,11 @@
 #include "profiles/spatial/spatial_cam.hpp"
 
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace camopt {
 namespace {
@@ -82,17 +79,8 @@ SpatialCam::operator CamFlanks() const {
 }
 
 const char* name_of(SpatialDimension value) {
-    switch (value) {
-        case roller_radius:
-            return "roller_radius";
-        case arm_length:
-            return "arm_length";
-        case center_distance:
-            return "center_distance";
-        case lateral_offset:
-            break;
-    }
-    return "lateral_offset";
+    return word_of<lateral_offset>(value,
+                                   {"roller_radius", "arm_length", "center_distance", "lateral_offset"});
 }
 
 RollerAxis roller_axis(const SpatialCam& cam, double theta, double s) {

@@ -36,12 +36,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstddef>
-#include <memory>
-#include <span>
-#include <string>
-
 namespace camopt {
 
 /// The dimensions on which limits depend. m.

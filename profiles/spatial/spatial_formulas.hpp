@@ -10,8 +10,6 @@
 #include "profiles/spatial/spatial_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 
-#include <cmath>
-
 namespace camopt::spatial_formulas {
 
 /// The variables of a formula, in the order of the partials.

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace camopt {
 namespace {
@@ -82,8 +76,7 @@ class SpatialMechanism final : public CamMechanism {
     [[nodiscard]] bool planar() const override { return false; }
     [[nodiscard]] std::string undercut_words() const override {
         return "a flank folds there and is cut away by the roller's own sweep. A smaller or shorter roller "
-               "or a "
-               "larger cam helps";
+               "or a larger cam helps";
     }
     [[nodiscard]] std::string check_words(int points) const override {
         return fmt::format("the follower is driven by {} points of each flank at either end of its roller",
@@ -115,15 +108,36 @@ class SpatialMechanism final : public CamMechanism {
                 directions.transpose() * value.hessian * directions};
     }
 
+    /// Barrel cams: beyond 0 <= u <= π continued by the tangents of −ρ sin u, so that it is convex
+    /// everywhere.
     [[nodiscard]] MechanismValue pressure_excess(double limit, int sign, const MechanismState& state,
-                                                 int station, std::span<const int> active) const override;
+                                                 int station, std::span<const int> active) const override {
+        MechanismValue excess = CamMechanism::pressure_excess(limit, sign, state, station, active);
+        if (pressure_shape(active) != Curvature::convex) return excess;
+        const SpatialCam own = cam(state.dimensions);
+        const double side = rotation_ == Rotation::clockwise ? -sign : sign;
+        const double u = limit + side * (own.start + state.output.s);
+        if (u >= 0.0 && u <= std::numbers::pi) return excess;
+        const double rho = own[SpatialDimension::center_distance] - station_of(own, station).height;
+        const double tangent = u < 0.0 ? -u : u - std::numbers::pi, slope = u < 0.0 ? -1.0 : 1.0;
+        excess.value += rho * (std::sin(u) + tangent);
+        excess.gradient(0) += rho * side * (std::cos(u) + slope);
+        excess.hessian(0, 0) -= rho * std::sin(u);
+        return excess;
+    }
     [[nodiscard]] Curvature pressure_shape(const PressureSide&, const MechanismSetting& setting, double,
                                            double) const override {
         return pressure_shape(setting.active);
     }
     [[nodiscard]] std::optional<RangeOver> pressure_over(double limit, int sign,
                                                          const MechanismStateOver& state,
-                                                         int station) const override;
+                                                         int station) const override {
+        std::vector<int> active;
+        for (std::size_t k = 0; k < state.dimensions.size(); ++k)
+            if (state.dimensions[k].size() > 0) active.push_back(static_cast<int>(k));
+        return spatial_formulas::pressure_over(sort(), state, place_on_roller(station),
+                                               {limit, sign, pressure_shape(active) == Curvature::convex});
+    }
     [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
                                                            int station) const override {
         return spatial_formulas::undercut_over(sort(), state, place_on_roller(station), margin);
@@ -136,9 +150,20 @@ class SpatialMechanism final : public CamMechanism {
         const SpatialCam own = cam(state.dimensions);
         return spatial_formulas::quantity_along(own, state, station_of(own, station), quantity_of(which));
     }
+    /// Everything where a barrel cam's is continued.
     [[nodiscard]] std::optional<RangeAlong> pressure_along(double limit, int sign,
                                                            const MechanismStateAlong& state,
-                                                           int station) const override;
+                                                           int station) const override {
+        const double side = rotation_ == Rotation::clockwise ? -sign : sign;
+        const Interval u =
+            Interval(limit) + Interval(side) * (Interval(cam(state.dimensions).start) + state.s.value);
+        const bool continued = u.lower < 0.0 || u.upper > std::numbers::pi;
+        if (follower_ == SpatialFollower::barrel && continued) {
+            const Interval all = Interval::everything();
+            return RangeAlong(all, all, all);
+        }
+        return CamMechanism::pressure_along(limit, sign, state, station);
+    }
 
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
                                        int station) const override {
@@ -180,67 +205,24 @@ class SpatialMechanism final : public CamMechanism {
         return spatial_cam(follower_, rotation_, numbers);
     }
 
-    [[nodiscard]] Curvature pressure_shape(std::span<const int> active) const;
+    /// Of a slide it is linear. Of a barrel cam it is, with the index's angle ψ,
+    ///   ±r ψ' cos φ − ρ sin u,  u = φ ± ψ,
+    /// convex where 0 <= u <= π. A motion that rests at its ends and satisfies the limit on both sides stays
+    /// there: its largest and least ψ have ψ' = 0, where the limit says sin u >= 0 for both sides.
+    [[nodiscard]] Curvature pressure_shape(std::span<const int> active) const {
+        if (follower_ == SpatialFollower::cylindrical_translating) return Curvature::linear;
+        if (follower_ != SpatialFollower::barrel) return Curvature::general;
+        const bool fixed = std::ranges::none_of(active, [](int number) {
+            const auto which = static_cast<SpatialNumber>(number);
+            return which != SpatialNumber::roller_radius && which != SpatialNumber::lateral_offset &&
+                   which != SpatialNumber::axial_offset;
+        });
+        return fixed ? Curvature::convex : Curvature::general;
+    }
 
     SpatialFollower follower_;
     Rotation rotation_;
 };
-
-/// Of a slide it is linear. Of a barrel cam it is, with the index's angle ψ,
-///   ±r ψ' cos φ − ρ sin u,  u = φ ± ψ,
-/// convex where 0 <= u <= π. A motion that rests at its ends and satisfies the limit on both sides stays
-/// there: its largest and least ψ have ψ' = 0, where the limit says sin u >= 0 for both sides.
-Curvature SpatialMechanism::pressure_shape(std::span<const int> active) const {
-    if (follower_ == SpatialFollower::cylindrical_translating) return Curvature::linear;
-    if (follower_ != SpatialFollower::barrel) return Curvature::general;
-    const bool fixed = std::ranges::none_of(active, [](int number) {
-        const auto which = static_cast<SpatialNumber>(number);
-        return which != SpatialNumber::roller_radius && which != SpatialNumber::lateral_offset &&
-               which != SpatialNumber::axial_offset;
-    });
-    return fixed ? Curvature::convex : Curvature::general;
-}
-
-std::optional<RangeOver> SpatialMechanism::pressure_over(double limit, int sign,
-                                                         const MechanismStateOver& state, int station) const {
-    std::vector<int> active;
-    for (std::size_t k = 0; k < state.dimensions.size(); ++k)
-        if (state.dimensions[k].size() > 0) active.push_back(static_cast<int>(k));
-    return spatial_formulas::pressure_over(sort(), state, place_on_roller(station),
-                                           {limit, sign, pressure_shape(active) == Curvature::convex});
-}
-
-/// Barrel cams: beyond 0 <= u <= π continued by the tangents of −ρ sin u, so that it is convex everywhere.
-MechanismValue SpatialMechanism::pressure_excess(double limit, int sign, const MechanismState& state,
-                                                 int station, std::span<const int> active) const {
-    MechanismValue excess = CamMechanism::pressure_excess(limit, sign, state, station, active);
-    if (pressure_shape(active) != Curvature::convex) return excess;
-    const SpatialCam own = cam(state.dimensions);
-    const double side = rotation_ == Rotation::clockwise ? -sign : sign;
-    const double u = limit + side * (own.start + state.output.s);
-    if (u >= 0.0 && u <= std::numbers::pi) return excess;
-    const double rho = own[SpatialDimension::center_distance] - station_of(own, station).height;
-    const double tangent = u < 0.0 ? -u : u - std::numbers::pi, slope = u < 0.0 ? -1.0 : 1.0;
-    excess.value += rho * (std::sin(u) + tangent);
-    excess.gradient(0) += rho * side * (std::cos(u) + slope);
-    excess.hessian(0, 0) -= rho * std::sin(u);
-    return excess;
-}
-
-/// Everything where a barrel cam's is continued.
-std::optional<RangeAlong> SpatialMechanism::pressure_along(double limit, int sign,
-                                                           const MechanismStateAlong& state,
-                                                           int station) const {
-    const double side = rotation_ == Rotation::clockwise ? -sign : sign;
-    const Interval u =
-        Interval(limit) + Interval(side) * (Interval(cam(state.dimensions).start) + state.s.value);
-    const bool continued = u.lower < 0.0 || u.upper > std::numbers::pi;
-    if (follower_ == SpatialFollower::barrel && continued) {
-        const Interval all = Interval::everything();
-        return RangeAlong(all, all, all);
-    }
-    return CamMechanism::pressure_along(limit, sign, state, station);
-}
 
 }  // namespace
 

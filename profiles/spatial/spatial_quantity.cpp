@@ -6,9 +6,6 @@
 #include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
-#include <algorithm>
-#include <numbers>
-
 namespace camopt {
 namespace {
 

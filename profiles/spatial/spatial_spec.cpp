@@ -2,28 +2,18 @@
 #include "profiles/spatial/spatial_spec.hpp"
 
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 #include "scene/cam_kind.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
 
 namespace camopt {
 
 using enum SpatialFollower;
 
 const char* name_of(SpatialFollower value) {
-    switch (value) {
-        case barrel:
-            return "barrel";
-        case cylindrical_rotating:
-            return "cylindrical_rotating";
-        case cylindrical_translating:
-            break;
-    }
-    return "cylindrical_translating";
+    return word_of<cylindrical_translating>(value,
+                                            {"barrel", "cylindrical_rotating", "cylindrical_translating"});
 }
 
 const char* name_of_number(SpatialNumber value) {

@@ -8,10 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <utility>
-
 namespace camopt {
 namespace {
 

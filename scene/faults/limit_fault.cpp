@@ -7,9 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <set>
-#include <string>
 
 namespace camopt {
 namespace {

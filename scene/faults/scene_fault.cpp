@@ -8,15 +8,7 @@
 #include "scene/limit_table.hpp"
 #include "scene/scene.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
-#include <string>
-#include <utility>
 
 namespace camopt {
 

@@ -7,9 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <utility>
-
 namespace camopt {
 namespace {
 

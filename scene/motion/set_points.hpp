@@ -11,12 +11,6 @@
 #include "scene/key_row.hpp"
 #include "scene/scene.hpp"
 
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace camopt {
 
 /// The normalisation of a stretch's set points. SI, rad.

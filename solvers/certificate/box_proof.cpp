@@ -2,12 +2,9 @@
 #include "solvers/certificate/box_proof.hpp"
 
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace camopt {
 
@@ -77,19 +74,7 @@ constexpr double same_side = 1e-14;
 }  // namespace
 
 const char* name_of(BoxStep::Kind value) {
-    switch (value) {
-        case BoxStep::Kind::linear:
-            return "linear";
-        case BoxStep::Kind::cost:
-            return "cost";
-        case BoxStep::Kind::plane:
-            return "plane";
-        case BoxStep::Kind::derived:
-            return "derived";
-        case BoxStep::Kind::split:
-            break;
-    }
-    return "split";
+    return word_of<BoxStep::Kind::split>(value, {"linear", "cost", "plane", "derived", "split"});
 }
 
 BoxProof pruned(const BoxProof& proof) {

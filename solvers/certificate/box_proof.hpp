@@ -24,11 +24,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 struct BoxStep {

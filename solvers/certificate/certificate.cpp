@@ -2,12 +2,10 @@
 #include "solvers/certificate/certificate.hpp"
 
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <limits>
 #include <ostream>
 
 namespace camopt {
@@ -51,19 +49,7 @@ constexpr std::array named_reasons = {
 }  // namespace
 
 const char* name_of(Verdict value) {
-    switch (value) {
-        case Verdict::optimal:
-            return "optimal";
-        case Verdict::local:
-            return "local";
-        case Verdict::feasible:
-            return "feasible";
-        case Verdict::infeasible:
-            return "infeasible";
-        case Verdict::failed:
-            break;
-    }
-    return "failed";
+    return word_of<Verdict::failed>(value, {"optimal", "local", "feasible", "infeasible", "failed"});
 }
 
 const char* name_of(ProofKind value) {

@@ -18,11 +18,6 @@
 #include <Eigen/SparseCore>
 
 #include <iosfwd>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace camopt {
 

@@ -3,8 +3,6 @@
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace camopt {
@@ -166,9 +164,8 @@ Eigen::VectorXd fitted_multipliers(const Nlp& problem, const Eigen::VectorXd& x,
     const SparseRows jacobian = jacobian_of(problem, x);
     std::vector<Eigen::Triplet<double>> entries;
     for (int k = 0; k < static_cast<int>(rows.size()); ++k) {
-        for (SparseRows::InnerIterator entry(jacobian, rows[k]); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(jacobian, rows[k]); entry; ++entry)
             entries.emplace_back(k, entry.col(), entry.value());
-        }
     }
     SparseRows active_rows(static_cast<Eigen::Index>(rows.size()), shape.variables());
     active_rows.setFromTriplets(entries.begin(), entries.end());

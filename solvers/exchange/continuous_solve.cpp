@@ -5,10 +5,6 @@
 #include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 namespace camopt {
 
 namespace {
@@ -100,12 +96,11 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
            const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control) {
     const auto proved = [&] { return result.certificate.gap && *result.certificate.gap <= judge.gap; };
     const BackendResult& last = result.exchange.last;
-    if (last.row_multipliers) {
+    if (last.row_multipliers)
         try_proof(result, problem, *last.row_multipliers, std::string(solver.name()));
-    } else if (!was_stopped(result.exchange.termination)) {
+    else if (!was_stopped(result.exchange.termination))
         try_proof(result, problem, fitted_multipliers(problem.grid(), result.x, active_row, control),
                   "fitted");
-    }
     if (proved() || !problem.grid().shape().convex || control.ending()) return;
     if (solver.name() == "structured" && was_stopped(result.exchange.termination)) return;
     // The grid of another backend's last round is a relaxation too: its dual is a bound for all curves.

@@ -4,10 +4,6 @@
 #include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace camopt {
 
 class ElasticProblem::Grid final : public Nlp {
@@ -41,9 +37,8 @@ class ElasticProblem::Grid final : public Nlp {
     void jacobian(const ConstVectorRef& x, std::span<double> out) const override {
         const std::size_t base_size = out.size() - relaxed_.size();
         base_.jacobian(x.head(t_), out.first(base_size));
-        for (std::size_t k = 0; k < relaxed_.size(); ++k) {
+        for (std::size_t k = 0; k < relaxed_.size(); ++k)
             out[base_size + k] = -shape_.rows[relaxed_[k]].scale;
-        }
     }
     void hessian(const ConstVectorRef& x, double, const ConstVectorRef& lambda,
                  std::span<double> out) const override {

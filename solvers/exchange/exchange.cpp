@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace camopt {
@@ -61,29 +59,6 @@ bool has_path(const Solver& solver, const NlpShape& shape) {
 bool interrupted_at_once(const ExchangeResult& result) {
     return result.termination == Termination::interrupted && result.iterations == 0;
 }
-
-}  // namespace
-
-bool was_stopped(Termination termination) {
-    return termination == Termination::time_limit || termination == Termination::interrupted;
-}
-
-Candidate judged(const ContinuousProblem& problem, const Eigen::VectorXd& x) {
-    Candidate candidate{problem.completed(x), infinity, infinity};
-    if (!candidate.x.allFinite()) return {};
-    candidate.objective = problem.grid().cost(candidate.x);
-    candidate.violation = problem.worst_of_limits(candidate.x);
-    return candidate;
-}
-
-bool is_better(const Candidate& left, const Candidate& right, double tolerance) {
-    const bool left_feasible = left.violation <= tolerance;
-    const bool right_feasible = right.violation <= tolerance;
-    if (left_feasible != right_feasible) return left_feasible;
-    return left_feasible ? left.objective < right.objective : left.violation < right.violation;
-}
-
-namespace {
 
 /// Continues with `result`, whose best point is verified, from a start.
 ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen::VectorXd next_start,
@@ -157,6 +132,25 @@ ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen
 }
 
 }  // namespace
+
+bool was_stopped(Termination termination) {
+    return termination == Termination::time_limit || termination == Termination::interrupted;
+}
+
+Candidate judged(const ContinuousProblem& problem, const Eigen::VectorXd& x) {
+    Candidate candidate{problem.completed(x), infinity, infinity};
+    if (!candidate.x.allFinite()) return {};
+    candidate.objective = problem.grid().cost(candidate.x);
+    candidate.violation = problem.worst_of_limits(candidate.x);
+    return candidate;
+}
+
+bool is_better(const Candidate& left, const Candidate& right, double tolerance) {
+    const bool left_feasible = left.violation <= tolerance;
+    const bool right_feasible = right.violation <= tolerance;
+    if (left_feasible != right_feasible) return left_feasible;
+    return left_feasible ? left.objective < right.objective : left.violation < right.violation;
+}
 
 ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver, const Candidate& start,
                                     const ExchangeOptions& options, const SolveControl& control) {

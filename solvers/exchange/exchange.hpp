@@ -11,9 +11,6 @@
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/solver.hpp"
 
-#include <functional>
-#include <memory>
-
 namespace camopt {
 
 struct ExchangeResult;

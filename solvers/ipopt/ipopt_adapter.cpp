@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/ipopt/ipopt_adapter.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

@@ -11,11 +11,8 @@
 
 #include <IpIpoptApplication.hpp>
 #include <IpoptConfig.h>
-#include <algorithm>
 #include <chrono>
 #include <mutex>
-#include <optional>
-#include <vector>
 
 namespace camopt {
 

@@ -14,9 +14,6 @@
 #include "solvers/registry.hpp"
 #include "solvers/solver.hpp"
 
-#include <memory>
-#include <string>
-
 namespace camopt {
 
 [[nodiscard]] SolverEntry ipopt_entry();

@@ -9,7 +9,6 @@
 #include <Eigen/SparseCore>
 
 #include <nlopt.h>
-#include <vector>
 
 namespace camopt {
 

@@ -6,8 +6,6 @@
 
 #include <fmt/core.h>
 
-#include <array>
-
 namespace camopt {
 
 namespace {

@@ -20,9 +20,6 @@
 #include "solvers/registry.hpp"
 #include "solvers/solver.hpp"
 
-#include <memory>
-#include <string>
-
 namespace camopt {
 
 enum class NloptMethod { slsqp, cobyla, mma, ccsaq, isres, auglag_lbfgs, auglag_sbplx, auglag_neldermead };

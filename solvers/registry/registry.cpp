@@ -9,11 +9,7 @@
 #include "solvers/nlopt/nlopt_solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <fmt/core.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
 
 namespace camopt {
 

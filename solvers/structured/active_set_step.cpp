@@ -3,10 +3,6 @@
 
 #include "linear/sparse_symmetric.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
 namespace camopt::structured {
 
 namespace {

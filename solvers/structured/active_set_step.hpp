@@ -18,9 +18,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <vector>
-
 namespace camopt::structured {
 
 class ActiveSetStep {

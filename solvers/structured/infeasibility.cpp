@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/interior_point.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 namespace camopt::structured {
 namespace {
 

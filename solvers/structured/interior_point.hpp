@@ -10,13 +10,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <span>
-#include <utility>
-#include <vector>
-
 namespace camopt::structured {
 
 // The problem that the interior point solves,

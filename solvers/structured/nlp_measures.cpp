@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/linearized_problem.hpp"
 
-#include <algorithm>
-
 namespace camopt::structured {
 
 namespace {

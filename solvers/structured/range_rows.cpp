@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/range_rows.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <numeric>
 

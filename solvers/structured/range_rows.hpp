@@ -17,8 +17,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <vector>
-
 namespace camopt::structured {
 
 struct RangeRows {

@@ -21,12 +21,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt::structured {
 
 [[nodiscard]] BackendResult sequential_minimize(const Nlp& problem, const Eigen::VectorXd& start,

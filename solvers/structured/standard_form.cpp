@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/standard_form.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <numbers>
 #include <numeric>
 
 namespace camopt::structured {

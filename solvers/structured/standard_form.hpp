@@ -15,10 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt::structured {
 
 /// A Farkas proof of infeasibility: Jᵀ row_multipliers + bound_multipliers = 0 and −Σ λ_i b_i − Σ z_j

@@ -5,10 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <array>
-#include <string_view>
-#include <utility>
-
 namespace camopt {
 
 namespace {
@@ -76,8 +72,7 @@ StructuredOptions structured_options(const std::map<std::string, OptionValue>& n
         else
             throw InputError(
                 fmt::format("structured has no option \"{}\"; allowed: correctors, factorization, "
-                            "first_radius, max_iterations, "
-                            "max_passes, patience, regularisation",
+                            "first_radius, max_iterations, max_passes, patience, regularisation",
                             name));
     }
     options.validate();
@@ -90,8 +85,7 @@ SolverEntry structured_entry() {
     entry.name = "structured";
     entry.method =
         "primal-dual interior point, banded quasi-definite factorization with a dense border; around it a "
-        "trust-region method of "
-        "quadratic programs for nonlinear rows";
+        "trust-region method of quadratic programs for nonlinear rows";
     entry.available = true;
     entry.version =
         fmt::format("Eigen {}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
@@ -102,8 +96,7 @@ SolverEntry structured_entry() {
         integer_option("correctors", "1", {0.0, 10.0}, "centrality correctors in one iteration, at most"),
         text_option("factorization", "auto", {"auto", "chain", "simplicial", "cholmod", "klu"},
                     "of the Newton matrix; chain falls back on simplicial where the matrix is none; cholmod "
-                    "and klu are "
-                    "SuiteSparse's"),
+                    "and klu are SuiteSparse's"),
         integer_option("patience", "12", {2.0, 1e9},
                        "iterations without a better point before the search ends"),
         integer_option("max_passes", "200", {1.0, 1e9}, "nonlinear rows: linearizations, at most"),

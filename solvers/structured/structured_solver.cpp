@@ -2,6 +2,7 @@
 #include "solvers/structured/structured_solver.hpp"
 
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/sequential_solver.hpp"
@@ -9,9 +10,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <new>
 
 namespace camopt {
@@ -33,27 +31,10 @@ constexpr double least_proof =
 constexpr int most_from_near = 30;
 
 const char* word(Stop stop) {
-    switch (stop) {
-        case Stop::converged:
-            return "converged";
-        case Stop::stagnated:
-            return "no further progress";
-        case Stop::breakdown:
-            return "factorization breakdown";
-        case Stop::iteration_limit:
-            return "iteration limit";
-        case Stop::time_limit:
-            return "time limit";
-        case Stop::interrupted:
-            return "interrupted";
-        case Stop::evaluation_error:
-            return "a value of the problem is not finite";
-        case Stop::suspect_infeasible:
-            return "multipliers diverge";
-        case Stop::suspect_unbounded:
-            return "point diverges";
-    }
-    return "unknown";
+    return word_of<Stop::suspect_unbounded>(
+        stop,
+        {"converged", "no further progress", "factorization breakdown", "iteration limit", "time limit",
+         "interrupted", "a value of the problem is not finite", "multipliers diverge", "point diverges"});
 }
 
 class StructuredRun {
@@ -68,14 +49,145 @@ class StructuredRun {
           limits_(structured::interior_point_limits(options, structured_options(options.native), control)),
           form_(problem, start) {}
 
-    BackendResult run();
+    BackendResult run() {
+        if (form_.status() != StandardForm::Status::ready) return refused();
+        const VectorXd start = form_.to_model(start_);
+        InteriorPointResult solved = from_near();
+        if (!solved.has_point()) {
+            solved = interior_point(form_.model(), start, limits_, control_);
+            iterations_ += solved.iterations;
+        }
+        BackendResult result;
+        const auto hopeless = [&] {
+            return solved.stop != Stop::converged && solved.stop != Stop::interrupted &&
+                   solved.stop != Stop::time_limit && solved.stop != Stop::iteration_limit &&
+                   solved.stop != Stop::evaluation_error && solved.errors.worst() > limits_.tolerance;
+        };
+        if (hopeless()) {
+            const bool runs_away =
+                solved.stop == Stop::suspect_infeasible || solved.stop == Stop::suspect_unbounded;
+            const bool far_off = solved.errors.worst() > acceptable * tolerance_;
+            if ((runs_away || far_off || solved.errors.primal > limits_.tolerance) &&
+                proved_infeasible(result))
+                return result;
+            if (runs_away) {
+                if (proved_unbounded(solved, result)) return result;
+                limits_.suspicious = false;
+                solved = interior_point(form_.model(), start, limits_, control_);
+                iterations_ += solved.iterations;
+            }
+        }
+        if (hopeless() && solved.errors.worst() > acceptable * tolerance_ && proved_unbounded(solved, result))
+            return result;
+        return delivered(solved);
+    }
 
  private:
-    BackendResult refused();
-    InteriorPointResult from_near();
-    BackendResult delivered(const InteriorPointResult& solved) const;
-    bool proved_infeasible(BackendResult& result);
-    bool proved_unbounded(const InteriorPointResult& solved, BackendResult& result) const;
+    BackendResult refused() {
+        BackendResult result;
+        result.native_status = form_.detail();
+        result.x = start_;
+        if (form_.status() == StandardForm::Status::evaluation_error) {
+            result.termination = Termination::evaluation_error;
+            return result;
+        }
+        result.termination = Termination::infeasible;
+        if (form_.ray()) {
+            result.row_multipliers = form_.ray()->row_multipliers;
+            result.bound_multipliers = form_.ray()->bound_multipliers;
+        }
+        return result;
+    }
+    /// Along the path of a neighbouring problem; no point if the warm start fails.
+    InteriorPointResult from_near() {
+        if (!near_ || near_->mu <= 0.0 || near_->x.size() != problem_.shape().variables()) return {};
+        const structured::CentralPoint near{
+            {form_.to_model(near_->x), form_.model_multipliers(near_->row_multipliers)},
+            form_.cost_scale() * near_->mu,
+            near_->gap};
+        InteriorPointLimits limits = limits_;
+        limits.max_iterations = std::min(limits.max_iterations, most_from_near);
+        InteriorPointResult solved = interior_point(form_.model(), near, limits, control_);
+        iterations_ += solved.iterations;
+        const bool ended = solved.stop == Stop::converged || solved.stop == Stop::interrupted ||
+                           solved.stop == Stop::time_limit;
+        return ended ? solved : InteriorPointResult{};
+    }
+    BackendResult delivered(const InteriorPointResult& solved) const {
+        BackendResult result;
+        result.iterations = iterations_;
+        const double error = solved.errors.worst();
+        result.native_status =
+            fmt::format("{}: errors primal {:.1e}, dual {:.1e}, gap {:.1e}", word(solved.stop),
+                        solved.errors.primal, solved.errors.dual, solved.errors.gap);
+        if (error <= tolerance_)
+            result.termination = Termination::converged;
+        else if (solved.stop == Stop::iteration_limit)
+            result.termination = Termination::iteration_limit;
+        else if (solved.stop == Stop::time_limit)
+            result.termination = Termination::time_limit;
+        else if (solved.stop == Stop::interrupted)
+            result.termination = Termination::interrupted;
+        else if (solved.stop == Stop::evaluation_error)
+            result.termination = Termination::evaluation_error;
+        else
+            result.termination =
+                error <= acceptable * tolerance_ ? Termination::acceptable : Termination::numerical_failure;
+        if (!solved.has_point()) {
+            result.x = start_;
+            return result;
+        }
+        for (const structured::CentralPoint& place : solved.path)
+            result.path.push_back({form_.to_problem(place.point.x),
+                                   form_.row_multipliers(place.point.lambda, form_.cost_scale()),
+                                   place.mu / form_.cost_scale(), place.gap});
+        result.x = form_.to_problem(solved.best.x);
+        result.row_multipliers = form_.row_multipliers(solved.best.lambda, form_.cost_scale());
+        VectorXd gradient(result.x.size());
+        problem_.gradient(result.x, gradient);
+        if (!gradient.allFinite()) gradient.setZero();
+        result.bound_multipliers = form_.bound_multipliers(gradient, *result.row_multipliers);
+        return result;
+    }
+    bool proved_infeasible(BackendResult& result) {
+        InteriorPointLimits limits = limits_;
+        limits.tolerance = elastic_tolerance;
+        const structured::ElasticResult elastic =
+            least_violation(form_.model(), form_.to_model(start_), limits, control_);
+        iterations_ += elastic.iterations;
+        if (!(elastic.violation > least_proof)) return false;
+        structured::Ray ray{form_.row_multipliers(elastic.lambda, 1.0), {}};
+        const VectorXd none = VectorXd::Zero(problem_.shape().variables());
+        ray.bound_multipliers = form_.bound_multipliers(none, ray.row_multipliers);
+        const double value = form_.ray_value(ray);
+        // What remains of Cᵀλ + z on variables without the bound to carry it, times the size of the point.
+        const structured::ConvexModel& model = form_.model();
+        const VectorXd rest = model.rows.transpose() * elastic.lambda;
+        double uncertain = 0.0;
+        for (Eigen::Index j = 0; j < rest.size(); ++j)
+            if (!std::isfinite(rest[j] > 0.0 ? model.x_lower[j] : model.x_upper[j]))
+                uncertain += std::abs(rest[j]) * (1.0 + std::abs(elastic.x[j]));
+        if (!(value > least_proof) || !(value > 10.0 * uncertain)) return false;
+        result.termination = Termination::infeasible;
+        result.native_status =
+            fmt::format("least common violation {:.3e} of the scaled rows", elastic.violation);
+        result.x = form_.to_problem(elastic.x);
+        result.row_multipliers = ray.row_multipliers / value;
+        result.bound_multipliers = ray.bound_multipliers / value;
+        result.iterations = iterations_;
+        return true;
+    }
+    bool proved_unbounded(const InteriorPointResult& solved, BackendResult& result) const {
+        if (!solved.has_point()) return false;
+        const VectorXd point = solved.best.x;
+        InteriorPointLimits limits = limits_;
+        limits.tolerance = 1e-9;
+        if (!recession(form_.model(), point, limits, control_).descends) return false;
+        result = delivered(solved);
+        result.termination = Termination::unbounded;
+        result.native_status = "a direction of unlimited descent exists";
+        return true;
+    }
 
     const Nlp& problem_;
     const VectorXd& start_;
@@ -86,146 +198,6 @@ class StructuredRun {
     StandardForm form_;
     int iterations_ = 0;
 };
-
-BackendResult StructuredRun::refused() {
-    BackendResult result;
-    result.native_status = form_.detail();
-    result.x = start_;
-    if (form_.status() == StandardForm::Status::evaluation_error) {
-        result.termination = Termination::evaluation_error;
-        return result;
-    }
-    result.termination = Termination::infeasible;
-    if (form_.ray()) {
-        result.row_multipliers = form_.ray()->row_multipliers;
-        result.bound_multipliers = form_.ray()->bound_multipliers;
-    }
-    return result;
-}
-
-/// Along the path of a neighbouring problem; no point if the warm start fails.
-InteriorPointResult StructuredRun::from_near() {
-    if (!near_ || near_->mu <= 0.0 || near_->x.size() != problem_.shape().variables()) return {};
-    const structured::CentralPoint near{
-        {form_.to_model(near_->x), form_.model_multipliers(near_->row_multipliers)},
-        form_.cost_scale() * near_->mu,
-        near_->gap};
-    InteriorPointLimits limits = limits_;
-    limits.max_iterations = std::min(limits.max_iterations, most_from_near);
-    InteriorPointResult solved = interior_point(form_.model(), near, limits, control_);
-    iterations_ += solved.iterations;
-    const bool ended =
-        solved.stop == Stop::converged || solved.stop == Stop::interrupted || solved.stop == Stop::time_limit;
-    return ended ? solved : InteriorPointResult{};
-}
-
-BackendResult StructuredRun::run() {
-    if (form_.status() != StandardForm::Status::ready) return refused();
-    const VectorXd start = form_.to_model(start_);
-    InteriorPointResult solved = from_near();
-    if (!solved.has_point()) {
-        solved = interior_point(form_.model(), start, limits_, control_);
-        iterations_ += solved.iterations;
-    }
-    BackendResult result;
-    const auto hopeless = [&] {
-        return solved.stop != Stop::converged && solved.stop != Stop::interrupted &&
-               solved.stop != Stop::time_limit && solved.stop != Stop::iteration_limit &&
-               solved.stop != Stop::evaluation_error && solved.errors.worst() > limits_.tolerance;
-    };
-    if (hopeless()) {
-        const bool runs_away =
-            solved.stop == Stop::suspect_infeasible || solved.stop == Stop::suspect_unbounded;
-        const bool far_off = solved.errors.worst() > acceptable * tolerance_;
-        if ((runs_away || far_off || solved.errors.primal > limits_.tolerance) && proved_infeasible(result))
-            return result;
-        if (runs_away) {
-            if (proved_unbounded(solved, result)) return result;
-            limits_.suspicious = false;
-            solved = interior_point(form_.model(), start, limits_, control_);
-            iterations_ += solved.iterations;
-        }
-    }
-    if (hopeless() && solved.errors.worst() > acceptable * tolerance_ && proved_unbounded(solved, result))
-        return result;
-    return delivered(solved);
-}
-
-bool StructuredRun::proved_infeasible(BackendResult& result) {
-    InteriorPointLimits limits = limits_;
-    limits.tolerance = elastic_tolerance;
-    const structured::ElasticResult elastic =
-        least_violation(form_.model(), form_.to_model(start_), limits, control_);
-    iterations_ += elastic.iterations;
-    if (!(elastic.violation > least_proof)) return false;
-    structured::Ray ray{form_.row_multipliers(elastic.lambda, 1.0), {}};
-    const VectorXd none = VectorXd::Zero(problem_.shape().variables());
-    ray.bound_multipliers = form_.bound_multipliers(none, ray.row_multipliers);
-    const double value = form_.ray_value(ray);
-    // What remains of Cᵀλ + z on variables without the bound to carry it, times the size of the point.
-    const structured::ConvexModel& model = form_.model();
-    const VectorXd rest = model.rows.transpose() * elastic.lambda;
-    double uncertain = 0.0;
-    for (Eigen::Index j = 0; j < rest.size(); ++j)
-        if (!std::isfinite(rest[j] > 0.0 ? model.x_lower[j] : model.x_upper[j]))
-            uncertain += std::abs(rest[j]) * (1.0 + std::abs(elastic.x[j]));
-    if (!(value > least_proof) || !(value > 10.0 * uncertain)) return false;
-    result.termination = Termination::infeasible;
-    result.native_status = fmt::format("least common violation {:.3e} of the scaled rows", elastic.violation);
-    result.x = form_.to_problem(elastic.x);
-    result.row_multipliers = ray.row_multipliers / value;
-    result.bound_multipliers = ray.bound_multipliers / value;
-    result.iterations = iterations_;
-    return true;
-}
-
-bool StructuredRun::proved_unbounded(const InteriorPointResult& solved, BackendResult& result) const {
-    if (!solved.has_point()) return false;
-    const VectorXd point = solved.best.x;
-    InteriorPointLimits limits = limits_;
-    limits.tolerance = 1e-9;
-    if (!recession(form_.model(), point, limits, control_).descends) return false;
-    result = delivered(solved);
-    result.termination = Termination::unbounded;
-    result.native_status = "a direction of unlimited descent exists";
-    return true;
-}
-
-BackendResult StructuredRun::delivered(const InteriorPointResult& solved) const {
-    BackendResult result;
-    result.iterations = iterations_;
-    const double error = solved.errors.worst();
-    result.native_status = fmt::format("{}: errors primal {:.1e}, dual {:.1e}, gap {:.1e}", word(solved.stop),
-                                       solved.errors.primal, solved.errors.dual, solved.errors.gap);
-    if (error <= tolerance_)
-        result.termination = Termination::converged;
-    else if (solved.stop == Stop::iteration_limit)
-        result.termination = Termination::iteration_limit;
-    else if (solved.stop == Stop::time_limit)
-        result.termination = Termination::time_limit;
-    else if (solved.stop == Stop::interrupted)
-        result.termination = Termination::interrupted;
-    else if (solved.stop == Stop::evaluation_error)
-        result.termination = Termination::evaluation_error;
-    else
-        result.termination =
-            error <= acceptable * tolerance_ ? Termination::acceptable : Termination::numerical_failure;
-    if (!solved.has_point()) {
-        result.x = start_;
-        return result;
-    }
-    for (const structured::CentralPoint& place : solved.path)
-        result.path.push_back({form_.to_problem(place.point.x),
-                               form_.row_multipliers(place.point.lambda, form_.cost_scale()),
-                               place.mu / form_.cost_scale(), place.gap});
-    result.x = form_.to_problem(solved.best.x);
-    result.row_multipliers = form_.row_multipliers(solved.best.lambda, form_.cost_scale());
-    VectorXd gradient(result.x.size());
-    problem_.gradient(result.x, gradient);
-    if (!gradient.allFinite()) gradient.setZero();
-    result.bound_multipliers = form_.bound_multipliers(gradient, *result.row_multipliers);
-    return result;
-}
 
 /// glibc returns freed memory to the system beyond a threshold that follows the largest block freed so far. A
 /// sequence of solves would fetch the same pages again and again, which takes longer than the solves.

@@ -33,8 +33,6 @@
 #include "solvers/solver.hpp"
 
 #include <map>
-#include <memory>
-#include <string>
 
 namespace camopt {
 

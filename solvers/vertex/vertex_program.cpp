@@ -5,10 +5,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace camopt {
 
 namespace {
@@ -363,11 +359,10 @@ VertexBound VertexProgram::minimize(const Eigen::VectorXd& cost, const SolveCont
         if (optimal == Outcome::done) last_cost_ = cost;
         if (optimal == Outcome::stuck && attempt == 0) continue;
         VertexBound result = bound_at_corner(cost);
-        if (optimal == Outcome::done) {
+        if (optimal == Outcome::done)
             result.status = VertexBound::Status::optimal;
-        } else {
+        else
             corner_.clear();
-        }
         return result;
     }
     return {};

@@ -7,11 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 /// Compressed sparse rows that can be appended and removed.

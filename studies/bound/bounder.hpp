@@ -11,14 +11,7 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace camopt::box_bound {
 

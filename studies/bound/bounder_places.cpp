@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/bound/bounder.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt::box_bound {
 
 namespace {

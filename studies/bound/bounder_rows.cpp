@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/bound/bounder.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace camopt::box_bound {
 
 namespace {

@@ -3,9 +3,6 @@
 
 #include "studies/bound/bounder.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt::box_bound {
 
 namespace {

@@ -19,9 +19,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
-#include <optional>
-
 namespace camopt {
 
 struct BoxBoundOptions {

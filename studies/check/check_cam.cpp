@@ -5,12 +5,6 @@
 #include "core/numbers/extremum.hpp"
 #include "studies/check/point_curve.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 namespace camopt {
 
 namespace {

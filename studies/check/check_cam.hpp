@@ -5,8 +5,6 @@
 #include "studies/check/forward_check_input.hpp"
 #include "studies/delivered/delivered.hpp"
 
-#include <optional>
-
 namespace camopt {
 
 /// Exports about `points` points of the cam, the motion's breakpoints among them, and runs a follower, or the

@@ -9,11 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -18,10 +18,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
-#include <numbers>
-#include <vector>
-
 namespace camopt {
 
 struct ForwardCheckInput {

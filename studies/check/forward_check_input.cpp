@@ -5,12 +5,6 @@
 #include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <optional>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -7,10 +7,9 @@
 // position is joined. Parameter: arc length, improved twice from the chords. Lengths in the points' unit.
 #pragma once
 
-#include <Eigen/Core>
+#include "core/base/standard.hpp"
 
-#include <span>
-#include <vector>
+#include <Eigen/Core>
 
 namespace camopt {
 

@@ -11,14 +11,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <optional>
 #include <random>
-#include <utility>
 
 namespace camopt {
 

@@ -10,9 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Largest disagreement of one kind of derivative with differences

@@ -4,8 +4,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <optional>
-
 namespace camopt {
 
 /// By the simulation of its kind: check_cam (studies/check), check_flanks, check_guide. points:

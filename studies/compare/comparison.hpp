@@ -13,11 +13,6 @@
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 // The smallest base radius at which a given motion satisfies every limit of the scene's cam, the other

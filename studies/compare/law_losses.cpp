@@ -8,9 +8,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -43,18 +40,66 @@ class LossFinder {
         scene_.objective.tie_break = TieBreak::none;  // only peaks count, which equal optima share
     }
 
-    void add_cut(const PeakTriple& peaks);
+    void add_cut(const PeakTriple& peaks) {
+        PeakTriple cut = peaks;
+        for (std::size_t i = 0; i < 3; ++i) cut[i] /= reference_[i];
+        cuts_.push_back(cut);
+    }
 
-    [[nodiscard]] std::optional<ClosestApproach> closest(const PeakTriple& law);
-    [[nodiscard]] std::optional<double> least(const PeakTriple& law, std::size_t peak);
+    [[nodiscard]] std::optional<ClosestApproach> closest(const PeakTriple& law) {
+        std::optional<ClosestApproach> best;
+        for (int round = 0; round < most_cuts; ++round) {
+            const GameValue game = best_shares(law);
+            PeakTriple weights{};
+            for (std::size_t i = 0; i < 3; ++i) weights[i] = game.mix[i] * reference_[i] / law[i];
+            const double sum = weights[0] + weights[1] + weights[2];
+            for (double& weight : weights) weight /= sum;
+            const std::optional<Solution> solution = solve(with_weights(scene_, weights), weighted_);
+            if (!solution) return best;
+            const double reached = solution->certificate.objective * sum;  // the law's is 1
+            const double loss = 100.0 * (1.0 / reached - 1.0);
+            const bool settled = reached >= game.value - settled_gap;
+            if (!best || loss < best->loss_percent || settled) best = ClosestApproach{weights, loss, settled};
+            if (settled) return best;
+            add_cut(triple(solution->peaks));
+        }
+        return best;
+    }
+    [[nodiscard]] std::optional<double> least(const PeakTriple& law, std::size_t peak) {
+        Scene scene = scene_;
+        scale_weights(scene, 0.0);
+        set_weight(scene, goals[peak], 1.0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (i == peak) continue;
+            if (!can_be_capped(scene_, goals[i])) return {};
+            set_cap(scene, goals[i], std::min(law[i], limit_on(scene_, goals[i]).value_or(infinity)));
+        }
+        const std::optional<Solution> solution = solve(scene, capped_);
+        return solution ? std::optional(triple(solution->peaks)[peak]) : std::nullopt;
+    }
     [[nodiscard]] int solves() const { return solves_; }
 
  private:
     /// The scene with these weights; none where it has no motion or was stopped.
-    [[nodiscard]] std::optional<Solution> solve(const Scene& scene, KnownSolutions& known);
+    [[nodiscard]] std::optional<Solution> solve(const Scene& scene, KnownSolutions& known) {
+        if (control_.stopped()) return {};
+        ++solves_;
+        Solution solution = solve_without_explaining(scene, control_, &known);
+        const Verdict verdict = solution.certificate.verdict;
+        const bool feasible =
+            verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
+        if (control_.stopped() || !feasible) return {};
+        return solution;
+    }
     /// The best shares for all cuts. In shares u_i = w_i · (law's peak i over its reference) the law's
     /// objective is 1.
-    [[nodiscard]] GameValue best_shares(const PeakTriple& law) const;
+    [[nodiscard]] GameValue best_shares(const PeakTriple& law) const {
+        std::vector<PeakTriple> rows = cuts_;
+        for (PeakTriple& row : rows)
+            for (std::size_t i = 0; i < 3; ++i) row[i] *= reference_[i] / law[i];
+        if (rows.empty()) return {{1.0 / 3, 1.0 / 3, 1.0 / 3}, infinity, infinity};
+        return solve_game_by_cuts(rows);
+    }
 
     Scene scene_;
     const PeakTriple& reference_;
@@ -63,64 +108,6 @@ class LossFinder {
     std::vector<PeakTriple> cuts_;  ///< peaks of motions over the references: they serve every law
     int solves_ = 0;
 };
-
-std::optional<Solution> LossFinder::solve(const Scene& scene, KnownSolutions& known) {
-    if (control_.stopped()) return {};
-    ++solves_;
-    Solution solution = solve_without_explaining(scene, control_, &known);
-    const Verdict verdict = solution.certificate.verdict;
-    const bool feasible =
-        verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
-    if (control_.stopped() || !feasible) return {};
-    return solution;
-}
-
-void LossFinder::add_cut(const PeakTriple& peaks) {
-    PeakTriple cut = peaks;
-    for (std::size_t i = 0; i < 3; ++i) cut[i] /= reference_[i];
-    cuts_.push_back(cut);
-}
-
-GameValue LossFinder::best_shares(const PeakTriple& law) const {
-    std::vector<PeakTriple> rows = cuts_;
-    for (PeakTriple& row : rows)
-        for (std::size_t i = 0; i < 3; ++i) row[i] *= reference_[i] / law[i];
-    if (rows.empty()) return {{1.0 / 3, 1.0 / 3, 1.0 / 3}, infinity, infinity};
-    return solve_game_by_cuts(rows);
-}
-
-std::optional<ClosestApproach> LossFinder::closest(const PeakTriple& law) {
-    std::optional<ClosestApproach> best;
-    for (int round = 0; round < most_cuts; ++round) {
-        const GameValue game = best_shares(law);
-        PeakTriple weights{};
-        for (std::size_t i = 0; i < 3; ++i) weights[i] = game.mix[i] * reference_[i] / law[i];
-        const double sum = weights[0] + weights[1] + weights[2];
-        for (double& weight : weights) weight /= sum;
-        const std::optional<Solution> solution = solve(with_weights(scene_, weights), weighted_);
-        if (!solution) return best;
-        const double reached = solution->certificate.objective * sum;  // the law's is 1
-        const double loss = 100.0 * (1.0 / reached - 1.0);
-        const bool settled = reached >= game.value - settled_gap;
-        if (!best || loss < best->loss_percent || settled) best = ClosestApproach{weights, loss, settled};
-        if (settled) return best;
-        add_cut(triple(solution->peaks));
-    }
-    return best;
-}
-
-std::optional<double> LossFinder::least(const PeakTriple& law, std::size_t peak) {
-    Scene scene = scene_;
-    scale_weights(scene, 0.0);
-    set_weight(scene, goals[peak], 1.0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (i == peak) continue;
-        if (!can_be_capped(scene_, goals[i])) return {};
-        set_cap(scene, goals[i], std::min(law[i], limit_on(scene_, goals[i]).value_or(infinity)));
-    }
-    const std::optional<Solution> solution = solve(scene, capped_);
-    return solution ? std::optional(triple(solution->peaks)[peak]) : std::nullopt;
-}
 
 // Corners of nearly parallel faces are far away, rounding or no numbers at all (the determinant may round to
 // more than this where a pivot is zero); others of the same value stand beside them.

@@ -11,12 +11,6 @@
 
 #include "studies/compare/comparison.hpp"
 
-#include <array>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// V, A, J in this order wherever three numbers stand.

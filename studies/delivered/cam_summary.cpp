@@ -4,13 +4,6 @@
 #include "core/numbers/extremum.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
-#include "studies/delivered/follower_loads.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <utility>
 
 namespace camopt {
 

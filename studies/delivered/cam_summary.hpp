@@ -9,11 +9,6 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// A value in SI and rad, and the x where it is reached.

@@ -3,11 +3,7 @@
 
 #include "core/units.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <set>
-#include <utility>
 
 namespace camopt {
 

@@ -5,17 +5,11 @@
 #include "objectives/drive_rules.hpp"
 #include "profiles/sampling.hpp"
 #include "splines/motion_chain.hpp"
-#include "studies/delivered/follower_loads.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
 #include <tuple>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace camopt {
 

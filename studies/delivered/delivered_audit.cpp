@@ -5,17 +5,10 @@
 #include "scene/limit_table.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "splines/curve.hpp"
-#include "splines/extrema.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
 
 namespace camopt {
 

@@ -11,9 +11,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// A jump of y … y''' that is this much of the derivative's own peak is still the same motion for every

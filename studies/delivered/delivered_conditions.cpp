@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/scene_model.hpp"
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
 
 namespace camopt {
 

@@ -7,9 +7,6 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// About `count` points of one station, evenly by cam angle, the motion's breakpoints among them, and which
@@ -40,5 +37,50 @@ struct EnclosedLimit {
 
 /// All rules of a limit are complete, and there is one.
 [[nodiscard]] bool is_verified(const std::vector<EnclosedLimit>& limits, const std::string& key);
+
+// What a follower that touches its cam carries at one cam angle, as a function of the motion there. SI.
+//
+//   force         F = m ω² s'' + k s + F_0 along the lift (swinging: a moment, N m)
+//   torque        F s' on the camshaft, > 0 where the cam drives
+//   normal force  F / lever, along the cam's normal (MechanismQuantity::normal_lever)
+//   Hertz         √(N E* κ / (π b)),  κ = 1/ρ_cam + 1/r: line contact over the width b
+//
+// The cam is direct (CamMechanism::is_direct). One that drives both ways carries F > 0 on its side 0, F < 0
+// on its side 1: the normal force is then that of the side that carries, >= 0. A side is a station.
+
+class CamPoints;
+struct Solution;
+
+/// F / lever; on side 1 −F / lever. Of a cam that drives both ways < 0 where the other side carries.
+[[nodiscard]] double normal_force(const DrivenMechanism& cam, const FollowerState& state, double force,
+                                  int side = 0);
+/// Which side a force presses on: 0 of a cam that does not drive both ways.
+[[nodiscard]] int carrying_side(const CamMechanism& cam, double force);
+
+/// Of a normal force (N) at a point of the cam, on that side, Pa; 0 where nothing presses. The forces have a
+/// contact width.
+[[nodiscard]] double hertz_pressure(const DrivenMechanism& cam, const ForceSpec& forces,
+                                    const MechanismPoint& point, double normal_force, int side = 0);
+
+/// Whether there is a pressure to speak of: a contact width is given, and the follower has no edge.
+[[nodiscard]] bool has_hertz_pressure(const CamMechanism& cam, const ForceSpec& forces);
+
+struct FollowerLoads {
+    double force = 0.0, torque = 0.0, normal_force = 0.0;
+    std::optional<double> hertz_pressure;
+    int side = 0;  ///< which carries
+};
+
+/// force: N or N m; point_of: the cam there, by side.
+[[nodiscard]] FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double force,
+                                           const FollowerState& state,
+                                           const std::function<MechanismPoint(int side)>& point_of);
+
+/// Of the motion (normalised) at one angle; the points are those of the cam along it.
+using LoadsAt = std::function<FollowerLoads(const MotionPoint& motion, const CamPoints& cam)>;
+
+/// Along a delivered cam: what does not exist, where the cam cannot touch its follower, is not finite. None
+/// where the scene has no forces, or the cam is not direct. The solution must live as long.
+[[nodiscard]] LoadsAt delivered_loads(const Solution& solution);
 
 }  // namespace camopt

@@ -5,9 +5,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 /// A limit, an exact point or another condition of the scene, and what a motion makes of it.

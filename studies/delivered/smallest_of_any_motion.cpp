@@ -7,10 +7,6 @@
 #include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace camopt {
 
 namespace {

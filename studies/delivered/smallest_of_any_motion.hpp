@@ -9,10 +9,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Of all strokes the one that needs the largest prime radius. None unless the cam pushes a roller or an edge

@@ -14,12 +14,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// One user limit, as written and as kept. worst, limit in `unit`; at: x.

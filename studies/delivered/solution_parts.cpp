@@ -10,11 +10,6 @@
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-
 namespace camopt {
 
 namespace {

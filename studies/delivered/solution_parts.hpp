@@ -6,10 +6,6 @@
 #include "scene/motion/set_points.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <memory>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// The motions of the solution's scene: those it was solved with, or made from the scene.

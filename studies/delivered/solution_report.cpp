@@ -8,15 +8,11 @@
 #include "objectives/drive_rules.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/laws/law_motion.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 
 namespace camopt {
 
@@ -54,9 +50,8 @@ int continuity_at(const Motion& motion, double left_x, double right_x, int known
 /// Peaks of a law that takes `width` of x and `rise` lifts, in units of the whole motion.
 Peaks peaks_of_law(const std::string& key, double begin, double width, double rise) {
     Peaks peaks = scaled_peaks(make_law(key)->peaks(), std::abs(rise), width);
-    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
+    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque})
         (peaks.*peak).at = begin + width * (peaks.*peak).at;
-    }
     return peaks;
 }
 
@@ -112,11 +107,10 @@ void report_segments(Solution& solution) {
             raise_peaks(solution.peaks, own);
             means.add(own, part.end - part.begin);
         }
-        if (written.kind == SegmentKind::law) {
+        if (written.kind == SegmentKind::law)
             raise_peaks(
                 solution.motion_peaks,
                 peaks_of_law(written.law, report.begin, report.end - report.begin, report.to - report.from));
-        }
         solution.segments.push_back(std::move(report));
     }
     means.set(solution.peaks);

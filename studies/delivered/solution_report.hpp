@@ -5,9 +5,6 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <memory>
-#include <vector>
-
 namespace camopt {
 
 /// report_delivered of the optimizer's x, and the design.

@@ -10,13 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-
 namespace camopt {
 
 namespace {

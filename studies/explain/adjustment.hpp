@@ -6,11 +6,6 @@
 #include "scene/key_row.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// In the order in which changes are searched: what costs a user least comes first.

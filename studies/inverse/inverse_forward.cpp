@@ -13,11 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-
 namespace camopt {
 
 namespace {

@@ -15,11 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
-#include <optional>
-#include <span>
-#include <vector>
-
 namespace camopt {
 
 struct GuideCheckInput {

@@ -6,11 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-
 namespace camopt {
 
 namespace {
@@ -39,9 +34,7 @@ std::string free_displacement(std::span<const LawStroke> strokes) {
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (strokes[i].from && strokes[i].to) continue;
         return fmt::format(
-            "the scene leaves a displacement of segment {} free, and there is no optimum to "
-            "take it from",
-            i);
+            "the scene leaves a displacement of segment {} free, and there is no optimum to take it from", i);
     }
     return {};
 }
@@ -76,10 +69,9 @@ MotionChain chain_of(std::span<const LawStroke> strokes,
         const LawStroke& stroke = strokes[i];
         ChainPart part{stroke.begin, stroke.end, laws[i], stroke.begin, width_of(stroke), *stroke.from, 0.0};
         if (laws[i]) part.y_scale = rise_of(stroke);
-        if (laws[i] && stroke.mirrored) {
+        if (laws[i] && stroke.mirrored)
             part = {stroke.begin,      stroke.end, laws[i],         stroke.end,
                     -width_of(stroke), *stroke.to, -rise_of(stroke)};
-        }
         parts.push_back(std::move(part));
     }
     return MotionChain(std::move(parts));

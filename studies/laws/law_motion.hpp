@@ -18,13 +18,6 @@
 #include "scene/scene.hpp"
 #include "splines/motion_chain.hpp"
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// One stretch of a scene: where it lies, and from where to where it moves.

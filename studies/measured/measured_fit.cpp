@@ -10,10 +10,6 @@
 #include <Eigen/SparseLU>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace camopt {
 
 namespace {

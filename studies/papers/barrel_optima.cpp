@@ -4,7 +4,6 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/spatial/spatial_analysis.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
 #include "scene/cam_flanks.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/papers/spatial_tables.hpp"
@@ -12,9 +11,6 @@
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <numbers>
 
 namespace camopt::spatial_tables {
 
@@ -118,8 +114,7 @@ BarrelOptima barrel_optima(const Example& example, const SolveControl& control,
         "optimised",
         "An optimised motion and the modified sine",
         fmt::format("Quintic spline of 16 segments; 0.4 V + 0.4 A + 0.2 J over those of the modified "
-                    "sine; |φ| limited to {} deg, or to {} deg with the distance of the axes free; g "
-                    ">= {}.",
+                    "sine; |φ| limited to {} deg, or to {} deg with the distance of the axes free; g >= {}.",
                     limit_here_deg, limit_smallest_deg, undercut_margin),
         {{"motion", "motion", ""},
          {"center_distance_mm", "l3", "mm", 7},

@@ -8,12 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace camopt::feeding_paper {
 
@@ -48,8 +43,7 @@ PaperTable node_table(PaperFigure& figure) {
         "Largest errors at inner nodes. Away: at nodes further than one step from every joint of the guide. "
         "θ″ jumps at the joints, and a difference across a jump is wrong by up to half of it, however many "
         "nodes: that error does not converge, it only varies with the position of the joint between two "
-        "nodes. "
-        "Times are of this run.",
+        "nodes. Times are of this run.",
         {{"nodes", "nodes", ""},
          {"velocity_error_rad_s", "error of θ′", "rad/s", 4},
          {"acceleration_error_rad_s2", "error of θ″", "rad/s²", 4},
@@ -94,9 +88,8 @@ PaperTable forward_table() {
         "forward_simulation",
         "The finished guide pushed by its roller: points only",
         "Polyline: the roller's centre on straight lines between points at even steps of the forward "
-        "stroke's "
-        "time. Slot: a roller of 0.5 in (chosen) on one wall, a smooth curve through the wall's points; 2000 "
-        "places of the roller from L = 2 to 13.9 in.",
+        "stroke's time. Slot: a roller of 0.5 in (chosen) on one wall, a smooth curve through the wall's "
+        "points; 2000 places of the roller from L = 2 to 13.9 in.",
         {{"method", "method", ""},
          {"points", "points", ""},
          {"deviation_rad", "largest error of θ", "rad", 3},
@@ -172,9 +165,8 @@ PaperTable table_1() {
 PaperTable misprint_table() {
     PaperTable table{"misprints",
                      "Digits of Table 1 that contradict the others",
-                     "Consistent: the range that the row's other columns allow. θ from Y: the angle at which "
-                     "the row's own "
-                     "Y is reached.",
+                     "Consistent: the range that the row's other columns allow. θ from Y: the angle at "
+                     "which the row's own Y is reached.",
                      {{"time_s", "t", "s", 4},
                       {"quantity", "quantity", ""},
                       {"unit", "unit", ""},

@@ -8,12 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <string>
-#include <utility>
-
 namespace camopt::feeding_paper {
 
 namespace {
@@ -58,12 +52,10 @@ PaperTable candidate_table(const std::vector<Candidate>& candidates) {
     PaperTable table{"guides",
                      "Guides for the same stroke of the feeder, compared with that of lines and arcs",
                      "Feeder peaks with the paper's roller, forward and return on the same guide (the "
-                     "recovered one of the forward "
-                     "stroke, and guides from the wished motion of the feeder backwards). Step: jump of the "
-                     "feeder's acceleration "
-                     "at a joint, where the jerk is infinite; ours have none. Same path: the feeder moves "
-                     "while the roller is where "
-                     "it moves on lines and arcs; long path: while it goes from 3 to 13.9 in (chosen).",
+                     "recovered one of the forward stroke, and guides from the wished motion of the feeder "
+                     "backwards). Step: jump of the feeder's acceleration at a joint, where the jerk is "
+                     "infinite; ours have none. Same path: the feeder moves while the roller is where it "
+                     "moves on lines and arcs; long path: while it goes from 3 to 13.9 in (chosen).",
                      {{"guide", "guide", ""},
                       {"velocity_in_s", "Y′ forward", "in/s", 4},
                       {"acceleration_in_s2", "Y″ forward", "in/s²", 5},

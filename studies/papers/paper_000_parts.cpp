@@ -6,12 +6,6 @@
 #include "profiles/inverse/guide.hpp"
 #include "profiles/inverse/paper_guide.hpp"
 
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
-#include <utility>
-
 namespace camopt::feeding_paper {
 
 namespace {

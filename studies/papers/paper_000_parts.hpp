@@ -6,11 +6,6 @@
 #include "profiles/inverse/paper_guide.hpp"
 #include "studies/papers/papers.hpp"
 
-#include <array>
-#include <span>
-#include <string_view>
-#include <vector>
-
 namespace camopt::feeding_paper {
 
 // What the paper on the curvilinear inverse cam prints, and the machine recovered from it. Display units:

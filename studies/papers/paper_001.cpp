@@ -7,11 +7,6 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
-
 namespace camopt {
 
 namespace {
@@ -191,12 +186,10 @@ PaperReport paper_001(const SolveControl&, const PaperProgress& finished) {
     report.title = "Open cylindrical cam with a rotating follower";
     report.source =
         "B. K. Gu, J. H. Shin, D. W. Kang, S. W. Chang, \"A Study On the Manufacturing process of "
-        "Cylindrical "
-        "Cam based on Relative Velocity Method and Inverse Kinematics\"";
+        "Cylindrical Cam based on Relative Velocity Method and Inverse Kinematics\"";
     report.introduction =
-        "A cylindrical cam turns a follower that carries rollers around it. The paper holds no dimension and "
-        "no "
-        "result in numbers: what is shown here is its formulas, corrected, on an example of ours.";
+        "A cylindrical cam turns a follower that carries rollers around it. The paper holds no dimension "
+        "and no result in numbers: what is shown here is its formulas, corrected, on an example of ours.";
     report.assumptions = {
         "all of it: dx = dz = 0, dy = 150 mm, f_l = 70 mm, roller 8 mm x 20 mm, eight rollers",
         "45 deg in 180 deg by the modified sine, dwell from 0 to 180 deg",

@@ -9,9 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -283,24 +280,18 @@ PaperFigure optimized_figure(const std::vector<Optimum>& all) {
 
 void add_words(PaperReport& report) {
     report.assumptions = {
-        "Every dimension of the linkage, of the lever and of the roller is chosen; the paper gives none, nor "
-        "a "
-        "roller radius, nor the sense of rotation.",
+        "Every dimension of the linkage, of the lever and of the roller is chosen; the paper gives none, "
+        "nor a roller radius, nor the sense of rotation.",
         "\"Cam roller 10 mm farther from the cam's axis\" (MT752): the cam's axis is 10 mm lower.",
         "The frame moves from -40 to 40 mm, its lower dwell begins at cam angle 0."};
     report.notes = {
         "EVIDENCE VALUE LOW. The verdicts agree with the paper by construction: the linkage was picked, "
-        "among 25 "
-        "combinations of height and pivot, because it shows them. The study that picked it reports that of "
-        "400 "
-        "random plausible linkages all have MT60 < MT75 < MT90 and MT752 < MT75, which needs no paper, and "
-        "56 the "
-        "whole pattern against 30 deg; that is not computed here.",
+        "among 25 combinations of height and pivot, because it shows them. The study that picked it reports "
+        "that of 400 random plausible linkages all have MT60 < MT75 < MT90 and MT752 < MT75, which needs no "
+        "paper, and 56 the whole pattern against 30 deg; that is not computed here.",
         "Definition: the paper takes the velocity of the contact point on the roller. As a point fixed to "
-        "the "
-        "lever it makes every angle larger (MT60 36.7 instead of 28.5 deg here) and every verdict \"above\". "
-        "The "
-        "order of the cams is the same. Which one its program computed cannot be known.",
+        "the lever it makes every angle larger (MT60 36.7 instead of 28.5 deg here) and every verdict "
+        "\"above\". The order of the cams is the same. Which one its program computed cannot be known.",
         "Text slips: \"MT70\" where Table 1 has MT75; the conditions are numbered i), ii), iv). There are no "
         "printed formulas, hence no errors in them.",
         "The measured curves of Figs. 12 and 13 are pictures without numbers: nothing of them is "
@@ -318,9 +309,8 @@ PaperReport paper_003(const SolveControl& control, const PaperProgress& finished
         "device\", J. KSPE, 2003 (in Korean)";
     report.introduction =
         "A cam moves the heald frame of a loom through lever, coupler, rocker and coupler. The frame rests "
-        "at the "
-        "bottom and at the top for 60, 75 or 90 deg of the cam; the cam's pressure angle shall stay within "
-        "30 deg.";
+        "at the bottom and at the top for 60, 75 or 90 deg of the cam; the cam's pressure angle shall stay "
+        "within 30 deg.";
     add_words(report);
     report.tables = {motions_table(), pressure_table(), radii_table(), check_table()};
     const std::vector<Optimum> best = optima(control, finished);

@@ -4,12 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <utility>
-
 namespace camopt {
 
 namespace {
@@ -216,8 +210,7 @@ PaperReport paper_004_report(const ReferenceTable& table) {
     report.source = "T.-Y. Shon, M.-Y. Yang, \"Synthesis of Optimum CAM Curve by Cubic Spline\", 1994";
     report.introduction =
         "Rise between two dwells; C2 cubic spline on n equal segments with y(x) + y(1 − x) = 1. V, A, J are "
-        "the "
-        "largest |y'|, |y''|, |y'''|.";
+        "the largest |y'|, |y''|, |y'''|.";
     report.tables = {points_table(table), convergence_table(table), laws_table(table), weights_table(table)};
     report.figures = figures_of(table);
     report.notes = table.notes;

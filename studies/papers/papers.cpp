@@ -5,9 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 namespace camopt {
 
 std::span<const PaperInfo> paper_catalogue() {

@@ -6,11 +6,6 @@
 #include "studies/papers/paper_report.hpp"
 #include "studies/papers/reference_table.hpp"
 
-#include <functional>
-#include <span>
-#include <string>
-#include <string_view>
-
 namespace camopt {
 
 /// Hears in words of each part that is done, for progress; may be empty.

@@ -2,15 +2,12 @@
 #include "studies/papers/reference_table.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
+#include "splines/curve.hpp"
 #include "splines/design_vector.hpp"
-#include "splines/extrema.hpp"
-#include "studies/papers/paper_tables.hpp"
+#include "studies/papers/paper_report.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace camopt {
 
@@ -63,12 +60,11 @@ void add_printed_points(ConvergenceRow& row) {
 
 std::string note_of(const ConvergenceRow& row) {
     if (!row.printed) return "beyond the paper";
-    if (row.segments == misprinted_segments) {
+    if (row.segments == misprinted_segments)
         return fmt::format(
             "y3 = 0.1740 is a misprint: it breaks y''(0) = 0 (found {:.4f}); with 0.1748 the printed "
             "peaks follow",
             row.points_end_acceleration.value_or(0.0));
-    }
     const double loss = row.printed->objective - row.optimum.certificate.objective;
     if (loss < 5e-5) return "the printed figure is the optimum, rounded";
     return fmt::format("the paper's search in steps of 0.0001 stops {:.4f} above the optimum", loss);
@@ -133,18 +129,14 @@ WeightEffectRow weight_row(const paper::WeightEffect& printed, const PeakFigures
 std::vector<std::string> explanations() {
     return {
         "The paper divides by the modified sine's peaks rounded to 1.76, 5.53 and 69 (exact: 1.7596, 5.5280 "
-        "and "
-        "69.466); so does this table.",
-        "Table 1, n = 10: y3 = 0.1740 (and y7 = 0.8260) is a misprint. It breaks y''(0) = 0 and evaluates to "
-        "A = "
-        "5.867, J = 57.53; with 0.1748 (0.8252) the printed peaks 1.688, 5.520, 55.20 follow.",
+        "and 69.466); so does this table.",
+        "Table 1, n = 10: y3 = 0.1740 (and y7 = 0.8260) is a misprint. It breaks y''(0) = 0 and evaluates "
+        "to A = 5.867, J = 57.53; with 0.1748 (0.8252) the printed peaks 1.688, 5.520, 55.20 follow.",
         "The paper searches the ordinates in steps of 0.0001, so its figures lie up to 0.002 above the "
-        "optimum. The "
-        "problem is a linear program; the optimum here is proved by weak duality.",
+        "optimum. The problem is a linear program; the optimum here is proved by weak duality.",
         "Table 4: all five weightings have the same optimal peaks at n = 10, V = 5/3, A = 50/9, J = 500/9, "
-        "with y4 = "
-        "1/3. The paper's two values of y4, 0.331733 and 0.333633, come from its search grid, not from the "
-        "weights.",
+        "with y4 = 1/3. The paper's two values of y4, 0.331733 and 0.333633, come from its search grid, not "
+        "from the weights.",
         "More segments are not always better: uniform breakpoints may miss the switching points of the best "
         "curve (n = "
         "16 is worse than n = 10). The limit is what no curve can pass; 7 free segments reach it.",

@@ -5,11 +5,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct PeakFigures {

@@ -8,12 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <numbers>
-#include <optional>
-
 namespace camopt::spatial_tables {
 
 namespace {

@@ -6,9 +6,6 @@
 #include "scene/cam_flanks.hpp"
 #include "studies/papers/papers.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt::spatial_tables {
 
 /// A cam with its motion over the turn.

@@ -5,7 +5,6 @@
 #include "motions/laws/law_catalogue.hpp"
 
 #include <initializer_list>
-#include <utility>
 
 namespace camopt {
 

@@ -9,8 +9,6 @@
 #include "splines/motion_chain.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
-#include <string>
-
 namespace camopt {
 
 /// farther: the cam's axis 10 mm lower, our reading of the paper's cams whose name ends in 2.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/pareto/front_chain.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {

@@ -2,9 +2,7 @@
 // The points of a front in order, while it grows. Private to studies/.
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

@@ -8,9 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -32,28 +29,205 @@ class Tracer {
            const std::function<void(const FrontPoint&)>& finished)
         : scene_(scene), request_(request), control_(control), finished_(finished) {}
 
-    [[nodiscard]] ParetoFront trace();
+    [[nodiscard]] ParetoFront trace() {
+        const bool ends = find_ends();
+        if (ends) {
+            FrontChain chain(node(ends_[0]), node(ends_[1]));
+            if (chain.has_extent()) {
+                resolve_shape(chain);
+                space(chain);
+            }
+            place_points(chain);
+            judge_spacing(chain);
+            sort_points(chain);
+        }
+        front_.request = request_;
+        front_.complete = ends && !stopped_;
+        std::ranges::stable_sort(points_, [](const FrontPoint& one, const FrontPoint& other) {
+            if (one.is_feasible() != other.is_feasible()) return one.is_feasible();
+            return one.is_feasible() && one.value[0] < other.value[0];
+        });
+        front_.points = std::move(points_);
+        return std::move(front_);
+    }
 
  private:
-    [[nodiscard]] bool can_cap(int goal) const;
-    [[nodiscard]] Scene scene_with(int minimized, const std::optional<double>& cap) const;
-    [[nodiscard]] std::array<double, 2> values_of(const Solution& solution, int minimized) const;
+    [[nodiscard]] bool can_cap(int goal) const {
+        if (goal == 0 && request_.keep_weights) return false;
+        return can_be_capped(scene_, request_.goals[static_cast<std::size_t>(goal)]);
+    }
+    [[nodiscard]] Scene scene_with(int minimized, const std::optional<double>& cap) const {
+        Scene scene = scene_;
+        const auto& [first, second] = request_.goals;
+        const double kept = weight_of(scene_, first);
+        if (!request_.keep_weights) scale_weights(scene, 0.0);
+        set_weight(scene, first, request_.keep_weights && kept > 0.0 ? kept : 1.0);
+        if (minimized == 1) scale_weights(scene, lexicographic_weight);
+        set_weight(scene, second, minimized == 1 ? 1.0 : lexicographic_weight);
+        if (cap) set_cap(scene, request_.goals[static_cast<std::size_t>(1 - minimized)], *cap);
+        return scene;
+    }
+    [[nodiscard]] std::array<double, 2> values_of(const Solution& solution, int minimized) const {
+        const auto& [first, second] = request_.goals;
+        std::array<double, 2> value{value_of(solution, first), value_of(solution, second)};
+        if (request_.keep_weights) {
+            const double of_second =
+                weight_of(solution.scene, second) * value[1] / reference_of(scene_, second);
+            value[0] =
+                (solution.certificate.objective - of_second) / (minimized == 1 ? lexicographic_weight : 1.0);
+        }
+        return value;
+    }
     [[nodiscard]] FrontNode node(int point) const {
         return {point, points_[static_cast<std::size_t>(point)].value};
     }
     /// The number of the new point; none where the control stopped it.
-    std::optional<int> solve(int minimized, const std::optional<double>& cap);
-    [[nodiscard]] std::optional<int> end_within(int end, int other_end);
-    bool find_ends();
-    void solve_at(FrontChain& chain, const FrontTarget& target);
-    void resolve_shape(FrontChain& chain);
-    void space(FrontChain& chain);
-    [[nodiscard]] int wanted_points(double length) const;
-    [[nodiscard]] bool may_solve(double length) const;
-    [[nodiscard]] std::vector<FrontTarget> missing_targets(const FrontChain& chain) const;
-    void place_points(const FrontChain& chain);
-    void sort_points(const FrontChain& chain);
-    void judge_spacing(const FrontChain& chain);
+    std::optional<int> solve(int minimized, const std::optional<double>& cap) {
+        if (control_.stopped()) stopped_ = true;
+        if (stopped_) return {};
+        FrontPoint point;
+        point.number = static_cast<int>(points_.size());
+        point.minimized = minimized;
+        point.cap = cap;
+        point.solution = solve_without_explaining(scene_with(minimized, cap), control_, &known_);
+        point.solution.certificate.proof.reset();
+        if (control_.stopped()) {  // what it came to then is an accident
+            stopped_ = true;
+            return {};
+        }
+        if (point.is_feasible()) point.value = values_of(point.solution, minimized);
+        points_.push_back(std::move(point));
+        if (finished_) finished_(points_.back());
+        return points_.back().number;
+    }
+    /// The end of least goal `end`, or where the cut-off puts it.
+    [[nodiscard]] std::optional<int> end_within(int end, int other_end) {
+        const auto other = static_cast<std::size_t>(1 - end);
+        const int own = ends_[static_cast<std::size_t>(end)];
+        const double most = request_.cut_off * points_[static_cast<std::size_t>(other_end)].value[other];
+        FrontPoint& least = points_[static_cast<std::size_t>(own)];
+        least.end = FrontEnd::attained;
+        if (!(most > 0.0) || least.value[other] <= most || !can_cap(1 - end)) return own;
+        const std::optional<int> cut = solve(end, most);
+        if (!cut || !points_[static_cast<std::size_t>(*cut)].is_feasible())
+            return cut ? std::optional(own) : cut;
+        points_[static_cast<std::size_t>(own)].end = FrontEnd::beyond;
+        points_[static_cast<std::size_t>(*cut)].end = FrontEnd::cut_off;
+        return cut;
+    }
+    bool find_ends() {
+        for (const int goal : {0, 1}) {
+            const std::optional<int> end = solve(goal, std::nullopt);
+            if (!end || !points_[static_cast<std::size_t>(*end)].is_feasible()) return false;
+            ends_[static_cast<std::size_t>(goal)] = *end;
+        }
+        const std::array<int, 2> least = ends_;
+        for (const int goal : {0, 1}) {
+            const std::optional<int> end = end_within(goal, least[static_cast<std::size_t>(1 - goal)]);
+            if (!end) return false;
+            ends_[static_cast<std::size_t>(goal)] = *end;
+        }
+        return true;
+    }
+    /// One more point on a piece of the chain: capped in the goal that changes more there, so that halves of
+    /// a piece are shorter than the whole.
+    void solve_at(FrontChain& chain, const FrontTarget& target) {
+        int capped = chain.change(target.after, 1) >= chain.change(target.after, 0) ? 1 : 0;
+        if (!can_cap(capped)) capped = 1 - capped;
+        const std::optional<int> found = solve(1 - capped, chain.value_within(target, capped));
+        if (!found) return;
+        if (points_[static_cast<std::size_t>(*found)].is_feasible())
+            chain.insert(node(*found), target.after);
+        else
+            chain.close(target.after);
+    }
+    void resolve_shape(FrontChain& chain) {
+        while (true) {
+            const std::vector<double> arc = arc_lengths(chain.places());
+            const int piece = longest_piece(chain.places());
+            if (piece < 0 || !may_solve(arc.back())) return;
+            const auto i = static_cast<std::size_t>(piece);
+            if (arc[i + 1] - arc[i] <= arc.back() / (wanted_points(arc.back()) - 1)) return;
+            solve_at(chain, {piece, 0.5});
+        }
+    }
+    void space(FrontChain& chain) {
+        for (int round = 0; round < most_front_rounds; ++round) {
+            std::vector<FrontTarget> missing = missing_targets(chain);
+            if (missing.empty()) return;
+            // From the far end: new points leave the numbers of the pieces before them alone.
+            for (std::size_t i = missing.size(); i-- > 0;) {
+                if (!may_solve(arc_lengths(chain.places()).back())) return;
+                if (missing[i].after + 1 < static_cast<int>(chain.nodes().size()))
+                    solve_at(chain, missing[i]);
+            }
+        }
+    }
+    [[nodiscard]] int wanted_points(double length) const {
+        if (!request_.spacing) return request_.points;
+        return static_cast<int>(std::ceil(length * (1.0 + request_.evenness) / *request_.spacing)) + 1;
+    }
+    [[nodiscard]] bool may_solve(double length) const {
+        return !stopped_ && static_cast<int>(points_.size()) < most_solves_per_point * wanted_points(length);
+    }
+    /// Where points of the even spacing are missing.
+    [[nodiscard]] std::vector<FrontTarget> missing_targets(const FrontChain& chain) const {
+        const std::vector<double> arc = arc_lengths(chain.places());
+        const int count = wanted_points(arc.back());
+        const double gap = arc.back() / (count - 1);
+        std::vector<FrontTarget> missing;
+        for (int k = 1; k + 1 < count; ++k) {
+            const int nearest = nearest_place(arc, k * gap);
+            const double off = std::abs(arc[static_cast<std::size_t>(nearest)] - k * gap);
+            if (off > 0.5 * aim * request_.evenness * gap) missing.push_back(target_at(arc, k * gap));
+        }
+        return missing;
+    }
+    void place_points(const FrontChain& chain) {
+        const std::vector<double> arc = arc_lengths(chain.places());
+        const auto point_at = [&](int place) -> FrontPoint& {
+            return points_[static_cast<std::size_t>(chain.nodes()[static_cast<std::size_t>(place)].point)];
+        };
+        for (std::size_t i = 0; i < arc.size(); ++i) point_at(static_cast<int>(i)).arc = arc[i];
+        const int last = static_cast<int>(arc.size()) - 1;
+        const int count = last == 0 ? 1 : wanted_points(arc.back());
+        int place = 0;
+        for (int k = 0; k < count; ++k) {
+            const int nearest = k == 0           ? 0
+                                : k + 1 == count ? last
+                                                 : nearest_place(arc, k * arc.back() / (count - 1));
+            FrontPoint& point = point_at(nearest);
+            if (point.place < 0) point.place = place++;
+        }
+    }
+    void sort_points(const FrontChain& chain) {
+        std::vector<bool> on_chain(points_.size(), false);
+        for (const FrontNode& node : chain.nodes()) on_chain[static_cast<std::size_t>(node.point)] = true;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            FrontPoint& point = points_[i];
+            point.dominated = point.is_feasible() && !on_chain[i] && point.end != FrontEnd::beyond;
+        }
+    }
+    void judge_spacing(const FrontChain& chain) {
+        FrontSpacing& spacing = front_.spacing;
+        std::vector<double> gaps;
+        double before = 0.0;
+        for (const FrontNode& node : chain.nodes()) {
+            const FrontPoint& point = points_[static_cast<std::size_t>(node.point)];
+            if (point.place > 0) gaps.push_back(point.arc - before);
+            if (point.place >= 0) before = point.arc;
+            spacing.length = point.arc;
+        }
+        for (const FrontPlace& place : chain.places()) spacing.jumps += place.jump_follows ? 1 : 0;
+        if (gaps.empty()) return;
+        spacing.least = std::ranges::min(gaps);
+        spacing.most = std::ranges::max(gaps);
+        spacing.mean = spacing.length / static_cast<double>(gaps.size());
+        const double off = std::max(spacing.most - spacing.mean, spacing.mean - spacing.least);
+        const int missing = wanted_points(spacing.length) - 1 - static_cast<int>(gaps.size());
+        front_.even = off <= request_.evenness * spacing.mean && missing == 0 && spacing.jumps == 0 &&
+                      (!request_.spacing || spacing.most <= *request_.spacing);
+    }
 
     const Scene& scene_;
     const FrontRequest& request_;
@@ -65,212 +239,6 @@ class Tracer {
     bool stopped_ = false;
     ParetoFront front_;
 };
-
-bool Tracer::can_cap(int goal) const {
-    if (goal == 0 && request_.keep_weights) return false;
-    return can_be_capped(scene_, request_.goals[static_cast<std::size_t>(goal)]);
-}
-
-Scene Tracer::scene_with(int minimized, const std::optional<double>& cap) const {
-    Scene scene = scene_;
-    const auto& [first, second] = request_.goals;
-    const double kept = weight_of(scene_, first);
-    if (!request_.keep_weights) scale_weights(scene, 0.0);
-    set_weight(scene, first, request_.keep_weights && kept > 0.0 ? kept : 1.0);
-    if (minimized == 1) scale_weights(scene, lexicographic_weight);
-    set_weight(scene, second, minimized == 1 ? 1.0 : lexicographic_weight);
-    if (cap) set_cap(scene, request_.goals[static_cast<std::size_t>(1 - minimized)], *cap);
-    return scene;
-}
-
-std::array<double, 2> Tracer::values_of(const Solution& solution, int minimized) const {
-    const auto& [first, second] = request_.goals;
-    std::array<double, 2> value{value_of(solution, first), value_of(solution, second)};
-    if (request_.keep_weights) {
-        const double of_second = weight_of(solution.scene, second) * value[1] / reference_of(scene_, second);
-        value[0] =
-            (solution.certificate.objective - of_second) / (minimized == 1 ? lexicographic_weight : 1.0);
-    }
-    return value;
-}
-
-std::optional<int> Tracer::solve(int minimized, const std::optional<double>& cap) {
-    if (control_.stopped()) stopped_ = true;
-    if (stopped_) return {};
-    FrontPoint point;
-    point.number = static_cast<int>(points_.size());
-    point.minimized = minimized;
-    point.cap = cap;
-    point.solution = solve_without_explaining(scene_with(minimized, cap), control_, &known_);
-    point.solution.certificate.proof.reset();
-    if (control_.stopped()) {  // what it came to then is an accident
-        stopped_ = true;
-        return {};
-    }
-    if (point.is_feasible()) point.value = values_of(point.solution, minimized);
-    points_.push_back(std::move(point));
-    if (finished_) finished_(points_.back());
-    return points_.back().number;
-}
-
-/// The end of least goal `end`, or where the cut-off puts it.
-std::optional<int> Tracer::end_within(int end, int other_end) {
-    const auto other = static_cast<std::size_t>(1 - end);
-    const int own = ends_[static_cast<std::size_t>(end)];
-    const double most = request_.cut_off * points_[static_cast<std::size_t>(other_end)].value[other];
-    FrontPoint& least = points_[static_cast<std::size_t>(own)];
-    least.end = FrontEnd::attained;
-    if (!(most > 0.0) || least.value[other] <= most || !can_cap(1 - end)) return own;
-    const std::optional<int> cut = solve(end, most);
-    if (!cut || !points_[static_cast<std::size_t>(*cut)].is_feasible()) return cut ? std::optional(own) : cut;
-    points_[static_cast<std::size_t>(own)].end = FrontEnd::beyond;
-    points_[static_cast<std::size_t>(*cut)].end = FrontEnd::cut_off;
-    return cut;
-}
-
-bool Tracer::find_ends() {
-    for (const int goal : {0, 1}) {
-        const std::optional<int> end = solve(goal, std::nullopt);
-        if (!end || !points_[static_cast<std::size_t>(*end)].is_feasible()) return false;
-        ends_[static_cast<std::size_t>(goal)] = *end;
-    }
-    const std::array<int, 2> least = ends_;
-    for (const int goal : {0, 1}) {
-        const std::optional<int> end = end_within(goal, least[static_cast<std::size_t>(1 - goal)]);
-        if (!end) return false;
-        ends_[static_cast<std::size_t>(goal)] = *end;
-    }
-    return true;
-}
-
-/// One more point on a piece of the chain: capped in the goal that changes more there, so that halves of a
-/// piece are shorter than the whole.
-void Tracer::solve_at(FrontChain& chain, const FrontTarget& target) {
-    int capped = chain.change(target.after, 1) >= chain.change(target.after, 0) ? 1 : 0;
-    if (!can_cap(capped)) capped = 1 - capped;
-    const std::optional<int> found = solve(1 - capped, chain.value_within(target, capped));
-    if (!found) return;
-    if (points_[static_cast<std::size_t>(*found)].is_feasible())
-        chain.insert(node(*found), target.after);
-    else
-        chain.close(target.after);
-}
-
-int Tracer::wanted_points(double length) const {
-    if (!request_.spacing) return request_.points;
-    return static_cast<int>(std::ceil(length * (1.0 + request_.evenness) / *request_.spacing)) + 1;
-}
-
-bool Tracer::may_solve(double length) const {
-    return !stopped_ && static_cast<int>(points_.size()) < most_solves_per_point * wanted_points(length);
-}
-
-void Tracer::resolve_shape(FrontChain& chain) {
-    while (true) {
-        const std::vector<double> arc = arc_lengths(chain.places());
-        const int piece = longest_piece(chain.places());
-        if (piece < 0 || !may_solve(arc.back())) return;
-        const auto i = static_cast<std::size_t>(piece);
-        if (arc[i + 1] - arc[i] <= arc.back() / (wanted_points(arc.back()) - 1)) return;
-        solve_at(chain, {piece, 0.5});
-    }
-}
-
-/// Where points of the even spacing are missing.
-std::vector<FrontTarget> Tracer::missing_targets(const FrontChain& chain) const {
-    const std::vector<double> arc = arc_lengths(chain.places());
-    const int count = wanted_points(arc.back());
-    const double gap = arc.back() / (count - 1);
-    std::vector<FrontTarget> missing;
-    for (int k = 1; k + 1 < count; ++k) {
-        const int nearest = nearest_place(arc, k * gap);
-        const double off = std::abs(arc[static_cast<std::size_t>(nearest)] - k * gap);
-        if (off > 0.5 * aim * request_.evenness * gap) missing.push_back(target_at(arc, k * gap));
-    }
-    return missing;
-}
-
-void Tracer::space(FrontChain& chain) {
-    for (int round = 0; round < most_front_rounds; ++round) {
-        std::vector<FrontTarget> missing = missing_targets(chain);
-        if (missing.empty()) return;
-        // From the far end: new points leave the numbers of the pieces before them alone.
-        for (std::size_t i = missing.size(); i-- > 0;) {
-            if (!may_solve(arc_lengths(chain.places()).back())) return;
-            if (missing[i].after + 1 < static_cast<int>(chain.nodes().size())) solve_at(chain, missing[i]);
-        }
-    }
-}
-
-void Tracer::place_points(const FrontChain& chain) {
-    const std::vector<double> arc = arc_lengths(chain.places());
-    const auto point_at = [&](int place) -> FrontPoint& {
-        return points_[static_cast<std::size_t>(chain.nodes()[static_cast<std::size_t>(place)].point)];
-    };
-    for (std::size_t i = 0; i < arc.size(); ++i) point_at(static_cast<int>(i)).arc = arc[i];
-    const int last = static_cast<int>(arc.size()) - 1;
-    const int count = last == 0 ? 1 : wanted_points(arc.back());
-    int place = 0;
-    for (int k = 0; k < count; ++k) {
-        const int nearest = k == 0           ? 0
-                            : k + 1 == count ? last
-                                             : nearest_place(arc, k * arc.back() / (count - 1));
-        FrontPoint& point = point_at(nearest);
-        if (point.place < 0) point.place = place++;
-    }
-}
-
-void Tracer::judge_spacing(const FrontChain& chain) {
-    FrontSpacing& spacing = front_.spacing;
-    std::vector<double> gaps;
-    double before = 0.0;
-    for (const FrontNode& node : chain.nodes()) {
-        const FrontPoint& point = points_[static_cast<std::size_t>(node.point)];
-        if (point.place > 0) gaps.push_back(point.arc - before);
-        if (point.place >= 0) before = point.arc;
-        spacing.length = point.arc;
-    }
-    for (const FrontPlace& place : chain.places()) spacing.jumps += place.jump_follows ? 1 : 0;
-    if (gaps.empty()) return;
-    spacing.least = std::ranges::min(gaps);
-    spacing.most = std::ranges::max(gaps);
-    spacing.mean = spacing.length / static_cast<double>(gaps.size());
-    const double off = std::max(spacing.most - spacing.mean, spacing.mean - spacing.least);
-    const int missing = wanted_points(spacing.length) - 1 - static_cast<int>(gaps.size());
-    front_.even = off <= request_.evenness * spacing.mean && missing == 0 && spacing.jumps == 0 &&
-                  (!request_.spacing || spacing.most <= *request_.spacing);
-}
-
-void Tracer::sort_points(const FrontChain& chain) {
-    std::vector<bool> on_chain(points_.size(), false);
-    for (const FrontNode& node : chain.nodes()) on_chain[static_cast<std::size_t>(node.point)] = true;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        FrontPoint& point = points_[i];
-        point.dominated = point.is_feasible() && !on_chain[i] && point.end != FrontEnd::beyond;
-    }
-}
-
-ParetoFront Tracer::trace() {
-    const bool ends = find_ends();
-    if (ends) {
-        FrontChain chain(node(ends_[0]), node(ends_[1]));
-        if (chain.has_extent()) {
-            resolve_shape(chain);
-            space(chain);
-        }
-        place_points(chain);
-        judge_spacing(chain);
-        sort_points(chain);
-    }
-    front_.request = request_;
-    front_.complete = ends && !stopped_;
-    std::ranges::stable_sort(points_, [](const FrontPoint& one, const FrontPoint& other) {
-        if (one.is_feasible() != other.is_feasible()) return one.is_feasible();
-        return one.is_feasible() && one.value[0] < other.value[0];
-    });
-    front_.points = std::move(points_);
-    return std::move(front_);
-}
 
 void require(bool right, const char* what, double found, const char* allowed) {
     if (!right) throw InputError(fmt::format("{}: found {}; allowed: {}", what, found, allowed));

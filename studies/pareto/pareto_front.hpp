@@ -23,11 +23,6 @@
 #include "studies/delivered/solution.hpp"
 #include "studies/pareto/sweep_front.hpp"
 
-#include <array>
-#include <functional>
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 /// Weight of the capped goal: small enough to leave the other its optimum, large enough to be seen by a solve

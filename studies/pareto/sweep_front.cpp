@@ -7,11 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <vector>
 
 namespace camopt {
 

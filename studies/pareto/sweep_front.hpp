@@ -7,9 +7,6 @@
 #include "studies/delivered/solution.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
-#include <optional>
-#include <string>
-#include <string_view>
 #include <variant>
 
 namespace camopt {

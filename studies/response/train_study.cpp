@@ -13,9 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt {
 namespace {
 
@@ -53,8 +50,73 @@ class TrainStudyRun {
         for (const double speed : study_.speeds) study_.rows.push_back(row(subject, pieces, speed));
         study_.lift_off_speeds.push_back(lift_off(pieces));
     }
-    void add_history(const std::string& key, const Motion& motion, const MotionEvent& event);
-    void add_steady(const Motion& turn);
+    void add_history(const std::string& key, const Motion& motion, const MotionEvent& event) {
+        const double speed = scene_.motion.speed.value();
+        const auto train = train_at(scene_, speed);
+        const std::vector<SlopePiece> all = scene_.dynamics->formulas->pieces(motion);
+        const EventPieces pieces = pieces_of_event(all, event);
+        const double period =
+            units::turn / study_.natural_frequencies.front() * speed / scene_.motion.unit_angle();
+        TrainHistory history{key, speed, {}};
+        std::vector<SlopePiece> run = pieces.moving;
+        double length = 0.0, dwell = 0.0;
+        for (const SlopePiece& piece : pieces.moving) length += piece.width;
+        for (SlopePiece piece : pieces.dwell) {
+            piece.width = std::min(piece.width, shown_periods * period - dwell);
+            if (piece.width <= 0.0) break;
+            dwell += piece.width;
+            run.push_back(std::move(piece));
+        }
+        const std::vector<Eigen::VectorXd> states =
+            train->states_along(run, Eigen::VectorXd::Zero(train->states()), 0.0);
+        double begin = 0.0;
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            const SlopePiece& piece = run[i];
+            const int count =
+                std::max(2, static_cast<int>(std::ceil(history_instants * piece.width / (length + dwell))));
+            for (int k = 0; k < count + (i + 1 == run.size() ? 1 : 0); ++k) {
+                const double t = static_cast<double>(k) / count;
+                const Eigen::VectorXd state = train->state_inside(states[i], piece, t);
+                double y = piece.displacement, v = 0.0, a = 0.0;
+                for (Eigen::Index j = piece.slope.size(); j-- > 0;) v = v * t + piece.slope[j];
+                for (Eigen::Index j = piece.slope.size() - 1; j >= 1; --j)
+                    a = a * t + static_cast<double>(j) * piece.slope[j];
+                a /= piece.width;
+                for (Eigen::Index j = 0; j < piece.slope.size(); ++j)
+                    y += piece.width * piece.slope[j] * std::pow(t, j + 1) / static_cast<double>(j + 1);
+                const auto read = [&](const TrainAtSpeed::Reading& reading) {
+                    return reading.state.dot(state) + reading.motion[0] * y + reading.motion[1] * v +
+                           reading.motion[2] * a + reading.constant;
+                };
+                history.instants.push_back({begin + t * piece.width, y, y + read(train->deflection()), a,
+                                            read(train->acceleration()), read(train->contact_force())});
+            }
+            begin += piece.width;
+        }
+        study_.histories.push_back(std::move(history));
+    }
+    void add_steady(const Motion& turn) {
+        const std::vector<SlopePiece> pieces = scene_.dynamics->formulas->pieces(turn);
+        for (const double speed : study_.speeds) {
+            const auto train = train_at(scene_, speed);
+            const Eigen::VectorXd start = train->steady_start(pieces);
+            if (!start.allFinite()) continue;
+            const auto states = train->states_along(pieces, start, pieces.back().slope.sum());
+            const auto largest = [&](const TrainAtSpeed::Reading& reading, double sign) {
+                double best = -infinity;
+                for (std::size_t i = 0; i < pieces.size(); ++i)
+                    for (const Extremum& one : train->maxima(reading, sign, states[i], pieces[i], best))
+                        best = std::max(best, one.value);
+                return best;
+            };
+            const auto magnitude = [&](const TrainAtSpeed::Reading& reading) {
+                return std::max(largest(reading, 1.0), largest(reading, -1.0));
+            };
+            SteadyRow row{speed, magnitude(train->deflection()), magnitude(train->acceleration()), {}};
+            if (scene_.dynamics->pressed()) row.least_force = -largest(train->contact_force(), -1.0);
+            study_.steady.push_back(row);
+        }
+    }
 
     TrainStudy finished() { return std::move(study_); }
 
@@ -96,75 +158,6 @@ class TrainStudyRun {
     const Scene& scene_;
     TrainStudy study_;
 };
-
-void TrainStudyRun::add_history(const std::string& key, const Motion& motion, const MotionEvent& event) {
-    const double speed = scene_.motion.speed.value();
-    const auto train = train_at(scene_, speed);
-    const std::vector<SlopePiece> all = scene_.dynamics->formulas->pieces(motion);
-    const EventPieces pieces = pieces_of_event(all, event);
-    const double period =
-        units::turn / study_.natural_frequencies.front() * speed / scene_.motion.unit_angle();
-    TrainHistory history{key, speed, {}};
-    std::vector<SlopePiece> run = pieces.moving;
-    double length = 0.0, dwell = 0.0;
-    for (const SlopePiece& piece : pieces.moving) length += piece.width;
-    for (SlopePiece piece : pieces.dwell) {
-        piece.width = std::min(piece.width, shown_periods * period - dwell);
-        if (piece.width <= 0.0) break;
-        dwell += piece.width;
-        run.push_back(std::move(piece));
-    }
-    const std::vector<Eigen::VectorXd> states =
-        train->states_along(run, Eigen::VectorXd::Zero(train->states()), 0.0);
-    double begin = 0.0;
-    for (std::size_t i = 0; i < run.size(); ++i) {
-        const SlopePiece& piece = run[i];
-        const int count =
-            std::max(2, static_cast<int>(std::ceil(history_instants * piece.width / (length + dwell))));
-        for (int k = 0; k < count + (i + 1 == run.size() ? 1 : 0); ++k) {
-            const double t = static_cast<double>(k) / count;
-            const Eigen::VectorXd state = train->state_inside(states[i], piece, t);
-            double y = piece.displacement, v = 0.0, a = 0.0;
-            for (Eigen::Index j = piece.slope.size(); j-- > 0;) v = v * t + piece.slope[j];
-            for (Eigen::Index j = piece.slope.size() - 1; j >= 1; --j)
-                a = a * t + static_cast<double>(j) * piece.slope[j];
-            a /= piece.width;
-            for (Eigen::Index j = 0; j < piece.slope.size(); ++j)
-                y += piece.width * piece.slope[j] * std::pow(t, j + 1) / static_cast<double>(j + 1);
-            const auto read = [&](const TrainAtSpeed::Reading& reading) {
-                return reading.state.dot(state) + reading.motion[0] * y + reading.motion[1] * v +
-                       reading.motion[2] * a + reading.constant;
-            };
-            history.instants.push_back({begin + t * piece.width, y, y + read(train->deflection()), a,
-                                        read(train->acceleration()), read(train->contact_force())});
-        }
-        begin += piece.width;
-    }
-    study_.histories.push_back(std::move(history));
-}
-
-void TrainStudyRun::add_steady(const Motion& turn) {
-    const std::vector<SlopePiece> pieces = scene_.dynamics->formulas->pieces(turn);
-    for (const double speed : study_.speeds) {
-        const auto train = train_at(scene_, speed);
-        const Eigen::VectorXd start = train->steady_start(pieces);
-        if (!start.allFinite()) continue;
-        const auto states = train->states_along(pieces, start, pieces.back().slope.sum());
-        const auto largest = [&](const TrainAtSpeed::Reading& reading, double sign) {
-            double best = -infinity;
-            for (std::size_t i = 0; i < pieces.size(); ++i)
-                for (const Extremum& one : train->maxima(reading, sign, states[i], pieces[i], best))
-                    best = std::max(best, one.value);
-            return best;
-        };
-        const auto magnitude = [&](const TrainAtSpeed::Reading& reading) {
-            return std::max(largest(reading, 1.0), largest(reading, -1.0));
-        };
-        SteadyRow row{speed, magnitude(train->deflection()), magnitude(train->acceleration()), {}};
-        if (scene_.dynamics->pressed()) row.least_force = -largest(train->contact_force(), -1.0);
-        study_.steady.push_back(row);
-    }
-}
 
 bool is_damped(const DynamicsSpec& spec) {
     return spec.output().damping > 0.0 &&

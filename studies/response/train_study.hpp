@@ -7,11 +7,6 @@
 #include "solvers/solver.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// One motion at one speed. From rest, during its (first) rise and as it leaves.

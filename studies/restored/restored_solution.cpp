@@ -14,11 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <numbers>
-
 namespace camopt {
 
 namespace {

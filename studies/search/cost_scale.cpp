@@ -4,11 +4,7 @@
 #include "scene/cost_table.hpp"
 #include "solvers/certificate/box_proof.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <memory>
-#include <vector>
 
 namespace camopt {
 

@@ -11,8 +11,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <vector>
-
 namespace camopt {
 
 class CostScale {

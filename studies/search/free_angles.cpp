@@ -10,11 +10,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
 #include <random>
-#include <string>
 
 namespace camopt {
 

@@ -7,11 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <vector>
-
 namespace camopt {
 
 namespace {

@@ -12,11 +12,6 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "studies/search/proved_optima.hpp"
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct KnownSolutions {

@@ -11,10 +11,6 @@
 #include "studies/search/planned_solve.hpp"
 #include "studies/search/solve_steps.hpp"
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 namespace camopt {
 
 namespace {

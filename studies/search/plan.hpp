@@ -7,9 +7,6 @@
 #include "scene/scene.hpp"
 #include "solvers/certificate/certificate.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 enum class ConvexOver;  // objectives/scene_model.hpp

@@ -15,11 +15,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <memory>
-#include <optional>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -6,10 +6,6 @@
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/search/cost_scale.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -24,10 +24,7 @@
 #include <Eigen/SparseCore>
 
 #include <list>
-#include <memory>
 #include <mutex>
-#include <optional>
-#include <vector>
 
 namespace camopt {
 

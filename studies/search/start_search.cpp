@@ -8,11 +8,6 @@
 
 #include <Eigen/QR>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
-
 namespace camopt {
 
 namespace {

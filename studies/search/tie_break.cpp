@@ -4,12 +4,6 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/search/solve_steps.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <utility>
-
 namespace camopt {
 
 namespace {

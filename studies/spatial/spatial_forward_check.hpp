@@ -14,12 +14,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <span>
-#include <vector>
-
 namespace camopt {
 
 struct SpatialForwardCheckInput {

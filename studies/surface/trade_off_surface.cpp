@@ -2,17 +2,17 @@
 #include "studies/surface/trade_off_surface.hpp"
 
 #include "core/errors.hpp"
+#include "core/word_of.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/search/planned_solve.hpp"
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
+#include <set>
 
 namespace camopt {
 
@@ -73,17 +73,134 @@ class SurfaceSearch {
           known_(std::move(known)),
           finished_(finished) {}
 
-    [[nodiscard]] TradeOffSurface run();
+    [[nodiscard]] TradeOffSurface run() {
+        for (const FrontFigure term : surface_terms)
+            surface_.table.columns.keys.push_back(fmt::format("objective.{}", name_of(FrontGoal(term))));
+        surface_.table.columns.criteria = {"velocity", "acceleration", "jerk"};
+        surface_.table.columns.length_unit = scene_.length_unit;
+        for (std::size_t k = 0; k < 3; ++k) surface_.reference[k] = reference_of(scene_, surface_terms[k]);
+        if (!begin()) return std::move(surface_);
+        while (true) {
+            HullTriangle* const triangle = widest();
+            if (finished_) {
+                describe();
+                finished_(surface_);
+            }
+            if (triangle == nullptr) {
+                describe();
+                surface_.end = surface_.error <= request_.error ? SurfaceEnd::reached : SurfaceEnd::own_gaps;
+                return std::move(surface_);
+            }
+            if (static_cast<int>(surface_.table.rows.size()) >= request_.most_solves) {
+                surface_.end = SurfaceEnd::solves;
+                break;
+            }
+            const Eigen::Vector3d weights = triangle->widest;
+            const double gap = triangle->gap;
+            const std::array<int, 3> corners = triangle->corners;
+            if (!take(weights)) break;
+            surface_.hull->add(weights, *surface_.table.rows.back().lower_bound);
+            // The same triangle with the same gap: the solve's own gap is as wide.
+            for (HullTriangle& same : surface_.hull->triangles()) {
+                if (same.corners != corners) continue;
+                measure(same);
+                same.settled = same.gap > (1.0 - worth_a_solve) * gap;
+            }
+        }
+        describe();
+        return std::move(surface_);
+    }
 
  private:
     /// The next row: one that is known, or a solve. False: the search ends with it.
-    bool take(const Eigen::Vector3d& weights);
-    [[nodiscard]] SweepRow solve(const Eigen::Vector3d& weights);
-    [[nodiscard]] bool has_motion_and_bound(const SweepRow& row);
-    bool begin();
-    void measure(HullTriangle& triangle) const;
-    [[nodiscard]] HullTriangle* widest();
-    void describe();
+    bool take(const Eigen::Vector3d& weights) {
+        std::vector<SweepRow>& rows = surface_.table.rows;
+        const auto next = rows.size();
+        const std::vector<double> settings{weights[0], weights[1], weights[2]};
+        if (next < known_.size() && known_[next].settings == settings) {
+            rows.push_back(known_[next]);
+        } else {
+            known_.resize(std::min(known_.size(), next));
+            if (control_.stopped()) {
+                surface_.end = SurfaceEnd::interrupted;
+                return false;
+            }
+            SweepRow row = solve(weights);
+            if (control_.stopped()) {  // what it came to then is an accident
+                surface_.end = SurfaceEnd::interrupted;
+                return false;
+            }
+            rows.push_back(std::move(row));
+        }
+        if (!has_motion_and_bound(rows.back())) {
+            surface_.end = SurfaceEnd::no_motion;
+            return false;
+        }
+        points_.push_back(vector_of(surface_.point(rows.back())));
+        return true;
+    }
+    [[nodiscard]] SweepRow solve(const Eigen::Vector3d& weights) {
+        const int number = static_cast<int>(surface_.table.rows.size());
+        const Scene scene = weighted(scene_, weights);
+        solved_before_.number = number;
+        return sweep_row(number, triple_of(weights),
+                         solve_without_explaining(scene, control_, &solved_before_));
+    }
+    [[nodiscard]] bool has_motion_and_bound(const SweepRow& row) {
+        const PeakTriple point = row.is_feasible() ? surface_.point(row) : PeakTriple{infinity, 0.0, 0.0};
+        return row.lower_bound && std::ranges::all_of(point, [](double peak) { return std::isfinite(peak); });
+    }
+    /// The three corners.
+    bool begin() {
+        std::array<double, 3> heights{};
+        for (int k = 0; k < 3; ++k) {
+            if (!take(Eigen::Vector3d::Unit(k))) return false;
+            heights[static_cast<std::size_t>(k)] = *surface_.table.rows.back().lower_bound;
+        }
+        surface_.hull.emplace(heights);
+        return true;
+    }
+    /// How far the least of w · p lies above the triangle at most, and where.
+    void measure(HullTriangle& triangle) const {
+        Eigen::Matrix3d corners;
+        for (std::size_t k = 0; k < 3; ++k)
+            corners.row(static_cast<Eigen::Index>(k)) = surface_.hull->weights(triangle.corners[k]);
+        std::vector<PeakTriple> rows;
+        rows.reserve(points_.size());
+        for (const Eigen::Vector3d& point : points_) {
+            const Eigen::Vector3d values = corners * (point - triangle.plane);
+            rows.push_back(triple_of(values));
+        }
+        const GameValue game = solve_game_by_cuts(rows);
+        triangle.widest = corners.transpose() * vector_of(game.mix);
+        double upper = infinity;
+        for (const Eigen::Vector3d& point : points_) upper = std::min(upper, triangle.widest.dot(point));
+        triangle.gap = game.bound / std::max(1.0, std::abs(upper));
+    }
+    /// The triangle of the widest gap that another solve may close; null: none is above the error asked for.
+    /// Gaps only shrink as points are added, so that an old one that is small enough need not be measured
+    /// again.
+    [[nodiscard]] HullTriangle* widest() {
+        std::vector<HullTriangle>& triangles = surface_.hull->triangles();
+        for (HullTriangle& triangle : triangles)
+            if (triangle.gap > 0.9 * request_.error) measure(triangle);
+        HullTriangle* most = nullptr;
+        for (HullTriangle& triangle : triangles)
+            if (!triangle.settled && triangle.gap + gap_rounding > request_.error &&
+                (most == nullptr || triangle.gap > most->gap))
+                most = &triangle;
+        return most;
+    }
+    void describe() {
+        if (!surface_.hull) return;
+        surface_.error = 0.0;
+        surface_.triangles.clear();
+        for (HullTriangle& triangle : surface_.hull->triangles()) {
+            if (!std::isfinite(triangle.gap)) measure(triangle);
+            surface_.error = std::max(surface_.error, triangle.gap + gap_rounding);
+            surface_.triangles.push_back(triangle.corners);
+        }
+    }
 
     const Scene& scene_;
     const SurfaceRequest& request_;
@@ -95,136 +212,10 @@ class SurfaceSearch {
     std::vector<Eigen::Vector3d> points_;  ///< p of each row
 };
 
-SweepRow SurfaceSearch::solve(const Eigen::Vector3d& weights) {
-    const int number = static_cast<int>(surface_.table.rows.size());
-    const Scene scene = weighted(scene_, weights);
-    solved_before_.number = number;
-    return sweep_row(number, triple_of(weights), solve_without_explaining(scene, control_, &solved_before_));
-}
-
-bool SurfaceSearch::has_motion_and_bound(const SweepRow& row) {
-    const PeakTriple point = row.is_feasible() ? surface_.point(row) : PeakTriple{infinity, 0.0, 0.0};
-    return row.lower_bound && std::ranges::all_of(point, [](double peak) { return std::isfinite(peak); });
-}
-
-bool SurfaceSearch::take(const Eigen::Vector3d& weights) {
-    std::vector<SweepRow>& rows = surface_.table.rows;
-    const auto next = rows.size();
-    const std::vector<double> settings{weights[0], weights[1], weights[2]};
-    if (next < known_.size() && known_[next].settings == settings) {
-        rows.push_back(known_[next]);
-    } else {
-        known_.resize(std::min(known_.size(), next));
-        if (control_.stopped()) {
-            surface_.end = SurfaceEnd::interrupted;
-            return false;
-        }
-        SweepRow row = solve(weights);
-        if (control_.stopped()) {  // what it came to then is an accident
-            surface_.end = SurfaceEnd::interrupted;
-            return false;
-        }
-        rows.push_back(std::move(row));
-    }
-    if (!has_motion_and_bound(rows.back())) {
-        surface_.end = SurfaceEnd::no_motion;
-        return false;
-    }
-    points_.push_back(vector_of(surface_.point(rows.back())));
-    return true;
-}
-
-/// The three corners.
-bool SurfaceSearch::begin() {
-    std::array<double, 3> heights{};
-    for (int k = 0; k < 3; ++k) {
-        if (!take(Eigen::Vector3d::Unit(k))) return false;
-        heights[static_cast<std::size_t>(k)] = *surface_.table.rows.back().lower_bound;
-    }
-    surface_.hull.emplace(heights);
-    return true;
-}
-
-/// How far the least of w · p lies above the triangle at most, and where.
-void SurfaceSearch::measure(HullTriangle& triangle) const {
-    Eigen::Matrix3d corners;
-    for (std::size_t k = 0; k < 3; ++k)
-        corners.row(static_cast<Eigen::Index>(k)) = surface_.hull->weights(triangle.corners[k]);
-    std::vector<PeakTriple> rows;
-    rows.reserve(points_.size());
-    for (const Eigen::Vector3d& point : points_) {
-        const Eigen::Vector3d values = corners * (point - triangle.plane);
-        rows.push_back(triple_of(values));
-    }
-    const GameValue game = solve_game_by_cuts(rows);
-    triangle.widest = corners.transpose() * vector_of(game.mix);
-    double upper = infinity;
-    for (const Eigen::Vector3d& point : points_) upper = std::min(upper, triangle.widest.dot(point));
-    triangle.gap = game.bound / std::max(1.0, std::abs(upper));
-}
-
-/// The triangle of the widest gap that another solve may close; null: none is above the error asked for. Gaps
-/// only shrink as points are added, so that an old one that is small enough need not be measured again.
-HullTriangle* SurfaceSearch::widest() {
-    std::vector<HullTriangle>& triangles = surface_.hull->triangles();
-    for (HullTriangle& triangle : triangles)
-        if (triangle.gap > 0.9 * request_.error) measure(triangle);
-    HullTriangle* most = nullptr;
-    for (HullTriangle& triangle : triangles)
-        if (!triangle.settled && triangle.gap + gap_rounding > request_.error &&
-            (most == nullptr || triangle.gap > most->gap))
-            most = &triangle;
-    return most;
-}
-
-void SurfaceSearch::describe() {
-    if (!surface_.hull) return;
-    surface_.error = 0.0;
-    surface_.triangles.clear();
-    for (HullTriangle& triangle : surface_.hull->triangles()) {
-        if (!std::isfinite(triangle.gap)) measure(triangle);
-        surface_.error = std::max(surface_.error, triangle.gap + gap_rounding);
-        surface_.triangles.push_back(triangle.corners);
-    }
-}
-
-TradeOffSurface SurfaceSearch::run() {
-    for (const FrontFigure term : surface_terms)
-        surface_.table.columns.keys.push_back(fmt::format("objective.{}", name_of(FrontGoal(term))));
-    surface_.table.columns.criteria = {"velocity", "acceleration", "jerk"};
-    surface_.table.columns.length_unit = scene_.length_unit;
-    for (std::size_t k = 0; k < 3; ++k) surface_.reference[k] = reference_of(scene_, surface_terms[k]);
-    if (!begin()) return std::move(surface_);
-    while (true) {
-        HullTriangle* const triangle = widest();
-        if (finished_) {
-            describe();
-            finished_(surface_);
-        }
-        if (triangle == nullptr) {
-            describe();
-            surface_.end = surface_.error <= request_.error ? SurfaceEnd::reached : SurfaceEnd::own_gaps;
-            return std::move(surface_);
-        }
-        if (static_cast<int>(surface_.table.rows.size()) >= request_.most_solves) {
-            surface_.end = SurfaceEnd::solves;
-            break;
-        }
-        const Eigen::Vector3d weights = triangle->widest;
-        const double gap = triangle->gap;
-        const std::array<int, 3> corners = triangle->corners;
-        if (!take(weights)) break;
-        surface_.hull->add(weights, *surface_.table.rows.back().lower_bound);
-        // The same triangle with the same gap: the solve's own gap is as wide.
-        for (HullTriangle& same : surface_.hull->triangles()) {
-            if (same.corners != corners) continue;
-            measure(same);
-            same.settled = same.gap > (1.0 - worth_a_solve) * gap;
-        }
-    }
-    describe();
-    return std::move(surface_);
-}
+// A point this far above a plane, relative to its height, sees the triangle from above.
+constexpr double above = 1e-13;
+// Triangles of less than this part of the whole have no inside: their corners lie on one line.
+constexpr double least_area = 1e-14;
 
 }  // namespace
 
@@ -245,19 +236,8 @@ void SurfaceRequest::validate(const Scene& scene) const {
 }
 
 const char* name_of(SurfaceEnd value) {
-    switch (value) {
-        case SurfaceEnd::reached:
-            return "reached";
-        case SurfaceEnd::solves:
-            return "solves";
-        case SurfaceEnd::own_gaps:
-            return "own_gaps";
-        case SurfaceEnd::no_motion:
-            return "no_motion";
-        case SurfaceEnd::interrupted:
-            break;
-    }
-    return "interrupted";
+    return word_of<SurfaceEnd::interrupted>(value,
+                                            {"reached", "solves", "own_gaps", "no_motion", "interrupted"});
 }
 
 PeakTriple TradeOffSurface::point(const SweepRow& row) const {
@@ -292,6 +272,43 @@ TradeOffSurface trade_off_surface(const Scene& scene, const SurfaceRequest& requ
                                   const std::function<void(const TradeOffSurface&)>& finished) {
     request.validate(scene);
     return SurfaceSearch(scene, request, control, std::move(known), finished).run();
+}
+
+WeightHull::WeightHull(const std::array<double, 3>& heights) : heights_(heights.begin(), heights.end()) {
+    for (int k = 0; k < 3; ++k) points_.emplace_back(Eigen::Vector3d::Unit(k));
+    add_triangle(0, 1, 2);
+}
+
+void WeightHull::add_triangle(int a, int b, int c) {
+    Eigen::Matrix3d corners;
+    corners << weights(a).transpose(), weights(b).transpose(), weights(c).transpose();
+    if (std::abs(corners.determinant()) < least_area) return;
+    const Eigen::Vector3d lifted(height(a), height(b), height(c));
+    triangles_.push_back({{a, b, c}, corners.partialPivLu().solve(lifted)});
+}
+
+int WeightHull::add(const Eigen::Vector3d& weights, double height) {
+    const int added = static_cast<int>(points_.size());
+    points_.push_back(weights);
+    heights_.push_back(height);
+    // Everything that the new point sees from above goes; its border is joined to the point.
+    std::set<std::pair<int, int>> border;
+    std::erase_if(triangles_, [&](const HullTriangle& triangle) {
+        if (!(weights.dot(triangle.plane) < height - above * std::max(1.0, std::abs(height)))) return false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int from = triangle.corners[k], to = triangle.corners[(k + 1) % 3];
+            if (border.erase({to, from}) == 0) border.insert({from, to});
+        }
+        return true;
+    });
+    for (const auto& [from, to] : border) add_triangle(from, to, added);
+    return added;
+}
+
+double WeightHull::at(const Eigen::Vector3d& weights) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const HullTriangle& triangle : triangles_) least = std::min(least, weights.dot(triangle.plane));
+    return least;
 }
 
 }  // namespace camopt

@@ -1,4 +1,52 @@
 // SPDX-License-Identifier: MIT
+// Heights over the triangle of all weights of three terms, and the least concave function above them.
+//
+// A weight point is (w_V, w_A, w_J) >= 0 with sum 1. The graph of the function is the upper side of the
+// convex hull of the points lifted to their heights: triangles over the weights, each in a plane w · plane.
+#pragma once
+
+#include "solvers/solver.hpp"
+#include "studies/compare/law_losses.hpp"
+#include "studies/sweep/sweep_row.hpp"
+
+#include <Eigen/Core>
+
+namespace camopt {
+
+struct HullTriangle {
+    std::array<int, 3> corners{};  ///< points of the hull
+    Eigen::Vector3d plane;         ///< its height at w is w · plane
+    /// Free for whoever looks at triangles one by one; of a new one not yet known.
+    double gap = std::numeric_limits<double>::infinity();
+    Eigen::Vector3d widest = Eigen::Vector3d::Zero();
+    bool settled = false;
+};
+
+class WeightHull {
+ public:
+    /// Heights over (1, 0, 0), (0, 1, 0), (0, 0, 1): points 0, 1, 2.
+    explicit WeightHull(const std::array<double, 3>& heights);
+
+    /// The point's number. What lies on or below the hull changes nothing of it.
+    int add(const Eigen::Vector3d& weights, double height);
+
+    [[nodiscard]] const Eigen::Vector3d& weights(int point) const {
+        return points_[static_cast<std::size_t>(point)];
+    }
+    [[nodiscard]] double height(int point) const { return heights_[static_cast<std::size_t>(point)]; }
+    [[nodiscard]] std::vector<HullTriangle>& triangles() { return triangles_; }
+    [[nodiscard]] const std::vector<HullTriangle>& triangles() const { return triangles_; }
+    /// The function at these weights: the least of all planes, hence never above the hull by rounding.
+    [[nodiscard]] double at(const Eigen::Vector3d& weights) const;
+
+ private:
+    void add_triangle(int a, int b, int c);
+
+    std::vector<Eigen::Vector3d> points_;
+    std::vector<double> heights_;
+    std::vector<HullTriangle> triangles_;
+};
+
 // The least weighted sum of the peaks V, A, J for every weight, to a stated error, by few solves.
 //
 // f(w) = min over all motions of w · p with p = (V, A, J) over the scene's references is concave in w,
@@ -11,19 +59,6 @@
 // Hertog, A. Hoffmann, INFORMS J. Comput. 23 (2011)). On each triangle of the hull the farthest place is a
 // matrix game of three columns. Where the scene is convex the points p_k span the surface of all trade-offs:
 // some motion lies at or below every point of a triangle between three of them.
-#pragma once
-
-#include "solvers/solver.hpp"
-#include "studies/compare/law_losses.hpp"
-#include "studies/surface/weight_hull.hpp"
-#include "studies/sweep/sweep_row.hpp"
-
-#include <array>
-#include <functional>
-#include <optional>
-#include <vector>
-
-namespace camopt {
 
 struct SurfaceRequest {
     double error = 1e-4;     ///< of the objective, relative to the larger of 1 and itself; in (0, 1)

@@ -7,12 +7,7 @@
 #include "scene/cost_table.hpp"
 #include "scene/scene.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace camopt {
 

@@ -6,10 +6,7 @@
 // found and what is allowed.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "core/base/standard.hpp"
 
 namespace camopt {
 

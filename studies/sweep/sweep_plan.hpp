@@ -7,14 +7,10 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "solvers/solver.hpp"
+#include "studies/delivered/solution.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "studies/sweep/sweep_row.hpp"
-
-#include <functional>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 namespace camopt {
 
@@ -76,5 +72,74 @@ class SweepScenes {
 /// that is wrong, its values and why; UnavailableError for a backend this build leaves out. Returns what the
 /// rows have in common.
 [[nodiscard]] SweepColumns check_rows(SweepScenes& scenes);
+
+// Solving the rows of a sweep, chunk by chunk.
+//
+// The unit of work is a chunk: so many rows in a row, fixed by their numbers alone. Each chunk starts cold
+// and solves its rows in order, every one from what the row before found
+// (studies/search/known_solutions.hpp). So a row's result depends on the plan and the size of the chunks, and
+// on nothing else: not on who solves which chunk, nor when.
+
+/// Long enough for warm starts to pay, short enough to lose little where a run is stopped.
+inline constexpr int default_chunk_size = 25;
+/// Where the weights of a convex scene move fastest, most rows need no solve, and the more of them the longer
+/// a chunk: up to this, or fewer where splines have so many segments that a solve takes long.
+inline constexpr int weight_chunk_size = 500;
+/// The chunks a small sweep is cut into at least, so that several workers find something to do.
+inline constexpr int least_chunks = 16;
+
+/// Rows begin … end − 1.
+struct RowRange {
+    int begin = 0, end = 0;
+    [[nodiscard]] int size() const { return end - begin; }
+};
+
+/// How rows are cut into chunks; the last one may be shorter.
+struct Chunking {
+    int rows = 0;
+    int size = default_chunk_size;
+
+    [[nodiscard]] int count() const { return (rows + size - 1) / size; }
+    [[nodiscard]] RowRange range(int chunk) const {
+        return {chunk * size, chunk == count() - 1 ? rows : (chunk + 1) * size};
+    }
+};
+
+/// By the number of rows, what moves fastest, and the scene of the first row: one of the sizes above, or less
+/// where that makes fewer than least_chunks chunks. Throws InputError where that row is wrong.
+[[nodiscard]] int chunk_size_for(SweepScenes& scenes);
+
+/// What a solution says, as a row.
+[[nodiscard]] SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution);
+
+/// A row without a solution.
+[[nodiscard]] SweepRow failed_row(int number, std::span<const double> settings, std::string_view reason);
+
+/// One row a number, in order; `row_done` (may be empty) is called after each. A row whose solve throws is
+/// failed with the message as its reason, and the next starts cold. Where control stops it the rows so far
+/// come back, the last one perhaps stopped halfway: fewer than asked for, or not to be kept. `found` (may be
+/// empty): called before it with the solution, where there is one.
+[[nodiscard]] std::vector<SweepRow> solve_chunk(
+    SweepScenes& scenes, RowRange rows, const SolveControl& control = {},
+    const std::function<void(const SweepRow&)>& row_done = {},
+    const std::function<void(int row, const Solution&)>& found = {});
+
+// A sweep that a function makes: for studies that no key of a scene file could say. Sweeps by keys, which can
+// be cut into chunks and resumed, are studies/sweep/sweep_plan.hpp.
+struct SweptScene {
+    double value = 0.0;
+    Solution solution;
+};
+
+/// Puts a value into a scene, which is that of the sweep each time.
+using SceneSetter = std::function<void(Scene& scene, double value)>;
+
+/// One solve a value, in order, each from what the one before found: verdicts and objectives are those of
+/// solve() to the solver's tolerance, infeasible scenes are not explained. `solved` (may be empty) is called
+/// after each. Where control stops it the finished ones come back. Throws what solve() throws, for the first
+/// scene that is wrong.
+[[nodiscard]] std::vector<SweptScene> sweep(const Scene& scene, std::span<const double> values,
+                                            const SceneSetter& set, const SolveControl& control = {},
+                                            const std::function<void(const SweptScene&)>& solved = {});
 
 }  // namespace camopt

@@ -11,12 +11,6 @@
 #include "scene/cost_table.hpp"
 #include "solvers/certificate/certificate.hpp"
 
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// The figures of a motion that an objective can weigh, in the order of the columns.

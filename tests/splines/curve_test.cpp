@@ -2,7 +2,6 @@
 #include "splines/curve.hpp"
 
 #include "core/errors.hpp"
-#include "splines/extrema.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability/table/stability_report.hpp"
 #include "core/text/parsing.hpp"
-#include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
 
 #include <fmt/format.h>

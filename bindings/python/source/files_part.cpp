@@ -19,11 +19,9 @@ namespace {
 
 constexpr const char* options_words =
     "\n\nOptions: bore_mm, thickness_mm of a disk cam, in place of the scene's [drawing]; cutter_mm "
-    "(diameter; "
-    "default: the\nroller's, of a plane cam 16), feed_mm_min (300), spindle_rpm (no word), post (a file, "
-    "docs/nc.md) of an NC\nprogram; points (evenly over the revolution; default: the joints of the motion) "
-    "of an "
-    "electronic cam. Lengths in mm.";
+    "(diameter; default: the\nroller's, of a plane cam 16), feed_mm_min (300), spindle_rpm (no word), post "
+    "(a file, docs/nc.md) of an NC\nprogram; points (evenly over the revolution; default: the joints of the "
+    "motion) of an electronic cam. Lengths in mm.";
 
 /// Keywords as options.
 ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
@@ -128,8 +126,7 @@ void add_files(py::class_<SolvedScene>& type) {
                 return text(s, plane ? "cam.step" : "flanks.step", options);
             },
             "STEP, as text, mm: a disk cam as a solid, the flanks of a three-dimensional cam as surfaces. "
-            "Options "
-            "bore_mm,\nthickness_mm. Raises UnavailableError in a build without Open CASCADE.")
+            "Options bore_mm,\nthickness_mm. Raises UnavailableError in a build without Open CASCADE.")
         .def(
             "plc",
             [](const SolvedScene& s, const std::string& controller, const py::kwargs& options) {

@@ -32,8 +32,7 @@ const Solution& of(const SolvedScene& solved) {
 }
 
 /// A limit with the angle in degrees that people read it by.
-struct ConstraintValue {
-    ConstraintReport report;
+struct ConstraintValue : ConstraintReport {
     double at_deg = 0.0;
 };
 
@@ -53,8 +52,7 @@ const SplineCurve& curve(const SolvedScene& solved) {
     if (!of(solved).curve)
         throw InputError(
             "one spline: found a program, whose segments have their own; allowed: DRD and RR. Its segments "
-            "stand in "
-            "to_dict()[\"segments\"]");
+            "stand in to_dict()[\"segments\"]");
     return *of(solved).curve;
 }
 
@@ -150,34 +148,20 @@ void add_rows(py::module_& module) {
         });
     py::class_<ConstraintValue>(module, "Constraint",
                                 "A limit of the scene, as written, and the value reached.")
-        .def_property_readonly(
-            "name", [](const ConstraintValue& row) { return row.report.name; },
-            "\"velocity\", \"pressure_angle\", …")
-        .def_property_readonly(
-            "key", [](const ConstraintValue& row) { return row.report.key; },
-            "As written: \"limits.velocity_mm_s\".")
-        .def_property_readonly(
-            "limit", [](const ConstraintValue& row) { return row.report.limit; }, "In `unit`.")
-        .def_property_readonly(
-            "worst", [](const ConstraintValue& row) { return row.report.worst; },
-            "The worst value over all cam angles, in `unit`.")
-        .def_property_readonly(
-            "unit", [](const ConstraintValue& row) { return row.report.unit; },
-            "\"deg\", \"mm\", …; empty: none.")
-        .def_property_readonly(
-            "at", [](const ConstraintValue& row) { return row.report.at; }, "x of the worst value.")
+        .def_readonly("name", &ConstraintValue::name, "\"velocity\", \"pressure_angle\", …")
+        .def_readonly("key", &ConstraintValue::key, "As written: \"limits.velocity_mm_s\".")
+        .def_readonly("limit", &ConstraintValue::limit, "In `unit`.")
+        .def_readonly("worst", &ConstraintValue::worst, "The worst value over all cam angles, in `unit`.")
+        .def_readonly("unit", &ConstraintValue::unit, "\"deg\", \"mm\", …; empty: none.")
+        .def_readonly("at", &ConstraintValue::at, "x of the worst value.")
         .def_readonly("at_deg", &ConstraintValue::at_deg,
                       "The same as a cam angle from the start of the scene, in degrees.")
-        .def_property_readonly(
-            "active", [](const ConstraintValue& row) { return row.report.active; },
-            "Whether the limit is reached.")
-        .def_property_readonly(
-            "no_contact", [](const ConstraintValue& row) { return row.report.no_contact; },
-            "There is no figure: the follower cannot touch the cam.")
+        .def_readonly("active", &ConstraintValue::active, "Whether the limit is reached.")
+        .def_readonly("no_contact", &ConstraintValue::no_contact,
+                      "There is no figure: the follower cannot touch the cam.")
         .def("__repr__", [](const ConstraintValue& row) {
-            return fmt::format("Constraint({}: {:.6g} of {:.6g}{}{}{})", row.report.key, row.report.worst,
-                               row.report.limit, row.report.unit.empty() ? "" : " ", row.report.unit,
-                               row.report.active ? ", active" : "");
+            return fmt::format("Constraint({}: {:.6g} of {:.6g}{}{}{})", row.key, row.worst, row.limit,
+                               row.unit.empty() ? "" : " ", row.unit, row.active ? ", active" : "");
         });
     py::class_<CompanionChange>(
         module, "CompanionChange",

@@ -106,8 +106,7 @@ void add_scenes(py::module_& module) {
         .def(py::init(&read_of), py::arg("text"), py::arg("source"), py::arg("settings"),
              py::arg("terms") = py::list(), py::arg("limits") = py::list(), py::arg("alone") = false,
              "Reads TOML and applies settings \"KEY=VALUE\" on top; terms, limits: camopt.OwnTerm,\n"
-             "camopt.OwnLimit. alone: no built-in weight counts. Raises InputError where anything is "
-             "wrong.")
+             "camopt.OwnLimit. alone: no built-in weight counts. Raises InputError where anything is wrong.")
         .def_readonly("text", &ReadScene::text, "The text as given.")
         .def_readonly("source", &ReadScene::source, "Its name in messages.")
         .def_readonly("settings", &ReadScene::settings, "What was set on top of it.")

@@ -6,7 +6,6 @@
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -5,10 +5,6 @@
 // bisections value and slope are also enclosed by mean-value forms.
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace camopt::piece_maxima {
 
 namespace {

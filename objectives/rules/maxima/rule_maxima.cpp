@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace camopt {
 

@@ -14,11 +14,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <functional>
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 /// Local maxima of the rule along the motion of a family at `x` (design entries in their own units), in the

@@ -3,9 +3,6 @@
 // interpolant replaces the rule; where it fails at the middle, the stretch is bisected.
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camopt::piece_maxima {
 
 namespace {

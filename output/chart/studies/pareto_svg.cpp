@@ -7,11 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -7,11 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <optional>
 
 namespace camopt {
 

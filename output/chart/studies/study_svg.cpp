@@ -9,14 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <string_view>
-#include <utility>
-
 namespace camopt {
 
 namespace {

@@ -8,10 +8,6 @@
 #include "studies/pareto/pareto_front.hpp"
 #include "studies/response/train_study.hpp"
 
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 /// A figure of a paper's report: curves or points over two axes, with a legend.

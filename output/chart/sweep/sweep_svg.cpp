@@ -3,18 +3,13 @@
 
 #include "core/units.hpp"
 #include "output/chart/chart.hpp"
-#include "output/chart/plot_frame.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 
 namespace camopt {
 

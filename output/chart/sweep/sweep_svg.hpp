@@ -12,11 +12,6 @@
 #include "studies/compare/law_losses.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct SweepPicture {

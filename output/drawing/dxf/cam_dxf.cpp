@@ -6,9 +6,6 @@
 #include "core/units.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
 
-#include <algorithm>
-#include <optional>
-
 namespace camopt {
 
 namespace {

@@ -11,8 +11,6 @@
 #include "output/drawing/profile_shape.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <string>
-
 namespace camopt {
 
 // profile.dxf: the cam for CAD and CAM systems, as arcs within a tolerance. Layers CAM, PITCH (roller

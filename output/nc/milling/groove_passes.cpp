@@ -7,10 +7,6 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace camopt {
 
 namespace {
@@ -279,8 +275,7 @@ void check_groove(const GrooveMilling& milling) {
     if (choice.finish_allowance.value_or(0.0) > most + same_place)
         throw InputError(fmt::format(
             "milling: in the middle of the groove the cutter leaves {:g} mm, so roughing cannot leave {:g} "
-            "mm for "
-            "finishing; allowed: no more than that, or a smaller cutter",
+            "mm for finishing; allowed: no more than that, or a smaller cutter",
             most / units::millimetre, *choice.finish_allowance / units::millimetre));
 }
 

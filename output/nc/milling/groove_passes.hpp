@@ -11,11 +11,8 @@
 // climbing. m, rad.
 #pragma once
 
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/milling/milling_choice.hpp"
-
-#include <string>
-#include <vector>
 
 namespace camopt {
 

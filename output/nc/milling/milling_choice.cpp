@@ -3,13 +3,10 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
 
 namespace camopt {
 
@@ -24,8 +21,7 @@ void MillingChoice::validate(double cutter_diameter) const {
     if (step_over && !(*step_over > 0.0 && *step_over <= cutter_diameter))
         throw InputError(
             fmt::format("milling: the step-over of roughing must be > 0 mm and no more than the cutter's "
-                        "diameter of {:g} "
-                        "mm, found {:g} mm",
+                        "diameter of {:g} mm, found {:g} mm",
                         cutter_diameter / units::millimetre, *step_over / units::millimetre));
     if (step_down)
         require_milling(std::isfinite(*step_down) && *step_down >= 1e-5,

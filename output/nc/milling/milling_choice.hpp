@@ -6,11 +6,6 @@
 
 #include "output/nc/checked_program.hpp"
 
-#include <algorithm>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Climb: a tooth enters where the chip is thickest, against the tool's way; conventional: where it is

@@ -11,11 +11,8 @@
 // spindle turns clockwise. m, rad; frame of ToolPose, the cam's upper face at z = 0.
 #pragma once
 
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/milling/milling_choice.hpp"
-
-#include <string>
-#include <vector>
 
 namespace camopt {
 

@@ -7,9 +7,6 @@
 
 #include <cairo-pdf.h>
 #include <cairo.h>
-#include <cmath>
-#include <memory>
-#include <vector>
 
 namespace camopt {
 

@@ -6,8 +6,6 @@
 #include "output/surface/bspline_surface.hpp"
 
 #include <filesystem>
-#include <span>
-#include <string>
 
 namespace camopt {
 

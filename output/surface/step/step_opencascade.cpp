@@ -48,13 +48,11 @@
 #include <Transfer_FinderProcess.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <cmath>
 #include <filesystem>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 #include <sstream>
-#include <vector>
 
 namespace camopt {
 

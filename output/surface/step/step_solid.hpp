@@ -3,12 +3,11 @@
 // by Open CASCADE where this build has it.
 #pragma once
 
+#include "core/base/standard.hpp"
+
 #include <Eigen/Core>
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace camopt {
 

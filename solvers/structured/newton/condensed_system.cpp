@@ -2,11 +2,6 @@
 #include "solvers/structured/linearized_problem.hpp"
 #include "solvers/structured/newton/newton_step.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-
 namespace camopt::structured {
 
 namespace {

@@ -3,10 +3,6 @@
 
 #include "solvers/structured/linearized_problem.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-
 namespace camopt::structured {
 
 namespace {

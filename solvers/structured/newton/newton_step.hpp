@@ -11,9 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
-#include <vector>
-
 namespace camopt::structured {
 
 // Internal to solvers/structured/: the Newton system of the interior point,

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/newton/path_reduction.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <numeric>
 
 namespace camopt::structured {

@@ -15,10 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
-#include <utility>
-#include <vector>
-
 namespace camopt::structured {
 
 class PathReduction {

@@ -3,7 +3,6 @@
 #include "core/units.hpp"
 #include "input/loading/load_scene.hpp"
 #include "studies/sweep/sweep_plan.hpp"
-#include "studies/sweep/sweep_run.hpp"
 #include "tests/bindings/c/c_face.hpp"
 
 #include <cmath>

@@ -3,7 +3,6 @@
 
 #include "objectives/scene_model.hpp"
 #include "splines/curve.hpp"
-#include "splines/extrema.hpp"
 
 #include <gtest/gtest.h>
 

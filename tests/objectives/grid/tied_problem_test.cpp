@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 
 #include <gtest/gtest.h>
 

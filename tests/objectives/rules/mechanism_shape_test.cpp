@@ -4,7 +4,6 @@
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 
 #include <gtest/gtest.h>

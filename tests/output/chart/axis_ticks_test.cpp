@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ticks tell themselves from their neighbours, and what is level is drawn level.
-#include "output/chart/plot_frame.hpp"
+#include "output/chart/svg_canvas.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/chart/curve_chart.hpp"
-#include "output/chart/plot_frame.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"

@@ -6,7 +6,7 @@
 #include "input/loading/load_scene.hpp"
 #include "output/csv/csv_line.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "core/errors.hpp"
 #include "output/surface/mesh_cut.hpp"
 #include "tests/output/disk/harmonic_disk.hpp"
+#include "tests/output/surface/mesh_edges.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

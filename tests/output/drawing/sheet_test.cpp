@@ -4,7 +4,7 @@
 #include "output/sheet/sheet.hpp"
 
 #include "core/errors.hpp"
-#include "output/drawing/dxf/dxf_scaffold.hpp"
+#include "output/drawing/dxf/dxf_drawing.hpp"
 #include "output/sheet/sheet_files.hpp"
 #include "output/sheet/sheet_painter.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "tests/output/nc/nc_samples.hpp"
 
 #include <gtest/gtest.h>
 

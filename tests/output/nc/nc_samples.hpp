@@ -4,14 +4,45 @@
 #pragma once
 
 #include "output/nc/block_angles.hpp"
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/nc_check.hpp"
 #include "output/nc/nc_program.hpp"
+#include "output/nc/nc_reader.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "profiles/spatial/reference_cams.hpp"
 
 #include <numbers>
+#include <utility>
 #include <vector>
+
+namespace camopt {
+
+/// The cutter over the cam angle. Throws InputError for a location that is not valid.
+[[nodiscard]] inline ToolPath cutter_path(RollerPath roller, const CutterLocation& location) {
+    location.validate();
+    return [roller = std::move(roller), location](double theta) {
+        return cutter_pose(roller(theta, location.station), location);
+    };
+}
+
+[[nodiscard]] inline ToolPath plane_cutter_path(PlaneContour contour, const PlaneCutter& cutter) {
+    cutter.validate();
+    return [contour = std::move(contour), cutter](double theta) {
+        const ContourPoint point = contour(theta);
+        const Eigen::Vector2d axis = point.position + (0.5 * cutter.diameter + cutter.stock) * point.normal;
+        return ToolPose{{axis.x(), axis.y(), cutter.bottom}, -Eigen::Vector3d::UnitZ()};
+    };
+}
+
+/// Moves from the block on in which every axis has a value.
+[[nodiscard]] inline std::vector<NcMove> read_nc_text(std::string_view text, const Machine& machine,
+                                                      const PostProcessor& post) {
+    std::vector<NcMove> moves = read_nc_travel(text, machine, post);
+    std::erase_if(moves, [](const NcMove& move) { return !move.values.allFinite(); });
+    return moves;
+}
+
+}  // namespace camopt
 
 namespace camopt::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A disk cam milled on three axes, a cylindrical cam on four.
-#include "output/nc/cutter_location.hpp"
+#include "output/nc/machine.hpp"
 #include "output/nc/nc_samples.hpp"
 #include "profiles/disk/disk_cam.hpp"
 

@@ -4,6 +4,7 @@
 #include "output/nc/spoiled_programs.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "profiles/spatial/reference_cams.hpp"
+#include "tests/output/nc/nc_samples.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "profiles/spatial/reference_cams.hpp"
+#include "tests/output/surface/mesh_edges.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

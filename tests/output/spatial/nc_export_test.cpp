@@ -4,6 +4,7 @@
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "profiles/spatial/reference_cams.hpp"
+#include "tests/output/nc/nc_samples.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

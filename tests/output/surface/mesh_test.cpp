@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Meshes: what watertight means, and the files made from them.
 #include "core/errors.hpp"
-#include "output/surface/mesh_files.hpp"
+#include "output/surface/triangle_mesh.hpp"
+#include "tests/output/surface/mesh_edges.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

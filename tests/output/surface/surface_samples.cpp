@@ -3,8 +3,8 @@
 #include "surface_samples.hpp"
 
 #include "output/spatial/flank_surfaces.hpp"
-#include "output/surface/mesh_files.hpp"
 #include "output/surface/step/step_file.hpp"
+#include "output/surface/triangle_mesh.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -15,7 +15,7 @@
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_axis.hpp"
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 #include "table_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/number_text.hpp"
 
-#include "output/chart/plot_frame.hpp"
+#include "output/chart/svg_canvas.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 // the pressure angle never have the largest one.
 #include "core/errors.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
 #include "situations.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -4,7 +4,7 @@
 #include "studies/delivered/delivered_audit.hpp"
 
 #include "profiles/disk/disk_cam.hpp"
-#include "splines/extrema.hpp"
+#include "splines/curve.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/independent_spline.hpp"
 #include "tests/studies/scenes_for_tests.hpp"

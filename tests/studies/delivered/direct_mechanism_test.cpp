@@ -7,7 +7,7 @@
 #include "studies/check/check_cam.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/delivered/cam_summary.hpp"
-#include "studies/delivered/follower_loads.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/studies/cam_scenes.hpp"

@@ -10,7 +10,7 @@
 #include "solvers/registry.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/sweep/sweep_run.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <gtest/gtest.h>
 

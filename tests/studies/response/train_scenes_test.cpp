@@ -19,7 +19,6 @@
 #include "studies/response/train_study.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
-#include "studies/sweep/sweep_run.hpp"
 #include "tests/dynamics/stiff_integrator.hpp"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include "output/nc/cutter_compensation.hpp"
 
 #include "core/errors.hpp"
+#include "tests/output/nc/nc_samples.hpp"
 
 #include <gtest/gtest.h>
 
