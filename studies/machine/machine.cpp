@@ -12,8 +12,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace camopt {
 
@@ -22,17 +25,18 @@ namespace {
 // Of trials: the sign of the least common violation is proved, its value only steers the search.
 constexpr double trial_tolerance = 1e-6;
 constexpr int most_trials = 60;
-// A violation so near the elastic problem's end of the scale says nothing of the speed.
-constexpr double saturated = -0.45;
+// Of the steepness by log ω: of a limit on acceleration, and less than that of any limit in time.
+constexpr double usual_slope = 2.0, least_slope = 0.2;
 
 /// The outcome at one speed.
 struct Trial {
     double speed = 0.0;
-    double violation = infinity;  ///< least common one; <= 0: motions exist
+    double violation = infinity;  ///< least common one
     std::optional<DualityProof> proof;
     Eigen::VectorXd x;
-    [[nodiscard]] bool feasible() const { return violation <= 0.0; }
-    [[nodiscard]] bool settled() const { return feasible() || proof; }
+    bool exists = false;  ///< motions do, to the tolerance
+    [[nodiscard]] bool feasible() const { return exists; }
+    [[nodiscard]] bool settled() const { return exists || proof; }
     /// Nearly linear in log ω.
     [[nodiscard]] double steepness() const { return std::log1p(violation); }
 };
@@ -94,6 +98,7 @@ class MachineSearch {
             Feasibility found = find_feasible(*posed.problem, exchange, control_);
             if (found.point.x.size() > 0) {
                 trial.violation = found.point.violation;
+                trial.exists = trial.violation <= tight;
                 trial.x = std::move(found.point.x);
             }
             trial.proof = std::move(found.proof);
@@ -103,8 +108,12 @@ class MachineSearch {
         ++result_.trials;
         memory_.keep(*posed.problem);
         if (trial.x.size() > 0) memory_.x = trial.x;
+        if (speed > 0.0 && trial.proof) {
+            high_.insert(high_.begin(), {std::log(speed), trial.steepness()});
+            std::ranges::sort(high_, {}, [](const std::array<double, 2>& one) { return one[0]; });
+        }
         if (control_.progress)
-            control_.progress(fmt::format("{:.6g} rpm: {}", rpm(speed),
+            control_.progress(fmt::format("{:.6g} rpm: violation {:.3g}, {}", rpm(speed), trial.violation,
                                           trial.feasible() ? "motions exist"
                                           : trial.proof    ? "proved impossible"
                                                            : "not decided"));
@@ -113,20 +122,21 @@ class MachineSearch {
 
     /// Rounded to digits that the gap does not need: a speed that people can read.
     [[nodiscard]] double rounded(double speed) const {
-        const double digits = std::ceil(-std::log10(options_.speed_gap)) + 3.0;
+        const double digits = std::ceil(-std::log10(options_.speed_gap)) + 2.0;
         const double whole = std::pow(10.0, digits - std::ceil(std::log10(rpm(speed))));
         return std::round(rpm(speed) * whole) / whole * units::revolution_per_minute;
     }
 
     /// The next speed to try between a feasible and an infeasible one: beside the zero of the steepness, on
     /// the side that closes the bracket.
-    [[nodiscard]] double next_speed(const Trial& low, const Trial& high, bool low_is_new) const {
+    [[nodiscard]] double next_speed(const Trial& low, const Trial& high, bool low_is_new, bool slow) const {
         const double l = std::log(low.speed), h = std::log(high.speed), gap = std::log1p(options_.speed_gap);
-        double zero = 0.5 * (l + h);
-        if (low.violation > saturated && std::isfinite(high.violation))
-            zero = l - low.steepness() * (h - l) / (high.steepness() - low.steepness());
-        else if (std::isfinite(high.violation))  // limits on acceleration grow with the square
-            zero = std::max(zero, h - 0.5 * high.steepness());
+        // Clearances do not depend on the speed: below some speed the steepness is constant, and the largest
+        // slope among these points is that of the limits in time.
+        double slope = high_.size() > 1 ? (high_[1][1] - high_[0][1]) / (high_[1][0] - high_[0][0]) : usual_slope;
+        slope = std::max({least_slope, slope, (high.steepness() - low.steepness()) / (h - l)});
+        double zero = h - high.steepness() / slope;
+        if (slow || !(zero > l)) zero = 0.5 * (l + h);
         const double side = low_is_new ? 0.3 * gap : -0.3 * gap;
         const double margin = std::min(0.05 * (h - l), 0.25 * gap);
         return rounded(std::exp(std::clamp(zero + side, l + margin, h - margin)));
@@ -206,13 +216,12 @@ class MachineSearch {
 
     /// Narrows the bracket to the gap.
     void narrow(Bracket& bracket) {
-        bool low_is_new = false;
-        const auto wide = [&] { return bracket.high->speed > bracket.low.speed * (1.0 + options_.speed_gap); };
-        for (int k = 0; k < most_trials && wide() && !control_.ending(); ++k) {
-            // After some trials the middle: no model of the violation is needed for that.
-            constexpr int modelled = 20;
-            const double speed = k < modelled ? next_speed(bracket.low, *bracket.high, low_is_new)
-                                              : std::sqrt(bracket.low.speed * bracket.high->speed);
+        bool low_is_new = false, slow = false;
+        const auto width = [&] { return std::log(bracket.high->speed / bracket.low.speed); };
+        const double gap = std::log1p(options_.speed_gap);
+        for (int k = 0; k < most_trials && width() > gap * (1.0 + 1e-9) && !control_.ending(); ++k) {
+            const double before = width();
+            const double speed = next_speed(bracket.low, *bracket.high, low_is_new, slow);
             Trial next = trial(speed);
             if (!next.settled()) {  // its neighbours may be decided
                 next = trial(std::sqrt(bracket.low.speed * speed));
@@ -220,6 +229,8 @@ class MachineSearch {
             }
             low_is_new = next.feasible();
             (low_is_new ? bracket.low : *bracket.high) = std::move(next);
+            // Two estimates that fall short: the middle needs no model of the violation.
+            slow = width() > 0.5 * before && (low_is_new || !slow) && width() > 4.0 * gap;
         }
     }
 
@@ -332,6 +343,7 @@ class MachineSearch {
             if (std::ranges::none_of(out, [&](double amount) { return amount > scene.solver.tolerance; }))
                 continue;
             memory_.held[at] = fresh = true;
+            high_.clear();
             memory_.axes[at].clear();  // its rules are others now
         }
         return fresh;
@@ -363,6 +375,7 @@ class MachineSearch {
     const MachineOptions& options_;
     SolveControl control_;
     MachineMemory memory_;
+    std::vector<std::array<double, 2>> high_;  ///< of infeasible trials: (log ω, steepness), ascending
     MachineSolution result_;
 };
 
