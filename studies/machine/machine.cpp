@@ -25,6 +25,7 @@ namespace {
 // Of trials: the sign of the least common violation is proved, its value only steers the search.
 constexpr double trial_tolerance = 1e-6;
 constexpr int most_trials = 60;
+constexpr double finer_part = 1e-2;
 // Of the steepness by log ω: of a limit on acceleration, and less than that of any limit in time.
 constexpr double usual_slope = 2.0, least_slope = 0.2;
 
@@ -282,7 +283,13 @@ class MachineSearch {
         const bool proved = result_.reached_most ||
                             (result_.impossible && !result_.scanned &&
                              *result_.impossible_above <= result_.speed * (1.0 + options_.speed_gap) * (1.0 + 1e-12));
-        if (!proved && certificate.verdict == Verdict::optimal) certificate.verdict = Verdict::feasible;
+        if (certificate.verdict == Verdict::failed) return;
+        if (proved && certificate.verdict != Verdict::optimal)
+            result_.notes.push_back(fmt::format(
+                "the speed is proved; the total objective at it is {}{}", name_of(certificate.verdict),
+                certificate.gap ? fmt::format(", proved to within {:.1e}", *certificate.gap) : ""));
+        certificate.verdict = proved ? Verdict::optimal : Verdict::feasible;
+        if (proved) certificate.reason = Reason::none;
         if (result_.scanned)
             result_.notes.push_back(fmt::format(
                 "limits of this machine do not only tighten with speed: {} speeds over the range were tried; "
@@ -299,6 +306,14 @@ class MachineSearch {
             JudgeOptions judge{exchange.tolerance, wanted_gap()};
             ContinuousResult found =
                 solve_continuous(*posed.problem, *make_structured_solver(), exchange, judge, control_);
+            if (found.x.size() > 0 && found.certificate.verdict != Verdict::optimal && !control_.ending()) {
+                // Near the largest speed a violation within the tolerance costs more than the gap.
+                ExchangeOptions finer = exchange;
+                finer.tolerance = finer.backend.tolerance = finer_part * exchange.tolerance;
+                ContinuousResult again =
+                    solve_continuous(*posed.problem, *make_structured_solver(), finer, judge, control_);
+                if (again.certificate.verdict < found.certificate.verdict) found = std::move(again);
+            }
             memory_.keep(*posed.problem);
             result_.speed = speed;
             result_.certificate = std::move(found.certificate);
