@@ -154,6 +154,7 @@ class MachineSearch {
     /// No motions at the least speed: a contradiction of limits, or, at any speed, of the clearances.
     void report_infeasible(const Trial& least) {
         result_.speed = least.speed;
+        const MachineMemory known = std::exchange(memory_, MachineMemory{{}, memory_.clearances, memory_.held, {}});
         const Trial slow = trial_of(0.0, scenes_at_standstill(machine()));
         result_.at_standstill = !slow.feasible() && slow.proof;
         const Trial& told = result_.at_standstill ? slow : least;
@@ -165,7 +166,7 @@ class MachineSearch {
         certificate.proof_kind = ProofKind::duality;
         PosedMachine posed = posed_machine(
             machine(), result_.at_standstill ? scenes_at_standstill(machine()) : scenes_at(machine(), least.speed),
-            memory_);
+            result_.at_standstill ? memory_ : known);
         result_.limited_by = limits_of_proof(machine(), *posed.problem, *told.proof);
     }
 
