@@ -16,6 +16,8 @@ namespace {
 // Rows that carry less than this part of a proof do not explain anything.
 constexpr double telling_share = 1e-3;
 
+constexpr int most_passes = 30;
+
 /// A limit in time, as written.
 struct WrittenPeak {
     const PeakLimit* limit = nullptr;
@@ -37,15 +39,20 @@ std::string rule_of(const MachineSpec& machine, const MachineLimit& limit) {
 std::optional<double> least_relaxation(MachineProblem& problem, const ExchangeOptions& exchange,
                                        const SolveControl& control) {
     ElasticProblem elastic(problem);
-    const ExchangeResult result =
-        minimize_by_exchange(elastic, *make_structured_solver(), elastic.start(), exchange, control);
-    if (!result.converged || result.last.termination != Termination::converged || result.last.x.size() == 0)
-        return {};
-    // The elastic problem counts the violations of the relaxed rule only: the others must hold as well.
-    const Eigen::VectorXd& x = result.last.x;
-    for (const Violation& violation : elastic.violations(x, 0.0))
-        if (violation.amount > 100.0 * exchange.tolerance) return {};
-    return x[x.size() - 1];
+    Eigen::VectorXd start = elastic.start();
+    for (int pass = 0; pass < most_passes && !control.ending(); ++pass) {
+        const ExchangeResult result =
+            minimize_by_exchange(elastic, *make_structured_solver(), start, exchange, control);
+        if (!result.converged || result.last.termination != Termination::converged || result.last.x.size() == 0)
+            return {};
+        // The exchange asks for the violations of the relaxed rule only: the others must hold as well.
+        start = result.last.x;
+        std::vector<Violation> worst = elastic.violations(start, 0.0);
+        std::erase_if(worst, [&](const Violation& one) { return one.amount <= 10.0 * exchange.tolerance; });
+        if (worst.empty()) return start[start.size() - 1];
+        if (elastic.refine(worst) == 0) return {};
+    }
+    return {};
 }
 
 }  // namespace
