@@ -141,7 +141,8 @@ CLI::App& add_machine(CLI::App& program, MachineRequest& request) {
     command.add_option("--speed-gap", request.speed_gap, "Relative gap of the largest speed; default: 0.001")
         ->type_name("G")
         ->check(CLI::Range(1e-7, 0.5));
-    command.add_option("--max-seconds", request.max_seconds, "Time for everything; default: 60")->type_name("S");
+    command.add_option("--max-seconds", request.max_seconds, "Time for everything; default: 60")
+        ->type_name("S");
     add_settings(command, request.settings);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     return command;

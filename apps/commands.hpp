@@ -158,9 +158,9 @@ struct SweepRequest {
 [[nodiscard]] ExitCode sweep_command(const SweepRequest& request);
 
 struct MachineRequest {
-    std::string scene;                  ///< machine file
-    std::string out;                    ///< folder; empty: nothing is written
-    std::vector<std::string> settings;  ///< KEY=VALUE of the machine file
+    std::string scene;                             ///< machine file
+    std::string out;                               ///< folder; empty: nothing is written
+    std::vector<std::string> settings;             ///< KEY=VALUE of the machine file
     std::optional<double> speed_gap, max_seconds;  ///< none: MachineOptions'
     bool json = false;
     std::string command;  ///< the whole command line, for the record

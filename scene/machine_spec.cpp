@@ -17,7 +17,8 @@ using Fault = std::optional<SceneFault>;
 
 bool is_folder_name(const std::string& name) {
     return !name.empty() && std::ranges::all_of(name, [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
     });
 }
 
@@ -35,8 +36,9 @@ Fault speed_fault(const MachineSpec& machine) {
 Fault motion_fault(const Scene& scene) {
     const MotionSpec& motion = scene.motion;
     if (motion.type != MotionType::program)
-        return SceneFault{"motion.type", fmt::format("\"{}\"", name_of(motion.type)),
-                          "in a machine \"program\": rise, return and dwells over the whole cycle as segments"};
+        return SceneFault{
+            "motion.type", fmt::format("\"{}\"", name_of(motion.type)),
+            "in a machine \"program\": rise, return and dwells over the whole cycle as segments"};
     if (!motion.periodic())
         return SceneFault{"motion.closed", "false",
                           "in a machine a program over the whole cycle: true or \"relative\""};
@@ -87,17 +89,18 @@ Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
         if (std::ranges::count(clearance.axes, axis) > 1)
             return SceneFault{member + ".between", fmt::format("\"{}\" twice", used.name), "each axis once"};
         if (used.scene.motion.relative)
-            return SceneFault{member + ".between",
-                              fmt::format("\"{}\", which advances from cycle to cycle (closed = \"relative\")",
-                                          used.name),
-                              "axes that return: a clearance would change with every cycle"};
+            return SceneFault{
+                member + ".between",
+                fmt::format("\"{}\", which advances from cycle to cycle (closed = \"relative\")", used.name),
+                "axes that return: a clearance would change with every cycle"};
         const AxisSpec& first = machine.axes[static_cast<std::size_t>(clearance.axes.front())];
         if (used.scene.motion.lift_is_angle != first.scene.motion.lift_is_angle)
-            return SceneFault{member + ".between",
-                              fmt::format("\"{}\", a length, together with \"{}\", an angle",
-                                          used.scene.motion.lift_is_angle ? first.name : used.name,
-                                          used.scene.motion.lift_is_angle ? used.name : first.name),
-                              "axes that all translate or all swing: a sum of lengths and angles has no unit"};
+            return SceneFault{
+                member + ".between",
+                fmt::format("\"{}\", a length, together with \"{}\", an angle",
+                            used.scene.motion.lift_is_angle ? first.name : used.name,
+                            used.scene.motion.lift_is_angle ? used.name : first.name),
+                "axes that all translate or all swing: a sum of lengths and angles has no unit"};
     }
     if (clearance.factors.size() != clearance.axes.size())
         return SceneFault{member + ".factors", fmt::format("{} numbers", clearance.factors.size()),
@@ -109,10 +112,10 @@ Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
         return SceneFault{member + ".at_least", fmt::format("{}", clearance.at_least), "a finite number"};
     const auto inside = [](double angle) { return angle >= 0.0 && angle <= units::turn; };
     if (!inside(clearance.from) || !inside(clearance.to) || clearance.from == clearance.to)
-        return SceneFault{member + ".from",
-                          fmt::format("{:g} deg to {:g} deg", clearance.from / units::degree,
-                                      clearance.to / units::degree),
-                          "two different angles from 0 to 360 deg; from > to passes 360 deg"};
+        return SceneFault{
+            member + ".from",
+            fmt::format("{:g} deg to {:g} deg", clearance.from / units::degree, clearance.to / units::degree),
+            "two different angles from 0 to 360 deg; from > to passes 360 deg"};
     return {};
 }
 

@@ -26,13 +26,13 @@ struct AxisSpec {
 };
 
 struct Clearance {
-    std::vector<int> axes;        ///< indices, each once
-    std::vector<double> factors;  ///< one for each axis
-    double at_least = 0.0;        ///< m where the axes translate, rad where they swing
+    std::vector<int> axes;                ///< indices, each once
+    std::vector<double> factors;          ///< one for each axis
+    double at_least = 0.0;                ///< m where the axes translate, rad where they swing
     double from = 0.0, to = units::turn;  ///< rad of the master, in [0, 2π]; from > to passes 2π
-    std::string key = {};         ///< as written: "clearance[0].at_least_mm"; empty: in C++
-    std::string unit = {};        ///< "mm"; empty: SI
-    double unit_value = 1.0;      ///< SI value of one unit
+    std::string key = {};                 ///< as written: "clearance[0].at_least_mm"; empty: in C++
+    std::string unit = {};                ///< "mm"; empty: SI
+    double unit_value = 1.0;              ///< SI value of one unit
 };
 
 struct MachineSpec {

@@ -45,9 +45,8 @@ class MachineReader {
         MachineSpec machine;
         if (const Member* title = root_.find("title")) machine.title = text(*title, "title");
         read_speed(machine);
-        each("axis", axis_keys, [&](const Node& node, const std::string& path) {
-            machine.axes.push_back(axis(node, path));
-        });
+        each("axis", axis_keys,
+             [&](const Node& node, const std::string& path) { machine.axes.push_back(axis(node, path)); });
         each("clearance", clearance_keys, [&](const Node& node, const std::string& path) {
             machine.clearances.push_back(clearance(node, path, machine));
         });
@@ -164,7 +163,8 @@ class MachineReader {
     }
     void read_angle(const Node& table, const std::string& path, const char* quantity, double& target) const {
         if (const auto found = find(table, quantity, spellings::angle))
-            target = number(found->member->value, joined(path, found->member->name)) * found->spelling->factor;
+            target =
+                number(found->member->value, joined(path, found->member->name)) * found->spelling->factor;
     }
 
     void read_speed(MachineSpec& machine) const {
@@ -219,7 +219,8 @@ class MachineReader {
         }
         const auto least = find(table, "at_least", spellings::lift);
         if (!least)
-            fail(table.place, path + ".at_least_mm", "missing; allowed: a number, at_least_deg of axes that swing");
+            fail(table.place, path + ".at_least_mm",
+                 "missing; allowed: a number, at_least_deg of axes that swing");
         clearance.key = joined(path, least->member->name);
         clearance.unit = least->spelling->unit;
         clearance.unit_value = least->spelling->factor;
@@ -238,10 +239,12 @@ class MachineReader {
                 const bool swings = axis.scene.motion.lift_is_angle;
                 if (swings == is_angle_unit(clearance.unit)) continue;
                 const Node& table = root_.find("clearance")->value.items[k];
-                fail(table.find(clearance.key.substr(clearance.key.find('.') + 1))->value.place, clearance.key,
-                     fmt::format("found {} with \"{}\", whose displacement is {}; allowed: {}", clearance.unit,
-                                 axis.name, swings ? "an angle" : "a length",
-                                 swings ? "at_least_deg or at_least_rad" : "at_least_mm, at_least_in or at_least_m"));
+                fail(table.find(clearance.key.substr(clearance.key.find('.') + 1))->value.place,
+                     clearance.key,
+                     fmt::format(
+                         "found {} with \"{}\", whose displacement is {}; allowed: {}", clearance.unit,
+                         axis.name, swings ? "an angle" : "a length",
+                         swings ? "at_least_deg or at_least_rad" : "at_least_mm, at_least_in or at_least_m"));
             }
         }
     }

@@ -90,9 +90,8 @@ std::optional<Extremum> maximum_with_laws(const Along& along, double floor) {
         open.pop_back();
         const auto [value, bend] = along.ranges(part.a, part.b);
         const double width = part.b - part.a;
-        const double most =
-            std::min(value.upper, std::max(part.at_a, part.at_b) +
-                                      0.125 * width * width * std::max(0.0, -bend.lower));
+        const double most = std::min(
+            value.upper, std::max(part.at_a, part.at_b) + 0.125 * width * width * std::max(0.0, -bend.lower));
         if (most <= std::max(best.value, floor) + enclosed_accuracy) continue;
         const double middle = 0.5 * (part.a + part.b), at = along.at(middle);
         if (at > best.value) best = {at, middle};
@@ -139,7 +138,8 @@ std::vector<Extremum> MachineProblem::maxima_of(const Clear& clear, const std::v
             const double factor = -clear.rule.factors[k] * block.spec.lift / clear.rule.scale;
             const double wide = width / block.spec.unit_angle;
             const double middle = axis_place(index, begin + 0.5 * width), x0 = middle - 0.5 * wide;
-            const auto& piece = design.pieces()[static_cast<std::size_t>(design.piece_of(middle, Side::right))];
+            const auto& piece =
+                design.pieces()[static_cast<std::size_t>(design.piece_of(middle, Side::right))];
             const auto stretch = static_cast<std::size_t>(piece.stretch);
             const ChainPart& part = motions[static_cast<std::size_t>(index)].parts()[stretch];
             if (!part.shape) {
@@ -153,9 +153,8 @@ std::vector<Extremum> MachineProblem::maxima_of(const Clear& clear, const std::v
                 along.laws.push_back({&part, factor, x0, wide});
             }
         }
-        const std::optional<Extremum> maximum = along.laws.empty()
-                                                    ? maximum_above(along.polynomial, least)
-                                                    : maximum_with_laws(along, least);
+        const std::optional<Extremum> maximum =
+            along.laws.empty() ? maximum_above(along.polynomial, least) : maximum_with_laws(along, least);
         if (!maximum) continue;
         const double at = begin + maximum->at * width;
         // At a joint of two stretches it is one maximum; where the next one ascends further it is none.

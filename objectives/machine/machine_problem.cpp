@@ -35,8 +35,8 @@ MachineProblem::MachineProblem(std::vector<MachineBlock> blocks, std::vector<Cle
         block.problem = std::make_unique<CamProblem>(std::move(given.model), given.samples);
         const CamModel& model = block.problem->model();
         block.first_rule = first_clearance_;
-        first_clearance_ += static_cast<int>(model.rules.size() + model.parameter_rows.size() +
-                                             model.design_rows.size());
+        first_clearance_ +=
+            static_cast<int>(model.rules.size() + model.parameter_rows.size() + model.design_rows.size());
         block.spec = std::move(given.place);
         blocks_.push_back(std::move(block));
     }
@@ -74,8 +74,8 @@ void MachineProblem::number_columns() {
         for (int j = 0; j < size; ++j) {
             const bool of_design = j < design.size();
             const std::optional<double> place = of_design ? design.place(j) : std::nullopt;
-            const double angle =
-                place ? wrapped(block.spec.phase + *place * block.spec.unit_angle) : wrapped(block.spec.phase);
+            const double angle = place ? wrapped(block.spec.phase + *place * block.spec.unit_angle)
+                                       : wrapped(block.spec.phase);
             entries.push_back({of_design ? angle : infinity, b, j});
         }
     }
@@ -167,7 +167,8 @@ std::vector<Violation> MachineProblem::violations(const Eigen::VectorXd& x, doub
     std::vector<Violation> found;
     for (int b = 0; b < axes(); ++b)
         for (Violation& violation : axis(b).violations(axis_x(b, x), slack)) {
-            if (violation.limit && !relaxed_.empty()) violation.limit = is_limit(rule_name(b, violation.rule));
+            if (violation.limit && !relaxed_.empty())
+                violation.limit = is_limit(rule_name(b, violation.rule));
             violation.rule += blocks_[static_cast<std::size_t>(b)].first_rule;
             found.push_back(std::move(violation));
         }
@@ -189,7 +190,8 @@ double MachineProblem::worst_of_limits(const Eigen::VectorXd& x) const {
     if (clearances_.empty()) return worst;
     const std::vector<MotionChain> curves = motions(x);
     for (const Clear& clear : clearances_)
-        for (const Extremum& maximum : maxima_of(clear, curves, worst)) worst = std::max(worst, maximum.value);
+        for (const Extremum& maximum : maxima_of(clear, curves, worst))
+            worst = std::max(worst, maximum.value);
     return worst;
 }
 
@@ -265,7 +267,8 @@ void MachineProblem::add_around(Clear& clear, double angle) {
 }
 
 /// Between active rows on both sides of a maximum their weighted mean locates it to second order.
-void MachineProblem::add_pressed(Clear& clear, int part, double angle, const Eigen::VectorXd& row_multipliers) {
+void MachineProblem::add_pressed(Clear& clear, int part, double angle,
+                                 const Eigen::VectorXd& row_multipliers) {
     const auto after = clear.places.lower_bound(angle);
     if (after == clear.places.end() || after == clear.places.begin()) return;
     const auto before = std::prev(after);
@@ -298,9 +301,8 @@ Box MachineProblem::box(double incumbent, double relaxation) const {
 }
 
 bool MachineProblem::convex(double incumbent) const {
-    return std::ranges::all_of(blocks_, [&](const Block& block) {
-        return block.problem->convex(incumbent / block.spec.weight);
-    });
+    return std::ranges::all_of(
+        blocks_, [&](const Block& block) { return block.problem->convex(incumbent / block.spec.weight); });
 }
 
 std::vector<double> MachineProblem::samples(int clearance) const {

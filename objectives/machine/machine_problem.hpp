@@ -91,7 +91,9 @@ class MachineProblem final : public ContinuousProblem {
     /// The exact maximum of g_k over its stretch, at a master angle.
     [[nodiscard]] Extremum worst_of_clearance(int clearance, const Eigen::VectorXd& x) const;
     /// SI value of 100 % of a clearance.
-    [[nodiscard]] double clearance_scale(int clearance) const { return clearances_[static_cast<std::size_t>(clearance)].rule.scale; }
+    [[nodiscard]] double clearance_scale(int clearance) const {
+        return clearances_[static_cast<std::size_t>(clearance)].rule.scale;
+    }
     /// Of a row's origin as grid() and proofs give it.
     [[nodiscard]] MachineOrigin place(const RowOrigin& origin) const;
 
@@ -107,7 +109,7 @@ class MachineProblem final : public ContinuousProblem {
     struct Clear {
         ClearanceRule rule;
         double length = 0.0;
-        std::vector<double> breaks;        ///< the merged breakpoints, ends included
+        std::vector<double> breaks;         ///< the merged breakpoints, ends included
         std::map<double, int> places = {};  ///< master angle → row of `angles`
         std::vector<double> angles = {};    ///< of its rows
     };
@@ -125,7 +127,9 @@ class MachineProblem final : public ContinuousProblem {
                                                   double floor) const;
     int refined(std::span<const Violation> worst, const Eigen::VectorXd* row_multipliers);
     int follow();
-    [[nodiscard]] bool is_limit(const std::string& rule) const { return relaxed_.empty() || rule == relaxed_; }
+    [[nodiscard]] bool is_limit(const std::string& rule) const {
+        return relaxed_.empty() || rule == relaxed_;
+    }
     [[nodiscard]] std::string rule_name(int block, int rule) const;
     [[nodiscard]] std::vector<MotionChain> motions(const Eigen::VectorXd& x) const;
 

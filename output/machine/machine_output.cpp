@@ -50,13 +50,14 @@ Json clearances_json(const MachineSolution& solution) {
         const Clearance& written = solution.spec.clearances[k];
         Json between = Json::array();
         for (const int axis : written.axes) between.push_back(axis_name(solution, axis));
-        list.push_back({{"key", written.key},
-                        {"between", between},
-                        {"factors", numbers_json(written.factors)},
-                        {"at_least", number_json(as_written(written.at_least / written.unit_value))},
-                        {"unit", words_json(written.unit)},
-                        {"least", number_json((written.at_least + solution.clearances[k].value) / written.unit_value)},
-                        {"at_deg", number_json(degrees(solution.clearances[k].at))}});
+        list.push_back(
+            {{"key", written.key},
+             {"between", between},
+             {"factors", numbers_json(written.factors)},
+             {"at_least", number_json(as_written(written.at_least / written.unit_value))},
+             {"unit", words_json(written.unit)},
+             {"least", number_json((written.at_least + solution.clearances[k].value) / written.unit_value)},
+             {"at_deg", number_json(degrees(solution.clearances[k].at))}});
     }
     return list;
 }
@@ -109,7 +110,8 @@ std::string speed_lines(const MachineSolution& solution) {
     if (certificate.verdict == Verdict::infeasible)
         return solution.at_standstill
                    ? "  infeasible at any speed: the contradiction remains as the speed approaches 0\n"
-                   : fmt::format("  infeasible: proved that no motions exist at {:.7g} rpm\n", rpm(solution.speed));
+                   : fmt::format("  infeasible: proved that no motions exist at {:.7g} rpm\n",
+                                 rpm(solution.speed));
     if (solution.axes.empty())
         return fmt::format("  {}: {}\n", name_of(certificate.verdict), name_of(certificate.reason));
     std::string text;
@@ -120,8 +122,9 @@ std::string speed_lines(const MachineSolution& solution) {
                            rpm(solution.speed), rpm(*solution.impossible_above),
                            100.0 * (*solution.impossible_above / solution.speed - 1.0));
     else
-        text = fmt::format("  largest speed: {:.7g} rpm{}\n", rpm(solution.speed),
-                           solution.reached_most ? ", the end of the range: a larger range may allow more" : "");
+        text =
+            fmt::format("  largest speed: {:.7g} rpm{}\n", rpm(solution.speed),
+                        solution.reached_most ? ", the end of the range: a larger range may allow more" : "");
     text += fmt::format("  verdict: {}; total objective {:.9g}", name_of(certificate.verdict),
                         certificate.objective);
     if (certificate.lower_bound) text += fmt::format(", at least {:.9g} is proved", *certificate.lower_bound);
@@ -152,7 +155,8 @@ std::string machine_text(const MachineSolution& solution) {
     for (std::size_t k = 0; k < solution.clearances.size(); ++k) {
         const Clearance& written = solution.spec.clearances[k];
         const Extremum& worst = solution.clearances[k];
-        text += fmt::format("  {}: least {}{} at {:.1f} deg, at least {}\n", name_of_clearance(static_cast<int>(k)),
+        text += fmt::format("  {}: least {}{} at {:.1f} deg, at least {}\n",
+                            name_of_clearance(static_cast<int>(k)),
                             short_text((written.at_least + worst.value) / written.unit_value),
                             written.unit.empty() ? "" : " " + written.unit, degrees(worst.at),
                             short_text(written.at_least / written.unit_value));

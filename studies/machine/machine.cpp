@@ -69,7 +69,8 @@ class MachineSearch {
 
     /// Conditions of one axis that no curve of its spline meets: nothing is searched.
     bool contradicts_itself() {
-        const PosedMachine posed = posed_machine(machine(), scenes_at(machine(), machine().least_speed), memory_);
+        const PosedMachine posed =
+            posed_machine(machine(), scenes_at(machine(), machine().least_speed), memory_);
         for (int b = 0; b < posed.problem->axes(); ++b) {
             const MotionFamily& design = posed.problem->axis(b).model().design;
             if (design.contradictions().empty()) continue;
@@ -134,7 +135,8 @@ class MachineSearch {
         const double l = std::log(low.speed), h = std::log(high.speed), gap = std::log1p(options_.speed_gap);
         // Clearances do not depend on the speed: below some speed the steepness is constant, and the largest
         // slope among these points is that of the limits in time.
-        double slope = high_.size() > 1 ? (high_[1][1] - high_[0][1]) / (high_[1][0] - high_[0][0]) : usual_slope;
+        double slope =
+            high_.size() > 1 ? (high_[1][1] - high_[0][1]) / (high_[1][0] - high_[0][0]) : usual_slope;
         slope = std::max({least_slope, slope, (high.steepness() - low.steepness()) / (h - l)});
         double zero = h - high.steepness() / slope;
         if (slow || !(zero > l)) zero = 0.5 * (l + h);
@@ -154,7 +156,8 @@ class MachineSearch {
     /// No motions at the least speed: a contradiction of limits, or, at any speed, of the clearances.
     void report_infeasible(const Trial& least) {
         result_.speed = least.speed;
-        const MachineMemory known = std::exchange(memory_, MachineMemory{{}, memory_.clearances, memory_.held, {}});
+        const MachineMemory known =
+            std::exchange(memory_, MachineMemory{{}, memory_.clearances, memory_.held, {}});
         const Trial slow = trial_of(0.0, scenes_at_standstill(machine()));
         result_.at_standstill = !slow.feasible() && slow.proof;
         const Trial& told = result_.at_standstill ? slow : least;
@@ -165,7 +168,8 @@ class MachineSearch {
         certificate.proof = told.proof;
         certificate.proof_kind = ProofKind::duality;
         PosedMachine posed = posed_machine(
-            machine(), result_.at_standstill ? scenes_at_standstill(machine()) : scenes_at(machine(), least.speed),
+            machine(),
+            result_.at_standstill ? scenes_at_standstill(machine()) : scenes_at(machine(), least.speed),
             result_.at_standstill ? memory_ : known);
         result_.limited_by = limits_of_proof(machine(), *posed.problem, *told.proof);
     }
@@ -175,8 +179,8 @@ class MachineSearch {
         result_.certificate.verdict = Verdict::failed;
         const std::optional<Termination> ending = control_.ending();
         result_.certificate.reason = ending ? reason_of(*ending) : Reason::no_feasible_point;
-        result_.notes.push_back(fmt::format("at {:.6g} rpm neither motions nor a proof of impossibility were found",
-                                            rpm(trial.speed)));
+        result_.notes.push_back(fmt::format(
+            "at {:.6g} rpm neither motions nor a proof of impossibility were found", rpm(trial.speed)));
     }
 
     /// A feasible and an infeasible speed to begin with; the latter is missing where the end of the range is
@@ -281,9 +285,10 @@ class MachineSearch {
     void judge_speed() {
         Certificate& certificate = result_.certificate;
         if (result_.axes.empty()) return;
-        const bool proved = result_.reached_most ||
-                            (result_.impossible && !result_.scanned &&
-                             *result_.impossible_above <= result_.speed * (1.0 + options_.speed_gap) * (1.0 + 1e-12));
+        const bool proved =
+            result_.reached_most ||
+            (result_.impossible && !result_.scanned &&
+             *result_.impossible_above <= result_.speed * (1.0 + options_.speed_gap) * (1.0 + 1e-12));
         if (certificate.verdict == Verdict::failed) return;
         if (proved && certificate.verdict != Verdict::optimal)
             result_.notes.push_back(fmt::format(
@@ -354,8 +359,8 @@ class MachineSearch {
             const bool has_range = scene.motion.within_lift || scene.motion.monotone;
             if (memory_.held[at] || !has_range || scene.motion.prescribed()) continue;
             const CamProblem& problem = posed.problem->axis(b);
-            const auto out = excursions_of(scene, problem.model().design,
-                                           problem.motion(posed.problem->axis_x(b, x)));
+            const auto out =
+                excursions_of(scene, problem.model().design, problem.motion(posed.problem->axis_x(b, x)));
             if (std::ranges::none_of(out, [&](double amount) { return amount > scene.solver.tolerance; }))
                 continue;
             memory_.held[at] = fresh = true;
@@ -377,9 +382,8 @@ class MachineSearch {
                                                         ? ""
                                                         : name_of(result_.axes.back().certificate.reason)));
         }
-        const bool failed = std::ranges::any_of(result_.axes, [](const Solution& axis) {
-            return axis.certificate.verdict == Verdict::failed;
-        });
+        const bool failed = std::ranges::any_of(
+            result_.axes, [](const Solution& axis) { return axis.certificate.verdict == Verdict::failed; });
         if (failed) result_.certificate.verdict = Verdict::failed;
         for (int k = 0; k < static_cast<int>(machine().clearances.size()); ++k) {
             Extremum worst = posed.problem->worst_of_clearance(k, x);
@@ -405,8 +409,9 @@ void MachineOptions::validate() const {
     if (!(speed_gap > 0.0 && speed_gap < 1.0))
         throw InputError(fmt::format("speed gap: found {}; allowed: a number > 0 and < 1", speed_gap));
     if (!(more_speed > 0.0) || !(max_seconds > 0.0) || scanned_speeds < 2)
-        throw InputError("machine options: found a number that is not positive; allowed: more_speed > 0, "
-                         "max_seconds > 0, scanned_speeds >= 2");
+        throw InputError(
+            "machine options: found a number that is not positive; allowed: more_speed > 0, "
+            "max_seconds > 0, scanned_speeds >= 2");
 }
 
 bool only_tightens_with_speed(const Scene& scene) {

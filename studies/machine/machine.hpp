@@ -51,7 +51,7 @@ struct MachineSolution {
     /// rad/s: here it is proved that there are no motions; none: no such speed in the range.
     std::optional<double> impossible_above;
     std::optional<DualityProof> impossible;  ///< that proof
-    bool reached_most = false;  ///< the end of the range, not a limit, stops the speed
+    bool reached_most = false;               ///< the end of the range, not a limit, stops the speed
     bool at_standstill = false;  ///< no motions at any speed: clearances and strokes contradict each other
     bool scanned = false;        ///< feasible speeds need not be an interval: only those tried are known
     int trials = 0;              ///< speeds tried

@@ -68,8 +68,7 @@ void MachineMemory::keep(const MachineProblem& problem) {
         // Rows of the whole motion hold at speeds that the next machine may not have.
         std::erase_if(axes.back(), [](const RuleSample& sample) { return !sample.setting.empty(); });
     }
-    for (std::size_t k = 0; k < clearances.size(); ++k)
-        clearances[k] = problem.samples(static_cast<int>(k));
+    for (std::size_t k = 0; k < clearances.size(); ++k) clearances[k] = problem.samples(static_cast<int>(k));
 }
 
 PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>& scenes,

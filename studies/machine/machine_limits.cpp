@@ -43,7 +43,8 @@ std::optional<double> least_relaxation(MachineProblem& problem, const ExchangeOp
     for (int pass = 0; pass < most_passes && !control.ending(); ++pass) {
         const ExchangeResult result =
             minimize_by_exchange(elastic, *make_structured_solver(), start, exchange, control);
-        if (!result.converged || result.last.termination != Termination::converged || result.last.x.size() == 0)
+        if (!result.converged || result.last.termination != Termination::converged ||
+            result.last.x.size() == 0)
             return {};
         // The exchange asks for the violations of the relaxed rule only: the others must hold as well.
         start = result.last.x;
