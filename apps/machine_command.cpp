@@ -7,6 +7,7 @@
 #include "input/machine/machine_reader.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/machine/machine_output.hpp"
+#include "output/machine/machine_view.hpp"
 #include "output/page/page_html.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
@@ -60,7 +61,11 @@ void write_results(const MachineRequest& request, MachineSolution& solution,
                             {{}, false, result_extras(view, origins[b])});
     }
     FolderUpdate folder(out);
-    folder.remove_earlier("impossible.json");
+    for (const char* const name : {"impossible.json", "timing.svg"}) folder.remove_earlier(name);
+    const MachineView view(solution);
+    if (!view.curves.empty()) folder.write("timing.svg", timing_svg(view));
+    folder.write("report.html", machine_html(view, own));
+    folder.write("report.md", machine_markdown(view, own));
     // With the scenes of its axes beside it: the machine can be run and checked from its folder alone.
     std::vector<std::string> settings = request.settings;
     for (std::size_t b = 0; b < origins.size(); ++b) {
