@@ -136,8 +136,10 @@ CLI::App& add_machine(CLI::App& program, MachineRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "machine", "Several axes on one master: the largest speed at which motions exist, with its proof");
     command.add_option("FILE", request.scene, "Machine file (TOML)")->type_name("");
-    command.add_option("--out", request.out, "Write machine.json and a result folder for each axis here")
-        ->type_name("DIR");
+    CLI::Option* const out =
+        command.add_option("--out", request.out, "Write machine.json and a result folder for each axis here")
+            ->type_name("DIR");
+    add_plc(command, request.plc)->needs(out);
     command.add_option("--speed-gap", request.speed_gap, "Relative gap of the largest speed; default: 0.001")
         ->type_name("G")
         ->check(CLI::Range(1e-7, 0.5));

@@ -9,6 +9,7 @@
 #include "output/machine/machine_output.hpp"
 #include "output/machine/machine_view.hpp"
 #include "output/page/page_html.hpp"
+#include "output/plc/plc_export.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "studies/checked/checked_cam.hpp"
@@ -57,8 +58,11 @@ void write_results(const MachineRequest& request, MachineSolution& solution,
         Solution& axis = solution.axes[b];
         if (!InterruptWatch::interrupted()) add_forward_check(axis);
         const View view(axis);
-        write_result_folder(out / solution.spec.axes[b].name, view, origins[b],
-                            {{}, false, result_extras(view, origins[b])});
+        std::vector<FolderFile> also = result_extras(view, origins[b]);
+        if (!request.plc.empty())
+            for (const PlcFile& file : plc_export(axis, request.plc, {}).files)
+                also.push_back({file.name, file.text});
+        write_result_folder(out / solution.spec.axes[b].name, view, origins[b], {{}, false, std::move(also)});
     }
     FolderUpdate folder(out);
     for (const char* const name : {"impossible.json", "timing.svg"}) folder.remove_earlier(name);
