@@ -2,7 +2,6 @@
 #include "scene/machine_spec.hpp"
 
 #include "core/units.hpp"
-#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -61,13 +60,6 @@ Fault motion_fault(const Scene& scene) {
 Fault axis_fault(const MachineSpec& machine, std::size_t index) {
     const AxisSpec& axis = machine.axes[index];
     const std::string member = fmt::format("axis[{}]", index);
-    if (!is_folder_name(axis.name))
-        return SceneFault{member + ".name", fmt::format("\"{}\"", axis.name),
-                          "letters, digits, '_' and '-': the folder of its results has this name"};
-    for (std::size_t other = 0; other < index; ++other)
-        if (machine.axes[other].name == axis.name)
-            return SceneFault{member + ".name", fmt::format("\"{}\" a second time", axis.name),
-                              "another name for every axis"};
     if (!(std::abs(axis.phase) < units::turn))
         return SceneFault{member + ".phase", fmt::format("{:g} deg", axis.phase / units::degree),
                           "an angle above -360 deg and below 360 deg: within the cycle"};
@@ -121,21 +113,30 @@ Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
 
 }  // namespace
 
+std::optional<SceneFault> find_name_fault(const MachineSpec& machine) {
+    for (std::size_t index = 0; index < machine.axes.size(); ++index) {
+        const AxisSpec& axis = machine.axes[index];
+        const std::string member = fmt::format("axis[{}]", index);
+        if (!is_folder_name(axis.name))
+            return SceneFault{member + ".name", fmt::format("\"{}\"", axis.name),
+                              "letters, digits, '_' and '-': the folder of its results has this name"};
+        for (std::size_t other = 0; other < index; ++other)
+            if (machine.axes[other].name == axis.name)
+                return SceneFault{member + ".name", fmt::format("\"{}\" a second time", axis.name),
+                                  "another name for every axis"};
+    }
+    return {};
+}
+
 std::optional<SceneFault> find_fault(const MachineSpec& machine) {
     if (Fault fault = speed_fault(machine)) return fault;
     if (machine.axes.empty()) return SceneFault{"axis", "none", "one [[axis]] or more"};
+    if (Fault fault = find_name_fault(machine)) return fault;
     for (std::size_t k = 0; k < machine.axes.size(); ++k)
         if (Fault fault = axis_fault(machine, k)) return fault;
     for (std::size_t k = 0; k < machine.clearances.size(); ++k)
         if (Fault fault = clearance_fault(machine, k)) return fault;
     return {};
-}
-
-Scene at_speed(const Scene& scene, double speed) {
-    Scene changed = scene;
-    changed.motion.speed = speed;
-    keep_written(changed, scene.motion);
-    return changed;
 }
 
 std::string name_of_clearance(int index) {

@@ -49,8 +49,8 @@ struct MachineSpec {
 /// that are not convex) is refused by solve_machine.
 [[nodiscard]] std::optional<SceneFault> find_fault(const MachineSpec& machine);
 
-/// The scene at another speed: everything written in units of time says what it said.
-[[nodiscard]] Scene at_speed(const Scene& scene, double speed);
+/// The same of the names of the axes alone, before their scenes are read.
+[[nodiscard]] std::optional<SceneFault> find_name_fault(const MachineSpec& machine);
 
 /// "clearance[0]".
 [[nodiscard]] std::string name_of_clearance(int index);

@@ -47,6 +47,7 @@ class MachineReader {
         read_speed(machine);
         each("axis", axis_keys,
              [&](const Node& node, const std::string& path) { machine.axes.push_back(axis(node, path)); });
+        if (const std::optional<SceneFault> fault = find_name_fault(machine)) fail(machine, *fault);
         each("clearance", clearance_keys, [&](const Node& node, const std::string& path) {
             machine.clearances.push_back(clearance(node, path, machine));
         });

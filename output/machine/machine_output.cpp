@@ -6,6 +6,7 @@
 #include "output/json/certificate_json.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/number_text.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -16,10 +17,10 @@ namespace camopt {
 namespace {
 
 double rpm(double speed) {
-    return as_written(speed / units::revolution_per_minute);
+    return as_written(rpm_shown.of(speed));
 }
 double degrees(double angle) {
-    return as_written(angle / units::degree);
+    return as_written(degrees_shown.of(angle));
 }
 
 const std::string& axis_name(const MachineSolution& solution, int index) {

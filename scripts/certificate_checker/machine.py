@@ -5,6 +5,7 @@ import tomllib
 from fractions import Fraction
 
 from .bound import Bound
+from .cam import Cam
 from .conditions import Conditions
 from .exact import KEPT, PI, Refuted, SAME_PLACE, Unverified, middle_of, number, shifted
 from .motion import Curve
@@ -20,7 +21,8 @@ MOST_PARTS = 4000  # of one clearance between two breakpoints, before the answer
 class Axis:
     """One axis of the machine at a speed: its problem, and where it is at a master angle (degrees)."""
 
-    def __init__(self, folder, written, speed):
+    def __init__(self, folder, written, speed, result=None):
+        """`result`: with its objective, whose references it states."""
         self.name = written["name"]
         self.scene = tomllib.loads((folder / f"{self.name}.toml").read_text(), parse_float=Fraction)
         motion = {k: v for k, v in self.scene["motion"].items() if not k.startswith("speed_")}
@@ -29,12 +31,16 @@ class Axis:
         else:  # as the speed approaches 0 nothing that counts in time is left
             limits = self.scene.get("limits", {})
             self.scene["limits"] = {k: v for k, v in limits.items() if not k.endswith(("_s", "_s2", "_s3"))}
-        self.scene["motion"], self.scene["objective"] = motion, {}  # judged with the result of the axis
+        self.scene["motion"] = motion
+        if result is None:
+            self.scene["objective"] = {}
         phase, unit = angle_of(written, "phase") or (Fraction(0), "deg")
         if unit != "deg":
             raise Unverified("a phase in radians")
         self.phase = phase
-        self.problem = Problem(self.scene, references_of(self.scene, {}))
+        self.problem = Problem(self.scene, references_of(self.scene, result["reference"] if result else {}))
+        if "cam" in self.scene:
+            self.problem.cam = Cam(self.problem, self.scene, result or {})
         if self.problem.unit_angle[1] != "deg":
             raise Unverified("an axis with angles in radians")
 
@@ -180,6 +186,41 @@ def stays_below(polynomial, most):
     return True
 
 
+def add_rows(bounds, clearances, rows):
+    """The constant that clearances leave."""
+    constant, degree = Fraction(0), 180 / middle_of(PI)[0]
+    for row in rows:
+        origin = row["origin"]
+        clearance = next((c for c in clearances if c.name == origin["rule"]), None)
+        if clearance:
+            constant += clearance.use(bounds, number(origin["at"]) * degree, number(row["multiplier"]))
+            continue
+        name, _, rule = origin["rule"].partition(": ")
+        if name not in bounds:
+            raise Refuted(f"the machine has no rule {origin['rule']}")
+        bounds[name].add_row(row | {"origin": origin | {"rule": rule}})
+    return constant
+
+
+def judge_least_objective(axes, clearances, curves, certificate, report):
+    """The bound of the total objective; returns what is not verified."""
+    proof, stated = certificate["proof"], certificate["lower_bound"]
+    if proof is None or stated is None or proof["statement"] != "objective" or number(proof["limits_relaxed_by"]):
+        return ["the least total objective"]
+    reached = sum(curve.objective()[1] for curve in curves.values())
+    bounds = {axis.name: Bound(axis.problem, reached, Fraction(0), curves[axis.name]) for axis in axes}
+    value = add_rows(bounds, clearances, proof["rows"])
+    for axis in axes:
+        bounds[axis.name].add_root_mean_squares(curves[axis.name])
+        bounds[axis.name].add_area()
+        value += bounds[axis.name].value()
+    report.say(f"bound: no motions of the machine have less in total than {float(value):.12g}; reached: {float(reached):.12g}")
+    allowed = min(axis.problem.gap for axis in axes) * max(Fraction(1), abs(reached))
+    if number(stated) - value > allowed / 10 or reached - value > allowed:
+        return [f"the last digits of the bound {stated}: {float(value):.12g} is proved"]
+    return []
+
+
 def judge_impossible(axes, clearances, proof, report):
     """Farkas, over all axes together."""
     for axis in axes:
@@ -190,18 +231,7 @@ def judge_impossible(axes, clearances, proof, report):
     if proof is None or proof["statement"] != "least_common_violation":
         raise Refuted("there is no stored proof of impossibility")
     bounds = {axis.name: Bound(axis.problem, None, Fraction(0)) for axis in axes}
-    constant, degree = Fraction(0), 180 / middle_of(PI)[0]
-    for row in proof["rows"]:
-        origin = row["origin"]
-        clearance = next((c for c in clearances if c.name == origin["rule"]), None)
-        if clearance:
-            constant += clearance.use(bounds, number(origin["at"]) * degree, number(row["multiplier"]))
-            continue
-        name, _, rule = origin["rule"].partition(": ")
-        if name not in bounds:
-            raise Refuted(f"the machine has no rule {origin['rule']}")
-        bounds[name].add_row(row | {"origin": origin | {"rule": rule}})
-    value = constant + sum(bound.value(cost=False) for bound in bounds.values())
+    value = add_rows(bounds, clearances, proof["rows"]) + sum(bound.value(cost=False) for bound in bounds.values())
     report.say(f"Farkas: the multipliers of {len(proof['rows'])} rows give 0 >= {float(value):.9g}, "
                f"rounding {float(sum(b.residual for b in bounds.values())):.1e}")
     if value > 0:
@@ -253,14 +283,21 @@ def judge_machine(folder, report, outcome_of):
         own = tomllib.loads((folder / axis.name / "scene.toml").read_text(), parse_float=Fraction)
         if own != tomllib.loads((folder / f"{axis.name}.toml").read_text(), parse_float=Fraction):
             raise Refuted(f"{axis.name}: its result is of another scene")
-        curves[axis.name] = Curve(axis.problem, json.loads((folder / axis.name / "result.json").read_text()))
+        curves[axis.name] = Curve(axis.problem, result_of(folder, {"name": axis.name}))
     for clearance in clearances:
         clearance.check(curves)
     if clearances:
         report.say("clearances kept: " + ", ".join(c.name for c in clearances))
     if impossible is None and not result["reached_most"]:
-        missing.append("the least total objective")
+        axes = [Axis(folder, written, number(result["speed_rpm"]), result_of(folder, written)) for written in machine["axis"]]
+        clearances = [Clearance(i, written, axes) for i, written in enumerate(machine.get("clearance", []))]
+        curves = {axis.name: Curve(axis.problem, result_of(folder, {"name": axis.name})) for axis in axes}
+        missing += judge_least_objective(axes, clearances, curves, certificate, report)
     return missing
+
+
+def result_of(folder, written):
+    return json.loads((folder / written["name"] / "result.json").read_text())
 
 
 def least_speed(machine):

@@ -2,8 +2,6 @@
 #include "studies/machine/machine.hpp"
 
 #include "core/units.hpp"
-#include "scene/limit_table.hpp"
-#include "scene/motion/set_points.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/machine/machine_build.hpp"
@@ -148,9 +146,8 @@ class MachineSearch {
     void take_proof(const Trial& impossible) {
         result_.impossible_above = impossible.speed;
         result_.impossible = impossible.proof;
-        PosedMachine posed = posed_machine(machine(), scenes_at(machine(), impossible.speed), memory_);
-        if (impossible.proof)
-            result_.limited_by = limits_of_proof(machine(), *posed.problem, *impossible.proof);
+        const PosedMachine posed = posed_machine(machine(), scenes_at(machine(), impossible.speed), memory_);
+        result_.limited_by = limits_of_proof(machine(), *posed.problem, *impossible.proof);
     }
 
     /// No motions at the least speed: a contradiction of limits, or, at any speed, of the clearances.
@@ -158,7 +155,11 @@ class MachineSearch {
         result_.speed = least.speed;
         const MachineMemory known =
             std::exchange(memory_, MachineMemory{{}, memory_.clearances, memory_.held, {}});
-        const Trial slow = trial_of(0.0, scenes_at_standstill(machine()));
+        Trial slow = trial_of(0.0, scenes_at_standstill(machine()));
+        // Motions that leave their strokes do not count: these are held, and tried again.
+        if (slow.feasible() &&
+            hold_strokes(posed_machine(machine(), scenes_at_standstill(machine()), memory_), slow.x, memory_))
+            slow = trial_of(0.0, scenes_at_standstill(machine()));
         result_.at_standstill = !slow.feasible() && slow.proof;
         const Trial& told = result_.at_standstill ? slow : least;
         Certificate& certificate = result_.certificate;
@@ -334,7 +335,8 @@ class MachineSearch {
                 }
                 return true;
             }
-            if (hold_strokes(posed, found.x)) {
+            if (hold_strokes(posed, found.x, memory_)) {
+                high_.clear();
                 memory_.x = {};
                 if (machine().searches_speed()) return false;
                 continue;
@@ -348,26 +350,6 @@ class MachineSearch {
         double gap = machine().axes.front().scene.solver.wanted_gap();
         for (const AxisSpec& axis : machine().axes) gap = std::min(gap, axis.scene.solver.wanted_gap());
         return gap;
-    }
-
-    /// True: an axis that was not held leaves the range of a stroke.
-    bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x) {
-        bool fresh = false;
-        for (int b = 0; b < posed.problem->axes(); ++b) {
-            const auto at = static_cast<std::size_t>(b);
-            const Scene& scene = posed.posed[at]->scene();
-            const bool has_range = scene.motion.within_lift || scene.motion.monotone;
-            if (memory_.held[at] || !has_range || scene.motion.prescribed()) continue;
-            const CamProblem& problem = posed.problem->axis(b);
-            const auto out =
-                excursions_of(scene, problem.model().design, problem.motion(posed.problem->axis_x(b, x)));
-            if (std::ranges::none_of(out, [&](double amount) { return amount > scene.solver.tolerance; }))
-                continue;
-            memory_.held[at] = fresh = true;
-            high_.clear();
-            memory_.axes[at].clear();  // its rules are others now
-        }
-        return fresh;
     }
 
     void take_motions(PosedMachine& posed, const Eigen::VectorXd& x) {
@@ -399,39 +381,7 @@ class MachineSearch {
     MachineSolution result_;
 };
 
-bool counts_in_time(const std::optional<SetPoint>& point) {
-    return point && (is_unit_of_time(point->units.velocity) || is_unit_of_time(point->units.acceleration));
-}
-
 }  // namespace
-
-void MachineOptions::validate() const {
-    if (!(speed_gap > 0.0 && speed_gap < 1.0))
-        throw InputError(fmt::format("speed gap: found {}; allowed: a number > 0 and < 1", speed_gap));
-    if (!(more_speed > 0.0) || !(max_seconds > 0.0) || scanned_speeds < 2)
-        throw InputError(
-            "machine options: found a number that is not positive; allowed: more_speed > 0, "
-            "max_seconds > 0, scanned_speeds >= 2");
-}
-
-bool only_tightens_with_speed(const Scene& scene) {
-    for (const LimitRow& row : limit_rows())
-        if ((row.needs_forces || row.needs_dynamics) && row.in(scene.limits)) return false;
-    for (const PeakLimitRow& row : peak_limit_rows())  // of one side: an interval around 0 only shrinks
-        if (const auto& limit = row.in(scene.limits);
-            limit && limit->in_time() && row.side * limit->normalised < 0.0)
-            return false;
-    const MotionSpec& motion = scene.motion;
-    for (const Corridor& corridor : motion.corridors)
-        for (const Corridor::Bounds& bounds : corridor.bounds)
-            if (is_unit_of_time(bounds.unit)) return false;
-    for (const ProgramSegment& segment : motion.segments) {
-        if (counts_in_time(segment.end)) return false;
-        for (const SetPoint& point : segment.via)
-            if (counts_in_time(point)) return false;
-    }
-    return true;
-}
 
 MachineSolution solve_machine(const MachineSpec& machine, const MachineOptions& options,
                               const SolveControl& control) {

@@ -68,6 +68,9 @@ struct MachineSolution {
 [[nodiscard]] MachineSolution solve_machine(const MachineSpec& machine, const MachineOptions& options = {},
                                             const SolveControl& control = {});
 
+/// The scene at another speed: everything written in units of time says what it said.
+[[nodiscard]] Scene at_speed(const Scene& scene, double speed);
+
 /// Whether the feasible speeds of an axis are an interval from 0.
 [[nodiscard]] bool only_tightens_with_speed(const Scene& scene);
 

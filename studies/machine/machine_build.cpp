@@ -3,6 +3,7 @@
 
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
@@ -95,6 +96,13 @@ PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>&
     return made;
 }
 
+Scene at_speed(const Scene& scene, double speed) {
+    Scene changed = scene;
+    changed.motion.speed = speed;
+    keep_written(changed, scene.motion);
+    return changed;
+}
+
 std::vector<Scene> scenes_at(const MachineSpec& machine, double speed) {
     std::vector<Scene> scenes;
     for (const AxisSpec& axis : machine.axes)
@@ -154,6 +162,60 @@ Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd&
         "an axis of a machine: the least total objective of all axes is proved in machine.json, not the "
         "least of this axis alone");
     return solution;
+}
+
+bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x, MachineMemory& memory) {
+    bool fresh = false;
+    for (int b = 0; b < posed.problem->axes(); ++b) {
+        const auto at = static_cast<std::size_t>(b);
+        const Scene& scene = posed.posed[at]->scene();
+        const bool has_range = scene.motion.within_lift || scene.motion.monotone;
+        if (memory.held[at] || !has_range || scene.motion.prescribed()) continue;
+        const CamProblem& problem = posed.problem->axis(b);
+        const auto out =
+            excursions_of(scene, problem.model().design, problem.motion(posed.problem->axis_x(b, x)));
+        if (std::ranges::none_of(out, [&](double amount) { return amount > scene.solver.tolerance; }))
+            continue;
+        memory.held[at] = fresh = true;
+        if (at < memory.axes.size()) memory.axes[at].clear();  // its rules are others now
+    }
+    return fresh;
+}
+
+namespace {
+
+bool counts_in_time(const std::optional<SetPoint>& point) {
+    return point && (is_unit_of_time(point->units.velocity) || is_unit_of_time(point->units.acceleration));
+}
+
+}  // namespace
+
+void MachineOptions::validate() const {
+    if (!(speed_gap > 0.0 && speed_gap < 1.0))
+        throw InputError(fmt::format("speed gap: found {}; allowed: a number > 0 and < 1", speed_gap));
+    if (!(more_speed > 0.0) || !(max_seconds > 0.0) || scanned_speeds < 2)
+        throw InputError(
+            "machine options: found a number that is not positive; allowed: more_speed > 0, "
+            "max_seconds > 0, scanned_speeds >= 2");
+}
+
+bool only_tightens_with_speed(const Scene& scene) {
+    for (const LimitRow& row : limit_rows())
+        if ((row.needs_forces || row.needs_dynamics) && row.in(scene.limits)) return false;
+    for (const PeakLimitRow& row : peak_limit_rows())  // of one side: an interval around 0 only shrinks
+        if (const auto& limit = row.in(scene.limits);
+            limit && limit->in_time() && row.side * limit->normalised < 0.0)
+            return false;
+    const MotionSpec& motion = scene.motion;
+    for (const Corridor& corridor : motion.corridors)
+        for (const Corridor::Bounds& bounds : corridor.bounds)
+            if (is_unit_of_time(bounds.unit)) return false;
+    for (const ProgramSegment& segment : motion.segments) {
+        if (counts_in_time(segment.end)) return false;
+        for (const SetPoint& point : segment.via)
+            if (counts_in_time(point)) return false;
+    }
+    return true;
 }
 
 }  // namespace camopt

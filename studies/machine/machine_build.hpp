@@ -50,6 +50,9 @@ void ask_what_is_needed(const MachineSpec& machine, const std::vector<Scene>& sc
                         const MachineMemory& memory, std::vector<MachineLimit>& limits,
                         const ExchangeOptions& exchange, const SolveControl& control);
 
+/// True: an axis that was not held leaves the range of a stroke at x; it is held from now on.
+[[nodiscard]] bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x, MachineMemory& memory);
+
 /// One axis as solve() delivers it. `x`: of the machine.
 [[nodiscard]] Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd& x);
 

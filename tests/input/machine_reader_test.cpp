@@ -34,7 +34,6 @@ segments = 8
 [objective]
 acceleration = 1.0
 [limits]
-acceleration_m_s2 = 20
 )";
 const std::string machine = R"([machine]
 speed_rpm = { min = 20, max = 600 }
@@ -121,9 +120,10 @@ TEST_F(MachineFile, FaultsAreToldWithTheirPlace) {
     expect_refusal("\"slide.toml\"", "\"nowhere.toml\"", "nowhere.toml: cannot be read");
 }
 
-TEST_F(MachineFile, AxesAreWholeProgramsWithFixedNumbers) {
+TEST_F(MachineFile, AxesAreWholePrograms) {
     expect_refusal("\"slide.toml\"", "\"stroke.toml\"", "stroke.toml:");
-    write("free.toml", replaced(slide, "to_mm = 50\n", ""));
+    write("free.toml", replaced(slide, "to_mm = 50\n",
+                                "to_mm = 50\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = 20\n"));
     expect_refusal("\"slide.toml\"", "\"free.toml\"", "no displacement at its end");
     write("cam.toml", slide +
                           "[cam]\ntype = \"disk\"\nfollower = \"translating_roller\"\nroller_radius_mm = 8\n"
@@ -131,7 +131,7 @@ TEST_F(MachineFile, AxesAreWholeProgramsWithFixedNumbers) {
     expect_refusal("\"slide.toml\"", "\"cam.toml\"", "cam.base_radius_mm: found a range");
 }
 
-TEST_F(MachineFile, ClearancesHaveTheUnitOfTheirAxes) {
+TEST_F(MachineFile, ClearancesHaveUnitOfAxes) {
     expect_refusal("at_least_mm", "at_least_deg", "found deg with \"one\", whose displacement is a length");
     expect_refusal("\"slide.toml\"", "\"arm.toml\"", "a sum of lengths and angles has no unit");
     const std::string swinging =

@@ -112,7 +112,7 @@ TEST(Machine, GivenSpeedHasLeastTotalObjective) {
     EXPECT_LT(apart.clearances.size(), joined.clearances.size());
 }
 
-TEST(Machine, ContradictionAtStandstillIsNamed) {
+TEST(Machine, ContradictionAtAnySpeedIsNamed) {
     const MachineSolution solution = solve_machine(cartoner({"clearance[1].at_least_mm=-90"}));
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_TRUE(solution.at_standstill);
@@ -123,7 +123,7 @@ TEST(Machine, ContradictionAtStandstillIsNamed) {
     EXPECT_TRUE(solution.axes.empty());
 }
 
-TEST(Machine, TooFastRangeIsInfeasibleButNotAtStandstill) {
+TEST(Machine, TooFastRangeIsInfeasible) {
     const MachineSolution solution = solve_machine(cartoner({"machine.speed_rpm={min=300,max=400}"}));
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_FALSE(solution.at_standstill);
@@ -148,7 +148,7 @@ TEST(Machine, LimitsThatAreNotConvexAreRefused) {
         << said;
 }
 
-TEST(Machine, LimitsThatDoNotOnlyTightenAreScanned) {
+TEST(Machine, OtherLimitsAreScanned) {
     MachineSpec machine = cartoner({"machine.speed_rpm={min=60,max=100}"});
     SetPoint point;
     point.at = 0.5;
