@@ -3,6 +3,7 @@
 #include "apps/commands.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
+#include "core/units.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
 #include "output/json/certificate_json.hpp"
@@ -43,11 +44,16 @@ MachineSolution solve_with_progress(const MachineRequest& request, const Machine
 /// The scene of every axis as it was solved.
 std::vector<RunOrigin> origins_of(const MachineRequest& request, const MachineSolution& solution) {
     std::vector<RunOrigin> origins;
-    const std::vector<std::string> speed = {input::speed_setting(solution.speed)};
-    for (const AxisSpec& axis : solution.spec.axes)
+    for (const AxisSpec& axis : solution.spec.axes) {
+        std::vector<std::string> settings = {input::speed_setting(solution.speed)};
+        const MotionSpec& motion = axis.scene.motion;
+        for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s)
+            settings.push_back(fmt::format("motion.segments[{}].angle_deg={:.15g}", s,
+                                           motion.segments[s].angle / units::degree));
         origins.push_back({axis.file, request.command,
-                           input::scene_with_overrides(input::scene_file_text(axis.file), axis.file, speed,
+                           input::scene_with_overrides(input::scene_file_text(axis.file), axis.file, settings,
                                                        std::filesystem::path(axis.file).parent_path())});
+    }
     return origins;
 }
 

@@ -89,6 +89,18 @@ std::string machine_json(const MachineSolution& solution, const RunOrigin& machi
         json["axes"][solution.spec.axes[b].name] = std::move(axis);
     }
     json["trials"] = solution.trials;
+    if (const std::optional<MachineTiming>& timing = solution.timing) {
+        const bool speed = solution.spec.searches_speed();
+        Json& own = json["timing"] = {{"tried", timing->tried}, {"complete", timing->complete}};
+        own[speed ? "given_speed_rpm" : "given_objective"] =
+            timing->given ? number_json(speed ? rpm(*timing->given) : *timing->given) : Json(nullptr);
+        for (const AxisSpec& axis : solution.spec.axes) {
+            Json angles = Json::array();
+            for (const ProgramSegment& segment : axis.scene.motion.segments)
+                angles.push_back(number_json(degrees(segment.angle)));
+            own["segment_angles_deg"][axis.name] = std::move(angles);
+        }
+    }
     json["seconds"] = {{"total", number_json(solution.seconds_total)}};
     json["notes"] = solution.notes;
     return json_text(json);

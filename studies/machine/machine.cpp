@@ -268,7 +268,7 @@ class MachineSearch {
         result_.reached_most = !bracket->high;
         if (bracket->high) {
             if (bracket->high->proof) take_proof(*bracket->high);
-            if (!control_.ending())
+            if (options_.explain && !control_.ending())
                 ask_what_is_needed(machine(),
                                    scenes_at(machine(), result_.speed * (1.0 + options_.more_speed)), memory_,
                                    result_.limited_by, asking(), control_);
@@ -395,7 +395,12 @@ MachineSolution solve_machine(const MachineSpec& machine, const MachineOptions& 
                               error.fault().allowed});
         }
     }
-    return MachineSearch(machine, options, control).run();
+    const FixedMachineSolve solve = [](const MachineSpec& fixed, const MachineOptions& own,
+                                       const SolveControl& until) {
+        return MachineSearch(fixed, own, until).run();
+    };
+    return searches_timing(machine) ? solve_with_timing(machine, options, control, solve)
+                                    : solve(machine, options, control);
 }
 
 }  // namespace camopt

@@ -26,6 +26,7 @@ struct MachineOptions {
     double speed_gap = 1e-3;    ///< relative, of the largest speed; > 0
     double more_speed = 0.05;   ///< limited_by says what this much more speed needs
     double max_seconds = 60.0;  ///< wall time; then the best motions so far are delivered
+    bool explain = true;        ///< searches what each limit would have to give for `more_speed`
     int scanned_speeds = 25;    ///< where feasible speeds need not be an interval
     void validate() const;      ///< throws InputError
 };
@@ -44,6 +45,14 @@ struct MachineLimit {
     bool asked = false;            ///< whether `needed` was searched
 };
 
+/// A search over segment angles that the axes give as ranges.
+struct MachineTiming {
+    std::optional<double>
+        given;             ///< speed (rad/s) or total objective with the angles given; none: no motions
+    int tried = 0;         ///< sets of angles
+    bool complete = true;  ///< false: its time was over, or the user stopped it
+};
+
 struct MachineSolution {
     MachineSpec spec;
     Certificate certificate;  ///< of the motions at `speed`: total objective, bound, proof; or infeasible
@@ -55,6 +64,7 @@ struct MachineSolution {
     bool at_standstill = false;  ///< no motions at any speed: clearances and strokes contradict each other
     bool scanned = false;        ///< feasible speeds need not be an interval: only those tried are known
     int trials = 0;              ///< speeds tried
+    std::optional<MachineTiming> timing;   ///< where angles were searched: then `spec` has those found
     std::vector<MachineLimit> limited_by;  ///< heaviest first; empty without a proof of impossibility
     std::vector<Solution> axes;            ///< in the order of the machine; empty where nothing is delivered
     /// The least value of Σ factor · displacement − at_least of every clearance, SI, and its master angle.

@@ -7,6 +7,7 @@
 #include "studies/machine/machine.hpp"
 #include "studies/search/planned_solve.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -55,5 +56,13 @@ void ask_what_is_needed(const MachineSpec& machine, const std::vector<Scene>& sc
 
 /// One axis as solve() delivers it. `x`: of the machine.
 [[nodiscard]] Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd& x);
+
+using FixedMachineSolve =
+    std::function<MachineSolution(const MachineSpec&, const MachineOptions&, const SolveControl&)>;
+/// Whether an axis has two segments or more whose angles are ranges.
+[[nodiscard]] bool searches_timing(const MachineSpec& machine);
+/// `solve`: of a machine whose angles are fixed.
+[[nodiscard]] MachineSolution solve_with_timing(const MachineSpec& machine, const MachineOptions& options,
+                                                const SolveControl& control, const FixedMachineSolve& solve);
 
 }  // namespace camopt
