@@ -58,6 +58,13 @@ double move(MachineSpec& machine, const Exchange& pair, double angle) {
     return angle;
 }
 
+/// The same machine with its angles as they are.
+MachineSpec with_fixed_angles(MachineSpec machine) {
+    for (AxisSpec& axis : machine.axes)
+        for (ProgramSegment& segment : axis.scene.motion.segments) segment.angle_range.reset();
+    return machine;
+}
+
 class TimingSearch {
  public:
     TimingSearch(MachineOptions options, const SolveControl& control, const FixedMachineSolve& solve)
@@ -97,7 +104,7 @@ class TimingSearch {
         ++tried_;
         Scored result{std::move(machine), {}};
         try {
-            const MachineSolution found = solve_(result.machine, options_, control_);
+            const MachineSolution found = solve_(with_fixed_angles(result.machine), options_, control_);
             if (!found.axes.empty())
                 result.value = result.machine.searches_speed() ? found.speed : found.certificate.objective;
         } catch (const InputError&) {  // these angles make no scene: a stroke too short for its set points
@@ -159,10 +166,12 @@ MachineSolution solve_with_timing(const MachineSpec& machine, const MachineOptio
                                   const SolveControl& control, const FixedMachineSolve& solve) {
     MachineTiming timing;
     const MachineSpec best = TimingSearch(options, control, solve).run(machine, timing);
-    MachineSolution solution = solve(best, options, control.sooner(options.max_seconds));
-    for (AxisSpec& axis : solution.spec.axes)
-        for (ProgramSegment& segment : axis.scene.motion.segments)
-            if (segment.angle_range) segment.angle_range.reset();
+    MachineSolution solution = solve(with_fixed_angles(best), options, control.sooner(options.max_seconds));
+    for (const AxisSpec& axis : machine.axes) {
+        std::vector<bool>& searched = timing.searched.emplace_back();
+        for (const ProgramSegment& segment : axis.scene.motion.segments)
+            searched.push_back(segment.angle_range.has_value());
+    }
     if (!solution.axes.empty() && solution.certificate.verdict == Verdict::optimal)
         solution.certificate.verdict = Verdict::local;
     const double now = machine.searches_speed() ? solution.speed : solution.certificate.objective;
