@@ -47,9 +47,12 @@ std::vector<RunOrigin> origins_of(const MachineRequest& request, const MachineSo
     for (const AxisSpec& axis : solution.spec.axes) {
         std::vector<std::string> settings = {input::speed_setting(solution.speed)};
         const MotionSpec& motion = axis.scene.motion;
-        for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s)
+        const std::size_t own = origins.size();
+        for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s) {
+            if (!solution.timing->searched[own][s]) continue;
             settings.push_back(fmt::format("motion.segments[{}].angle_deg={:.15g}", s,
                                            motion.segments[s].angle / units::degree));
+        }
         origins.push_back({axis.file, request.command,
                            input::scene_with_overrides(input::scene_file_text(axis.file), axis.file, settings,
                                                        std::filesystem::path(axis.file).parent_path())});

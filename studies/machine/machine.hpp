@@ -48,9 +48,10 @@ struct MachineLimit {
 /// A search over segment angles that the axes give as ranges.
 struct MachineTiming {
     std::optional<double>
-        given;             ///< speed (rad/s) or total objective with the angles given; none: no motions
-    int tried = 0;         ///< sets of angles
-    bool complete = true;  ///< false: its time was over, or the user stopped it
+        given;      ///< speed (rad/s) or total objective with the angles given; none: no motions
+    int tried = 0;  ///< sets of angles
+    std::vector<std::vector<bool>> searched = {};  ///< by axis and segment
+    bool complete = true;                          ///< false: its time was over, or the user stopped it
 };
 
 struct MachineSolution {
