@@ -33,6 +33,7 @@ const char* examples =
     "  camopt sweep scene.toml --weights simplex:20 --out map    all weights of velocity, acceleration, "
     "jerk\n"
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
+    "  camopt machine cartoner.toml --out machine   the largest speed of several axes, with its proof\n"
     "  camopt export drum.toml --out cam --stl --nc    surfaces, solids and the checked NC program\n"
     "  camopt export result --out cam --nc          the same from a result folder, without a solve\n"
     "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform table\n"
@@ -62,6 +63,7 @@ struct Words {
     ReproduceRequest reproduce;
     SweepRequest sweep;
     SweepMergeRequest sweep_merge;
+    MachineRequest machine;
 };
 
 void add_scene(CLI::App& command, std::string& scene) {
@@ -123,6 +125,24 @@ CLI::App& add_dynamics(CLI::App& program, DynamicsRequest& request) {
         ->type_name("DIR");
     add_solving(command, request);
     command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
+    return command;
+}
+
+CLI::App& add_machine(CLI::App& program, MachineRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "machine", "Several axes on one master: the largest speed at which motions exist, with its proof");
+    command.add_option("FILE", request.scene, "Machine file (TOML)")->type_name("");
+    CLI::Option* const out =
+        command.add_option("--out", request.out, "Write machine.json and a result folder for each axis here")
+            ->type_name("DIR");
+    add_plc(command, request.plc)->needs(out);
+    command.add_option("--speed-gap", request.speed_gap, "Relative gap of the largest speed; default: 0.001")
+        ->type_name("G")
+        ->check(CLI::Range(1e-7, 0.5));
+    command.add_option("--max-seconds", request.max_seconds, "Time for everything; default: 60")
+        ->type_name("S");
+    add_settings(command, request.settings);
+    command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     return command;
 }
 
@@ -382,6 +402,7 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     const CLI::App& studio = add_studio(program, parsed.studio);
     const CLI::App& compare = add_compare(program, parsed.compare);
     const CLI::App& dynamics = add_dynamics(program, parsed.dynamics);
+    const CLI::App& machine = add_machine(program, parsed.machine);
     const CLI::App& check = add_check(program, parsed.check);
     const CLI::App& export_cam = add_export(program, parsed.export_cam);
     const CLI::App& report = add_report(program, parsed.report);
@@ -430,6 +451,11 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     if (dynamics.parsed()) {
         find_scene(parsed.dynamics, asked);
         return dynamics_command(parsed.dynamics);
+    }
+    if (machine.parsed()) {
+        find_scene(parsed.machine, asked);
+        parsed.machine.command = joined(count, words);
+        return machine_command(parsed.machine);
     }
     if (check.parsed()) {
         find_scene(parsed.check, asked);

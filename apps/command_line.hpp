@@ -28,6 +28,8 @@ void refuse_empty_values(const CLI::App& program);
 // Options that several commands share.
 
 void add_settings(CLI::App& command, std::vector<std::string>& settings);
+/// --plc.
+CLI::Option* add_plc(CLI::App& command, std::vector<std::string>& formats);
 void add_units(CLI::App& command, std::string& units);
 /// How a command that solves may depart from the scene.
 template <class Request>

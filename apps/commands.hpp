@@ -153,6 +153,17 @@ struct SweepRequest {
 };
 [[nodiscard]] ExitCode sweep_command(const SweepRequest& request);
 
+struct MachineRequest {
+    std::string scene;                             ///< machine file
+    std::string out;                               ///< folder; empty: nothing is written
+    std::vector<std::string> settings;             ///< KEY=VALUE of the machine file
+    std::vector<std::string> plc;                  ///< formats of electronic cams, for every axis
+    std::optional<double> speed_gap, max_seconds;  ///< none: MachineOptions'
+    bool json = false;
+    std::string command;  ///< the whole command line, for the record
+};
+[[nodiscard]] ExitCode machine_command(const MachineRequest& request);
+
 struct SweepMergeRequest {
     std::vector<std::string> parts;  ///< folders of shards
     std::string out;                 ///< folder

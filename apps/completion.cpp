@@ -90,6 +90,7 @@ WordList positional_words(const CLI::App& command) {
     if (command.get_name() == "export") return {":results"};
     if (command.get_name() == "report") return {":folders"};
     if (command.get_name() == "merge") return {":folders"};
+    if (command.get_name() == "machine") return {":scenes"};
     if (command.get_name() == "reproduce") {
         WordList ids;
         for (const PaperInfo& paper : paper_catalogue()) ids.emplace_back(paper.id);

@@ -151,16 +151,7 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
         ->type_name("N")
         ->check(CLI::Range(1, most_digits))
         ->needs(csv);
-    command
-        .add_option(
-            "--plc", request.plc,
-            fmt::format("Electronic cam for a controller, read back and judged, and plc.json: {}; several "
-                        "between commas",
-                        fmt::join(plc_format_keys(), ", ")))
-        ->type_name("FORMAT")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(one_of(plc_format_keys()));
+    add_plc(command, request.plc);
     command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
     command
         .add_option("--drawing", request.sheet,
@@ -200,6 +191,19 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
     add_solving(command, request);
     add_units(command, request.units);
     return command;
+}
+
+CLI::Option* add_plc(CLI::App& command, std::vector<std::string>& formats) {
+    return command
+        .add_option(
+            "--plc", formats,
+            fmt::format("Electronic cam for a controller, read back and judged, and plc.json: {}; several "
+                        "between commas",
+                        fmt::join(plc_format_keys(), ", ")))
+        ->type_name("FORMAT")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of(plc_format_keys()));
 }
 
 }  // namespace camopt::apps

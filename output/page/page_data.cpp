@@ -68,9 +68,9 @@ Json marks_json(const Curve& curve) {
     return all;
 }
 
-Json curves_part(const View& view) {
+Json curves_part(const std::vector<Curve>& curves) {
     Json all = Json::array();
-    for (const Curve& curve : view.curves) {
+    for (const Curve& curve : curves) {
         Json beside = nullptr;
         if (curve.beside)
             beside = {{"unit", curve.beside->name},
@@ -130,7 +130,7 @@ std::string page_data(const View& view, const RunOrigin& origin, const PageDataO
     page["figures"] = figures_part(solution);
     page["reference"] = options.proof ? reference_part(solution, options.reference) : Json(nullptr);
     page["angle"] = angle_part(view);
-    page["curves"] = curves_part(view);
+    page["curves"] = curves_part(view.curves);
     page["segments"] = segments_part(view);
     page["breakpoints"] = numbers(view.breakpoints);
     page["drawing"] = plane_drawing(view);
@@ -142,6 +142,34 @@ std::string page_data(const View& view, const RunOrigin& origin, const PageDataO
     page["scene"] = {
         {"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", scene_lines(solution.scene)}};
     return page.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string curve_page_html(const CurvePage& page, const RunOrigin& origin) {
+    Json data = Json::object();
+    data["page"] = "report";
+    data["camopt"] = version();
+    data["title"] = data["foot"] = page.title;
+    data["verdict"] = {
+        {"key", ""}, {"tone", page.tone}, {"headline", page.headline}, {"sentences", page.sentences}};
+    data["figures"] = data["segments"] = data["breakpoints"] = data["remarks"] = Json::array();
+    data["reference"] = data["drawing"] = data["solid"] = nullptr;
+    data["angle"] = nullptr;
+    if (!page.angles.empty())
+        data["angle"] = {{"unit", "deg"},
+                         {"from", page.angles.front()},
+                         {"to", page.angles.back()},
+                         {"values", numbers(page.angles)}};
+    data["curves"] = curves_part(page.curves);
+    data["tables"] = Json::array();
+    for (const ViewTable& one : page.tables)
+        data["tables"].push_back(table_json(one.key, one.title, one.table, one.note));
+    data["notes"] = page.notes;
+    data["appendix"] = {{"sentences", Json::array()}, {"command", origin.command}};
+    data["scene"] = {{"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", Json::array()}};
+    PageHtml html;
+    html.title = page.title;
+    html.data = data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return page_html(html);
 }
 
 std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin) {

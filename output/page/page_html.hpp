@@ -14,7 +14,8 @@
 //                 rows of motion.csv, two where the jerk jumps (seen from the left, then from the right),
 //                 and after the motion those of the dwell that closes the cam
 //   curves[]      by cam angle:
-//     key, group ("motion", "motor", "cam", "forces"), title, symbol, unit, values[] (null: nothing to say there)
+//     key, group ("motion", "motor", "cam", "forces"; "axes", "clearances"), title, symbol, unit,
+//     values[] (null: nothing to say there)
 //     beside        null, or unit and factor: value · factor is the same by the cam angle
 //     reference     null, or title and values[] of the law
 //     measured      null, or title and values[] of the measured motion
@@ -45,6 +46,7 @@
 
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/view/tables.hpp"
 #include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -106,5 +108,18 @@ struct PageHtml {
 
 /// report.html: the report of a solution.
 [[nodiscard]] std::string report_html(const View& view, const RunOrigin& origin = {});
+
+// A page of curves over one revolution and of tables, without a scene: the same page and cursor.
+
+struct CurvePage {
+    std::string title;
+    std::string tone = "good", headline;  ///< as of page_data
+    std::vector<std::string> sentences;
+    std::vector<double> angles;  ///< deg; empty: no curves
+    std::vector<Curve> curves;   ///< values by `angles`
+    std::vector<ViewTable> tables;
+    std::vector<std::string> notes;
+};
+[[nodiscard]] std::string curve_page_html(const CurvePage& page, const RunOrigin& origin = {});
 
 }  // namespace camopt

@@ -12,6 +12,7 @@ from .box_proof import BoxProof
 from .cam import Cam
 from .conditions import Conditions
 from .exact import KEPT, NOT_CONVEX, PI, Refuted, STATED, Unverified, middle_of, number
+from .machine import judge_machine
 from .motion import Curve
 from .prescribed import bound_of, is_prescribed, judge_passed_limit
 from .problem import Problem
@@ -295,7 +296,10 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
 def outcome_of(folder, report, vipr_path=None):
     """(exit code, what is to be said)."""
     try:
-        missing = judge(folder, report, vipr_path)
+        if (folder / "machine.json").exists():
+            missing = judge_machine(folder, report, lambda axis: outcome_of(axis, Report(True)))
+        else:
+            missing = judge(folder, report, vipr_path)
     except Refuted as fault:
         return 1, f"REFUTED: {fault}"
     except Unverified as gap:

@@ -2,6 +2,7 @@
 // Every example scene reads, and docs/scene_file.md shows the key table of the code.
 #include "core/errors.hpp"
 #include "input/keys/scene_keys.hpp"
+#include "input/machine/machine_reader.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/cam_formulas.hpp"
 
@@ -21,6 +22,10 @@ const KnownNames known = {.laws = {"modified_sine", "polynomial_345", "cycloidal
                           .solvers = {},
                           .cam_formulas = cam_formulas};
 
+Scene known_scene(const std::filesystem::path& path, std::span<const std::string> settings) {
+    return read_scene_file(path, known, settings);
+}
+
 std::string text_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -31,8 +36,11 @@ TEST(Scenes, EveryExampleReadsAndStatesItsPurpose) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder / "scenes")) {
         if (entry.path().extension() != ".toml") continue;
         SCOPED_TRACE(entry.path().string());
+        const bool machine = text_of(entry.path()).find("\n[machine]") != std::string::npos;
         try {
-            EXPECT_NE(read_scene_file(entry.path(), known).title, "");
+            EXPECT_NE(machine ? read_machine(entry.path(), known_scene).title
+                              : read_scene_file(entry.path(), known).title,
+                      "");
         } catch (const InputError& error) {
             ADD_FAILURE() << error.what();
         }

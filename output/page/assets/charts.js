@@ -359,7 +359,7 @@
       charts.clear();
       host.replaceChildren();
       chips.replaceChildren();
-      const groups = { motion: 'Motion', motor: 'Motor', cam: 'Cam over one revolution', forces: 'Forces over one revolution' };
+      const groups = { motion: 'Motion', motor: 'Motor', axes: 'Axes over one revolution of the master', clearances: 'Clearances', cam: 'Cam over one revolution', forces: 'Forces over one revolution' };
       for (const [group, title] of Object.entries(groups)) {
         const curves = data.curves.filter((curve) => curve.group === group);
         if (!curves.length) continue;

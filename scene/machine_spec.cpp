@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "scene/machine_spec.hpp"
+
+#include "core/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+using Fault = std::optional<SceneFault>;
+
+bool is_folder_name(const std::string& name) {
+    return !name.empty() && std::ranges::all_of(name, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
+    });
+}
+
+Fault speed_fault(const MachineSpec& machine) {
+    const auto good = [](double speed) { return speed > 0.0 && std::isfinite(speed); };
+    if (good(machine.least_speed) && good(machine.most_speed) && machine.most_speed >= machine.least_speed)
+        return {};
+    const double rpm = units::revolution_per_minute;
+    return SceneFault{"machine.speed",
+                      fmt::format("{:g} to {:g} rpm", machine.least_speed / rpm, machine.most_speed / rpm),
+                      "a speed > 0, or a range of them with min < max"};
+}
+
+/// Why a scene is no axis of a machine.
+Fault motion_fault(const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    if (motion.type != MotionType::program)
+        return SceneFault{
+            "motion.type", fmt::format("\"{}\"", name_of(motion.type)),
+            "in a machine \"program\": rise, return and dwells over the whole cycle as segments"};
+    if (!motion.periodic())
+        return SceneFault{"motion.closed", "false",
+                          "in a machine a program over the whole cycle: true or \"relative\""};
+    for (std::size_t k = 0; k < motion.segments.size(); ++k) {
+        const ProgramSegment& segment = motion.segments[k];
+        if (segment.kind != SegmentKind::dwell && !segment.to)
+            return SceneFault{fmt::format("motion.segments[{}]", k), "no displacement at its end",
+                              "in a machine a given one: the strokes of its axes are not searched"};
+    }
+    if (scene.spline.free_knots)
+        return SceneFault{"spline.knots", "\"free\"", "in a machine fixed breakpoints"};
+    if (scene.cam)
+        for (const CamDimension& dimension : scene.cam->dimensions)
+            if (dimension.value.is_variable())
+                return SceneFault{dimension.value.key.empty() ? "cam" : dimension.value.key, "a range",
+                                  "in a machine a fixed dimension"};
+    return {};
+}
+
+Fault axis_fault(const MachineSpec& machine, std::size_t index) {
+    const AxisSpec& axis = machine.axes[index];
+    const std::string member = fmt::format("axis[{}]", index);
+    if (!(std::abs(axis.phase) < units::turn))
+        return SceneFault{member + ".phase", fmt::format("{:g} deg", axis.phase / units::degree),
+                          "an angle above -360 deg and below 360 deg: within the cycle"};
+    if (Fault fault = motion_fault(axis.scene))
+        return SceneFault{member + ".scene." + fault->member, fault->found, fault->allowed};
+    return {};
+}
+
+Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
+    const Clearance& clearance = machine.clearances[index];
+    const std::string member = name_of_clearance(static_cast<int>(index));
+    if (clearance.axes.empty()) return SceneFault{member + ".between", "no axis", "one axis or more"};
+    for (std::size_t k = 0; k < clearance.axes.size(); ++k) {
+        const int axis = clearance.axes[k];
+        if (axis < 0 || axis >= static_cast<int>(machine.axes.size()))
+            return SceneFault{member + ".between", fmt::format("axis {}", axis),
+                              fmt::format("0 to {}", static_cast<int>(machine.axes.size()) - 1)};
+        const AxisSpec& used = machine.axes[static_cast<std::size_t>(axis)];
+        if (std::ranges::count(clearance.axes, axis) > 1)
+            return SceneFault{member + ".between", fmt::format("\"{}\" twice", used.name), "each axis once"};
+        if (used.scene.motion.relative)
+            return SceneFault{
+                member + ".between",
+                fmt::format("\"{}\", which advances from cycle to cycle (closed = \"relative\")", used.name),
+                "axes that return: a clearance would change with every cycle"};
+        const AxisSpec& first = machine.axes[static_cast<std::size_t>(clearance.axes.front())];
+        if (used.scene.motion.lift_is_angle != first.scene.motion.lift_is_angle)
+            return SceneFault{
+                member + ".between",
+                fmt::format("\"{}\", a length, together with \"{}\", an angle",
+                            used.scene.motion.lift_is_angle ? first.name : used.name,
+                            used.scene.motion.lift_is_angle ? used.name : first.name),
+                "axes that all translate or all swing: a sum of lengths and angles has no unit"};
+    }
+    if (clearance.factors.size() != clearance.axes.size())
+        return SceneFault{member + ".factors", fmt::format("{} numbers", clearance.factors.size()),
+                          fmt::format("{}: one for each axis of `between`", clearance.axes.size())};
+    for (const double factor : clearance.factors)
+        if (!std::isfinite(factor) || factor == 0.0)
+            return SceneFault{member + ".factors", fmt::format("{}", factor), "finite numbers other than 0"};
+    if (!std::isfinite(clearance.at_least))
+        return SceneFault{member + ".at_least", fmt::format("{}", clearance.at_least), "a finite number"};
+    const auto inside = [](double angle) { return angle >= 0.0 && angle <= units::turn; };
+    if (!inside(clearance.from) || !inside(clearance.to) || clearance.from == clearance.to)
+        return SceneFault{
+            member + ".from",
+            fmt::format("{:g} deg to {:g} deg", clearance.from / units::degree, clearance.to / units::degree),
+            "two different angles from 0 to 360 deg; from > to passes 360 deg"};
+    return {};
+}
+
+}  // namespace
+
+std::optional<SceneFault> find_name_fault(const MachineSpec& machine) {
+    for (std::size_t index = 0; index < machine.axes.size(); ++index) {
+        const AxisSpec& axis = machine.axes[index];
+        const std::string member = fmt::format("axis[{}]", index);
+        if (!is_folder_name(axis.name))
+            return SceneFault{member + ".name", fmt::format("\"{}\"", axis.name),
+                              "letters, digits, '_' and '-': the folder of its results has this name"};
+        for (std::size_t other = 0; other < index; ++other)
+            if (machine.axes[other].name == axis.name)
+                return SceneFault{member + ".name", fmt::format("\"{}\" a second time", axis.name),
+                                  "another name for every axis"};
+    }
+    return {};
+}
+
+std::optional<SceneFault> find_fault(const MachineSpec& machine) {
+    if (Fault fault = speed_fault(machine)) return fault;
+    if (machine.axes.empty()) return SceneFault{"axis", "none", "one [[axis]] or more"};
+    if (Fault fault = find_name_fault(machine)) return fault;
+    for (std::size_t k = 0; k < machine.axes.size(); ++k)
+        if (Fault fault = axis_fault(machine, k)) return fault;
+    for (std::size_t k = 0; k < machine.clearances.size(); ++k)
+        if (Fault fault = clearance_fault(machine, k)) return fault;
+    return {};
+}
+
+std::string name_of_clearance(int index) {
+    return fmt::format("clearance[{}]", index);
+}
+
+}  // namespace camopt

@@ -1,0 +1,307 @@
+# SPDX-License-Identifier: MIT
+"""A machine: no motions at the speed that is said to be impossible, and the delivered ones keep every clearance."""
+import json
+import tomllib
+from fractions import Fraction
+
+from .bound import Bound
+from .cam import Cam
+from .conditions import Conditions
+from .exact import KEPT, PI, Refuted, SAME_PLACE, Unverified, middle_of, number, shifted
+from .motion import Curve
+from .prescribed import ends_of, state_at
+from .problem import Problem
+from .references import references_of
+from .units import LENGTHS, angle_of, ratio
+
+TURN = Fraction(360)
+MOST_PARTS = 4000  # of one clearance between two breakpoints, before the answer is left open
+
+
+class Axis:
+    """One axis of the machine at a speed: its problem, and where it is at a master angle (degrees)."""
+
+    def __init__(self, folder, written, speed, result=None):
+        """`result`: with its objective, whose references it states."""
+        self.name = written["name"]
+        self.scene = tomllib.loads((folder / f"{self.name}.toml").read_text(), parse_float=Fraction)
+        motion = {k: v for k, v in self.scene["motion"].items() if not k.startswith("speed_")}
+        if speed is not None:
+            motion["speed_rpm"] = speed
+        else:  # as the speed approaches 0 nothing that counts in time is left
+            limits = self.scene.get("limits", {})
+            self.scene["limits"] = {k: v for k, v in limits.items() if not k.endswith(("_s", "_s2", "_s3"))}
+        self.scene["motion"] = motion
+        if result is None:
+            self.scene["objective"] = {}
+        phase, unit = angle_of(written, "phase") or (Fraction(0), "deg")
+        if unit != "deg":
+            raise Unverified("a phase in radians")
+        self.phase = phase
+        self.problem = Problem(self.scene, references_of(self.scene, result["reference"] if result else {}))
+        if "cam" in self.scene:
+            self.problem.cam = Cam(self.problem, self.scene, result or {})
+        if self.problem.unit_angle[1] != "deg":
+            raise Unverified("an axis with angles in radians")
+
+    def place(self, angle):
+        """x of the axis at a master angle."""
+        along = (angle - self.phase) % TURN
+        return (along if along < TURN * (1 - SAME_PLACE) else Fraction(0)) / self.problem.unit_angle[0]
+
+    def lift(self, unit):
+        """In the unit of a clearance."""
+        size, kind = self.problem.lift
+        if kind == "m" and unit in LENGTHS:
+            return size / LENGTHS[unit]
+        if kind != "m" and unit in ("deg", "rad"):
+            return ratio((size, kind), (Fraction(1), unit))
+        raise Refuted(f"a clearance in {unit} of {self.name}")
+
+    def breaks(self):
+        """Master angles where its formula changes."""
+        for stretch in self.problem.stretches:
+            points = [stretch.begin]
+            for run in self.problem.runs:
+                if stretch in run.stretches:
+                    by = run.begin_of(stretch) - stretch.begin
+                    points += [x - by for x in run.space.breakpoints if stretch.begin <= x - by <= stretch.end]
+            for copy in range(self.problem.copies):
+                by = copy * self.problem.stretches[-1].end
+                yield from ((self.phase + (x + by) * self.problem.unit_angle[0]) % TURN for x in points)
+
+
+class Clearance:
+    def __init__(self, index, written, axes):
+        self.name = f"clearance[{index}]"
+        key = next(k for k in written if k.startswith("at_least_"))
+        self.unit, self.at_least = key[len("at_least_"):], number(written[key])
+        self.axes = [next(a for a in axes if a.name == name) for name in written["between"]]
+        self.factors = [number(f) for f in written.get("factors", [1] * len(self.axes))]
+        (self.begin, one), (self.end, other) = (angle_of(written, "from") or (Fraction(0), "deg"),
+                                                angle_of(written, "to") or (TURN, "deg"))
+        if (one, other) != ("deg", "deg"):
+            raise Unverified("a clearance with angles in radians")
+        self.length = self.end - self.begin if self.end > self.begin else self.end - self.begin + TURN
+        self.scale = Fraction(0)
+        for axis, factor in zip(self.axes, self.factors):
+            levels = [Fraction(0)] + [s.to for s in axis.problem.stretches]
+            lift = axis.lift(self.unit)
+            self.scale += abs(factor) * lift * max(max(levels) - min(levels), Fraction(1, 1000))
+
+    def holds_at(self, angle):
+        """The angle, moved into the stretch by no more than rounding."""
+        along = (angle - self.begin) % TURN
+        if along > TURN - Fraction(1, 10**6):
+            along = Fraction(0)
+        if along > self.length + Fraction(1, 10**6):
+            raise Refuted(f"{self.name} does not hold at {float(angle)} deg")
+        return self.begin + min(along, self.length)
+
+    def use(self, bounds, angle, multiplier):
+        """at_least - sum of factor * lift * y <= 0, times the multiplier over the scale."""
+        if multiplier < 0:
+            raise Refuted(f"{self.name}: a multiplier below 0 of a row that has no lower side")
+        angle, multiplier = self.holds_at(angle), multiplier / self.scale
+        constant = multiplier * self.at_least
+        for axis, factor in zip(self.axes, self.factors):
+            bound, x = bounds[axis.name], axis.place(angle)
+            size = -multiplier * factor * axis.lift(self.unit)
+            k, run, stretch = bound.run_at(x, "right")
+            if run is None:
+                state, _ = state_at(axis.problem, x, "right")
+                constant += min(size * y for y in ends_of(state[0]))
+                continue
+            constant -= size * run.level(stretch)
+            function = bound.functions[k]
+            for j, weight in run.space.functional(axis.problem.folded(x, "right"), 0).items():
+                function[j] = function.get(j, Fraction(0)) + size * weight
+        return constant
+
+    def check(self, curves):
+        """The largest of at_least - sum over the stretch is within what camopt promises of 0."""
+        points = {Fraction(0), self.length}
+        for axis in self.axes:
+            points |= {p for p in ((b - self.begin) % TURN for b in axis.breaks()) if p < self.length}
+        points = sorted(points)
+        for left, right in zip(points, points[1:]):
+            total = [self.at_least]
+            for axis, factor in zip(self.axes, self.factors):
+                own = y_along(axis, curves[axis.name], self.begin + left, right - left)
+                size = -factor * axis.lift(self.unit)
+                total += [Fraction(0)] * (len(own) - len(total))
+                for m, c in enumerate(own):
+                    total[m] += size * c
+            if not stays_below(total, KEPT * self.scale):
+                raise Refuted(f"{self.name} is violated between {float(self.begin + left)} and {float(self.begin + right)} deg")
+
+
+def y_along(axis, curve, angle, width):
+    """y of an axis as a polynomial of u in [0, 1] over the master angles from `angle` on, between breakpoints."""
+    problem, unit = axis.problem, axis.problem.unit_angle[0]
+    x, wide = axis.place(angle), width / unit
+    middle = problem.folded((x + wide / 2) % (TURN / unit), "right")
+    stretch = problem.stretch_at(middle, "right")
+    for run, pieces in zip(problem.runs, curve.pieces):
+        if stretch not in run.stretches:
+            continue
+        i, at = run.space.segment_of(middle + run.begin_of(stretch) - stretch.begin, "right")
+        piece, _, left, _ = pieces[i]
+        moved = shifted(piece, at - wide / 2 - left)
+        return [c * wide**m for m, c in enumerate(moved)]
+    if stretch.kind == "law":
+        raise Unverified("clearances along a law")
+    return [stretch.start]
+
+
+def stays_below(polynomial, most):
+    """By the coefficients of Bernstein, halved where they do not decide."""
+    degree = len(polynomial) - 1
+    steps = [1]
+    for k in range(degree):
+        steps.append(steps[-1] * (degree - k) // (k + 1))
+    own = []
+    for i in range(degree + 1):
+        row, total = 1, Fraction(0)
+        for m in range(i + 1):
+            total += polynomial[m] * Fraction(row, steps[m])
+            row = row * (i - m) // (m + 1)
+        own.append(total)
+    open_parts, count = [own], 0
+    while open_parts:
+        part = open_parts.pop()
+        if max(part) <= most:
+            continue
+        count += 1
+        if max(part[0], part[-1]) > most:
+            return False
+        if count > MOST_PARTS:
+            raise Unverified("a clearance that touches its limit")
+        left, right, rest = [part[0]], [part[-1]], part
+        while len(rest) > 1:
+            rest = [(a + b) / 2 for a, b in zip(rest, rest[1:])]
+            left.append(rest[0])
+            right.append(rest[-1])
+        open_parts += [left, right[::-1]]
+    return True
+
+
+def add_rows(bounds, clearances, rows):
+    """The constant that clearances leave."""
+    constant, degree = Fraction(0), 180 / middle_of(PI)[0]
+    for row in rows:
+        origin = row["origin"]
+        clearance = next((c for c in clearances if c.name == origin["rule"]), None)
+        if clearance:
+            constant += clearance.use(bounds, number(origin["at"]) * degree, number(row["multiplier"]))
+            continue
+        name, _, rule = origin["rule"].partition(": ")
+        if name not in bounds:
+            raise Refuted(f"the machine has no rule {origin['rule']}")
+        bounds[name].add_row(row | {"origin": origin | {"rule": rule}})
+    return constant
+
+
+def judge_least_objective(axes, clearances, curves, certificate, report):
+    """The bound of the total objective; returns what is not verified."""
+    proof, stated = certificate["proof"], certificate["lower_bound"]
+    if proof is None or stated is None or proof["statement"] != "objective" or number(proof["limits_relaxed_by"]):
+        return ["the least total objective"]
+    reached = sum(curve.objective()[1] for curve in curves.values())
+    bounds = {axis.name: Bound(axis.problem, reached, Fraction(0), curves[axis.name]) for axis in axes}
+    value = add_rows(bounds, clearances, proof["rows"])
+    for axis in axes:
+        bounds[axis.name].add_root_mean_squares(curves[axis.name])
+        bounds[axis.name].add_area()
+        value += bounds[axis.name].value()
+    report.say(f"bound: no motions of the machine have less in total than {float(value):.12g}; reached: {float(reached):.12g}")
+    allowed = min(axis.problem.gap for axis in axes) * max(Fraction(1), abs(reached))
+    if number(stated) - value > allowed / 10 or reached - value > allowed:
+        return [f"the last digits of the bound {stated}: {float(value):.12g} is proved"]
+    return []
+
+
+def judge_impossible(axes, clearances, proof, report):
+    """Farkas, over all axes together."""
+    for axis in axes:
+        for run in axis.problem.runs:
+            if Conditions(run.conditions).contradiction:
+                report.say(f"{axis.name}: conditions contradict each other: no spline of the space meets them")
+                return
+    if proof is None or proof["statement"] != "least_common_violation":
+        raise Refuted("there is no stored proof of impossibility")
+    bounds = {axis.name: Bound(axis.problem, None, Fraction(0)) for axis in axes}
+    value = add_rows(bounds, clearances, proof["rows"]) + sum(bound.value(cost=False) for bound in bounds.values())
+    report.say(f"Farkas: the multipliers of {len(proof['rows'])} rows give 0 >= {float(value):.9g}, "
+               f"rounding {float(sum(b.residual for b in bounds.values())):.1e}")
+    if value > 0:
+        return
+    left_out = sorted({rule for bound in bounds.values() for rule in bound.left_out})
+    if left_out:
+        raise Unverified("rows of " + ", ".join(left_out))
+    raise Refuted("the multipliers do not prove that there are no motions")
+
+
+def judge_machine(folder, report, outcome_of):
+    """`outcome_of`: of the result folder of one axis."""
+    machine = tomllib.loads((folder / "machine.toml").read_text(), parse_float=Fraction)
+    result = json.loads((folder / "machine.json").read_text(), parse_float=Fraction)
+    certificate = json.loads((folder / "certificate.json").read_text())
+    verdict, impossible = result["verdict"], result["impossible_above_rpm"]
+    claims = [verdict, f"{len(machine['axis'])} axes"]
+    claims += [f"motions at {float(result['speed_rpm']):.9g} rpm"] if result["speed_rpm"] is not None else []
+    claims += [f"none at {float(impossible):.9g} rpm"] if impossible is not None else []
+    report.say("claimed: " + ", ".join(claims))
+    if verdict != certificate["verdict"] and not (verdict == "optimal" and impossible is not None):
+        raise Refuted("certificate.json and machine.json disagree")
+
+    def at(speed):
+        axes = [Axis(folder, written, speed) for written in machine["axis"]]
+        return axes, [Clearance(i, written, axes) for i, written in enumerate(machine.get("clearance", []))]
+
+    if verdict == "infeasible":
+        speed = None if result["at_standstill"] else least_speed(machine)
+        judge_impossible(*at(speed), certificate["proof"], report)
+        return []
+    if not result["axes"]:
+        raise Unverified("nothing: no motions are delivered")
+    if impossible is not None:
+        if number(impossible) <= number(result["speed_rpm"]):
+            raise Refuted("motions are delivered at a speed that is said to be impossible")
+        proof = json.loads((folder / "impossible.json").read_text())["proof"]
+        judge_impossible(*at(number(impossible)), proof, report)
+    missing = []
+    for written in machine["axis"]:
+        code, text = outcome_of(folder / written["name"])
+        report.say(f"{written['name']}: {text}")
+        if code == 1:
+            raise Refuted(f"{written['name']}: {text}")
+        missing += [f"{written['name']}: {text}"] * (code == 2)
+    axes, clearances = at(number(result["speed_rpm"]))
+    curves = {}
+    for axis in axes:
+        own = tomllib.loads((folder / axis.name / "scene.toml").read_text(), parse_float=Fraction)
+        if own != tomllib.loads((folder / f"{axis.name}.toml").read_text(), parse_float=Fraction):
+            raise Refuted(f"{axis.name}: its result is of another scene")
+        curves[axis.name] = Curve(axis.problem, result_of(folder, {"name": axis.name}))
+    for clearance in clearances:
+        clearance.check(curves)
+    if clearances:
+        report.say("clearances kept: " + ", ".join(c.name for c in clearances))
+    if impossible is None and not result["reached_most"]:
+        axes = [Axis(folder, written, number(result["speed_rpm"]), result_of(folder, written)) for written in machine["axis"]]
+        clearances = [Clearance(i, written, axes) for i, written in enumerate(machine.get("clearance", []))]
+        curves = {axis.name: Curve(axis.problem, result_of(folder, {"name": axis.name})) for axis in axes}
+        missing += judge_least_objective(axes, clearances, curves, certificate, report)
+    return missing
+
+
+def result_of(folder, written):
+    return json.loads((folder / written["name"] / "result.json").read_text())
+
+
+def least_speed(machine):
+    speed = machine["machine"].get("speed_rpm")
+    if speed is None:
+        raise Unverified("a speed in rad/s")
+    return number(speed["min"] if isinstance(speed, dict) else speed)

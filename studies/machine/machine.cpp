@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: MIT
+#include "studies/machine/machine.hpp"
+
+#include "core/units.hpp"
+#include "scene/written_limits.hpp"
+#include "solvers/structured/structured_solver.hpp"
+#include "studies/machine/machine_build.hpp"
+#include "studies/search/settled_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+// Of trials: the sign of the least common violation is proved, its value only steers the search.
+constexpr double trial_tolerance = 1e-6;
+constexpr int most_trials = 60;
+constexpr double finer_part = 1e-2;
+// Of the steepness by log ω: of a limit on acceleration, and less than that of any limit in time.
+constexpr double usual_slope = 2.0, least_slope = 0.2;
+
+/// The outcome at one speed.
+struct Trial {
+    double speed = 0.0;
+    double violation = infinity;  ///< least common one
+    std::optional<DualityProof> proof;
+    Eigen::VectorXd x;
+    bool exists = false;  ///< motions do, to the tolerance
+    [[nodiscard]] bool feasible() const { return exists; }
+    [[nodiscard]] bool settled() const { return exists || proof; }
+    /// Nearly linear in log ω.
+    [[nodiscard]] double steepness() const { return std::log1p(violation); }
+};
+
+class MachineSearch {
+ public:
+    MachineSearch(const MachineSpec& machine, const MachineOptions& options, const SolveControl& control)
+        : options_(options), control_(control.sooner(options.max_seconds)) {
+        result_.spec = machine;
+        memory_.held.assign(machine.axes.size(), false);
+        memory_.clearances.resize(machine.clearances.size());
+    }
+
+    MachineSolution run() {
+        const Stopwatch watch;
+        if (!contradicts_itself()) {
+            if (machine().searches_speed())
+                search_speed();
+            else
+                deliver_at(machine().least_speed);
+        }
+        result_.seconds_total = watch.seconds();
+        return std::move(result_);
+    }
+
+ private:
+    [[nodiscard]] const MachineSpec& machine() const { return result_.spec; }
+    [[nodiscard]] static double rpm(double speed) { return speed / units::revolution_per_minute; }
+
+    /// Conditions of one axis that no curve of its spline meets: nothing is searched.
+    bool contradicts_itself() {
+        const PosedMachine posed =
+            posed_machine(machine(), scenes_at(machine(), machine().least_speed), memory_);
+        for (int b = 0; b < posed.problem->axes(); ++b) {
+            const MotionFamily& design = posed.problem->axis(b).model().design;
+            if (design.contradictions().empty()) continue;
+            Solution axis;
+            axis.scene = *posed.scenes[static_cast<std::size_t>(b)];
+            report_contradictions(axis, design);
+            result_.certificate = std::move(axis.certificate);
+            result_.speed = machine().least_speed;
+            result_.at_standstill = true;
+            for (const std::string& note : axis.notes)
+                result_.notes.push_back(machine().axes[static_cast<std::size_t>(b)].name + ": " + note);
+            return true;
+        }
+        return false;
+    }
+
+    Trial trial(double speed) { return trial_of(speed, scenes_at(machine(), speed)); }
+
+    Trial trial_of(double speed, const std::vector<Scene>& scenes) {
+        PosedMachine posed = posed_machine(machine(), scenes, memory_);
+        Trial trial;
+        trial.speed = speed;
+        ExchangeOptions exchange = machine_exchange(machine(), options_.max_seconds);
+        const double tight = exchange.tolerance;
+        exchange.tolerance = exchange.backend.tolerance = std::max(tight, trial_tolerance);
+        for (int attempt = 0; attempt < 2; ++attempt) {
+            Feasibility found = find_feasible(*posed.problem, exchange, control_);
+            if (found.point.x.size() > 0) {
+                trial.violation = found.point.violation;
+                trial.exists = trial.violation <= tight;
+                trial.x = std::move(found.point.x);
+            }
+            trial.proof = std::move(found.proof);
+            if (trial.settled() || control_.ending()) break;
+            exchange.tolerance = exchange.backend.tolerance = tight;
+        }
+        ++result_.trials;
+        memory_.keep(*posed.problem);
+        if (trial.x.size() > 0) memory_.x = trial.x;
+        if (speed > 0.0 && trial.proof) {
+            high_.insert(high_.begin(), {std::log(speed), trial.steepness()});
+            std::ranges::sort(high_, {}, [](const std::array<double, 2>& one) { return one[0]; });
+        }
+        if (control_.progress)
+            control_.progress(fmt::format("{:.6g} rpm: violation {:.3g}, {}", rpm(speed), trial.violation,
+                                          trial.feasible() ? "motions exist"
+                                          : trial.proof    ? "proved impossible"
+                                                           : "not decided"));
+        return trial;
+    }
+
+    /// Rounded to digits that the gap does not need: a speed that people can read.
+    [[nodiscard]] double rounded(double speed) const {
+        const double digits = std::ceil(-std::log10(options_.speed_gap)) + 2.0;
+        const double whole = std::pow(10.0, digits - std::ceil(std::log10(rpm(speed))));
+        return std::round(rpm(speed) * whole) / whole * units::revolution_per_minute;
+    }
+
+    /// The next speed to try between a feasible and an infeasible one: beside the zero of the steepness, on
+    /// the side that closes the bracket.
+    [[nodiscard]] double next_speed(const Trial& low, const Trial& high, bool low_is_new, bool slow) const {
+        const double l = std::log(low.speed), h = std::log(high.speed), gap = std::log1p(options_.speed_gap);
+        // Clearances do not depend on the speed: below some speed the steepness is constant, and the largest
+        // slope among these points is that of the limits in time.
+        double slope =
+            high_.size() > 1 ? (high_[1][1] - high_[0][1]) / (high_[1][0] - high_[0][0]) : usual_slope;
+        slope = std::max({least_slope, slope, (high.steepness() - low.steepness()) / (h - l)});
+        double zero = h - high.steepness() / slope;
+        if (slow || !(zero > l)) zero = 0.5 * (l + h);
+        const double side = low_is_new ? 0.3 * gap : -0.3 * gap;
+        const double margin = std::min(0.05 * (h - l), 0.25 * gap);
+        return rounded(std::exp(std::clamp(zero + side, l + margin, h - margin)));
+    }
+
+    void take_proof(const Trial& impossible) {
+        result_.impossible_above = impossible.speed;
+        result_.impossible = impossible.proof;
+        const PosedMachine posed = posed_machine(machine(), scenes_at(machine(), impossible.speed), memory_);
+        result_.limited_by = limits_of_proof(machine(), *posed.problem, *impossible.proof);
+    }
+
+    /// No motions at the least speed: a contradiction of limits, or, at any speed, of the clearances.
+    void report_infeasible(const Trial& least) {
+        result_.speed = least.speed;
+        const MachineMemory known =
+            std::exchange(memory_, MachineMemory{{}, memory_.clearances, memory_.held, {}});
+        Trial slow = trial_of(0.0, scenes_at_standstill(machine()));
+        // Motions that leave their strokes do not count: these are held, and tried again.
+        if (slow.feasible() &&
+            hold_strokes(posed_machine(machine(), scenes_at_standstill(machine()), memory_), slow.x, memory_))
+            slow = trial_of(0.0, scenes_at_standstill(machine()));
+        result_.at_standstill = !slow.feasible() && slow.proof;
+        const Trial& told = result_.at_standstill ? slow : least;
+        Certificate& certificate = result_.certificate;
+        certificate.verdict = Verdict::infeasible;
+        certificate.reason = Reason::limits_contradict;
+        certificate.worst_violation = told.violation;
+        certificate.proof = told.proof;
+        certificate.proof_kind = ProofKind::duality;
+        PosedMachine posed = posed_machine(
+            machine(),
+            result_.at_standstill ? scenes_at_standstill(machine()) : scenes_at(machine(), least.speed),
+            result_.at_standstill ? memory_ : known);
+        result_.limited_by = limits_of_proof(machine(), *posed.problem, *told.proof);
+    }
+
+    void report_undecided(const Trial& trial) {
+        result_.speed = trial.speed;
+        result_.certificate.verdict = Verdict::failed;
+        const std::optional<Termination> ending = control_.ending();
+        result_.certificate.reason = ending ? reason_of(*ending) : Reason::no_feasible_point;
+        result_.notes.push_back(fmt::format(
+            "at {:.6g} rpm neither motions nor a proof of impossibility were found", rpm(trial.speed)));
+    }
+
+    /// A feasible and an infeasible speed to begin with; the latter is missing where the end of the range is
+    /// reached. Nullopt: the machine is settled.
+    struct Bracket {
+        Trial low;
+        std::optional<Trial> high;
+    };
+
+    std::optional<Bracket> first_bracket() {
+        Trial most = trial(machine().most_speed);
+        if (most.feasible() && !result_.scanned) return Bracket{std::move(most), {}};
+        if (result_.scanned) return scanned_bracket(std::move(most));
+        Trial least = trial(machine().least_speed);
+        if (!least.feasible()) {
+            least.proof ? report_infeasible(least) : report_undecided(least);
+            return {};
+        }
+        return Bracket{std::move(least), std::move(most)};
+    }
+
+    /// The largest feasible one of speeds over the whole range, and the next above it.
+    std::optional<Bracket> scanned_bracket(Trial above) {
+        if (above.feasible()) return Bracket{std::move(above), {}};
+        const double ratio = machine().most_speed / machine().least_speed;
+        for (int k = options_.scanned_speeds - 2; k >= 0 && !control_.ending(); --k) {
+            Trial next = trial(machine().least_speed *
+                               std::pow(ratio, static_cast<double>(k) / (options_.scanned_speeds - 1)));
+            if (next.feasible()) return Bracket{std::move(next), std::move(above)};
+            above = std::move(next);
+        }
+        report_undecided(above);
+        result_.notes.push_back(
+            fmt::format("{} speeds over the range were tried: at none of them motions exist, but limits of "
+                        "this machine may hold at speeds between",
+                        options_.scanned_speeds));
+        return {};
+    }
+
+    /// Narrows the bracket to the gap.
+    void narrow(Bracket& bracket) {
+        bool low_is_new = false, slow = false;
+        const auto width = [&] { return std::log(bracket.high->speed / bracket.low.speed); };
+        const double gap = std::log1p(options_.speed_gap);
+        for (int k = 0; k < most_trials && width() > gap * (1.0 + 1e-9) && !control_.ending(); ++k) {
+            const double before = width();
+            const double speed = next_speed(bracket.low, *bracket.high, low_is_new, slow);
+            Trial next = trial(speed);
+            if (!next.settled()) {  // its neighbours may be decided
+                next = trial(std::sqrt(bracket.low.speed * speed));
+                if (!next.settled()) return;
+            }
+            low_is_new = next.feasible();
+            (low_is_new ? bracket.low : *bracket.high) = std::move(next);
+            // Two estimates that fall short: the middle needs no model of the violation.
+            slow = width() > 0.5 * before && (low_is_new || !slow) && width() > 4.0 * gap;
+        }
+    }
+
+    void search_speed() {
+        result_.scanned = std::ranges::any_of(
+            machine().axes, [](const AxisSpec& axis) { return !only_tightens_with_speed(axis.scene); });
+        std::optional<Bracket> bracket = first_bracket();
+        while (bracket) {
+            if (bracket->high) narrow(*bracket);
+            memory_.x = bracket->low.x;
+            const bool complete = deliver_at(bracket->low.speed);
+            if (complete) break;
+            // Axes are held within their strokes from now on: motions may need a lower speed.
+            Trial again = trial(bracket->low.speed);
+            if (again.feasible()) {
+                bracket->low = std::move(again);
+                continue;
+            }
+            bracket->high = std::move(again);
+            Trial least = trial(machine().least_speed);
+            if (!least.feasible()) {
+                least.proof ? report_infeasible(least) : report_undecided(least);
+                return;
+            }
+            bracket->low = std::move(least);
+        }
+        if (!bracket) return;
+        result_.reached_most = !bracket->high;
+        if (bracket->high) {
+            if (bracket->high->proof) take_proof(*bracket->high);
+            if (options_.explain && !control_.ending())
+                ask_what_is_needed(machine(),
+                                   scenes_at(machine(), result_.speed * (1.0 + options_.more_speed)), memory_,
+                                   result_.limited_by, asking(), control_);
+        }
+        judge_speed();
+    }
+
+    [[nodiscard]] ExchangeOptions asking() const {
+        ExchangeOptions exchange = machine_exchange(machine(), options_.max_seconds);
+        exchange.tolerance = exchange.backend.tolerance = std::max(exchange.tolerance, trial_tolerance);
+        return exchange;
+    }
+
+    /// The verdict speaks of the speed: optimal where it is proved to within the gap.
+    void judge_speed() {
+        Certificate& certificate = result_.certificate;
+        if (result_.axes.empty()) return;
+        const bool proved =
+            result_.reached_most ||
+            (result_.impossible && !result_.scanned &&
+             *result_.impossible_above <= result_.speed * (1.0 + options_.speed_gap) * (1.0 + 1e-12));
+        if (certificate.verdict == Verdict::failed) return;
+        if (proved && certificate.verdict != Verdict::optimal)
+            result_.notes.push_back(fmt::format(
+                "the speed is proved; the total objective at it is {}{}", name_of(certificate.verdict),
+                certificate.gap ? fmt::format(", proved to within {:.1e}", *certificate.gap) : ""));
+        certificate.verdict = proved ? Verdict::optimal : Verdict::feasible;
+        if (proved) certificate.reason = Reason::none;
+        if (result_.scanned)
+            result_.notes.push_back(fmt::format(
+                "limits of this machine do not only tighten with speed: {} speeds over the range were tried; "
+                "between these, and above the speed reached, nothing is claimed",
+                options_.scanned_speeds));
+    }
+
+    /// The least total objective at a speed, from memory_.x. False: axes left their strokes, and are held
+    /// from now on.
+    bool deliver_at(double speed) {
+        ExchangeOptions exchange = machine_exchange(machine(), options_.max_seconds);
+        for (;;) {
+            PosedMachine posed = posed_machine(machine(), scenes_at(machine(), speed), memory_);
+            JudgeOptions judge{exchange.tolerance, wanted_gap()};
+            ContinuousResult found =
+                solve_continuous(*posed.problem, *make_structured_solver(), exchange, judge, control_);
+            if (found.x.size() > 0 && found.certificate.verdict != Verdict::optimal && !control_.ending()) {
+                // Near the largest speed a violation within the tolerance costs more than the gap.
+                ExchangeOptions finer = exchange;
+                finer.tolerance = finer.backend.tolerance = finer_part * exchange.tolerance;
+                ContinuousResult again =
+                    solve_continuous(*posed.problem, *make_structured_solver(), finer, judge, control_);
+                if (again.certificate.verdict < found.certificate.verdict) found = std::move(again);
+            }
+            memory_.keep(*posed.problem);
+            result_.speed = speed;
+            result_.certificate = std::move(found.certificate);
+            if (found.x.size() == 0) {
+                if (machine().searches_speed()) return true;
+                if (result_.certificate.verdict == Verdict::infeasible) {
+                    Trial least;
+                    least.speed = speed;
+                    least.violation = result_.certificate.worst_violation;
+                    least.proof = result_.certificate.proof;
+                    report_infeasible(least);
+                }
+                return true;
+            }
+            if (hold_strokes(posed, found.x, memory_)) {
+                high_.clear();
+                memory_.x = {};
+                if (machine().searches_speed()) return false;
+                continue;
+            }
+            take_motions(posed, found.x);
+            return true;
+        }
+    }
+
+    [[nodiscard]] double wanted_gap() const {
+        double gap = machine().axes.front().scene.solver.wanted_gap();
+        for (const AxisSpec& axis : machine().axes) gap = std::min(gap, axis.scene.solver.wanted_gap());
+        return gap;
+    }
+
+    void take_motions(PosedMachine& posed, const Eigen::VectorXd& x) {
+        result_.axes.clear();
+        result_.clearances.clear();
+        for (int b = 0; b < posed.problem->axes(); ++b) {
+            result_.axes.push_back(delivered_axis(posed, b, x));
+            if (result_.axes.back().certificate.verdict == Verdict::failed)
+                result_.notes.push_back(fmt::format("{}: the delivered motion failed its audit: {}",
+                                                    machine().axes[static_cast<std::size_t>(b)].name,
+                                                    result_.axes.back().certificate.reason == Reason::none
+                                                        ? ""
+                                                        : name_of(result_.axes.back().certificate.reason)));
+        }
+        const bool failed = std::ranges::any_of(
+            result_.axes, [](const Solution& axis) { return axis.certificate.verdict == Verdict::failed; });
+        if (failed) result_.certificate.verdict = Verdict::failed;
+        for (int k = 0; k < static_cast<int>(machine().clearances.size()); ++k) {
+            Extremum worst = posed.problem->worst_of_clearance(k, x);
+            worst.value *= -posed.problem->clearance_scale(k);
+            result_.clearances.push_back(worst);
+        }
+    }
+
+    const MachineOptions& options_;
+    SolveControl control_;
+    MachineMemory memory_;
+    std::vector<std::array<double, 2>> high_;  ///< of infeasible trials: (log ω, steepness), ascending
+    MachineSolution result_;
+};
+
+}  // namespace
+
+MachineSolution solve_machine(const MachineSpec& machine, const MachineOptions& options,
+                              const SolveControl& control) {
+    options.validate();
+    if (const std::optional<SceneFault> fault = find_fault(machine)) throw SceneError(*fault);
+    for (std::size_t b = 0; b < machine.axes.size(); ++b) {
+        try {
+            validate(with_written_limits(at_speed(machine.axes[b].scene, machine.least_speed)));
+        } catch (const SceneError& error) {
+            throw SceneError({fmt::format("axis[{}].scene.{}", b, error.fault().member), error.fault().found,
+                              error.fault().allowed});
+        }
+    }
+    const FixedMachineSolve solve = [](const MachineSpec& fixed, const MachineOptions& own,
+                                       const SolveControl& until) {
+        return MachineSearch(fixed, own, until).run();
+    };
+    return searches_timing(machine) ? solve_with_timing(machine, options, control, solve)
+                                    : solve(machine, options, control);
+}
+
+}  // namespace camopt

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "studies/machine/machine_build.hpp"
+
+#include "objectives/scene_model.hpp"
+#include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
+#include "scene/written_limits.hpp"
+#include "studies/delivered/delivered_audit.hpp"
+#include "studies/delivered/smallest_of_any_motion.hpp"
+#include "studies/delivered/solution_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// Of axes that do not name theirs: few variables and no equalities, so that the factor of a machine, which
+// is no chain, needs no shift. Measured with 12 axes of 32 segments and 20 clearances.
+constexpr DesignKind machine_design = DesignKind::coefficients;
+
+/// The rule that makes a model's problem not convex; null: none does.
+const PointRule* general_rule(const CamModel& model) {
+    for (const PlacedRule& rule : model.rules)
+        if (rule->curvature(-infinity, infinity) == Curvature::general) return rule.rule.get();
+    return nullptr;
+}
+
+void refuse_general(const CamModel& model, std::size_t axis) {
+    const PointRule* const rule = general_rule(model);
+    if (!rule) return;
+    const std::string key = rule->limit() ? rule->name() : "objective.torque";
+    throw SceneError({fmt::format("axis[{}].scene.{}", axis, key), "a limit or term that is not convex",
+                      "in a machine linear and convex ones (velocity, acceleration, jerk, pressure angle, "
+                      "drive): only for these a largest speed can be proved"});
+}
+
+/// Σ |factor| · range of the displacement: a clearance violated by all of it is violated by 100 %.
+double scale_of(const MachineSpec& machine, const Clearance& clearance) {
+    double scale = 0.0;
+    for (std::size_t k = 0; k < clearance.axes.size(); ++k) {
+        const auto& motion = machine.axes[static_cast<std::size_t>(clearance.axes[k])].scene.motion;
+        const auto [least, most] = motion.displacements();
+        scale += std::abs(clearance.factors[k]) * std::max(most - least, 1e-3 * motion.lift);
+    }
+    return scale;
+}
+
+std::vector<ClearanceRule> clearance_rules(const MachineSpec& machine, const MachineMemory& memory) {
+    std::vector<ClearanceRule> rules;
+    for (std::size_t k = 0; k < machine.clearances.size(); ++k) {
+        const Clearance& given = machine.clearances[k];
+        rules.push_back({name_of_clearance(static_cast<int>(k)), given.axes, given.factors, given.at_least,
+                         given.from, given.to, scale_of(machine, given),
+                         k < memory.clearances.size() ? memory.clearances[k] : std::vector<double>{}});
+    }
+    return rules;
+}
+
+}  // namespace
+
+void MachineMemory::keep(const MachineProblem& problem) {
+    axes.clear();
+    for (int b = 0; b < problem.axes(); ++b) {
+        axes.push_back(problem.axis(b).samples());
+        // Rows of the whole motion hold at speeds that the next machine may not have.
+        std::erase_if(axes.back(), [](const RuleSample& sample) { return !sample.setting.empty(); });
+    }
+    for (std::size_t k = 0; k < clearances.size(); ++k) clearances[k] = problem.samples(static_cast<int>(k));
+}
+
+PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>& scenes,
+                           const MachineMemory& memory) {
+    PosedMachine made;
+    std::vector<MachineBlock> blocks;
+    for (std::size_t b = 0; b < scenes.size(); ++b) {
+        Scene given = scenes[b];
+        if (given.spline.design == DesignKind::automatic) given.spline.design = machine_design;
+        made.scenes.push_back(std::make_unique<const Scene>(std::move(given)));
+        const Scene& scene = *made.scenes.back();
+        made.posed.push_back(std::make_unique<PosedScene>(scene, HeldStrokes{memory.held[b], {}}));
+        PosedScene& posed = *made.posed.back();
+        refuse_general(posed.model, b);
+        made.plans.push_back(std::make_shared<const SolvePlan>(plan_of(posed)));
+        const MotionSpec& motion = scene.motion;
+        blocks.push_back({{machine.axes[b].name, machine.axes[b].phase, motion.unit_angle(), motion.lift,
+                           posed.scale.factor()},
+                          std::move(posed.model),
+                          b < memory.axes.size() ? memory.axes[b] : std::vector<RuleSample>{}});
+    }
+    made.problem = std::make_unique<MachineProblem>(std::move(blocks), clearance_rules(machine, memory));
+    if (memory.x.size() > 0) made.problem->set_start(memory.x);
+    return made;
+}
+
+Scene at_speed(const Scene& scene, double speed) {
+    Scene changed = scene;
+    changed.motion.speed = speed;
+    keep_written(changed, scene.motion);
+    return changed;
+}
+
+std::vector<Scene> scenes_at(const MachineSpec& machine, double speed) {
+    std::vector<Scene> scenes;
+    for (const AxisSpec& axis : machine.axes)
+        scenes.push_back(with_written_limits(at_speed(axis.scene, speed)));
+    return scenes;
+}
+
+std::vector<Scene> scenes_at_standstill(const MachineSpec& machine) {
+    std::vector<Scene> scenes = scenes_at(machine, machine.least_speed);
+    for (Scene& scene : scenes) {
+        for (const PeakLimitRow& row : peak_limit_rows())
+            if (auto& limit = row.in(scene.limits); limit && limit->in_time()) limit.reset();
+        for (const LimitRow& row : limit_rows())
+            if (row.needs_forces || row.needs_dynamics) row.in(scene.limits).reset();
+    }
+    return scenes;
+}
+
+ExchangeOptions machine_exchange(const MachineSpec& machine, double seconds) {
+    ExchangeOptions exchange = exchange_options(machine.axes.front().scene);
+    for (const AxisSpec& axis : machine.axes) {
+        const ExchangeOptions own = exchange_options(axis.scene);
+        exchange.tolerance = std::min(exchange.tolerance, own.tolerance);
+        exchange.backend.tolerance = std::min(exchange.backend.tolerance, own.backend.tolerance);
+    }
+    exchange.backend.native.clear();  // they belong to one axis
+    exchange.backend.max_seconds = seconds;
+    return exchange;
+}
+
+Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd& x) {
+    const auto b = static_cast<std::size_t>(index);
+    const PosedScene& posed = *machine.posed[b];
+    const CamProblem& problem = machine.problem->axis(index);
+    const Eigen::VectorXd own = machine.problem->axis_x(index, x);
+    Solution solution;
+    solution.scene = posed.scene();
+    solution.reference_peaks = posed.reference;
+    solution.any_curve_limit = limit_curve(solution.scene, posed.reference);
+    solution.plan = machine.plans[b];
+    solution.solver.name = "structured";
+    solution.solver.choice = "an axis of a machine: all axes are solved together";
+    solution.solver.termination = Termination::converged;
+    solution.design.kind = machine.plans[b]->design;
+    solution.family = problem.family();
+    if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
+    Certificate& certificate = solution.certificate;
+    certificate.verdict = Verdict::feasible;
+    certificate.reason = Reason::none;
+    certificate.objective = problem.objective(own);
+    certificate.worst_violation = problem.worst_of_limits(own);
+    report_motion(solution, problem, own);
+    posed.restore(solution);
+    audit_delivered(solution);
+    solution.family.reset();
+    solution.notes.emplace_back(
+        "an axis of a machine: the least total objective of all axes is proved in machine.json, not the "
+        "least of this axis alone");
+    return solution;
+}
+
+bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x, MachineMemory& memory) {
+    bool fresh = false;
+    for (int b = 0; b < posed.problem->axes(); ++b) {
+        const auto at = static_cast<std::size_t>(b);
+        const Scene& scene = posed.posed[at]->scene();
+        const bool has_range = scene.motion.within_lift || scene.motion.monotone;
+        if (memory.held[at] || !has_range || scene.motion.prescribed()) continue;
+        const CamProblem& problem = posed.problem->axis(b);
+        const auto out =
+            excursions_of(scene, problem.model().design, problem.motion(posed.problem->axis_x(b, x)));
+        if (std::ranges::none_of(out, [&](double amount) { return amount > scene.solver.tolerance; }))
+            continue;
+        memory.held[at] = fresh = true;
+        if (at < memory.axes.size()) memory.axes[at].clear();  // its rules are others now
+    }
+    return fresh;
+}
+
+namespace {
+
+bool counts_in_time(const std::optional<SetPoint>& point) {
+    return point && (is_unit_of_time(point->units.velocity) || is_unit_of_time(point->units.acceleration));
+}
+
+}  // namespace
+
+void MachineOptions::validate() const {
+    if (!(speed_gap > 0.0 && speed_gap < 1.0))
+        throw InputError(fmt::format("speed gap: found {}; allowed: a number > 0 and < 1", speed_gap));
+    if (!(more_speed > 0.0) || !(max_seconds > 0.0) || scanned_speeds < 2)
+        throw InputError(
+            "machine options: found a number that is not positive; allowed: more_speed > 0, "
+            "max_seconds > 0, scanned_speeds >= 2");
+}
+
+bool only_tightens_with_speed(const Scene& scene) {
+    for (const LimitRow& row : limit_rows())
+        if ((row.needs_forces || row.needs_dynamics) && row.in(scene.limits)) return false;
+    for (const PeakLimitRow& row : peak_limit_rows())  // of one side: an interval around 0 only shrinks
+        if (const auto& limit = row.in(scene.limits);
+            limit && limit->in_time() && row.side * limit->normalised < 0.0)
+            return false;
+    const MotionSpec& motion = scene.motion;
+    for (const Corridor& corridor : motion.corridors)
+        for (const Corridor::Bounds& bounds : corridor.bounds)
+            if (is_unit_of_time(bounds.unit)) return false;
+    for (const ProgramSegment& segment : motion.segments) {
+        if (counts_in_time(segment.end)) return false;
+        for (const SetPoint& point : segment.via)
+            if (counts_in_time(point)) return false;
+    }
+    return true;
+}
+
+}  // namespace camopt

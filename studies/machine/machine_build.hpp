@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Private to studies/machine/: the optimization problem of a machine at one speed, and its trial.
+#pragma once
+
+#include "objectives/machine/machine_problem.hpp"
+#include "solvers/exchange/exchange.hpp"
+#include "studies/machine/machine.hpp"
+#include "studies/search/planned_solve.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace camopt {
+
+/// The axes posed at one speed; their models are in the problem.
+struct PosedMachine {
+    std::vector<std::unique_ptr<const Scene>> scenes;
+    std::vector<std::unique_ptr<PosedScene>> posed;
+    std::vector<std::shared_ptr<const SolvePlan>> plans;
+    std::unique_ptr<MachineProblem> problem;
+};
+
+/// What one speed leaves for the next: rows, motions, and which axes are held within their strokes.
+struct MachineMemory {
+    std::vector<std::vector<RuleSample>> axes;
+    std::vector<std::vector<double>> clearances;
+    std::vector<bool> held;
+    Eigen::VectorXd x;
+    void keep(const MachineProblem& problem);
+};
+
+/// Throws SceneError for an axis whose problem is not convex.
+[[nodiscard]] PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>& scenes,
+                                         const MachineMemory& memory);
+/// The scenes of the axes at a speed of the master.
+[[nodiscard]] std::vector<Scene> scenes_at(const MachineSpec& machine, double speed);
+/// The same without what counts in time: the machine as its speed approaches 0.
+[[nodiscard]] std::vector<Scene> scenes_at_standstill(const MachineSpec& machine);
+
+/// Tolerances of the machine: the tightest of its axes.
+[[nodiscard]] ExchangeOptions machine_exchange(const MachineSpec& machine, double seconds);
+
+/// What stops a machine, from the proof of impossibility; `problem`: of that proof.
+[[nodiscard]] std::vector<MachineLimit> limits_of_proof(const MachineSpec& machine,
+                                                        const MachineProblem& problem,
+                                                        const DualityProof& proof);
+/// Fills MachineLimit::needed for the speed of `scenes`.
+void ask_what_is_needed(const MachineSpec& machine, const std::vector<Scene>& scenes,
+                        const MachineMemory& memory, std::vector<MachineLimit>& limits,
+                        const ExchangeOptions& exchange, const SolveControl& control);
+
+/// True: an axis that was not held leaves the range of a stroke at x; it is held from now on.
+[[nodiscard]] bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x, MachineMemory& memory);
+
+/// One axis as solve() delivers it. `x`: of the machine.
+[[nodiscard]] Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd& x);
+
+using FixedMachineSolve =
+    std::function<MachineSolution(const MachineSpec&, const MachineOptions&, const SolveControl&)>;
+/// Whether an axis has two segments or more whose angles are ranges.
+[[nodiscard]] bool searches_timing(const MachineSpec& machine);
+/// `solve`: of a machine whose angles are fixed.
+[[nodiscard]] MachineSolution solve_with_timing(const MachineSpec& machine, const MachineOptions& options,
+                                                const SolveControl& control, const FixedMachineSolve& solve);
+
+}  // namespace camopt
