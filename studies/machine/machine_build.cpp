@@ -110,6 +110,27 @@ std::vector<Scene> scenes_at(const MachineSpec& machine, double speed) {
     return scenes;
 }
 
+namespace {
+
+/// Of the motor what constant force and friction leave: the torque that holds.
+void stand_still(Scene& scene) {
+    DriveSpec& drive = *scene.drive;
+    drive.load = drive.motor_inertia = drive.viscous = 0.0;
+    LimitSpec& limits = scene.limits;
+    limits.motor_speed.reset();
+    if (!limits.motor_curve.empty()) {
+        const double most = limits.motor_curve.front()[1];
+        if (!limits.motor_torque || limits.motor_torque->value > most)
+            limits.motor_torque = WrittenLimit(most, "limits.motor_curve", 1.0, "N m");
+        limits.motor_curve.clear();
+    }
+    // Nothing is weighed at standstill, and a reference law may have no torque there.
+    scene.objective = {};
+    scene.objective.jerk = 1.0;
+}
+
+}  // namespace
+
 std::vector<Scene> scenes_at_standstill(const MachineSpec& machine) {
     std::vector<Scene> scenes = scenes_at(machine, machine.least_speed);
     for (Scene& scene : scenes) {
@@ -117,6 +138,7 @@ std::vector<Scene> scenes_at_standstill(const MachineSpec& machine) {
             if (auto& limit = row.in(scene.limits); limit && limit->in_time()) limit.reset();
         for (const LimitRow& row : limit_rows())
             if (row.needs_forces || row.needs_dynamics) row.in(scene.limits).reset();
+        if (scene.drive) stand_still(scene);
     }
     return scenes;
 }
@@ -200,6 +222,13 @@ void MachineOptions::validate() const {
 }
 
 bool only_tightens_with_speed(const Scene& scene) {
+    // τ(sω) = s² (τ(ω) − τ_0) + τ_0 lies between τ(ω) and the torque τ_0 at rest, which every limit allows;
+    // viscous friction, and a torque that falls with the speed, change by s.
+    const LimitSpec& limits = scene.limits;
+    const bool holds_torque =
+        limits.motor_torque || limits.motor_torque_min || limits.motor_torque_max || limits.motor_torque_rms;
+    if (!limits.motor_curve.empty() || (holds_torque && scene.drive && scene.drive->viscous > 0.0))
+        return false;
     for (const LimitRow& row : limit_rows())
         if ((row.needs_forces || row.needs_dynamics) && row.in(scene.limits)) return false;
     for (const PeakLimitRow& row : peak_limit_rows())  // of one side: an interval around 0 only shrinks
