@@ -6,6 +6,7 @@
 #include "profiles/inverse/inverse_spec.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "profiles/remote/remote_cam.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "scene/scene.hpp"
 
