@@ -20,12 +20,11 @@ constexpr int lanes = 2;
 using Pack = double __attribute__((vector_size(8 * lanes)));
 using UnalignedPack = double __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
 
-template <typename V>
-V at(const double* from) {
-    if constexpr (sizeof(V) == sizeof(double))
-        return *from;
-    else
-        return *reinterpret_cast<const UnalignedPack*>(from);
+inline void load(Pack& v, const double* from) {
+    v = *reinterpret_cast<const UnalignedPack*>(from);
+}
+inline void load(double& v, const double* from) {
+    v = *from;
 }
 inline void store(double* to, const Pack& v) {
     *reinterpret_cast<UnalignedPack*>(to) = v;
@@ -68,6 +67,11 @@ void each_part(int first, int last, const Body& body) {
     for (; r < last; ++r) body(0.0, r);
 }
 
+/// What the widths d of a segment are multiplied by at x; 0: its ranges have none.
+inline double factor_of(const SideSegment& segment, const double* x) {
+    return segment.variable >= 0 ? x[segment.variable] : 0.0;
+}
+
 /// Collects what a product with [C; E]ᵀ needs.
 struct Collector {
     const double* width;
@@ -75,50 +79,52 @@ struct Collector {
     Sum sum;
     template <typename V>
     void add(int r, const V& low, const V& high) {
+        V d;
+        load(d, width + r);
         store(joined + r, low - high);
-        sum.add(at<V>(width + r) * (low + high));
+        sum.add(d * (low + high));
     }
 };
-
-/// body(V{}, r, factor, collector) for all ranges, segment by segment: `factor` is what the widths d of the
-/// segment are multiplied by at x (0: its ranges have none); the sums of the collector go to `out`, where it
-/// has any.
-template <typename Body>
-void each_range(const SideLayout& layout, const double* x, const SideProducts& out, const Body& body) {
-    for (int s = 0; s < layout.segment_count; ++s) {
-        const SideSegment& segment = layout.segments[s];
-        const double factor = x != nullptr && segment.variable >= 0 ? x[segment.variable] : 0.0;
-        Collector collector{layout.width, out.joined, {}};
-        each_part(segment.first, segment.last, [&](auto kind, int r) { body(kind, r, factor, collector); });
-        if (out.sums != nullptr) out.sums[s] = collector.sum.total();
-    }
-}
 
 inline void residuals(const SideLayout& layout, SideResiduals& pass) {
     const int count = layout.ranges;
     Sum products, bound_total, dual_limit;
     Largest largest;
-    each_range(layout, pass.x, pass.out, [&](auto kind, int r, double factor, Collector& collector) {
-        using V = decltype(kind);
-        const V image = at<V>(pass.image + r), width = at<V>(layout.width + r);
-        const auto side = [&](int b, const V& slide) {
-            const V gap = at<V>(pass.gap + b) + pass.primal_step * at<V>(pass.gap_change + b);
-            const V dual = at<V>(pass.dual + b) + pass.dual_step * at<V>(pass.dual_change + b);
-            const V limit = at<V>(layout.limit + b);
-            store(pass.new_gap + b, gap);
-            store(pass.new_dual + b, dual);
-            const V bound = (slide - limit - gap) * at<V>(layout.present + b);
-            store(pass.bound + b, bound);
-            products.add(gap * dual);
-            bound_total.add(bound);
-            dual_limit.add(dual * limit);
-            largest.add(bound);
-            largest.add(-bound);
-            return dual;
-        };
-        const V low = side(r, width * factor + image), high = side(count + r, width * factor - image);
-        collector.add<V>(r, -low, -high);
-    });
+    for (int s = 0; s < layout.segment_count; ++s) {
+        const SideSegment& segment = layout.segments[s];
+        const double factor = factor_of(segment, pass.x);
+        Collector collector{layout.width, pass.out.joined, {}};
+        each_part(segment.first, segment.last, [&](auto kind, int r) {
+            using V = decltype(kind);
+            V image, width;
+            load(image, pass.image + r);
+            load(width, layout.width + r);
+            const auto side = [&](int b, const V& slide) {
+                V gap, dual, gap_change, dual_change, limit, present;
+                load(gap, pass.gap + b);
+                load(dual, pass.dual + b);
+                load(gap_change, pass.gap_change + b);
+                load(dual_change, pass.dual_change + b);
+                load(limit, layout.limit + b);
+                load(present, layout.present + b);
+                gap += pass.primal_step * gap_change;
+                dual += pass.dual_step * dual_change;
+                store(pass.new_gap + b, gap);
+                store(pass.new_dual + b, dual);
+                const V bound = (slide - limit - gap) * present;
+                store(pass.bound + b, bound);
+                products.add(gap * dual);
+                bound_total.add(bound);
+                dual_limit.add(dual * limit);
+                largest.add(bound);
+                largest.add(-bound);
+                return dual;
+            };
+            const V low = side(r, width * factor + image), high = side(count + r, width * factor - image);
+            collector.add<V>(r, -low, -high);
+        });
+        pass.out.sums[s] = collector.sum.total();
+    }
     pass.products = products.total();
     pass.bound_total = bound_total.total();
     pass.dual_limit = dual_limit.total();
@@ -128,64 +134,85 @@ inline void residuals(const SideLayout& layout, SideResiduals& pass) {
 inline void point(const SideLayout& layout, const SidePoint& pass) {
     constexpr double tiniest = 1e-300;  // replaces 0 where nothing changes
     const int count = layout.ranges;
-    each_range(layout, nullptr, {nullptr, pass.squares}, [&](auto kind, int r, double, Collector& squares) {
-        using V = decltype(kind);
-        const auto side = [&](int b) {
-            const V gap = at<V>(pass.gap + b), dual = at<V>(pass.dual + b);
-            const V least = V{} + tiniest;
-            const V inverse_gap = 1.0 / gap, inverse_dual = 1.0 / (dual > least ? dual : least);
-            const V curvature = dual * inverse_gap;
-            store(pass.inverse_gap + b, inverse_gap);
-            store(pass.inverse_dual + b, inverse_dual);
-            store(pass.curvature + b, curvature);
-            return curvature;
-        };
-        const V low = side(r), high = side(count + r);
-        const V width = at<V>(layout.width + r), weight = low + high;
-        store(pass.weight + r, weight);
-        store(pass.weight + count + r, V((low - high) * width));
-        squares.sum.add(weight * width * width);
-    });
+    for (int s = 0; s < layout.segment_count; ++s) {
+        const SideSegment& segment = layout.segments[s];
+        Sum squares;
+        each_part(segment.first, segment.last, [&](auto kind, int r) {
+            using V = decltype(kind);
+            const auto side = [&](int b) {
+                V gap, dual;
+                load(gap, pass.gap + b);
+                load(dual, pass.dual + b);
+                const V least = V{} + tiniest;
+                const V inverse_gap = 1.0 / gap, inverse_dual = 1.0 / (dual > least ? dual : least);
+                const V curvature = dual * inverse_gap;
+                store(pass.inverse_gap + b, inverse_gap);
+                store(pass.inverse_dual + b, inverse_dual);
+                store(pass.curvature + b, curvature);
+                return curvature;
+            };
+            const V low = side(r), high = side(count + r);
+            V width;
+            load(width, layout.width + r);
+            const V weight = low + high;
+            store(pass.weight + r, weight);
+            store(pass.weight + count + r, V((low - high) * width));
+            squares.add(weight * width * width);
+        });
+        pass.squares[s] = squares.total();
+    }
 }
 
 template <ChangeRule Rule, bool Bounded>
 void forces_by(const SideLayout& layout, const SideForces& pass) {
     const int count = layout.ranges;
-    each_range(layout, nullptr, pass.out, [&](auto kind, int r, double, Collector& collector) {
-        using V = decltype(kind);
-        const auto side = [&](int b) {
-            const V dual = at<V>(pass.dual + b);
-            V gap, present, change = {};
-            if constexpr (Rule != ChangeRule::none) {
-                gap = at<V>(pass.gap + b);
-                present = at<V>(layout.present + b);
-            }
-            if constexpr (Rule == ChangeRule::products || Rule == ChangeRule::corrected)
-                change = pass.target * present - gap * dual;
-            if constexpr (Rule == ChangeRule::corrected || Rule == ChangeRule::centrality) {
-                const V gap_change = at<V>(pass.gap_change + b), dual_change = at<V>(pass.dual_change + b);
-                if constexpr (Rule == ChangeRule::corrected) {
-                    change -= gap_change * dual_change;
-                } else {
-                    const V product =
-                        (gap + pass.primal_step * gap_change) * (dual + pass.dual_step * dual_change);
-                    const V least = V{} + pass.least, most = V{} + pass.most;
-                    const V raised = product > least ? product : least;
-                    const V wanted = raised < most ? raised : most;
-                    const V difference = wanted - product;
-                    change = present * (difference > -most ? difference : -most);
+    for (int s = 0; s < layout.segment_count; ++s) {
+        const SideSegment& segment = layout.segments[s];
+        Collector collector{layout.width, pass.out.joined, {}};
+        each_part(segment.first, segment.last, [&](auto kind, int r) {
+            using V = decltype(kind);
+            const auto side = [&](int b) {
+                V gap, dual, present, inverse, change = {};
+                load(dual, pass.dual + b);
+                load(inverse, pass.inverse_gap + b);
+                if constexpr (Rule != ChangeRule::none) {
+                    load(gap, pass.gap + b);
+                    load(present, layout.present + b);
                 }
-            }
-            store(pass.change + b, change);
-            V force = change;
-            if constexpr (Bounded) force -= dual * at<V>(pass.bound + b);
-            force *= at<V>(pass.inverse_gap + b);
-            store(pass.force + b, force);
-            return force;
-        };
-        const V low = side(r), high = side(count + r);
-        collector.add<V>(r, low, high);
-    });
+                if constexpr (Rule == ChangeRule::products || Rule == ChangeRule::corrected)
+                    change = pass.target * present - gap * dual;
+                if constexpr (Rule == ChangeRule::corrected || Rule == ChangeRule::centrality) {
+                    V gap_change, dual_change;
+                    load(gap_change, pass.gap_change + b);
+                    load(dual_change, pass.dual_change + b);
+                    if constexpr (Rule == ChangeRule::corrected) {
+                        change -= gap_change * dual_change;
+                    } else {
+                        const V product =
+                            (gap + pass.primal_step * gap_change) * (dual + pass.dual_step * dual_change);
+                        const V least = V{} + pass.least, most = V{} + pass.most;
+                        const V raised = product > least ? product : least;
+                        const V wanted = raised < most ? raised : most;
+                        const V difference = wanted - product;
+                        change = present * (difference > -most ? difference : -most);
+                    }
+                }
+                store(pass.change + b, change);
+                V force = change;
+                if constexpr (Bounded) {
+                    V bound;
+                    load(bound, pass.bound + b);
+                    force -= dual * bound;
+                }
+                force *= inverse;
+                store(pass.force + b, force);
+                return force;
+            };
+            const V low = side(r), high = side(count + r);
+            collector.add<V>(r, low, high);
+        });
+        pass.out.sums[s] = collector.sum.total();
+    }
 }
 
 inline void forces(const SideLayout& layout, const SideForces& pass) {
@@ -205,17 +232,28 @@ inline void forces(const SideLayout& layout, const SideForces& pass) {
 
 inline void multipliers(const SideLayout& layout, const SideMultipliers& pass) {
     const int count = layout.ranges;
-    each_range(layout, pass.x, pass.out, [&](auto kind, int r, double factor, Collector& collector) {
-        using V = decltype(kind);
-        const V image = at<V>(pass.image + r), width = at<V>(layout.width + r);
-        const auto side = [&](int b, const V& slide) {
-            const V nu = at<V>(pass.curvature + b) * slide + pass.sign * at<V>(pass.base + b);
-            store(pass.nu + b, nu);
-            return nu;
-        };
-        const V low = side(r, width * factor + image), high = side(count + r, width * factor - image);
-        collector.add<V>(r, low, high);
-    });
+    for (int s = 0; s < layout.segment_count; ++s) {
+        const SideSegment& segment = layout.segments[s];
+        const double factor = factor_of(segment, pass.x);
+        Collector collector{layout.width, pass.out.joined, {}};
+        each_part(segment.first, segment.last, [&](auto kind, int r) {
+            using V = decltype(kind);
+            V image, width;
+            load(image, pass.image + r);
+            load(width, layout.width + r);
+            const auto side = [&](int b, const V& slide) {
+                V curvature, base;
+                load(curvature, pass.curvature + b);
+                load(base, pass.base + b);
+                const V nu = curvature * slide + pass.sign * base;
+                store(pass.nu + b, nu);
+                return nu;
+            };
+            const V low = side(r, width * factor + image), high = side(count + r, width * factor - image);
+            collector.add<V>(r, low, high);
+        });
+        pass.out.sums[s] = collector.sum.total();
+    }
 }
 
 template <bool Bounded, bool Based>
@@ -223,33 +261,52 @@ void direction_by(const SideLayout& layout, SideDirection& pass) {
     const int count = layout.ranges;
     Sum total, gap_dual, dual_gap, change_change;
     Largest steepest_gap, steepest_dual;
-    each_range(layout, pass.x, {}, [&](auto kind, int r, double factor, Collector&) {
-        using V = decltype(kind);
-        const V image = at<V>(pass.image + r), width = at<V>(layout.width + r);
-        const auto side = [&](int b, const V& slide) {
-            const V change = at<V>(pass.change + b), gap = at<V>(pass.gap + b), dual = at<V>(pass.dual + b);
-            const V inverse_gap = at<V>(pass.inverse_gap + b), inverse_dual = at<V>(pass.inverse_dual + b);
-            V of_gap = slide * at<V>(layout.present + b);
-            if constexpr (Bounded) of_gap += at<V>(pass.bound + b);
-            const V of_dual = -at<V>(pass.nu + b);
-            V gap_change = dual > gap ? (change - gap * of_dual) * inverse_dual : of_gap;
-            V dual_change = dual > gap ? of_dual : (change - dual * of_gap) * inverse_gap;
-            if constexpr (Based) {
-                gap_change += at<V>(pass.base_gap + b);
-                dual_change += at<V>(pass.base_dual + b);
-            }
-            store(pass.gap_change + b, gap_change);
-            store(pass.dual_change + b, dual_change);
-            steepest_gap.add(-gap_change * inverse_gap);
-            steepest_dual.add(-dual_change * inverse_dual);
-            total.add(gap_change + dual_change);
-            gap_dual.add(gap * dual_change);
-            dual_gap.add(dual * gap_change);
-            change_change.add(gap_change * dual_change);
-        };
-        side(r, width * factor + image);
-        side(count + r, width * factor - image);
-    });
+    for (int s = 0; s < layout.segment_count; ++s) {
+        const SideSegment& segment = layout.segments[s];
+        const double factor = factor_of(segment, pass.x);
+        each_part(segment.first, segment.last, [&](auto kind, int r) {
+            using V = decltype(kind);
+            V image, width;
+            load(image, pass.image + r);
+            load(width, layout.width + r);
+            const auto side = [&](int b, const V& slide) {
+                V nu, change, gap, dual, inverse_gap, inverse_dual, present;
+                load(nu, pass.nu + b);
+                load(change, pass.change + b);
+                load(gap, pass.gap + b);
+                load(dual, pass.dual + b);
+                load(inverse_gap, pass.inverse_gap + b);
+                load(inverse_dual, pass.inverse_dual + b);
+                load(present, layout.present + b);
+                V of_gap = slide * present;
+                if constexpr (Bounded) {
+                    V bound;
+                    load(bound, pass.bound + b);
+                    of_gap += bound;
+                }
+                const V of_dual = -nu;
+                V gap_change = dual > gap ? (change - gap * of_dual) * inverse_dual : of_gap;
+                V dual_change = dual > gap ? of_dual : (change - dual * of_gap) * inverse_gap;
+                if constexpr (Based) {
+                    V base_gap, base_dual;
+                    load(base_gap, pass.base_gap + b);
+                    load(base_dual, pass.base_dual + b);
+                    gap_change += base_gap;
+                    dual_change += base_dual;
+                }
+                store(pass.gap_change + b, gap_change);
+                store(pass.dual_change + b, dual_change);
+                steepest_gap.add(-gap_change * inverse_gap);
+                steepest_dual.add(-dual_change * inverse_dual);
+                total.add(gap_change + dual_change);
+                gap_dual.add(gap * dual_change);
+                dual_gap.add(dual * gap_change);
+                change_change.add(gap_change * dual_change);
+            };
+            side(r, width * factor + image);
+            side(count + r, width * factor - image);
+        });
+    }
     pass.steepest_gap = steepest_gap.value();
     pass.steepest_dual = steepest_dual.value();
     pass.total = total.total();
