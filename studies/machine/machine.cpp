@@ -51,6 +51,11 @@ class MachineSearch {
 
     MachineSolution run() {
         const Stopwatch watch;
+        // Timing is not searched yet: that would move these angles around the convex program below.
+        if (std::ranges::any_of(machine().axes,
+                                [](const AxisSpec& axis) { return searches_angles(axis.scene); }))
+            result_.notes.emplace_back(
+                "segments whose angle is a range are solved with the angles given: timing is not searched");
         if (!contradicts_itself()) {
             if (machine().searches_speed())
                 search_speed();
@@ -73,7 +78,7 @@ class MachineSearch {
             const MotionFamily& design = posed.problem->axis(b).model().design;
             if (design.contradictions().empty()) continue;
             Solution axis;
-            axis.scene = *posed.scenes[static_cast<std::size_t>(b)];
+            axis.scene = machine().axes[static_cast<std::size_t>(b)].scene;
             report_contradictions(axis, design);
             result_.certificate = std::move(axis.certificate);
             result_.speed = machine().least_speed;
