@@ -3,7 +3,6 @@
 
 #include "core/units.hpp"
 #include "scene/written_limits.hpp"
-#include "solvers/structured/structured_solver.hpp"
 #include "studies/machine/machine_build.hpp"
 #include "studies/search/settled_scene.hpp"
 
@@ -23,7 +22,6 @@ namespace {
 // Of trials: the sign of the least common violation is proved, its value only steers the search.
 constexpr double trial_tolerance = 1e-6;
 constexpr int most_trials = 60;
-constexpr double finer_part = 1e-2;
 // Of the steepness by log ω: of a limit on acceleration, and less than that of any limit in time.
 constexpr double usual_slope = 2.0, least_slope = 0.2;
 
@@ -316,16 +314,7 @@ class MachineSearch {
         for (;;) {
             PosedMachine posed = posed_machine(machine(), scenes_at(machine(), speed), memory_);
             JudgeOptions judge{exchange.tolerance, wanted_gap()};
-            ContinuousResult found =
-                solve_continuous(*posed.problem, *make_structured_solver(), exchange, judge, control_);
-            if (found.x.size() > 0 && found.certificate.verdict != Verdict::optimal && !control_.ending()) {
-                // Near the largest speed a violation within the tolerance costs more than the gap.
-                ExchangeOptions finer = exchange;
-                finer.tolerance = finer.backend.tolerance = finer_part * exchange.tolerance;
-                ContinuousResult again =
-                    solve_continuous(*posed.problem, *make_structured_solver(), finer, judge, control_);
-                if (again.certificate.verdict < found.certificate.verdict) found = std::move(again);
-            }
+            ContinuousResult found = least_total(*posed.problem, exchange, judge, control_);
             memory_.keep(*posed.problem);
             result_.speed = speed;
             result_.certificate = std::move(found.certificate);
