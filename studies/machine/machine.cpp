@@ -3,7 +3,6 @@
 
 #include "core/units.hpp"
 #include "scene/written_limits.hpp"
-#include "solvers/structured/structured_solver.hpp"
 #include "studies/machine/machine_build.hpp"
 #include "studies/search/settled_scene.hpp"
 
@@ -23,7 +22,6 @@ namespace {
 // Of trials: the sign of the least common violation is proved, its value only steers the search.
 constexpr double trial_tolerance = 1e-6;
 constexpr int most_trials = 60;
-constexpr double finer_part = 1e-2;
 // Of the steepness by log ω: of a limit on acceleration, and less than that of any limit in time.
 constexpr double usual_slope = 2.0, least_slope = 0.2;
 
@@ -51,6 +49,11 @@ class MachineSearch {
 
     MachineSolution run() {
         const Stopwatch watch;
+        // Timing is not searched yet: that would move these angles around the convex program below.
+        if (std::ranges::any_of(machine().axes,
+                                [](const AxisSpec& axis) { return searches_angles(axis.scene); }))
+            result_.notes.emplace_back(
+                "segments whose angle is a range are solved with the angles given: timing is not searched");
         if (!contradicts_itself()) {
             if (machine().searches_speed())
                 search_speed();
@@ -73,7 +76,7 @@ class MachineSearch {
             const MotionFamily& design = posed.problem->axis(b).model().design;
             if (design.contradictions().empty()) continue;
             Solution axis;
-            axis.scene = *posed.scenes[static_cast<std::size_t>(b)];
+            axis.scene = machine().axes[static_cast<std::size_t>(b)].scene;
             report_contradictions(axis, design);
             result_.certificate = std::move(axis.certificate);
             result_.speed = machine().least_speed;
@@ -311,16 +314,7 @@ class MachineSearch {
         for (;;) {
             PosedMachine posed = posed_machine(machine(), scenes_at(machine(), speed), memory_);
             JudgeOptions judge{exchange.tolerance, wanted_gap()};
-            ContinuousResult found =
-                solve_continuous(*posed.problem, *make_structured_solver(), exchange, judge, control_);
-            if (found.x.size() > 0 && found.certificate.verdict != Verdict::optimal && !control_.ending()) {
-                // Near the largest speed a violation within the tolerance costs more than the gap.
-                ExchangeOptions finer = exchange;
-                finer.tolerance = finer.backend.tolerance = finer_part * exchange.tolerance;
-                ContinuousResult again =
-                    solve_continuous(*posed.problem, *make_structured_solver(), finer, judge, control_);
-                if (again.certificate.verdict < found.certificate.verdict) found = std::move(again);
-            }
+            ContinuousResult found = least_total(*posed.problem, exchange, judge, control_);
             memory_.keep(*posed.problem);
             result_.speed = speed;
             result_.certificate = std::move(found.certificate);

@@ -51,6 +51,10 @@ void ask_what_is_needed(const MachineSpec& machine, const std::vector<Scene>& sc
                         const MachineMemory& memory, std::vector<MachineLimit>& limits,
                         const ExchangeOptions& exchange, const SolveControl& control);
 
+/// The least total objective, from the start of the problem.
+[[nodiscard]] ContinuousResult least_total(MachineProblem& problem, const ExchangeOptions& exchange,
+                                           const JudgeOptions& judge, const SolveControl& control);
+
 /// True: an axis that was not held leaves the range of a stroke at x; it is held from now on.
 [[nodiscard]] bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x, MachineMemory& memory);
 

@@ -165,7 +165,9 @@ class Program:
                         cap = self.caps(a, s, speed)[order - 1]
                         rows += [row / cap - t, -row / cap - t]
                         most += [1.0, 1.0]
-            found = linprog(t, A_ub=numpy.array(rows), b_ub=most, A_eq=numpy.array(equal), b_eq=value, bounds=[(None, None)] * (self.size - 1) + [(-0.9, None)], method="highs")
+            bounds = [(None, None)] * (self.size - 1) + [(-0.9, None)]
+            found = linprog(t, A_ub=numpy.array(rows), b_ub=most, A_eq=numpy.array(equal), b_eq=value, bounds=bounds,
+                            method="highs")
             assert found.status == 0, found.message
             if found.x[-1] > IMPOSSIBLE or not self.add(found.x, speed):  # rows so far are a relaxation
                 break
@@ -178,7 +180,8 @@ class Program:
             if isinstance(key, tuple):
                 a, s, order = key
                 cap = 1.0 if order == 0 else self.caps(a, s, speed)[order - 1]
-                pieces = [(lambda u, a=a, s=s: self.row(a, s, u, order) @ x / cap, i / SEGMENTS, (i + 1) / SEGMENTS) for i in range(SEGMENTS)]
+                pieces = [(lambda u, a=a, s=s: self.row(a, s, u, order) @ x / cap, i / SEGMENTS, (i + 1) / SEGMENTS)
+                          for i in range(SEGMENTS)]
                 limits = (0.0, 1.0) if order == 0 else (-1.0 - x[-1], 1.0 + x[-1])
             else:
                 used, _, _ = self.clearances[key]
@@ -257,7 +260,8 @@ def check(camopt, rng, verify, number):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         written(axes, clearances, folder)
-        run = subprocess.run([camopt, "machine", str(folder / "machine.toml"), "--out", str(folder / "out")], capture_output=True, text=True, timeout=120)
+        run = subprocess.run([camopt, "machine", str(folder / "machine.toml"), "--out", str(folder / "out")], capture_output=True,
+                             text=True, timeout=120)
         result = json.loads((folder / "out" / "machine.json").read_text())
         outcome, why = checker.outcome(verify, folder / "out")
         assert outcome == "confirmed", f"machine {number}: {why}"
@@ -279,6 +283,10 @@ def check(camopt, rng, verify, number):
             for used, factors, least in clearances:
                 kept = sum(f * states[a][0] for a, f in zip(used, factors))
                 assert kept >= least - 1e-6, f"machine {number}: {kept} below {least} at {angle}"
+        claim = folder / "out" / "machine.json"
+        claim.write_text(claim.read_text().replace(f'"impossible_above_rpm": {high}', f'"impossible_above_rpm": {low * (1 + 1e-7)}'))
+        outcome, why = checker.outcome(verify, folder / "out")
+        assert outcome == "refuted", f"machine {number}: a speed that is possible is {outcome} as impossible: {why}"
         return f"machine {number}: {len(axes)} axes, {len(clearances)} clearances, {low} rpm, limited by " + \
             ", ".join(f"{one['key']} {one['share']:.2f}" for one in result["limited_by"][:2])
 

@@ -104,7 +104,8 @@ TEST_F(MachineFile, FaultsAreToldWithTheirPlace) {
     expect_refusal("\"other\"]", "\"othr\"]",
                    "machine.toml:11:19: clearance[0].between: found \"othr\"; allowed: one, "
                    "other; did you mean 'other'?");
-    expect_refusal("name = \"other\"", "name = \"one\"", "machine.toml:6:1: axis[1].name");
+    expect_refusal("name = \"other\"", "name = \"one\"",
+                   "machine.toml:7:8: axis[1].name: found \"one\" a second time");
     expect_refusal("name = \"other\"", "name = \"a/b\"", "letters, digits");
     expect_refusal("phase_deg = 90", "phase_deg = 360",
                    "axis[1].phase: found 360 deg; allowed: an angle above -360");
@@ -122,8 +123,9 @@ TEST_F(MachineFile, FaultsAreToldWithTheirPlace) {
 
 TEST_F(MachineFile, AxesAreWholePrograms) {
     expect_refusal("\"slide.toml\"", "\"stroke.toml\"", "stroke.toml:");
-    write("free.toml", replaced(slide, "to_mm = 50\n",
-                                "to_mm = 50\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = 20\n"));
+    write("free.toml",
+          replaced(slide, "angle_deg = 180\nto_mm = 50",
+                   "angle_deg = 160\nto_mm = 50\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = 20"));
     expect_refusal("\"slide.toml\"", "\"free.toml\"", "no displacement at its end");
     write("cam.toml", slide +
                           "[cam]\ntype = \"disk\"\nfollower = \"translating_roller\"\nroller_radius_mm = 8\n"
