@@ -41,6 +41,7 @@ MachineSolution solve_with_progress(const MachineRequest& request, const Machine
 /// The scene of every axis as it was solved.
 std::vector<RunOrigin> origins_of(const MachineRequest& request, const MachineSolution& solution) {
     std::vector<RunOrigin> origins;
+    origins.reserve(solution.spec.axes.size());
     const std::vector<std::string> speed = {input::speed_setting(solution.speed)};
     for (const AxisSpec& axis : solution.spec.axes)
         origins.push_back({axis.file, request.command,

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "core/continuous_problem.hpp"
+#include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
 
 #include <map>
