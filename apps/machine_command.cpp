@@ -44,6 +44,7 @@ MachineSolution solve_with_progress(const MachineRequest& request, const Machine
 /// The scene of every axis as it was solved.
 std::vector<RunOrigin> origins_of(const MachineRequest& request, const MachineSolution& solution) {
     std::vector<RunOrigin> origins;
+    origins.reserve(solution.spec.axes.size());
     for (const AxisSpec& axis : solution.spec.axes) {
         std::vector<std::string> settings = {input::speed_setting(solution.speed)};
         const MotionSpec& motion = axis.scene.motion;

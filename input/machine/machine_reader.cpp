@@ -201,9 +201,9 @@ class MachineReader {
         Clearance clearance;
         const Node& between = table.find("between")->value;
         if (between.kind != NodeKind::array) refuse(between, path + ".between", "a list of names of axes");
+        std::vector<std::string> names(machine.axes.size());
+        std::ranges::transform(machine.axes, names.begin(), &AxisSpec::name);
         for (const Node& item : between.items) {
-            std::vector<std::string> names;
-            for (const AxisSpec& axis : machine.axes) names.push_back(axis.name);
             const auto found = std::ranges::find(names, item.text);
             if (item.kind != NodeKind::text || found == names.end())
                 refuse(item, path + ".between",

@@ -74,9 +74,9 @@ void MachineProblem::number_columns() {
         for (int j = 0; j < size; ++j) {
             const bool of_design = j < design.size();
             const std::optional<double> place = of_design ? design.place(j) : std::nullopt;
-            const double angle = place ? wrapped(block.spec.phase + *place * block.spec.unit_angle)
-                                       : wrapped(block.spec.phase);
-            entries.push_back({of_design ? angle : infinity, b, j});
+            double angle = infinity;
+            if (of_design) angle = wrapped(block.spec.phase + place.value_or(0.0) * block.spec.unit_angle);
+            entries.push_back({angle, b, j});
         }
     }
     std::ranges::stable_sort(entries, {}, &Entry::angle);
@@ -121,6 +121,7 @@ Eigen::VectorXd MachineProblem::axis_x(int index, const Eigen::VectorXd& x) cons
 
 std::vector<MotionChain> MachineProblem::motions(const Eigen::VectorXd& x) const {
     std::vector<MotionChain> all;
+    all.reserve(blocks_.size());
     for (int b = 0; b < axes(); ++b) all.push_back(axis(b).motion(axis_x(b, x)));
     return all;
 }

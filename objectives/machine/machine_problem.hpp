@@ -8,12 +8,13 @@
 // Between the merged breakpoints of its axes a clearance is one polynomial, whose maximum is exact; where an
 // axis follows a law it is bounded by enclosures of its second derivative.
 //
-// The variables are those of all axes, the design entries interleaved by master angle, then the parameters:
-// rows couple variables that are near each other, so that factors fill in by the number of axes only. Rows:
-// those of the axes' grids and of the clearances, in the order in which they were added.
+// The variables are those of all axes, the design entries by master angle (states; others axis by axis), then
+// the parameters: rows couple variables that are near each other, so that factors fill in by the number of
+// axes only. Rows: those of the axes' grids and of the clearances, in the order in which they were added.
 #pragma once
 
 #include "core/continuous_problem.hpp"
+#include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
 
 #include <map>

@@ -54,6 +54,7 @@ double scale_of(const MachineSpec& machine, const Clearance& clearance) {
 
 std::vector<ClearanceRule> clearance_rules(const MachineSpec& machine, const MachineMemory& memory) {
     std::vector<ClearanceRule> rules;
+    rules.reserve(machine.clearances.size());
     for (std::size_t k = 0; k < machine.clearances.size(); ++k) {
         const Clearance& given = machine.clearances[k];
         rules.push_back({name_of_clearance(static_cast<int>(k)), given.axes, given.factors, given.at_least,
@@ -79,6 +80,7 @@ PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>&
                            const MachineMemory& memory) {
     PosedMachine made;
     std::vector<MachineBlock> blocks;
+    blocks.reserve(scenes.size());
     for (std::size_t b = 0; b < scenes.size(); ++b) {
         Scene given = scenes[b];
         if (given.spline.design == DesignKind::automatic) given.spline.design = machine_design;
@@ -108,6 +110,7 @@ Scene at_speed(const Scene& scene, double speed) {
 
 std::vector<Scene> scenes_at(const MachineSpec& machine, double speed) {
     std::vector<Scene> scenes;
+    scenes.reserve(machine.axes.size());
     for (const AxisSpec& axis : machine.axes)
         scenes.push_back(with_written_limits(at_speed(axis.scene, speed)));
     return scenes;

@@ -18,14 +18,27 @@ constexpr double telling_share = 1e-3;
 
 constexpr int most_passes = 30;
 
-/// A limit in time, as written.
-struct WrittenPeak {
-    const PeakLimit* limit = nullptr;
+/// A limit of the motion or of the motor whose violation is measured by itself, as written.
+struct WrittenNumber {
+    double given = 0.0;
+    std::string unit;
     int side = 0;
+    bool square = false;  ///< the rule holds half of its square
+
+    /// With the violation that its rule is relaxed by.
+    [[nodiscard]] double relaxed(double by) const {
+        if (square) return given * std::sqrt(1.0 + 2.0 * by);
+        return given + (side < 0 ? -1.0 : 1.0) * by * std::abs(given);
+    }
 };
-WrittenPeak written_peak(const Scene& scene, std::string_view key) {
+std::optional<WrittenNumber> written_number(const Scene& scene, std::string_view key) {
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (const auto& limit = row.in(scene.limits); limit && limit->key == key) return {&*limit, row.side};
+        if (const auto& limit = row.in(scene.limits); limit && limit->key == key)
+            return WrittenNumber{limit->given, limit->unit, row.side};
+    for (const LimitedFigure figure :
+         {LimitedFigure::motor_torque, LimitedFigure::motor_torque_rms, LimitedFigure::motor_speed})
+        if (const auto& limit = limit_on(scene.limits, figure); limit && limit->key == key)
+            return WrittenNumber{limit->given(), limit->unit, 0, figure == LimitedFigure::motor_torque_rms};
     return {};
 }
 
@@ -95,11 +108,10 @@ std::vector<MachineLimit> limits_of_proof(const MachineSpec& machine, const Mach
             limit.key = written.key.empty() ? name_of_clearance(limit.clearance) + ".at_least" : written.key;
             limit.unit = written.unit;
             limit.given = as_written(written.at_least / written.unit_value);
-        } else if (const WrittenPeak peak =
-                       written_peak(machine.axes[static_cast<std::size_t>(limit.axis)].scene, limit.key);
-                   peak.limit) {
-            limit.unit = peak.limit->unit;
-            limit.given = peak.limit->given;
+        } else if (const std::optional<WrittenNumber> written =
+                       written_number(machine.axes[static_cast<std::size_t>(limit.axis)].scene, limit.key)) {
+            limit.unit = written->unit;
+            limit.given = written->given;
         }
     }
     std::erase_if(limits, [](const MachineLimit& limit) { return limit.share < telling_share; });
@@ -123,10 +135,9 @@ void ask_what_is_needed(const MachineSpec& machine, const std::vector<Scene>& sc
             const double scale = posed.problem->clearance_scale(limit.clearance);
             limit.needed = (written.at_least - *relaxed * scale) / written.unit_value;
         } else {
-            const WrittenPeak peak =
-                written_peak(machine.axes[static_cast<std::size_t>(limit.axis)].scene, limit.key);
-            const double outward = peak.side < 0 ? -1.0 : 1.0;
-            limit.needed = *limit.given + outward * *relaxed * std::abs(*limit.given);
+            limit.needed = written_number(machine.axes[static_cast<std::size_t>(limit.axis)].scene, limit.key)
+                               .value()
+                               .relaxed(*relaxed);
         }
     }
 }
