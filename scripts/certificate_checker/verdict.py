@@ -11,6 +11,7 @@ from .bound import Bound
 from .box_proof import BoxProof
 from .cam import Cam
 from .conditions import Conditions
+from .drive import Drive, TERMS as MOTOR_TERMS
 from .exact import KEPT, NOT_CONVEX, PI, Refuted, STATED, Unverified, middle_of, number
 from .motion import Curve
 from .prescribed import bound_of, is_prescribed, judge_passed_limit
@@ -60,9 +61,13 @@ def close(stated, low, high):
 
 # What a scene may say, as far as this checker knows what it means.
 KNOWN_TABLES = {"title", "motion", "spline", "objective", "cam", "linkage", "forces", "measured", "limits", "drawing",
-                "solver", "dynamics"}
+                "solver", "dynamics", "drive"}
 KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break",
-               "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset"}
+               "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset", "motor_torque",
+               "motor_torque_rms"}
+KNOWN_LIMITS = ("velocity", "acceleration", "jerk", "pressure_angle", "rise_pressure_angle", "return_pressure_angle", "cam_radius_min",
+                "concave_radius_min", "undercut_margin", "contact_force_min", "torque_max", "hertz_pressure_max", "residual",
+                "dynamic_contact_force_min", "motor_torque", "motor_torque_rms", "motor_speed", "motor_curve")
 
 
 KNOWN_OF_MOTION = ("type", "lift_", "rise_", "return_", "speed_", "symmetric", "within_lift", "monotone", "via", "start", "end",
@@ -75,6 +80,11 @@ def name_what_is_unknown(scene):
         raise Unverified(f"[{table}]")
     for term in sorted(set(scene.get("objective", {})) - KNOWN_TERMS):
         raise Unverified(f"objective.{term}")
+    for limit in sorted(scene.get("limits", {})):
+        if not limit.startswith(KNOWN_LIMITS):
+            raise Unverified(f"limits.{limit}")
+        if limit.startswith("motor_") and "drive" not in scene:
+            raise Unverified(f"limits.{limit} without [drive]")
     motion = scene["motion"]
     if motion["type"] not in ("DRD", "RR", "program"):
         raise Unverified(f'motion.type = "{motion["type"]}"')
@@ -136,6 +146,11 @@ def judge(folder, report, vipr_path):
         problem.terms += problem.train.residual_term(result.get("dynamics") or {"terms": []})
     elif number(problem.objective.get("residual", 0)):
         raise Unverified("objective.residual without [dynamics]")
+    if "drive" in scene:
+        problem.drive = Drive(problem, result)
+        problem.terms += problem.drive.terms
+    elif any(number(problem.objective.get(name, 0)) for name in MOTOR_TERMS):
+        raise Unverified("terms of a motor without [drive]")
     relaxed = number(proof["limits_relaxed_by"]) if proof else Fraction(0)
     if relaxed < 0 or relaxed > KEPT * 100:
         raise Refuted(f"limits are relaxed by {float(relaxed)}")
@@ -231,6 +246,9 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
     if problem.train:
         more, unseen = problem.train.keep_limits(curve)
         kept, missing = kept + more, missing + unseen
+    if problem.drive:
+        kept += problem.drive.keep_limits(curve, relaxed)
+        problem.drive.check_figures(curve, result)
     report.say("limits kept: " + (", ".join(kept) or "none given"))
     bound_stated = certificate["lower_bound"]
     if certificate["proof_kind"] == "none" or bound_stated is None:
