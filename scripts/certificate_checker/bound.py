@@ -378,17 +378,28 @@ class Bound:
         if self.ringing:
             use_ringing_rows(self)
         if self.motor:
-            self.motor.use()
+            self.motor.use(cost)
         total, most_refined = self.total(cost), 3
         while self.residual > ROUNDED * max(1, abs(total)) and most_refined:
             most_refined -= 1
-            before = self.constant, list(self.peaks), dict(self.leaning), [dict(f) for f in self.functions], list(self.rows)
+            before = self.state()
             self.refine()
             refined = self.total(cost)
             if refined <= total:
                 self.constant, self.peaks, self.leaning, self.functions, self.rows = before
                 return self.total(cost)
             total = refined
+        return total
+
+    def state(self):
+        return self.constant, list(self.peaks), dict(self.leaning), [dict(f) for f in self.functions], list(self.rows)
+
+    def total_with(self, row, multiplier, cost):
+        """What would follow with one more row."""
+        before = self.state()
+        self.use(row, multiplier)
+        total = self.total(cost)
+        self.constant, self.peaks, self.leaning, self.functions, self.rows = before
         return total
 
     def refine(self):

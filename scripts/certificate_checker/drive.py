@@ -55,10 +55,7 @@ class Rule:
         self.remark, self.peak = remark, peak
 
     def is_meant(self, origin):
-        """Rows of files that do not say which side or edge they are of may be of any."""
-        remark = origin.get("remark", "")
-        return self.key == origin["rule"] and (not self.sign or origin.get("sign", self.sign) in (0, self.sign)) and \
-            (not self.remark or not remark or self.remark == remark)
+        return self.key == origin["rule"] and (not self.sign or origin.get("sign", self.sign) == self.sign)
 
 
 class Drive:

@@ -39,6 +39,7 @@ class MotorRows:
         own = [rule for rule in self.rules if rule.is_meant(origin)]
         if not own:
             raise Refuted(f"{origin['rule']} at x = {float(at)}: the scene has no such rule")
+        own = [rule for rule in own if rule.remark and rule.remark == origin.get("remark")] or own
         if len(own) > 1:
             own = self.nearest(own, at, side)
         if not own:
@@ -50,14 +51,16 @@ class MotorRows:
     def nearest(self, rules, at, side):
         """Those of the rules that the delivered motion comes nearest to: a file that does not say which one it means is
         believed to mean them. If it does not, the bound is weaker."""
-        if self.bound.curve is None:
+        curve, (k, run, _) = self.bound.curve, self.bound.run_at(at, side)
+        if curve is None:
             return []
-        values = []
-        for rule in rules:
-            row = self.row(rule, at, side)
-            control = self.bound.curve.control
-            reached = sum((w * control[k][j] for k, f in row.functions().items() for j, w in f.items()), Fraction(0)) - row.most
-            values.append(reached)
+        if run is None:
+            values = [-self.row(rule, at, side).most for rule in rules]
+        else:
+            span, folded = self.drive.span_at(at, side), self.problem.folded(at, side)
+            slope, bend = (curve.value_at(k, folded, side, order) for order in (1, 2))
+            torque = self.drive.acceleration * bend + self.drive.velocity * slope + span.constant
+            values = [(r.by_torque * torque + r.by_speed * self.drive.speed * slope - r.most) / r.scale for r in rules]
         return [rule for rule, value in zip(rules, values) if value >= max(values) - NEAR]
 
     def row(self, rule, at, side):
@@ -82,26 +85,31 @@ class MotorRows:
 
     # -- root mean squares
 
-    def use(self):
+    def use(self, cost):
         """All that is over the whole motion; after the rows at places."""
-        terms = [(i, term) for i, term in enumerate(self.problem.terms) if term.kind == "motor_rms" and self.bound.curve is not None]
-        if not terms and not self.square:
+        curve = self.bound.curve
+        for i, term in enumerate(self.problem.terms):
+            if term.kind == "motor_rms" and curve is not None:
+                functions, constant, square = self.products(curve)
+                size = root(square)[1] * term.reference
+                self.bound.use(self.over_all("tangent of the root mean square of the torque", functions, constant, size,
+                                             Fraction(0), i), term.weight)
+        if not self.square:
             return
-        curve = self.bound.curve or self.preferred()
-        functions, constant, square = self.products(curve)
-        for i, term in terms:
-            size = root(square)[1] * term.reference
-            self.use_over_all("tangent of the root mean square of the torque", functions, constant, size, Fraction(0), i, term.weight)
-        if self.square:
-            limit = self.drive.rms_limit**2
-            most = self.bound.relaxed + (1 + square / limit) / 2
-            self.use_over_all("limits.motor_torque_rms", functions, constant, limit, most, None, self.square)
+        rows = [self.limit_row(own) for own in (curve, self.preferred()) if own is not None]
+        self.bound.use(max(rows, key=lambda row: self.bound.total_with(row, self.square, cost)), self.square)
 
-    def use_over_all(self, name, functions, constant, size, most, peak, multiplier):
+    def limit_row(self, curve):
+        functions, constant, square = self.products(curve)
+        limit = self.drive.rms_limit**2
+        return self.over_all("limits.motor_torque_rms", functions, constant, limit, self.bound.relaxed + (1 + square / limit) / 2)
+
+    @staticmethod
+    def over_all(name, functions, constant, size, most, peak=None):
         """(functions + constant) / size <= most, and the peak."""
         from .bound import Row
         scaled = [{j: w / size for j, w in f.items()} for f in functions]
-        self.bound.use(Row(name, 0, scaled[0], most - constant / size, peak, beside=dict(enumerate(scaled[1:], 1))), multiplier)
+        return Row(name, 0, scaled[0], most - constant / size, peak, beside=dict(enumerate(scaled[1:], 1)))
 
     def fixed(self):
         """What laws, dwells and rests add to the mean square at least."""
@@ -171,8 +179,6 @@ class MotorRows:
         """The motion at which all rows so far and the mean square, each times its multiplier, are least: one system of linear
         equations, solved in doubles. Any motion will do."""
         runs, limit = self.problem.runs, self.drive.rms_limit
-        if limit is None:
-            raise Unverified("a root mean square without a motion")
         controls = []
         for k, run in enumerate(runs):
             factor = self.square / limit**2

@@ -63,9 +63,26 @@ def law_of_another_height(scene, certificate, result):
     return scene
 
 
+def other_figure(name):
+    def edit(scene, certificate, result):
+        result["drive"][name] *= 1 + 1e-6
+        return scene
+    return edit
+
+
+def smaller_reference(scene, certificate, result):
+    """The objective is then larger by as much."""
+    for term in result["own_terms"]:
+        term["reference"] *= 0.999
+    return scene
+
+
 EDITS = [("lobe", smaller_area), ("area", smaller_area), ("each", other_reference), ("corridor", row_elsewhere),
          ("prescribed_no", row_of_prescribed), ("prescribed_steep", row_of_prescribed), ("prescribed_base", higher_bound),
-         ("prescribed", law_of_another_height), ("lines", law_of_another_height)]
+         ("prescribed", law_of_another_height), ("lines", law_of_another_height), ("drive_rms_term", smaller_reference),
+         ("drive_prescribed", smaller_reference)]
+EDITS += [("drive_curve", other_figure(name)) for name in ("peak_torque_nm", "rms_torque_nm", "peak_speed_rpm", "peak_power_w",
+                                                           "share_of_curve", "inertia_ratio")]
 
 
 def main():
