@@ -213,8 +213,8 @@ class RandomDrive:
         self.numbers, self.index = numbers, index
         self.kind, self.degree = ("DRD", "program", "DRD", "RR", "program")[index % 5], (3, 5)[index // 2 % 2]
         self.segments = 2 * numbers.randint(4, 8)
-        self.lift, self.rise = numbers.choice((60, 100, 250)), numbers.choice((80, 120, 144))
-        self.back = self.rise if self.kind == "RR" else round(self.rise * numbers.uniform(0.7, 1.3))
+        self.lift, self.rise = numbers.choice((60, 100, 250)), numbers.choice((80, 110, 130))
+        self.back = self.rise if self.kind == "RR" else round(self.rise * numbers.uniform(0.7, 1.25))
         self.speed_rpm = round(numbers.uniform(60, 220))
         self.monotone = index % 3 == 1
         self.turns = index % 4 == 3
@@ -354,18 +354,22 @@ def main():
     with tempfile.TemporaryDirectory() as place:
         for index in range(arguments.count):
             drive = RandomDrive(numbers, index)
-            expected = Program(drive).solve()
-            verdict, objective = solved(arguments.camopt, drive.text, Path(place), index)
-            words = (f"{index}: {drive.kind}, degree {drive.degree}, {drive.segments} segments, {', '.join(drive.weights)}: "
-                     f"camopt {verdict} {objective}, CVXOPT {expected}")
+            words = f"{index}: {drive.kind}, degree {drive.degree}, {drive.segments} segments, {', '.join(drive.weights)}: "
+            try:
+                expected = Program(drive).solve()
+                verdict, objective = solved(arguments.camopt, drive.text, Path(place), index)
+            except AssertionError as fault:
+                faults.append(f"{words}{fault}\n{drive.text}")
+                continue
+            words += f"camopt {verdict} {objective}, CVXOPT {expected}"
             print(words, flush=True)
             met[verdict] = met.get(verdict, 0) + 1
             same = verdict == ("infeasible" if expected is None else "optimal")
             if not same or (expected is not None and abs(objective - expected) > SAME * abs(expected)):
                 faults.append(words + "\n" + drive.text)
     print(met)
-    if met["optimal"] < arguments.count // 2:
-        faults.append("too few optima")
+    if met["optimal"] < arguments.count // 2 or not met["infeasible"]:
+        faults.append("too few optima, or no scene without a motion")
     for fault in faults:
         print("FAULT:", fault)
     return 1 if faults else 0

@@ -162,3 +162,11 @@ CHANGES = [
     ("drive_prescribed", "friction_n = 12", "friction_n = 13"),
     ("drive_prescribed_no", "torque_nm = 0.3", "torque_nm = 3"),
 ]
+
+# (scene, what stands in its scene.toml, what it is replaced by, what the checker names): it says nothing of what it does not know.
+UNKNOWN = [
+    ("drive_no", "[drive]\n", "[drive]\nbacklash_deg = 1\n", "drive.backlash_deg"), ("drive_no", "[drive]\n", "[brake]\n[drive]\n", "[brake]"),
+    ("drive_no", "motor_torque_nm", "motor_power_w", "limits.motor_power_w"), ("drive_no", "motor_torque_rms", "motor_heat", "motor_heat"),
+    ("drive_no", "[limits]\n", "[limits]\npressure_angle_deg = 30\n", "limits.pressure_angle_deg"),
+    ("drive_no", "[spline]\n", "[spline]\ntension = 1\n", "spline.tension"),
+]
