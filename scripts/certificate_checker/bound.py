@@ -319,6 +319,8 @@ class Bound:
     def add_root_mean_squares(self, curve):
         """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""
         problem = self.problem
+        if self.motor:
+            self.motor.use_terms(curve)
         length = sum((w for run in curve.pieces for _, w, _, _ in run), Fraction(0))
         tangents = {}
         for t, term in enumerate(problem.terms):
@@ -377,8 +379,10 @@ class Bound:
         self.lean_tangents()
         if self.ringing:
             use_ringing_rows(self)
+            if self.motor:
+                self.left_out.setdefault("the residual beside a motor", Fraction(0))  # other phases could say more
         if self.motor:
-            self.motor.use(cost)
+            self.motor.use_limit(cost)
         total, most_refined = self.total(cost), 3
         while self.residual > ROUNDED * max(1, abs(total)) and most_refined:
             most_refined -= 1

@@ -85,19 +85,20 @@ class MotorRows:
 
     # -- root mean squares
 
-    def use(self, cost):
-        """All that is over the whole motion; after the rows at places."""
-        curve = self.bound.curve
+    def use_terms(self, curve):
+        """The tangents of the terms that are root mean squares."""
         for i, term in enumerate(self.problem.terms):
-            if term.kind == "motor_rms" and curve is not None:
+            if term.kind == "motor_rms":
                 functions, constant, square = self.products(curve)
                 size = root(square)[1] * term.reference
                 self.bound.use(self.over_all("tangent of the root mean square of the torque", functions, constant, size,
                                              Fraction(0), i), term.weight)
-        if not self.square:
-            return
-        rows = [self.limit_row(own) for own in (curve, self.preferred()) if own is not None]
-        self.bound.use(max(rows, key=lambda row: self.bound.total_with(row, self.square, cost)), self.square)
+
+    def use_limit(self, cost):
+        """After all other rows."""
+        if self.square:
+            rows = [self.limit_row(own) for own in (self.bound.curve, self.preferred()) if own is not None]
+            self.bound.use(max(rows, key=lambda row: self.bound.total_with(row, self.square, cost)), self.square)
 
     def limit_row(self, curve):
         functions, constant, square = self.products(curve)
