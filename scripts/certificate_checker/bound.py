@@ -4,6 +4,7 @@ from fractions import Fraction
 
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, derivative, integral, number, product
+from .drive_rows import MotorRows
 from .motion_bounds import lost_area
 from .prescribed import ends_of, state_at
 from .strokes import farthest, stroke_of
@@ -19,12 +20,16 @@ FARTHEST = Fraction(1000)    # lifts: no motion beyond is considered where nothi
 
 class Row:
     """function(control points of run) + searched . dimensions - (the peak, where there is one) <= most. Of a tangent of a
-    convex rule `leaning(by)` is another row under the rule, whose slope by y is larger by that."""
+    convex rule `leaning(by)` is another row under the rule, whose slope by y is larger by that. `beside`: functions of further
+    runs, by their numbers."""
 
-    def __init__(self, name, run, function, most, peak=None, searched=None, leaning=None):
-        self.leaning = leaning
+    def __init__(self, name, run, function, most, peak=None, searched=None, leaning=None, beside=None):
+        self.leaning, self.beside = leaning, beside or {}
         self.name, self.run, self.function, self.most, self.peak = name, run, function, most, peak
         self.searched = searched or {}
+
+    def functions(self):
+        return {self.run: self.function} | self.beside
 
 
 def inner(a, b):
@@ -53,6 +58,7 @@ class Bound:
         self.rows, self.remainders, self.tangents = [], [], []
         self.area = Fraction(0), []  # the lost area in the objective: a number, and a function of each run
         self.ringing = []  # rows of an elastic follower's vibration: train_rows.py
+        self.motor = MotorRows(self) if problem.drive else None
         self.highest = FARTHEST
         for _ in range(3 if any(term.kind == "area" for term in problem.terms) else 1):  # less area is lost the higher y can be
             self.most = [self.most_of(term) for term in problem.terms]
@@ -88,6 +94,9 @@ class Bound:
             if known[order] is None or cap < known[order]:
                 known[order] = cap
         length = run.space.breakpoints[-1] - run.space.breakpoints[0]
+        for order, size in self.motor.bounded(run, length) if self.motor else ():
+            if known[order] is None or size < known[order]:
+                known[order] = size
         ends = max(abs(s) for s in run.ends())
         ends = max([ends] + [abs(level + run.level(s)) for s in run.stretches for level in (s.start, s.to)])
         for order, size in self.bounded_by_sides(run, length, ends):
@@ -161,9 +170,10 @@ class Bound:
 
     def use(self, row, multiplier):
         """function + searched . dimensions - peak <= most, times a multiplier."""
-        function = self.functions[row.run]
-        for j, value in row.function.items():
-            function[j] = function.get(j, Fraction(0)) + multiplier * value
+        for k, own in row.functions().items():
+            function = self.functions[k]
+            for j, value in own.items():
+                function[j] = function.get(j, Fraction(0)) + multiplier * value
         self.constant -= multiplier * row.most
         for name, slope in row.searched.items():
             self.leaning[name] = self.leaning.get(name, Fraction(0)) + multiplier * slope
@@ -184,6 +194,8 @@ class Bound:
             raise Refuted(f"{row['name']}: a multiplier below 0 of a row that has no lower side")
         if self.problem.train and origin["rule"].startswith(("residual", "limits.residual_")):
             return self.ringing.append((origin, multiplier))
+        if self.motor and self.motor.takes(origin):
+            return self.motor.add(origin, multiplier)
         at, side = number(origin["at"]), origin.get("side", "right")
         found = self.row_of(origin, at, side, *self.run_at(at, side))
         if found is None:
@@ -307,6 +319,8 @@ class Bound:
     def add_root_mean_squares(self, curve):
         """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""
         problem = self.problem
+        if self.motor:
+            self.motor.use_terms(curve)
         length = sum((w for run in curve.pieces for _, w, _, _ in run), Fraction(0))
         tangents = {}
         for t, term in enumerate(problem.terms):
@@ -323,10 +337,8 @@ class Bound:
                         value = factor * integral(product(derivative(function, term.order), bent), width)
                         tangents[t][k][place] = tangents[t][k].get(place, Fraction(0)) + value
         for t, functions in tangents.items():
-            if len(functions) > 1:
-                raise Unverified("root mean squares over several splines")
             self.use(Row(f"tangent of the root mean square of derivative {problem.terms[t].order}", 0, functions[0],
-                         Fraction(0), t), problem.terms[t].weight)
+                         Fraction(0), t, beside=dict(enumerate(functions[1:], 1))), problem.terms[t].weight)
 
     def lean_tangents(self):
         """camopt took tangents of convex rules at its optimum, from which the delivered motion may stand aside by what breaks
@@ -367,16 +379,31 @@ class Bound:
         self.lean_tangents()
         if self.ringing:
             use_ringing_rows(self)
+            if self.motor:
+                self.left_out.setdefault("the residual beside a motor", Fraction(0))  # other phases could say more
+        if self.motor:
+            self.motor.use_limit(cost)
         total, most_refined = self.total(cost), 3
         while self.residual > ROUNDED * max(1, abs(total)) and most_refined:
             most_refined -= 1
-            before = self.constant, list(self.peaks), dict(self.leaning), [dict(f) for f in self.functions], list(self.rows)
+            before = self.state()
             self.refine()
             refined = self.total(cost)
             if refined <= total:
                 self.constant, self.peaks, self.leaning, self.functions, self.rows = before
                 return self.total(cost)
             total = refined
+        return total
+
+    def state(self):
+        return self.constant, list(self.peaks), dict(self.leaning), [dict(f) for f in self.functions], list(self.rows)
+
+    def total_with(self, row, multiplier, cost):
+        """What would follow with one more row."""
+        before = self.state()
+        self.use(row, multiplier)
+        total = self.total(cost)
+        self.constant, self.peaks, self.leaning, self.functions, self.rows = before
         return total
 
     def refine(self):
@@ -392,7 +419,7 @@ class Bound:
         for k, function in enumerate(self.functions):
             left |= left_of(k, function)
         for row, multiplier in sorted((own for own in self.rows if own[0].function and own[1] > 0), key=lambda own: -own[1]):
-            column = left_of(row.run, row.function)
+            column = {key: w for k, function in row.functions().items() for key, w in left_of(k, function).items()}
             size = number(float(inner(column, column))**0.5)
             if size and len(columns) < MOST_LEANING and \
                     not any(abs(inner(column, other)) > SAME_DIRECTION * size * norm for _, _, other, norm in columns):

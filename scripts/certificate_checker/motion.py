@@ -134,6 +134,9 @@ class Curve:
     def term(self, term):
         """(low, high) around a term's own figure, in units of its reference."""
         problem, low, high = self.problem, Fraction(0), Fraction(0)
+        if term.kind.startswith("motor"):
+            low, high = problem.drive.term(self, term)
+            return low / term.reference, high / term.reference
         if not problem.runs and term.kind in ("peak", "rms", "torque"):
             return peak_of(problem, term)
         if term.kind == "rms":

@@ -76,6 +76,8 @@ def judge_passed_limit(problem, proof, report):
 def passes(problem, rule, at, side):
     """Whether a limit is certainly passed at a place."""
     (state, stretch), own = state_at(problem, at, side), []
+    if problem.drive and rule.startswith("limits.motor_"):
+        return problem.drive.passes(rule, at, side)
     for term in problem.terms:
         name = next((n for n, order in ORDERS.items() if term.kind == "peak" and order == term.order), None)
         if term.cap is not None and rule == f"limits.{name}" and stretch.kind == "law":

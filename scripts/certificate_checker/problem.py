@@ -42,6 +42,7 @@ class Problem:
         self.terms = self.terms_of(references)
         self.cam, self.left_out = None, {}
         self.train = None  # an elastic follower
+        self.drive = None  # a motor in place of a cam
 
     def least_cost(self):
         """What dimensions cost at least: the peaks share the rest."""

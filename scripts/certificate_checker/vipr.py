@@ -35,7 +35,7 @@ def vipr(bound, problem, cost, proved):
             add("L", high, {variable: Fraction(1)}, lean)
     bounds = len(rows)
     for row, multiplier in bound.rows:
-        weights = {first[row.run] + j: w for j, w in row.function.items()}
+        weights = {first[k] + j: w for k, function in row.functions().items() for j, w in function.items()}
         if row.peak is not None:
             weights[peaks + row.peak] = Fraction(-1)
         weights |= {searched[name]: slope for name, slope in row.searched.items()}

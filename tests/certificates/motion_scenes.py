@@ -26,6 +26,10 @@ LOBE = ('[motion]\ntype = "RR"\n[spline]\nsegments = 24\n[objective]\narea = 0.7
         "reference = { area = 0.5, jerk = 36.5 }\n[limits]\nacceleration = { min = -4.5, max = 9 }\njerk = 150\n")
 RISE_AND_RETURN = ('[motion]\ntype = "program"\nlift_mm = 20\nspeed_rpm = 200\nwithin_lift = false\n' + SPLINE +
                    "angle_deg = 120\nto = 1\n" + DWELL + "angle_deg = 60\n" + SPLINE + "angle_deg = 180\n")
+SLIDE = ('[motion]\ntype = "DRD"\nlift_mm = 100\nrise_deg = 144\nspeed_rpm = 200\n[drive]\nload_mass_kg = 8\n'
+         "motor_inertia_kg_m2 = 4e-4\ntransmission_mm_per_rev = 60\nviscous_n_s_m = 40\nforce_n = 30\ncycle_deg = 300\n")
+TURNTABLE = ("[drive]\nload_inertia_kg_m2 = 0.2\nmotor_inertia_kg_m2 = 1e-4\ntransmission_deg_per_rev = 36\nviscous_nm_s_rad = 0.3\n"
+             "moment_nm = 1.5\n")
 
 # Name: (scene, verdict).
 TEXTS = {
@@ -82,6 +86,29 @@ TEXTS = {
              "acceleration_in_s2 = { min = -120000, max = 240000 }\ncontact_force_min_lbf = 10\n" + FLAT + "base_radius_in = 0.7\n"
              "face_radius_in = 0.5\n[forces]\nmass_lb = 0.5\nspring_rate_lbf_in = 300\npreload_lbf = 60\ncontact_width_in = 0.4\n",
              "optimal"),
+    "drive_rms_term": (SLIDE + "[spline]\nsegments = 16\n[objective]\nmotor_torque_rms = 1\njerk = 0.02\n[limits]\nmotor_torque_nm = 4.2\n",
+                       "optimal"),
+    "drive_friction": ('[motion]\ntype = "program"\nlift_deg = 30\nspeed_rpm = 60\nmonotone = true\n' + DWELL + "angle_deg = 40\n" + SPLINE +
+                       "angle_deg = 120\nto = 1\n" + DWELL + "angle_deg = 50\n" + LAW + 'law = "modified_sine"\nangle_deg = 150\nto = 0\n' +
+                       TURNTABLE + "friction_nm = 0.8\n[spline]\nsegments = 10\n[limits]\nmotor_torque_nm = { min = -0.35, max = 0.62 }\n"
+                       '[objective]\njerk = 0.2\nmotor_torque_rms = 1\nreference = "cycloidal"\n', "optimal"),
+    "drive_curve": (SLIDE + "[objective]\njerk = 1\n[spline]\ndegree = 5\nsegments = 16\n[limits]\n"
+                    "motor_curve = [[0, 4.4], [900, 4.4], [2100, 1.2]]\nmotor_speed_rpm = 1500\n", "optimal"),
+    "drive_rms_limit": (SLIDE + "[objective]\njerk = 1\nmotor_torque = 0.2\n[spline]\nsegments = 16\n[limits]\n"
+                        "motor_torque_rms_nm = 2.2\n", "optimal"),
+    "drive_rms_no": (SLIDE + "[objective]\njerk = 1\n[spline]\nsegments = 16\n[limits]\nmotor_torque_rms_nm = 2.2\n"
+                     "motor_torque_nm = 4.0\n", "infeasible"),
+    "drive_no": (SLIDE + "[objective]\nmotor_torque_rms = 1\n[spline]\nsegments = 16\n[limits]\nmotor_torque_nm = 3.6\n", "infeasible"),
+    "drive_relative": (KNIFE + LINE + "to_deg = 40\n" + SPLINE + "angle_deg = 300\nto_deg = 320\n" + LINE + "to_deg = 360\n" + TURNTABLE +
+                       "[spline]\ndegree = 5\nsegments = 12\n[objective]\nmotor_torque = 1\njerk = 0.1\n", "optimal"),
+    "drive_repeat": ('[motion]\ntype = "program"\nlift_mm = 40\nspeed_rpm = 50\nmonotone = true\nrepeat = 3\n' + SPLINE +
+                     "angle_deg = 50\nto = 1\n" + DWELL + "angle_deg = 20\n" + SPLINE + "angle_deg = 50\nto = 0\n[drive]\nload_mass_lb = 9\n"
+                     "transmission_in_per_rev = 2\nfriction_lbf = 3\n[spline]\nsegments = 10\n[limits]\nmotor_torque_lbf_in = 3\n"
+                     "[objective]\nmotor_torque_rms = 1\nacceleration = 0.1\n", "optimal"),
+    "drive_prescribed": (PRESCRIBED + "[drive]\nload_mass_kg = 3\ntransmission_mm_per_rev = 20\nfriction_n = 12\n[limits]\n"
+                         "motor_curve = [[0, 0.9], [2500, 0.5]]\nmotor_torque_rms_nm = 0.5\n[objective]\nmotor_torque = 1\n", "optimal"),
+    "drive_prescribed_no": (PRESCRIBED + "[drive]\nload_mass_kg = 3\ntransmission_mm_per_rev = 20\n[limits]\nmotor_torque_nm = 0.3\n",
+                            "infeasible"),
 }
 
 # (scene, what stands in its scene.toml, what it is replaced by): the files then claim what is not so.
@@ -117,4 +144,29 @@ CHANGES = [
     ("tappet", "face_radius_mm = 15", "face_radius_mm = 14.9"), ("tappet", "contact_width_mm = 14", "contact_width_mm = 15"),
     ("tappet", "face_radius_mm = 15", "face_radius_mm = 15.1"), ("inch", "velocity_in_deg = 0.0005", "velocity_in_deg = 0.0006"),
     ("inch", "contact_force_min_lbf = 10", "contact_force_min_lbf = 60"),
+    ("drive_rms_term", "load_mass_kg = 8", "load_mass_kg = 8.01"), ("drive_rms_term", "cycle_deg = 300", "cycle_deg = 310"),
+    ("drive_rms_term", "motor_torque_nm = 4.2", "motor_torque_nm = 4.19"),
+    ("drive_rms_term", "motor_torque_nm = 4.2", "motor_torque_nm = 4.21"),
+    ("drive_friction", "friction_nm = 0.8", "friction_nm = 0.81"), ("drive_friction", "min = -0.35", "min = -0.34"),
+    ("drive_friction", "moment_nm = 1.5", "moment_nm = 1.6"), ("drive_friction", "max = 0.62", "max = 0.63"),
+    ("drive_friction", "reference = \"cycloidal\"", "reference = \"polynomial_345\""),
+    ("drive_curve", "[900, 4.4]", "[910, 4.4]"), ("drive_curve", "1.2]]", "1.1]]"), ("drive_curve", "_rpm = 1500", "_rpm = 1400"),
+    ("drive_curve", "_rpm = 1500", "_rpm = 1600"), ("drive_curve", "4e-4", "4.1e-4"),
+    ("drive_rms_limit", "rms_nm = 2.2", "rms_nm = 2.19"), ("drive_rms_limit", "rms_nm = 2.2", "rms_nm = 2.21"),
+    ("drive_rms_limit", "viscous_n_s_m = 40", "viscous_n_s_m = 41"),
+    ("drive_rms_no", "rms_nm = 2.2", "rms_nm = 2.5"), ("drive_rms_no", "torque_nm = 4.0", "torque_nm = 4.4"),
+    ("drive_no", "torque_nm = 3.6", "torque_nm = 4.4"), ("drive_no", "load_mass_kg = 8", "load_mass_kg = 5"),
+    ("drive_relative", "deg_per_rev = 36", "deg_per_rev = 36.1"), ("drive_repeat", "repeat = 3", "repeat = 2"),
+    ("drive_repeat", "friction_lbf = 3", "friction_lbf = 3.1"), ("drive_repeat", "lbf_in = 3", "lbf_in = 2.9"),
+    ("drive_prescribed", "[2500, 0.5]", "[2500, 0.1]"), ("drive_prescribed", "rms_nm = 0.5", "rms_nm = 0.2"),
+    ("drive_prescribed", "friction_n = 12", "friction_n = 13"),
+    ("drive_prescribed_no", "torque_nm = 0.3", "torque_nm = 3"),
+]
+
+# (scene, what stands in its scene.toml, what it is replaced by, what the checker names): it says nothing of what it does not know.
+UNKNOWN = [
+    ("drive_no", "[drive]\n", "[drive]\nbacklash_deg = 1\n", "drive.backlash_deg"), ("drive_no", "[drive]\n", "[brake]\n[drive]\n", "[brake]"),
+    ("drive_no", "motor_torque_nm", "motor_power_w", "limits.motor_power_w"), ("drive_no", "motor_torque_rms", "motor_heat", "motor_heat"),
+    ("drive_no", "[limits]\n", "[limits]\npressure_angle_deg = 30\n", "limits.pressure_angle_deg"),
+    ("drive_no", "[spline]\n", "[spline]\ntension = 1\n", "spline.tension"),
 ]

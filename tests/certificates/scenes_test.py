@@ -107,7 +107,7 @@ def vipr_faults(name, proof, certificate):
 def constant_of(certificate):
     """What fixed dimensions cost stands outside of the linear program."""
     proof = certificate["proof"]
-    return Fraction(proof["constant"]) if not any(name.startswith("rms") for name in proof["variables"]) else 0
+    return Fraction(proof["constant"]) if not any("rms" in name for name in proof["variables"]) else 0
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ import motion_scenes
 SCENES = ("drd_cubic_8", "drd_cubic_12", "drd_via_points", "drd_quintic_12", "drd_capped_velocity",
           "drd_physical_limits", "drd_symmetric", "drd_rms_jerk", "rr_unequal_return", "infeasible_velocity_cap",
           "pusher_set_points", "cam_knife", "drd_free_knots", "ends_drd", "ring", "seam", "repeat", "across", "lobe", "corridor",
-          "corridor_no", "load", "tappet")
+          "corridor_no", "load", "tappet", "drive_rms_limit", "drive_rms_no")
 # Bounds over boxes; the torque peak's has two parts.
 BOX_SCENES = ("cam_undercut", "cam_arm_flat", "torque", "margin")
 TEXTS = {

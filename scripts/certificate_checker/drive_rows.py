@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: MIT
+"""Rows of a motor in a bound.
+
+Torque and speed are linear in the motion, so are their limits and the torque's peak. A root mean square over the cycle is a norm of
+the torque, which is affine in the motion, and with <., .> its product and z any motion
+
+    rms(y) >= <torque(y), torque(z)> / |torque(z)|,    rms(y)^2 >= 2 <torque(y), torque(z)> - |torque(z)|^2.
+
+Which z is free. That of the delivered motion is taken; where none is delivered, the one that the multipliers themselves prefer: the
+least of all rows together, times their multipliers. The limit's own row is (rms^2 / limit^2 - 1) / 2 <= 0.
+"""
+from fractions import Fraction
+
+from .conditions import Conditions
+from .exact import SAME_PLACE, Refuted, Unverified, derivative, integral, number, product, root, shifted
+from .prescribed import ends_of, state_at
+
+NEAR = Fraction(1, 10**6)  # rules that the delivered motion comes so near to may be the one that a row means
+
+
+class MotorRows:
+    def __init__(self, bound):
+        self.bound, self.problem, self.drive = bound, bound.problem, bound.problem.drive
+        self.rules = self.drive.rules + self.drive.peak_rules
+        self.square = Fraction(0)  # the multiplier of the limit on the root mean square
+
+    # -- rows at a place
+
+    def takes(self, origin):
+        return origin["rule"].startswith("limits.motor_") or origin["rule"].startswith("motor_torque")
+
+    def add(self, origin, multiplier):
+        if origin["rule"].startswith("limits.motor_torque_rms"):
+            if self.drive.rms_limit is None:
+                raise Refuted("limits.motor_torque_rms: the scene has no such rule")
+            self.square += multiplier
+            return None
+        at, side = number(origin["at"]), origin.get("side", "right")
+        own = [rule for rule in self.rules if rule.is_meant(origin)]
+        if not own:
+            raise Refuted(f"{origin['rule']} at x = {float(at)}: the scene has no such rule")
+        own = [rule for rule in own if rule.remark and rule.remark == origin.get("remark")] or own
+        if len(own) > 1:
+            own = self.nearest(own, at, side)
+        if not own:
+            return self.bound.leave_out(origin["rule"], multiplier)
+        for rule in own:
+            self.bound.use(self.row(rule, at, side), multiplier / len(own))
+        return None
+
+    def nearest(self, rules, at, side):
+        """Those of the rules that the delivered motion comes nearest to: a file that does not say which one it means is
+        believed to mean them. If it does not, the bound is weaker."""
+        curve, (k, run, _) = self.bound.curve, self.bound.run_at(at, side)
+        if curve is None:
+            return []
+        if run is None:
+            values = [-self.row(rule, at, side).most for rule in rules]
+        else:
+            span, folded = self.drive.span_at(at, side), self.problem.folded(at, side)
+            slope, bend = (curve.value_at(k, folded, side, order) for order in (1, 2))
+            torque = self.drive.acceleration * bend + self.drive.velocity * slope + span.constant
+            values = [(r.by_torque * torque + r.by_speed * self.drive.speed * slope - r.most) / r.scale for r in rules]
+        return [rule for rule, value in zip(rules, values) if value >= max(values) - NEAR]
+
+    def row(self, rule, at, side):
+        from .bound import Row
+        name, drive = f"{rule.key} at x = {float(at)}", self.drive
+        span = drive.span_at(at, side)
+        if span is None:
+            raise Refuted(f"{name}: outside the motion")
+        k, run, _ = self.bound.run_at(at, side)
+        slope = (rule.by_torque * drive.velocity + rule.by_speed * drive.speed) / rule.scale
+        bend = rule.by_torque * drive.acceleration / rule.scale
+        most = (rule.most - rule.by_torque * span.constant) / rule.scale + (self.bound.relaxed if rule.peak is None else 0)
+        if run is None:
+            state = state_at(self.problem, at, side)[0]
+            most -= sum(min(factor * end for end in ends_of(own)) for factor, own in ((slope, state[1]), (bend, state[2])))
+            return Row(name, 0, {}, most, rule.peak)
+        at = self.problem.folded(at, side)
+        function = {j: slope * w for j, w in run.space.functional(at, 1, side).items()}
+        for j, w in run.space.functional(at, 2, side).items():
+            function[j] = function.get(j, Fraction(0)) + bend * w
+        return Row(name, k, function, most, rule.peak)
+
+    # -- root mean squares
+
+    def use_terms(self, curve):
+        """The tangents of the terms that are root mean squares."""
+        for i, term in enumerate(self.problem.terms):
+            if term.kind == "motor_rms":
+                functions, constant, square = self.products(curve)
+                size = root(square)[1] * term.reference
+                self.bound.use(self.over_all("tangent of the root mean square of the torque", functions, constant, size,
+                                             Fraction(0), i), term.weight)
+
+    def use_limit(self, cost):
+        """After all other rows."""
+        if self.square:
+            rows = [self.limit_row(own) for own in (self.bound.curve, self.preferred()) if own is not None]
+            self.bound.use(max(rows, key=lambda row: self.bound.total_with(row, self.square, cost)), self.square)
+
+    def limit_row(self, curve):
+        functions, constant, square = self.products(curve)
+        limit = self.drive.rms_limit**2
+        return self.over_all("limits.motor_torque_rms", functions, constant, limit, self.bound.relaxed + (1 + square / limit) / 2)
+
+    @staticmethod
+    def over_all(name, functions, constant, size, most, peak=None):
+        """(functions + constant) / size <= most, and the peak."""
+        from .bound import Row
+        scaled = [{j: w / size for j, w in f.items()} for f in functions]
+        return Row(name, 0, scaled[0], most - constant / size, peak, beside=dict(enumerate(scaled[1:], 1)))
+
+    def fixed(self):
+        """What laws, dwells and rests add to the mean square at least."""
+        return self.drive.mean_square(self.drive.squares_beside())[0]
+
+    def products(self, curve):
+        """<torque(y), torque(z)> as (functions of the control points of each run, a constant), z the curve; and |torque(z)|^2."""
+        drive, functions = self.drive, []
+        constant = square = self.fixed()
+        for k, run in enumerate(self.problem.runs):
+            function = {}
+            for i, p, begin, width, span in drive.pieces_of(curve, k):
+                torque = drive.torque(p, span)
+                constant += span.constant * integral(torque, width) / drive.cycle
+                square += integral(product(torque, torque), width) / drive.cycle
+                for j, value in self.basis_products(run, i, begin, width, torque):
+                    function[j] = function.get(j, Fraction(0)) + value
+            functions.append(function)
+        return functions, constant, square
+
+    def basis_products(self, run, i, begin, width, torque):
+        """(control point, the product of its part of the torque and this torque) on a part of a piece."""
+        for j, part in self.parts(run, i, begin):
+            yield j, integral(product(part, torque), width) / self.drive.cycle
+
+    def parts(self, run, i, begin):
+        """(control point, the torque without its constant of its basis function), t from `begin` of piece i."""
+        for n, basis in enumerate(run.space.basis(i)):
+            bent, slope = derivative(basis, 2), derivative(basis)
+            part = [self.drive.velocity * c for c in slope]
+            for m, c in enumerate(bent):
+                part[m] += self.drive.acceleration * c
+            yield run.space.first(i) + n, shifted(part, begin) if begin else part
+
+    # -- what bounds the motion
+
+    def bounded(self, run, length):
+        """(order, what |y^(order)| can be). From |Ka u' + Kv u| <= B along a run of this length, u = y', follow
+        |u| <= |u at the start| + B length / Ka and |u'| <= (B + Kv |u|) / Ka; and from a mean square of it, with the ends of u,
+        Ka^2 integral u'^2 <= integral (Ka u' + Kv u)^2 + Ka Kv u(start)^2."""
+        drive, problem, bound = self.drive, self.problem, self.bound
+        start = abs(run.ends()[1] - run.ends()[0]) / length if run.is_ring() else abs(run.states[0][0])
+        largest = max(abs(span.constant) for span in drive.spans)
+        for rule in drive.rules:
+            if rule.by_speed and not rule.by_torque:
+                yield 1, rule.most * (1 + bound.relaxed) / abs(rule.by_speed) / drive.speed
+        torques = [term.reference * most for term, most in zip(problem.terms, bound.most) if term.kind == "motor" and most is not None]
+        sides = [[(r.most + r.scale * bound.relaxed) / abs(r.by_torque) for r in drive.rules if r.by_torque * sign > 0 and not r.by_speed]
+                 for sign in (1, -1)]
+        if all(sides):
+            torques.append(max(abs(min(own)) for own in sides))
+        for torque in torques:
+            speed = start + (torque + largest) * length / drive.acceleration
+            yield 1, speed
+            yield 2, (torque + largest + drive.velocity * speed) / drive.acceleration
+        squares = [term.reference * most for term, most in zip(problem.terms, bound.most)
+                   if term.kind == "motor_rms" and most is not None]
+        squares += [drive.rms_limit * (1 + bound.relaxed)] if drive.rms_limit is not None else []
+        for size in squares:
+            norm = size * root(drive.cycle)[1] + largest * root(length)[1]
+            bend = root(norm**2 + drive.acceleration * drive.velocity * start**2)[1] / drive.acceleration
+            yield 1, start + bend * root(length)[1]
+
+    # -- no motion: the tangent's place
+
+    def preferred(self):
+        """The motion at which all rows so far and the mean square, each times its multiplier, are least: one system of linear
+        equations, solved in doubles. Any motion will do."""
+        runs, limit = self.problem.runs, self.drive.rms_limit
+        controls = []
+        for k, run in enumerate(runs):
+            factor = self.square / limit**2
+            size = run.space.size
+            matrix, slope = [[Fraction(0)] * size for _ in range(size)], [Fraction(0)] * size
+            for i in range(run.space.segments):
+                for begin, width, constant in self.cuts(run, i):
+                    own = list(self.parts(run, i, begin))
+                    for a, p in own:
+                        slope[a] += factor * constant * integral(p, width) / self.drive.cycle
+                        for b, q in own:
+                            matrix[a][b] += factor * integral(product(p, q), width) / self.drive.cycle
+            for j, w in self.bound.functions[k].items():
+                slope[j] += w
+            controls.append(least_of_form(Conditions(run.conditions), matrix, slope))
+        return Found(self.problem, controls)
+
+    def cuts(self, run, i):
+        """[(begin, width, the constant torque)] of piece i, where friction turns."""
+        left, width = run.space.breakpoints[i], run.space.width(i)
+        stretch = run.stretch_at(left)
+        x = left - run.begin_of(stretch) + stretch.begin
+        for span in self.drive.spans:
+            begin, end = max(x, span.begin), min(x + width, span.end)
+            if span.stretch is stretch and end - begin > SAME_PLACE:
+                yield begin - x, end - begin, span.constant
+
+
+class Found:
+    """A motion that is only a place of tangents: what pieces_of() wants of a curve."""
+
+    def __init__(self, problem, controls):
+        self.control, self.pieces = controls, []
+        for run, control in zip(problem.runs, controls):
+            points = run.space.breakpoints
+            self.pieces.append([(p, run.space.width(i), points[i], run.stretch_at(points[i]))
+                                for i, p in enumerate(run.space.pieces(control))])
+
+
+def least_of_form(conditions, matrix, slope):
+    """Control points on the conditions at which c . matrix c / 2 + slope . c is least: solved in doubles, corrected once."""
+    size = len(slope)
+    free = [j for j in range(size) if j not in conditions.rows]
+    control = conditions.completed([Fraction(0)] * size)
+    reach = []  # of each free one: how the control points follow it
+    for j in free:
+        own = [Fraction(0)] * size
+        own[j] = Fraction(1)
+        for pivot, (row, _) in conditions.rows.items():
+            own[pivot] = -row.get(j, Fraction(0))
+        reach.append({i: w for i, w in enumerate(own) if w})
+    applied = [[sum((w * matrix[i][m] for i, w in own.items()), Fraction(0)) for m in range(size)] for own in reach]
+    reduced = [[float(sum((w * line[m] for m, w in other.items()), Fraction(0))) for other in reach] for line in applied]
+    for _ in range(3):
+        gradient = [sum((matrix[i][m] * control[m] for m in range(size) if matrix[i][m]), slope[i]) for i in range(size)]
+        right = [-float(sum((w * gradient[i] for i, w in own.items()), Fraction(0))) for own in reach]
+        for own, by in zip(reach, eliminated([list(line) for line in reduced], right)):
+            by = number(by)
+            for i, w in own.items():
+                control[i] += w * by
+        control = [Fraction(round(c * 2**110), 2**110) if i in free else c for i, c in enumerate(control)]
+        control = conditions.completed(control)
+    return control
+
+
+def eliminated(a, right):
+    """The solution of a x = right, in doubles: a is symmetric and above 0."""
+    size = len(right)
+    for i in range(size):
+        if a[i][i] <= 0:
+            raise Unverified("a root mean square that does not see the whole motion")
+        for r in range(i + 1, size):
+            factor = a[r][i] / a[i][i]
+            if factor:
+                a[r] = [x - factor * y for x, y in zip(a[r], a[i])]
+                right[r] -= factor * right[i]
+    for i in reversed(range(size)):
+        right[i] = (right[i] - sum(a[i][m] * right[m] for m in range(i + 1, size))) / a[i][i]
+    return right
