@@ -11,7 +11,6 @@
 #include "output/machine/machine_view.hpp"
 #include "output/page/page_html.hpp"
 #include "output/plc/plc_export.hpp"
-#include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/machine/machine.hpp"
@@ -19,8 +18,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace camopt::apps {
 

@@ -11,10 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
 namespace camopt {
 namespace {
 

@@ -15,8 +15,6 @@
 #include "scene/cost_table.hpp"
 #include "scene/scene.hpp"
 
-#include <vector>
-
 namespace camopt {
 
 /// Along a motion of the scene from begin to end.

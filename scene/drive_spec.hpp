@@ -12,10 +12,6 @@
 
 #include "core/numbers/extremum.hpp"
 
-#include <array>
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 struct MotionSpec;

@@ -12,10 +12,6 @@
 
 #include "scene/scene.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct AxisSpec {

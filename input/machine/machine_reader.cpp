@@ -10,10 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <charconv>
-#include <string_view>
-#include <utility>
 
 namespace camopt::input {
 

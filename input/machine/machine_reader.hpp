@@ -7,10 +7,6 @@
 #include "scene/machine_spec.hpp"
 
 #include <filesystem>
-#include <functional>
-#include <span>
-#include <string>
-#include <vector>
 
 namespace camopt::input {
 

@@ -6,12 +6,6 @@
 #include "objectives/machine/machine_problem.hpp"
 #include "splines/curve.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 namespace {

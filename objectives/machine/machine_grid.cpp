@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/machine/machine_grid.hpp"
 
-#include <algorithm>
-
 namespace camopt {
 
 MachineProblem::Grid::Grid(const MachineProblem& machine)

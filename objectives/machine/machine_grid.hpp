@@ -4,10 +4,6 @@
 
 #include "objectives/machine/machine_problem.hpp"
 
-#include <span>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 class MachineProblem::Grid final : public Nlp {

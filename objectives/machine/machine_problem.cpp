@@ -6,12 +6,8 @@
 #include "objectives/machine/machine_grid.hpp"
 #include "objectives/nlp_parts.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numeric>
-#include <optional>
-#include <utility>
 
 namespace camopt {
 

@@ -18,9 +18,6 @@
 #include "objectives/grid/cam_problem.hpp"
 
 #include <map>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace camopt {
 

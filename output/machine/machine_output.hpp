@@ -6,9 +6,6 @@
 #include "output/json/result_json.hpp"
 #include "studies/machine/machine.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// `axes`: where each axis's scene comes from, in the order of the machine; `machine`: the machine file.

@@ -9,9 +9,6 @@
 #include "output/view/view.hpp"
 #include "studies/machine/machine.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 /// Displacements of all axes, then what every clearance sums up, by the angle of the master. Empty where

@@ -8,13 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace camopt {
 
 namespace {

@@ -16,10 +16,6 @@
 #include "solvers/solver.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace camopt {
 
 struct MachineOptions {

@@ -7,11 +7,6 @@
 #include "studies/machine/machine.hpp"
 #include "studies/search/planned_solve.hpp"
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <vector>
-
 namespace camopt {
 
 /// The axes posed at one speed; their models are in the problem.

@@ -5,10 +5,6 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/machine/machine_build.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string_view>
-
 namespace camopt {
 
 namespace {
