@@ -58,6 +58,17 @@ std::vector<RunOrigin> origins_of(const MachineRequest& request, const MachineSo
     return origins;
 }
 
+CurvePage page_of(const MachineView& view) {
+    return {.title = view.solution.spec.title.empty() ? "Machine" : view.solution.spec.title,
+            .tone = view.solution.axes.empty() ? "bad" : "good",
+            .headline = view.headline,
+            .sentences = view.sentences,
+            .angles = view.angles,
+            .curves = view.curves,
+            .tables = view.tables,
+            .notes = view.solution.notes};
+}
+
 void write_results(const MachineRequest& request, MachineSolution& solution,
                    const std::vector<RunOrigin>& origins, const RunOrigin& own) {
     const std::filesystem::path out = request.out;
@@ -75,7 +86,7 @@ void write_results(const MachineRequest& request, MachineSolution& solution,
     for (const char* const name : {"impossible.json", "timing.svg"}) folder.remove_earlier(name);
     const MachineView view(solution);
     if (!view.curves.empty()) folder.write("timing.svg", timing_svg(view));
-    folder.write("report.html", machine_html(view, own));
+    folder.write("report.html", curve_page_html(page_of(view), own));
     folder.write("report.md", machine_markdown(view, own));
     // With the scenes of its axes beside it: the machine can be run and checked from its folder alone.
     std::vector<std::string> settings = request.settings;

@@ -128,7 +128,9 @@ class MotorPeakRule final : public WholeMotionRule {
     [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double>) const override {
         return {};
     }
-    [[nodiscard]] std::string remark(std::span<const double>) const override { return {}; }
+    [[nodiscard]] std::string remark(std::span<const double> setting) const override {
+        return setting[0] > 0.0 ? "torque +" : "torque -";
+    }
 
  private:
     template <class Visit>
@@ -337,16 +339,18 @@ void add_curve_bounds(std::vector<MotionBound>& all, const Scene& scene,
                       const std::vector<DriveSpan>& spans) {
     const MotorCurve& curve = scene.limits.motor_curve;
     const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
-    const auto add = [&](const DriveSpan& span, std::array<double, 3> weights) {
+    const auto add = [&](const DriveSpan& span, std::array<double, 3> weights, std::string remark) {
         MotionBound bound{"motor_curve", "limits.motor_curve", ""};
         bound.order = 2;
         bound.bound = bound.given = bound.size = 1.0;
         bound.magnitude = true;
         bound.weights = weights;
+        bound.remark = std::move(remark);
         bound.from = span.begin;
         bound.until = span.end;
         all.push_back(std::move(bound));
     };
+    const auto sign_word = [](double sign) { return sign > 0.0 ? '+' : '-'; };
     for (const DriveSpan& span : spans)
         for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
             const double fall = (curve[i][1] - curve[i + 1][1]) / (curve[i + 1][0] - curve[i][0]);
@@ -356,11 +360,14 @@ void add_curve_bounds(std::vector<MotionBound>& all, const Scene& scene,
                     if (fall == 0.0 && way < 0.0) continue;
                     std::array<double, 3> weights = torque_weights(torque, span, sign / most);
                     weights[0] += way * fall * torque.speed / most;
-                    add(span, weights);
+                    add(span, weights,
+                        fmt::format("pairs {} and {}, torque {}, speed {}", i + 1, i + 2, sign_word(sign),
+                                    sign_word(way)));
                 }
         }
     for (const double sign : {1.0, -1.0})
-        add({-infinity, infinity, 0.0}, {sign * torque.speed / curve.back()[0], 0.0, 0.0});
+        add({-infinity, infinity, 0.0}, {sign * torque.speed / curve.back()[0], 0.0, 0.0},
+            fmt::format("last speed, {}", sign_word(sign)));
 }
 
 }  // namespace
@@ -449,6 +456,11 @@ void add_drive_rules(CamModel& model, const Scene& scene) {
     MotorBounds& motor = model.motor.emplace();
     motor.torque = drive_torque(*scene.drive, scene.motion);
     motor.cycle = cycle_of(scene, model.design);
+    const std::vector<KnownPoint>& points = model.known_points;
+    motor.from_rest = scene.motion.periodic()
+                          ? std::ranges::any_of(points, &KnownPoint::at_rest)
+                          : !points.empty() && points.front().at_rest && !scene.motion.start &&
+                                points.front().x <= model.design.begin() + same_joint;
     if (limits.motor_torque_rms) motor.rms = limits.motor_torque_rms->value;
     if (limits.motor_torque) motor.peak = limits.motor_torque->value;
     if (limits.motor_speed) motor.speed = limits.motor_speed->value;

@@ -26,11 +26,13 @@ struct MotionBound {
     std::array<double, 3> weights{};            ///< of y', y'' and 1: of a motor
     double size = 0.0;                          ///< of a motor: what a violation is measured by
     bool magnitude = false;                     ///< its values are shown without their sign
+    std::string remark = {};                    ///< as of BoundRule::Bound
 
     /// Exceeding the bound by this is a violation of 100 %.
     [[nodiscard]] double scale() const;
     [[nodiscard]] BoundRule::Bound rule(double most, double one) const {
-        return {.order = order, .sign = sign, .bound = most, .scale = one, .weights = weights};
+        return {
+            .order = order, .sign = sign, .bound = most, .scale = one, .weights = weights, .remark = remark};
     }
     [[nodiscard]] BoundRule::Bound rule() const { return rule(bound, scale()); }
     [[nodiscard]] bool of_motor() const { return weights != std::array<double, 3>{}; }

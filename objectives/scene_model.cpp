@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/scene_model.hpp"
 
-#include "objectives/drive_rules.hpp"
-
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/drive_rules.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"

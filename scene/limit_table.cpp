@@ -174,8 +174,9 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .sense = Sense::most,
      .range = positive,
      .needs_drive = true,
-     .meaning = "Cap on the magnitude of the motor's torque at every angle; a table `{ min, max }`: one limit "
-                "for each side."},
+     .meaning =
+         "Cap on the magnitude of the motor's torque at every angle; a table `{ min, max }`: one limit "
+         "for each side."},
     {.figure = Figure::motor_torque_min,
      .name = "motor_torque_min",
      .limit = &LimitSpec::motor_torque_min,
@@ -266,9 +267,8 @@ bool is_least_limit(std::string_view name) {
 }
 
 bool limits_cam(const LimitSpec& limits) {
-    return std::ranges::any_of(cam_limit_rows, [&](const LimitRow& row) {
-        return row.of_cam() && row.in(limits).has_value();
-    });
+    return std::ranges::any_of(
+        cam_limit_rows, [&](const LimitRow& row) { return row.of_cam() && row.in(limits).has_value(); });
 }
 
 bool limits_forces(const LimitSpec& limits) {

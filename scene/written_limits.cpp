@@ -86,8 +86,9 @@ void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {
     if (!(limit.unit_value > 0.0) || !std::isfinite(limit.unit_value))
         refuse(member_of(row.name), fmt::format("unit_value {}", limit.unit_value), "a number > 0");
     const bool own = oscillating && row.swinging.name != nullptr;
-    const std::string member =
-        member_of(own ? row.swinging.name : row.side != nullptr ? row.table : row.name);
+    const std::string member = member_of(own                   ? row.swinging.name
+                                         : row.side != nullptr ? row.table
+                                                               : row.name);
     const std::span<const Spelling> known = own ? row.swinging.spellings : row.spellings;
     const Spelling* spelling = spelling_of(known, member, limit.key, limit.unit);
     if (!spelling && limit.unit.empty() && limit.unit_value != 1.0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The headers of the standard library that nearly every file uses: a file that includes a header of the project
-// has them by it.
+// The headers of the standard library that nearly every file uses: a file that includes a header of the
+// project has them by it.
 #pragma once
 
 #include <algorithm>

@@ -286,7 +286,7 @@ Rows limits() {
                                    : row.needs_forces ? Availability::needs_forces
                                                       : Availability::needs_cam;
         const KeyType type = row.figure == LimitedFigure::motor_torque ? number_or_bounds : number;
-        rows.push_back({"limits", row.name, type, row.spellings, range_in(row.range, row.spellings.front()),
+        rows.push_back({"limits", row.name, type, row.spellings, type == number ? range_in(row.range, row.spellings.front()) : any,
                         {}, row.default_text, row.meaning, needs});
         if (const LimitRow::Swinging& swinging = row.swinging; swinging.name != nullptr)
             rows.push_back({"limits", swinging.name, number, swinging.spellings,

@@ -62,10 +62,9 @@ struct CamProblem::SupportedBounds {
 /// with ||τ||² <= C · rms² over the cycle C, and the same of largest values with |τ| in place of ||τ||.
 void CamProblem::bound_by_motor(const CamModel& model, SupportedBounds& known, double relaxation) {
     const MotorBounds& motor = *model.motor;
-    const bool rests = std::ranges::any_of(model.known_points, &KnownPoint::at_rest);
     const double most = 1.0 + 2.0 * relaxation, mass = motor.torque.acceleration;
     known.sup[1] = std::min(known.sup[1], most * motor.speed / motor.torque.speed);
-    if (!rests || !(mass > 0.0)) return;
+    if (!motor.from_rest || !(mass > 0.0)) return;
     const auto bounded = [&](double limit, int parameter) {
         if (parameter < 0) return most * limit;
         const Parameter& own = model.parameters[static_cast<std::size_t>(parameter)];

@@ -132,7 +132,8 @@ struct KnownPoint {
 /// What the scene says of the torque and the speed of its motor: with it proofs bound the motion.
 struct MotorBounds {
     DriveTorque torque;
-    double cycle = 1.0;                                        ///< x that rms is taken over
+    bool from_rest = false;  ///< the motion begins at rest, or goes on from its own end and rests somewhere
+    double cycle = 1.0;      ///< x that rms is taken over
     double rms = infinity, peak = infinity, speed = infinity;  ///< limits, N m, rad/s
     int rms_parameter = -1, peak_parameter = -1;               ///< of the terms
 };

@@ -33,10 +33,10 @@ double BoundRule::scale_at(double x) const {
 RuleValue BoundRule::evaluate(const MotionPoint& point, const Eigen::VectorXd&) const {
     if (bound_.is_sum()) {
         const auto& [velocity, acceleration, constant] = bound_.weights;
-        RuleValue sum{(velocity * point.derivative[1] + acceleration * point.derivative[2] + constant -
-                       bound_.bound) /
-                          bound_.scale,
-                      Eigen::VectorXd::Zero(4), Eigen::MatrixXd::Zero(4, 4)};
+        RuleValue sum{
+            (velocity * point.derivative[1] + acceleration * point.derivative[2] + constant - bound_.bound) /
+                bound_.scale,
+            Eigen::VectorXd::Zero(4), Eigen::MatrixXd::Zero(4, 4)};
         sum.gradient[1] = velocity / bound_.scale;
         sum.gradient[2] = acceleration / bound_.scale;
         return sum;

@@ -26,13 +26,18 @@ class BoundRule final : public PointRule {
         /// Of y', y'' and 1: where any is not 0 their sum is bounded in place of sign · y^{(order)}; then
         /// `order` is 2.
         std::array<double, 3> weights{};
+        std::string remark = {};  ///< tells rows of one name apart
 
         [[nodiscard]] bool is_sum() const { return weights != std::array<double, 3>{}; }
     };
     BoundRule(std::string name, const Bound& bound) : name_(std::move(name)), bound_(bound) {}
 
     [[nodiscard]] std::string name() const override { return name_; }
-    [[nodiscard]] RowOrigin origin() const override { return with_sign(PointRule::origin(), bound_.sign); }
+    [[nodiscard]] RowOrigin origin() const override {
+        RowOrigin origin = with_sign(PointRule::origin(), bound_.sign);
+        origin.remark = bound_.remark;
+        return origin;
+    }
     [[nodiscard]] const std::vector<int>& parameters() const override { return none_; }
     [[nodiscard]] bool linear() const override { return true; }
     [[nodiscard]] int highest_order() const override { return bound_.order; }

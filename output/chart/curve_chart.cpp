@@ -209,22 +209,26 @@ ChartPanel torque_over_speed(const View& view) {
     path(speed.values, torque.values, "optimum");
     const LimitSpec& limits = view.solution.scene.limits;
     const MotorCurve& curve = limits.motor_curve;
-    ChartSeries polygon{Look::line, "limit"};
-    const auto add = [&](double n, double value, std::string label = {}) {
-        polygon.points.push_back({rpm_shown.of(n), torque.unit.of(value), {}, std::move(label)});
+    const auto [least, most] = std::ranges::minmax(speed.values);
+    const bool reverses = least < -1e-6 * most;
+    const auto limit_line = [&](std::vector<ChartPoint> points) {
+        panel.series.push_back(
+            {Look::line, "limit", std::move(points), 4.0, "", "limit-label", LabelSide::below});
     };
-    for (const auto& [n, value] : curve) add(n, value, n == 0.0 ? "curve of the motor" : "");
-    for (auto point = curve.rbegin(); point != curve.rend(); ++point) add((*point)[0], -(*point)[1]);
-    for (const auto& [n, value] : curve) add(-n, -value);
-    for (auto point = curve.rbegin(); point != curve.rend(); ++point) add(-(*point)[0], (*point)[1]);
-    if (!curve.empty()) panel.series.push_back(std::move(polygon));
-    for (const int side : {1, -1})
+    for (const int side : {1, -1}) {
         if (const auto& limit = limits.motor_torque; limit && curve.empty()) {
             const double at = side * torque.unit.of(limit->value);
-            const double most = rpm_shown.of(view.solution.drive->speed.value);
-            panel.series.push_back(
-                {Look::line, "limit", {{-most, at, {}, side > 0 ? "limit" : ""}, {most, at}}});
+            limit_line({{least, at, {}, "limit " + torque.unit.text(side * limit->value)}, {most, at}});
         }
+        std::vector<ChartPoint> polygon;
+        for (auto point = curve.rbegin(); reverses && point != curve.rend(); ++point)
+            polygon.push_back({-rpm_shown.of((*point)[0]), side * torque.unit.of((*point)[1])});
+        for (const auto& [n, value] : curve)
+            polygon.push_back({rpm_shown.of(n), side * torque.unit.of(value)});
+        if (polygon.empty()) continue;
+        polygon.front().label = "curve of the motor";
+        limit_line(std::move(polygon));
+    }
     return panel;
 }
 

@@ -20,8 +20,8 @@ namespace camopt {
 /// Where the follower cannot touch the cam the last two do not exist. Throws InputError without forces.
 [[nodiscard]] std::string force_diagrams_svg(const View& view);
 
-/// drive.svg: torque and speed of the motor over the angle, and torque over speed with the curve of the motor.
-/// The solution has a motor.
+/// drive.svg: torque and speed of the motor over the angle, and torque over speed with the curve of the
+/// motor. The solution has a motor.
 [[nodiscard]] std::string drive_svg(const View& view);
 
 }  // namespace camopt

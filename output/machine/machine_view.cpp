@@ -6,7 +6,6 @@
 #include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/chart/chart.hpp"
-#include "output/page/page_html.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
@@ -57,7 +56,7 @@ Curve axis_curve(const MachineView& view, std::size_t index, const AxisAlong& al
     const double size = axis.scene.motion.lift / unit.per_normalised;
     Curve curve{"axis_" + spec.name, "axes", printable(spec.name), "s", {unit.name, size}};
     if (spec.phase != 0.0)
-        curve.title += fmt::format(", phase {} deg", short_text(spec.phase / units::degree));
+        curve.title += fmt::format(", phase {} deg", short_text(degrees_shown.of(spec.phase)));
     for (const double angle : view.angles) curve.values.push_back(along.at(angle * units::degree) / size);
     return curve;
 }
@@ -65,12 +64,15 @@ Curve axis_curve(const MachineView& view, std::size_t index, const AxisAlong& al
 Curve clearance_curve(const MachineView& view, std::size_t index, const std::vector<AxisAlong>& along) {
     const Clearance& spec = view.solution.spec.clearances[index];
     std::string names;
-    for (std::size_t k = 0; k < spec.axes.size(); ++k)
-        names += fmt::format("{}{} · {}", k == 0 ? "" : " + ", short_text(spec.factors[k]),
+    for (std::size_t k = 0; k < spec.axes.size(); ++k) {
+        const double factor = std::abs(spec.factors[k]);
+        const char* const sign = spec.factors[k] < 0.0 ? (k == 0 ? "− " : " − ") : k == 0 ? "" : " + ";
+        names += fmt::format("{}{}{}", sign, factor == 1.0 ? "" : short_text(factor) + " · ",
                              printable(axis_of(view.solution, static_cast<std::size_t>(spec.axes[k])).name));
+    }
     Curve curve{fmt::format("clearance_{}", index),
                 "clearances",
-                "Clearance " + names,
+                "Clearance: " + names,
                 "c",
                 {spec.unit, spec.unit_value}};
     for (const double angle : view.angles) {
@@ -80,7 +82,7 @@ Curve clearance_curve(const MachineView& view, std::size_t index, const std::vec
         curve.values.push_back(sum / spec.unit_value);
     }
     const double at = spec.at_least / spec.unit_value;
-    const double from = spec.from / units::degree, to = spec.to / units::degree;
+    const double from = degrees_shown.of(spec.from), to = degrees_shown.of(spec.to);
     const auto add = [&](double begin, double end) {
         curve.limits.push_back(
             {begin, end, at, -1, fmt::format("at least {} {}", short_text(at), spec.unit)});
@@ -93,7 +95,7 @@ Curve clearance_curve(const MachineView& view, std::size_t index, const std::vec
     }
     const Extremum& closest = view.solution.clearances[index];
     const double value = (spec.at_least + closest.value) / spec.unit_value;
-    double place = std::fmod(closest.at / units::degree, 360.0);
+    double place = std::fmod(degrees_shown.of(closest.at), 360.0);
     if (place < 0.0) place += 360.0;
     curve.marks.push_back({place, value, fmt::format("closest: {} {}", short_text(value), spec.unit)});
     return curve;
@@ -115,7 +117,7 @@ TextTable axis_table(const MachineSolution& solution) {
         const Solution& axis = solution.axes[a];
         const ShownUnits shown = shown_units(axis.scene);
         std::vector<std::string> row = {printable(axis_of(solution, a).name),
-                                        short_text(axis_of(solution, a).phase / units::degree),
+                                        short_text(degrees_shown.of(axis_of(solution, a).phase)),
                                         short_text(axis.certificate.objective)};
         std::size_t order = 1;
         for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk})
@@ -145,7 +147,7 @@ TextTable stopping_table(const MachineSolution& solution) {
         const std::string axis =
             limit.axis >= 0 ? printable(axis_of(solution, static_cast<std::size_t>(limit.axis)).name) + ": "
                             : "";
-        table.rows.push_back({axis + limit.key, short_text(limit.angle / units::degree, 5),
+        table.rows.push_back({axis + limit.key, short_text(degrees_shown.of(limit.angle), 5),
                               fmt::format("{} %", short_text(100.0 * limit.share, 3)),
                               limit.given ? short_text(*limit.given) + unit : "–",
                               limit.needed  ? short_text(*limit.needed, 5) + unit
@@ -162,19 +164,16 @@ TextTable clearance_table(const MachineSolution& solution) {
         const ShownUnit unit{spec.unit, spec.unit_value};
         table.rows.push_back({spec.key, unit.text(spec.at_least),
                               unit.text(spec.at_least + solution.clearances[k].value),
-                              short_text(solution.clearances[k].at / units::degree, 5)});
+                              short_text(degrees_shown.of(solution.clearances[k].at), 5)});
     }
     return table;
 }
 
 std::string headline_of(const MachineSolution& solution) {
-    const auto rpm = [](double speed) {
-        return fmt::format("{:.7g} rpm", speed / units::revolution_per_minute);
-    };
+    const auto rpm = [](double speed) { return rpm_shown.text(speed, 7); };
     if (solution.axes.empty())
         return solution.at_standstill
-                   ? "No motions exist at any speed: limits and clearances contradict each other at "
-                     "standstill"
+                   ? "No motions exist at any speed: the contradiction remains as the speed approaches 0"
                : solution.certificate.verdict == Verdict::infeasible
                    ? fmt::format("No motions exist at {}: proved", rpm(solution.speed))
                    : "No motions were found";
@@ -239,7 +238,8 @@ std::vector<std::string> sentences_of(const MachineSolution& solution) {
 
 }  // namespace
 
-MachineView::MachineView(const MachineSolution& shown) : solution(shown), headline(headline_of(shown)) {
+MachineView::MachineView(const MachineSolution& shown)
+    : solution(shown), headline(headline_of(shown)), sentences(sentences_of(shown)) {
     const auto add = [&](const char* key, const char* title, TextTable table, std::string note = {}) {
         if (!table.rows.empty()) tables.push_back({key, title, std::move(table), std::move(note)});
     };
@@ -253,7 +253,7 @@ MachineView::MachineView(const MachineSolution& shown) : solution(shown), headli
     for (std::size_t c = 0; c < solution.clearances.size(); ++c)
         curves.push_back(clearance_curve(*this, c, along));
     add("axes", "Axes", axis_table(solution),
-        "Largest magnitudes at this speed; each axis has a folder of its own.");
+        "Largest magnitudes at this speed; each axis has its own folder.");
     add("clearances", "Clearances", clearance_table(solution));
 }
 
@@ -266,26 +266,12 @@ std::string timing_svg(const MachineView& view) {
     return chart_svg(std::move(chart));
 }
 
-std::string machine_html(const MachineView& view, const RunOrigin& origin) {
-    const MachineSolution& solution = view.solution;
-    CurvePage page;
-    page.title = solution.spec.title.empty() ? "Machine" : solution.spec.title;
-    page.tone = solution.axes.empty() ? "bad" : "good";
-    page.headline = view.headline;
-    page.sentences = sentences_of(solution);
-    page.angles = view.angles;
-    page.curves = view.curves;
-    page.tables = view.tables;
-    page.notes = solution.notes;
-    return curve_page_html(page, origin);
-}
-
 std::string machine_markdown(const MachineView& view, const RunOrigin& origin) {
     const MachineSolution& solution = view.solution;
     std::string text =
         fmt::format("# {}\n\n**{}.**\n\n",
                     solution.spec.title.empty() ? "Machine" : printable(solution.spec.title), view.headline);
-    for (const std::string& sentence : sentences_of(solution)) text += sentence + "\n\n";
+    for (const std::string& sentence : view.sentences) text += sentence + "\n\n";
     if (!view.curves.empty())
         text += "![Timing diagram and clearances over one revolution of the master](timing.svg)\n";
     for (const ViewTable& table : view.tables)

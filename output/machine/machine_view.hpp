@@ -21,13 +21,11 @@ struct MachineView {
     std::vector<Curve> curves;   ///< groups "axes" and "clearances"
     std::vector<ViewTable> tables;
     std::string headline;
+    std::vector<std::string> sentences;
 };
 
 /// timing.svg. Throws InputError where nothing is delivered.
 [[nodiscard]] std::string timing_svg(const MachineView& view);
-
-/// report.html: the curves with a cursor that moves, and the tables.
-[[nodiscard]] std::string machine_html(const MachineView& view, const RunOrigin& origin);
 
 /// report.md.
 [[nodiscard]] std::string machine_markdown(const MachineView& view, const RunOrigin& origin);

@@ -273,15 +273,15 @@ std::string drive_line(const Scene& scene) {
         fmt::format("Motor in place of a cam: load {} {}", short_text(drive.load), angle ? "kg m²" : "kg");
     append(text, fmt::format("inertia of motor and gear {} kg m²", short_text(drive.motor_inertia)));
     const double a_turn = units::turn * drive.transmission;
-    append(text, angle ? fmt::format("{} deg a revolution", short_text(a_turn / units::degree))
-                       : fmt::format("{} mm a revolution", short_text(a_turn / units::millimetre)));
+    append(text, angle ? fmt::format("{} deg a revolution", short_text(degrees_shown.of(a_turn)))
+                       : fmt::format("{} mm a revolution", short_text(millimetres_shown.of(a_turn))));
     const auto add = [&](const char* name, double value, const char* unit) {
         if (value != 0.0) append(text, fmt::format("{} {} {}", name, short_text(value), unit));
     };
     add("viscous friction", drive.viscous, angle ? "N m s/rad" : "N s/m");
     add(angle ? "constant moment" : "constant force", drive.force, angle ? "N m" : "N");
     add("dry friction", drive.friction, angle ? "N m" : "N");
-    if (drive.cycle) append(text, fmt::format("cycle {} deg", short_text(*drive.cycle / units::degree)));
+    if (drive.cycle) append(text, fmt::format("cycle {} deg", short_text(degrees_shown.of(*drive.cycle))));
     return text;
 }
 

@@ -380,7 +380,7 @@ class Bound:
         if self.ringing:
             use_ringing_rows(self)
             if self.motor:
-                self.left_out.setdefault("the residual beside a motor", Fraction(0))  # other phases could say more
+                self.left_out.setdefault("the residual together with a motor", Fraction(0))  # other phases could say more
         if self.motor:
             self.motor.use_limit(cost)
         total, most_refined = self.total(cost), 3

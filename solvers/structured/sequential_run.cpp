@@ -127,6 +127,7 @@ StepSolver::Steered StepSolver::solve_elastic(const NlpPoint& point, StepModel& 
     feasibility.cost_unit = 1.0;
     const Step least = solve(point, feasibility);
     if (!least.usable) {
+        result.least_elastic = 0.0;  // it is not known: nothing is said of it
         result.step.stop = least.stop;
         result.step.usable = !least.stopped();
         return result;

@@ -81,7 +81,7 @@ TEST(MachineDrive, TimeIsSharedOutBetweenStrokes) {
     EXPECT_NEAR(found.spec.axes[0].scene.motion.segments[0].angle / units::degree, 140.0, 6.0);
 }
 
-TEST(MachineDrive, MotorThatCannotHoldIsContradictionAtStandstill) {
+TEST(MachineDrive, HoldingTorqueContradictsAnySpeed) {
     Scene scene = slide(60.0, "140", "140", 40.0);
     scene.drive->force = 1000.0;  // 7.96 N m
     const MachineSolution solution = solve_machine(machine_of({scene}));

@@ -86,7 +86,7 @@ TEST(ServoAxis, LimitOfRmsIsConvexQuadratic) {
     EXPECT_EQ(none.conflict.front().key, "limits.motor_torque_rms_nm");
 }
 
-TEST(ServoAxis, CurveOfMotorIsActiveAtCorner) {
+TEST(ServoAxis, MotorCurveIsActiveAtCorner) {
     const std::string curve = "[limits]\nmotor_curve = [[0, 4.4], [900, 4.4], [2100, 1.2]]\n";
     const Solution solution =
         optimum_of(scene_of(slide + "[objective]\njerk = 1\n[spline]\nsegments = 32\n" + curve));
@@ -142,7 +142,7 @@ TEST(ServoAxis, TermOfPeakIsLeastPeak) {
     EXPECT_EQ(solve(scene_of(slide + below)).certificate.verdict, Verdict::infeasible);
 }
 
-TEST(ServoAxis, SceneWithoutMotorHasNoRuleOfOne) {
+TEST(ServoAxis, SceneWithoutMotorHasNoRule) {
     const Solution solution = solve(scene_of("[motion]\ntype = \"DRD\"\n[objective]\njerk = 1\n"));
     EXPECT_FALSE(solution.drive);
     EXPECT_TRUE(solution.constraints.empty());
