@@ -7,6 +7,7 @@ from fractions import Fraction
 from .bound import Bound
 from .cam import Cam
 from .conditions import Conditions
+from .drive import Drive
 from .exact import KEPT, PI, Refuted, SAME_PLACE, Unverified, middle_of, number, shifted
 from .motion import Curve
 from .prescribed import ends_of, state_at
@@ -41,6 +42,11 @@ class Axis:
         self.problem = Problem(self.scene, references_of(self.scene, result["reference"] if result else {}))
         if "cam" in self.scene:
             self.problem.cam = Cam(self.problem, self.scene, result or {})
+        if "drive" in self.scene:
+            if speed is None:
+                raise Unverified("a motor as the speed approaches 0")
+            self.problem.drive = Drive(self.problem, result or {})
+            self.problem.terms += self.problem.drive.terms
         if self.problem.unit_angle[1] != "deg":
             raise Unverified("an axis with angles in radians")
 
