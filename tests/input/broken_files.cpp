@@ -127,7 +127,7 @@ std::vector<BrokenScene> broken_files() {
          "jerk = 1\n",
          "s.toml:1:1: titel: found an unknown key; allowed: title, motion, spline, objective, cam, drawing, "
          "forces, "
-         "measured, dynamics, limits, solver; did you mean 'title'?"},
+         "measured, dynamics, drive, limits, solver; did you mean 'title'?"},
         {"unknown_misspelt",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -178,7 +178,7 @@ std::vector<BrokenScene> broken_files() {
          "jerk = 1\n",
          "s.toml:1:1: degree: found an unknown key; allowed: title, motion, spline, objective, cam, drawing, "
          "forces, "
-         "measured, dynamics, limits, solver; did you mean 'spline.degree'?"},
+         "measured, dynamics, drive, limits, solver; did you mean 'spline.degree'?"},
         {"unknown_strange",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -244,7 +244,7 @@ std::vector<BrokenScene> broken_files() {
          "name = \"auto\"\n",
          "s.toml:5:2: solvers: found an unknown key; allowed: title, motion, spline, objective, cam, "
          "drawing, forces, "
-         "measured, dynamics, limits, solver; did you mean 'solver'?"},
+         "measured, dynamics, drive, limits, solver; did you mean 'solver'?"},
         {"motion_is_number",
          "motion = 3\n"
          "[objective]\n"

@@ -71,7 +71,7 @@ std::vector<BrokenScene> broken_overrides() {
         {"set_unknown_table",
          plain_scene,
          "--set splines.degree=3: splines: found an unknown key; allowed: title, motion, spline, objective, "
-         "cam, drawing, forces, measured, dynamics, limits, solver; did you mean 'spline'?",
+         "cam, drawing, forces, measured, dynamics, drive, limits, solver; did you mean 'spline'?",
          {"splines.degree=3"}},
         {"set_into_text",
          plain_scene,

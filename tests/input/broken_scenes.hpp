@@ -21,7 +21,8 @@ inline const std::string known_limit_keys =
     "contact_moment_min_lbf_in, torque_max_nm, torque_max_lbf_in, hertz_pressure_max_mpa, "
     "hertz_pressure_max_gpa, hertz_pressure_max_pa, hertz_pressure_max_ksi, residual_um, residual_mm, "
     "residual_in, residual_deg, residual_rad, dynamic_contact_force_min_n, dynamic_contact_force_min_nm, "
-    "dynamic_contact_force_min_lbf, dynamic_contact_force_min_lbf_in";
+    "dynamic_contact_force_min_lbf, dynamic_contact_force_min_lbf_in, motor_torque_nm, motor_torque_lbf_in, "
+    "motor_torque_rms_nm, motor_torque_rms_lbf_in, motor_speed_rpm, motor_speed_rad_s, motor_curve";
 
 struct BrokenScene {
     std::string name;
