@@ -18,6 +18,7 @@ import sys
 
 PROGRAM, SCENES, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 STUDIO = "--studio" in sys.argv[4:]
+MACHINE = SCENES / "machines/cartoner.toml"
 DRD, CAM, DRUM, SLIDE = (SCENES / f"{name}.toml" for name in
                          ("drd_cubic_12", "cam_roller", "cylinder_slide", "dynamics_fast_slide"))
 CHECKER = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "verify-certificate"
@@ -32,6 +33,7 @@ PRINTING = [
     ("solve", DRD), ("solve", DRD, "--json"),
     ("compare", DRD), ("compare", DRD, "--json"),
     ("dynamics", SLIDE, *QUICK_TRAIN), ("dynamics", SLIDE, *QUICK_TRAIN, "--json"),
+    ("machine", MACHINE), ("machine", MACHINE, "--json"),
     ("check", DRD),
     *(("list", topic, *form) for topic in ("laws", "followers", "solvers", "keys", "columns", "controllers")
       for form in ((), ("--json",))),

@@ -90,7 +90,7 @@ TEXTS = {
                        "optimal"),
     "drive_friction": ('[motion]\ntype = "program"\nlift_deg = 30\nspeed_rpm = 60\nmonotone = true\n' + DWELL + "angle_deg = 40\n" + SPLINE +
                        "angle_deg = 120\nto = 1\n" + DWELL + "angle_deg = 50\n" + LAW + 'law = "modified_sine"\nangle_deg = 150\nto = 0\n' +
-                       TURNTABLE + "friction_nm = 0.8\n[spline]\nsegments = 10\n[limits]\nmotor_torque_nm = { min = -0.35, max = 0.62 }\n"
+                       TURNTABLE + "friction_nm = 0.8\n[spline]\nsegments = 10\n[limits]\nmotor_torque_nm = { min = -0.4, max = 0.72 }\n"
                        '[objective]\njerk = 0.2\nmotor_torque_rms = 1\nreference = "cycloidal"\n', "optimal"),
     "drive_curve": (SLIDE + "[objective]\njerk = 1\n[spline]\ndegree = 5\nsegments = 16\n[limits]\n"
                     "motor_curve = [[0, 4.4], [900, 4.4], [2100, 1.2]]\nmotor_speed_rpm = 1500\n", "optimal"),
@@ -147,8 +147,8 @@ CHANGES = [
     ("drive_rms_term", "load_mass_kg = 8", "load_mass_kg = 8.01"), ("drive_rms_term", "cycle_deg = 300", "cycle_deg = 310"),
     ("drive_rms_term", "motor_torque_nm = 4.2", "motor_torque_nm = 4.19"),
     ("drive_rms_term", "motor_torque_nm = 4.2", "motor_torque_nm = 4.21"),
-    ("drive_friction", "friction_nm = 0.8", "friction_nm = 0.81"), ("drive_friction", "min = -0.35", "min = -0.34"),
-    ("drive_friction", "moment_nm = 1.5", "moment_nm = 1.6"), ("drive_friction", "max = 0.62", "max = 0.63"),
+    ("drive_friction", "friction_nm = 0.8", "friction_nm = 0.81"), ("drive_friction", "min = -0.4", "min = -0.39"),
+    ("drive_friction", "moment_nm = 1.5", "moment_nm = 1.6"), ("drive_friction", "max = 0.72", "max = 0.73"),
     ("drive_friction", "reference = \"cycloidal\"", "reference = \"polynomial_345\""),
     ("drive_curve", "[900, 4.4]", "[910, 4.4]"), ("drive_curve", "1.2]]", "1.1]]"), ("drive_curve", "_rpm = 1500", "_rpm = 1400"),
     ("drive_curve", "_rpm = 1500", "_rpm = 1600"), ("drive_curve", "4e-4", "4.1e-4"),
