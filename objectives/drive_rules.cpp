@@ -190,12 +190,12 @@ class MotorEnergyRule final : public WholeMotionRule {
             if (piece.copy) continue;
             length += piece.end - piece.begin;
             visit_parts(spans_, piece.begin, piece.end, [&](double begin, double end, const DriveSpan& span) {
-                const auto [velocity, acceleration, constant] = torque_weights(torque_, span, 1.0 / level_);
+                const std::array<double, 3> weights = torque_weights(torque_, span, 1.0 / level_);
                 visit_quadrature(begin, end, piece.segment < 0 ? parts_of_shape : 1,
                                  [&](double x, double weight) {
-                                     AffineRow row{constant, {}, {}};
-                                     row = combined(row, velocity, family.functional(x, 1));
-                                     sum.add(combined(row, acceleration, family.functional(x, 2)), weight);
+                                     AffineRow row{weights[2], {}, {}};
+                                     row = combined(row, weights[0], family.functional(x, 1));
+                                     sum.add(combined(row, weights[1], family.functional(x, 2)), weight);
                                  });
             });
         }

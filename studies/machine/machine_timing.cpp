@@ -65,10 +65,8 @@ MachineSpec with_fixed_angles(MachineSpec machine) {
 
 class TimingSearch {
  public:
-    TimingSearch(MachineOptions options, const SolveControl& control, const FixedMachineSolve& solve)
-        : options_(std::move(options)),
-          control_(control.sooner(part_of_time * options_.max_seconds)),
-          solve_(solve) {
+    TimingSearch(const MachineOptions& options, const SolveControl& control, const FixedMachineSolve& solve)
+        : options_(options), control_(control.sooner(part_of_time * options_.max_seconds)), solve_(solve) {
         options_.explain = false;
         options_.speed_gap = std::max(options_.speed_gap, rough_gap);
     }
@@ -110,11 +108,11 @@ class TimingSearch {
         return result;
     }
 
-    [[nodiscard]] static bool better(const Scored& one, const Scored& other) {
-        if (!one.value || !other.value) return one.value.has_value() && !other.value;
-        const double gain = one.machine.searches_speed()
-                                ? *one.value / *other.value - 1.0
-                                : (*other.value - *one.value) / std::abs(*other.value);
+    [[nodiscard]] static bool better(const Scored& tried, const Scored& known) {
+        if (!tried.value || !known.value) return tried.value.has_value() && !known.value;
+        const double gain = tried.machine.searches_speed()
+                                ? *tried.value / *known.value - 1.0
+                                : (*known.value - *tried.value) / std::abs(*known.value);
         return gain > telling;
     }
 
