@@ -199,7 +199,7 @@ class MotorEnergyRule final : public WholeMotionRule {
                                  });
             });
         }
-        const double cycle = cycle_ * length / whole;  // copies are alike
+        const double cycle = cycle_ * length / whole;  // copies are the same
         const double rest = torque_.constant / level_;
         if (cycle > length) sum.add(AffineRow{rest, {}, {}}, cycle - length);
         return sum.form(1.0 / cycle);

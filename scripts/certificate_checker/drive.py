@@ -245,7 +245,7 @@ class Drive:
         return (max(low for low, _ in own), max(high for _, high in own)) if own else (None, None)
 
     def largest(self, curve, formula, signs=(1, -1)):
-        """The same along the delivered motion. `formula` takes numbers and polynomials alike."""
+        """The same along the delivered motion. `formula` takes numbers and polynomials."""
         low, high = self.largest_of(self.spans, formula, signs)
         pieces = [(Polynomial(torque), Polynomial(n), width) for torque, n, width in self.along_splines(curve)]
         if pieces:

@@ -14,7 +14,7 @@ constexpr double telling_share = 1e-3;
 
 constexpr int most_passes = 30;
 
-/// A limit of the motion or of the motor whose violation is measured by itself, as written.
+/// A limit of the motion or of the motor whose violation is relative to its own number, as written.
 struct WrittenNumber {
     double given = 0.0;
     std::string unit;

@@ -49,7 +49,7 @@ double move(MachineSpec& machine, const Exchange& pair, double angle) {
     const ProgramSegment &from = segments[pair.from], &to = segments[pair.to];
     angle = std::min({angle, from.angle - from.angle_range->least, to.angle_range->most - to.angle});
     if (!(angle > 0.0)) return 0.0;
-    for (std::size_t k = 0; k < segments.size(); k += own) {  // copies are alike
+    for (std::size_t k = 0; k < segments.size(); k += own) {  // copies are the same
         segments[k + pair.from].angle -= angle;
         segments[k + pair.to].angle += angle;
     }

@@ -263,7 +263,7 @@ class RandomDrive:
             self.cycle, self.cycle_text = degrees / self.rise, f"cycle_deg = {degrees}\n"
 
     def jerk_scale(self, k):
-        """y''' of one in the unit of J: a stroke of a program is measured by itself."""
+        """y''' of one in the unit of J: a stroke of a program has its own unit."""
         points = self.strokes[k][0]
         return 1.0 if self.kind != "program" else 1.0 / (points[-1] - points[0])**3
 
