@@ -19,6 +19,7 @@ struct AxisSpec {
     std::string file;    ///< of the scene, for messages; empty: none
     Scene scene;         ///< with any speed
     double phase = 0.0;  ///< rad of the master, in (−2π, 2π): its motion starts there
+    std::vector<std::string> settings = {};  ///< "KEY=VALUE" that were put on top of the file
 };
 
 struct Clearance {

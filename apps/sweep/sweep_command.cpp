@@ -157,7 +157,7 @@ ExitCode sweep_command(const SweepRequest& request) {
     const PoolOutcome outcome =
         solve_missing_chunks(work.folder(), job, worker_count(request), [&] { work.leave_to_parent(); });
     if (outcome == PoolOutcome::stopped) return tell_interruption(work.folder());
-    return finish_sweep(work.folder(), &job.scenes().scene(0), request.units);
+    return finish_sweep(work.folder(), job.first_scene(), request.units);
 }
 
 ExitCode sweep_merge_command(const SweepMergeRequest& request) {

@@ -7,8 +7,11 @@
 #include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
+#include "input/loading/load_scene.hpp"
+#include "input/machine/machine_reader.hpp"
 #include "input/scene_reader.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
+#include "output/machine/machine_folder.hpp"
 #include "output/page/study_html.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/study_text.hpp"
@@ -42,9 +45,9 @@ SweepFolder folder_for(const SweepRequest& request, const StoredSweep& sweep) {
 }
 
 StoredSweep checked_sweep(const SweepRequest& request, SweepJob& job) {
-    const int rows = job.scenes().plan().rows();
-    const Chunking chunking{rows, request.chunk.value_or(chunk_size_for(job.scenes()))};
-    return {job.identity(check_rows(job.scenes()), chunking), sweep_shard(request)};
+    const SweepColumns columns = job.check();
+    const Chunking chunking{job.plan().rows(), request.chunk.value_or(job.chunk_size())};
+    return {job.identity(columns, chunking), sweep_shard(request)};
 }
 
 void write_lost_chunk(const SweepFolder& folder, const SweepPlan& plan, int chunk,
@@ -95,10 +98,14 @@ std::vector<PeakTriple> peaks_of_rows(const SweepTable& table) {
 
 void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, std::string_view units) {
     const SweepIdentity& identity = folder.identity();
-    Scene scene = load_scene({identity.scene_file, identity.scene_text}, identity.settings);
+    Scene scene;
+    if (identity.columns.machine)
+        scene.title = input::machine_title(identity.scene_text).value_or("");
+    else
+        scene = load_scene({identity.scene_file, identity.scene_text}, identity.settings);
     show_in(scene, units);
     std::optional<LawLosses> losses;
-    if (is_weight_sweep(table)) {
+    if (!identity.columns.machine && is_weight_sweep(table)) {
         const InterruptWatch watch;
         losses = law_losses(scene, {InterruptWatch::interrupted, terminal_progress()}, peaks_of_rows(table));
         end_progress();
@@ -120,6 +127,7 @@ SweepJob::SweepJob(const SweepRequest& request)
       scene_(read_scene_text(request.scene)),
       settings_(sweep_settings(request)),
       plan_(sweep_plan(request)),
+      is_machine_(input::machine_title(scene_.text).has_value()),
       scenes_(plan_, [this](std::span<const std::string> row) {
           std::vector<std::string> all = settings_;
           all.insert(all.end(), row.begin(), row.end());
@@ -127,17 +135,80 @@ SweepJob::SweepJob(const SweepRequest& request)
       }) {}
 
 SweepIdentity SweepJob::identity(const SweepColumns& columns, const Chunking& chunking) const {
-    return {std::string(version()), request_.scene,     scene_.text, settings_,
-            sweep_axes(request_),   fingerprint(plan_), columns,     chunking};
+    SweepIdentity identity{std::string(version()), request_.scene,     scene_.text, settings_,
+                           sweep_axes(request_),   fingerprint(plan_), columns,     chunking};
+    if (!is_machine_) return identity;
+    for (const AxisSpec& axis : machine(0).axes) {  // its rows depend on them too; kept as comments
+        identity.scene_text += fmt::format("\n# {}: {}", axis.name, axis.file);
+        const std::string text = read_text_file(axis.file);
+        for (const std::string_view line : split_text(text, '\n'))
+            identity.scene_text += fmt::format("\n# {}", line);
+    }
+    return identity;
+}
+
+std::vector<std::string> SweepJob::row_settings(int row) const {
+    std::vector<std::string> settings = settings_;
+    for (std::string& setting : settings_of(plan_, row)) settings.push_back(std::move(setting));
+    return settings;
+}
+
+MachineSpec SweepJob::machine(int row) const {
+    const auto load = [](const std::filesystem::path& file, std::span<const std::string> settings) {
+        return camopt::load_scene(file, settings);
+    };
+    try {
+        return input::read_machine(request_.scene, load, row_settings(row));
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", row_text(plan_, row), error.what()));
+    }
+}
+
+SweepColumns SweepJob::check() {
+    if (!is_machine_) return check_rows(scenes_);
+    for (int row = 0; row < plan_.rows(); ++row) (void)machine(row);
+    SweepColumns columns;
+    columns.keys = plan_.keys;
+    columns.machine = true;
+    return columns;
+}
+
+/// A machine takes seconds, and no row learns from another.
+int SweepJob::chunk_size() {
+    return is_machine_ ? 1 : chunk_size_for(scenes_);
+}
+
+SweepRow SweepJob::solve_machine_row(int row, const SweepFolder& folder) const {
+    MachineOptions options;
+    options.explain = request_.results;  // the table has no place for what each limit would have to be
+    MachineSolution solution = solve_machine(machine(row), options);
+    const SweepRow found = machine_row(row, plan_.row(row), solution);
+    if (request_.results)
+        write_machine_folder(folder.path() / "rows" / fmt::format("{:06}", row),
+                             {request_.scene, row_settings(row)}, solution);
+    return found;
+}
+
+std::vector<SweepRow> SweepJob::solve(RowRange rows, const SweepFolder& folder,
+                                      const std::function<void(const SweepRow&)>& row_done) {
+    if (!is_machine_) return solve_chunk(scenes_, rows, {}, row_done, keeper(folder));
+    std::vector<SweepRow> solved;
+    for (int row = rows.begin; row < rows.end; ++row) {
+        try {
+            solved.push_back(solve_machine_row(row, folder));
+        } catch (const std::exception& error) {
+            solved.push_back(failed_row(row, plan_.row(row), fmt::format("error: {}", error.what())));
+        }
+        if (row_done) row_done(solved.back());
+    }
+    return solved;
 }
 
 std::function<void(int row, const Solution&)> SweepJob::keeper(const SweepFolder& folder) const {
     if (!request_.results) return {};
     return [this, place = folder.path() / "rows"](int row, const Solution& solution) {
-        std::vector<std::string> settings = settings_;
-        for (std::string& setting : settings_of(plan_, row)) settings.push_back(std::move(setting));
         const RunOrigin origin{request_.scene, "",
-                               input::scene_with_overrides(scene_.text, scene_.name, settings)};
+                               input::scene_with_overrides(scene_.text, scene_.name, row_settings(row))};
         write_result_folder(place / fmt::format("{:06}", row), View(solution), origin,
                             {.for_programs = true});
     };
@@ -175,12 +246,11 @@ void FolderLock::leave_to_parent() {
 PoolTask chunk_task(const SweepFolder& folder, SweepJob& job) {
     PoolTask task;
     task.work = [&](int chunk, const std::function<void(int)>& tell) {
-        folder.write_chunk(chunk, solve_chunk(
-                                      job.scenes(), folder.identity().chunking.range(chunk), {},
-                                      [&](const SweepRow& row) { tell(row.number); }, job.keeper(folder)));
+        folder.write_chunk(chunk, job.solve(folder.identity().chunking.range(chunk), folder,
+                                            [&](const SweepRow& row) { tell(row.number); }));
     };
     task.lost = [&](int chunk, const std::string& reason) {
-        write_lost_chunk(folder, job.scenes().plan(), chunk, reason);
+        write_lost_chunk(folder, job.plan(), chunk, reason);
     };
     return task;
 }

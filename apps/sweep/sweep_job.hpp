@@ -8,6 +8,7 @@
 #include "apps/sweep/worker_pool.hpp"
 #include "output/json/sweep_json.hpp"
 #include "output/report/sweep_folder.hpp"
+#include "scene/machine_spec.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <filesystem>
@@ -32,25 +33,37 @@ class FolderLock {
     int file_ = -1;
 };
 
-/// Scene, settings and rows of the words of a command line. The constructor throws InputError.
+/// Scene or machine, settings and rows of the words of a command line. The constructor throws InputError.
 class SweepJob {
  public:
     explicit SweepJob(const SweepRequest& request);
     SweepJob(const SweepJob&) = delete;
     SweepJob& operator=(const SweepJob&) = delete;
 
-    [[nodiscard]] SweepScenes& scenes() { return scenes_; }
-    /// What a worker does with a solution, where a result folder for every row is asked for; else empty.
-    [[nodiscard]] std::function<void(int row, const Solution&)> keeper(const SweepFolder& folder) const;
+    [[nodiscard]] const SweepPlan& plan() const { return plan_; }
+    /// Reads and checks every row; throws InputError naming the first wrong one.
+    [[nodiscard]] SweepColumns check();
+    [[nodiscard]] int chunk_size();
+    /// Rows solved one after another, with their result folders where these are asked for.
+    [[nodiscard]] std::vector<SweepRow> solve(RowRange rows, const SweepFolder& folder,
+                                              const std::function<void(const SweepRow&)>& row_done);
+    /// Of the first row; null: a machine.
+    [[nodiscard]] const Scene* first_scene() { return is_machine_ ? nullptr : &scenes_.scene(0); }
     /// What a folder of this sweep says of itself, with these columns and chunks.
     [[nodiscard]] SweepIdentity identity(const SweepColumns& columns, const Chunking& chunking) const;
 
  private:
+    [[nodiscard]] std::vector<std::string> row_settings(int row) const;  ///< of all rows, then its own
+    [[nodiscard]] MachineSpec machine(int row) const;
+    [[nodiscard]] SweepRow solve_machine_row(int row, const SweepFolder& folder) const;
+    [[nodiscard]] std::function<void(int row, const Solution&)> keeper(const SweepFolder& folder) const;
+
     SweepRequest request_;
     SceneText scene_;
     std::vector<std::string> settings_;
     SweepPlan plan_;
-    SweepScenes scenes_;
+    bool is_machine_;
+    SweepScenes scenes_;  ///< unless it is a machine
 };
 
 /// The folder of --out, held against other programs: a new one, or with --resume the one that holds this very

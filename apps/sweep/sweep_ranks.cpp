@@ -269,7 +269,7 @@ ExitCode be_rank_zero(const SweepRequest& request, MessagePassing& messages, Ran
         throw;
     }
     messages.finish();
-    return finish_sweep(work->folder(), &job->scenes().scene(0), request.units);
+    return finish_sweep(work->folder(), job->first_scene(), request.units);
 }
 
 /// Every other rank: carries messages between its crew and rank 0.

@@ -92,6 +92,8 @@ class KeyCheck {
             hint = fmt::format("; did you mean '{}'?", row->key(row->spellings.front()));
         if (const std::string meant = key_meant(table, member.name); !meant.empty())  // a synonym
             hint = did_you_mean({meant});
+        if (table.empty() && member.name == "machine")
+            hint = "; this is a file of a machine, for camopt machine and camopt sweep";
         for (const KeyRow& row : scene_keys())  // in the wrong table
             if (hint.empty() && match_key(row.table, member.name).row != nullptr)
                 hint = fmt::format("; did you mean '{}'?", joined_key(row.table, member.name));

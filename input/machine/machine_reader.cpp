@@ -34,7 +34,15 @@ class MachineReader {
  public:
     MachineReader(const std::filesystem::path& file, std::span<const std::string> settings)
         : file_(file), name_(file.string()), root_(parse_document(scene_file_text(file), name_)) {
-        apply_overrides(root_, settings);
+        std::vector<std::string> own;
+        for (const std::string& setting : settings) {
+            const std::string name = setting.substr(0, setting.find_first_of(".="));
+            if (is_axis(name) && setting[name.size()] == '.')
+                of_axes_.emplace_back(name, setting.substr(name.size() + 1));
+            else
+                own.push_back(setting);
+        }
+        apply_overrides(root_, own);
     }
 
     MachineSpec read(const AxisLoader& load) const {
@@ -49,8 +57,9 @@ class MachineReader {
             machine.clearances.push_back(clearance(node, path, machine));
         });
         for (AxisSpec& axis : machine.axes) {
-            const std::vector<std::string> speed = {speed_setting(machine.least_speed)};
-            axis.scene = load(axis.file, speed);
+            for (const auto& [name, setting] : of_axes_)
+                if (name == axis.name) axis.settings.push_back(setting);
+            axis.scene = load(axis.file, all_settings(axis, machine));
         }
         if (const std::optional<SceneFault> fault = find_fault(machine)) fail(machine, *fault);
         check_units(machine);
@@ -65,9 +74,9 @@ class MachineReader {
             std::size_t index = 0;
             std::from_chars(member.data() + 5, member.data() + scene, index);
             const AxisSpec& axis = machine.axes.at(index);
-            const std::vector<std::string> speed = {speed_setting(machine.least_speed)};
+            const std::vector<std::string> settings = all_settings(axis, machine);
             const std::string toml = scene_file_text(axis.file);
-            fail_in_scene({toml, axis.file, speed}, std::string_view(member).substr(scene + 8), what);
+            fail_in_scene({toml, axis.file, settings}, std::string_view(member).substr(scene + 8), what);
         }
         const Node* node = &root_;
         Place place;
@@ -94,6 +103,22 @@ class MachineReader {
     const std::filesystem::path& file_;
     std::string name_;
     Node root_;
+    std::vector<std::pair<std::string, std::string>> of_axes_;  ///< axis, setting of its scene
+
+    [[nodiscard]] bool is_axis(const std::string& name) const {
+        const Member* const axes = root_.find("axis");
+        return axes && std::ranges::find(root_keys.allowed, name) == root_keys.allowed.end() &&
+               std::ranges::any_of(axes->value.items, [&](const Node& axis) {
+                   const Member* const own = axis.kind == NodeKind::table ? axis.find("name") : nullptr;
+                   return own && own->value.kind == NodeKind::text && own->value.text == name;
+               });
+    }
+    [[nodiscard]] static std::vector<std::string> all_settings(const AxisSpec& axis,
+                                                               const MachineSpec& machine) {
+        std::vector<std::string> all = axis.settings;
+        all.push_back(speed_setting(machine.least_speed));
+        return all;
+    }
 
     [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const {
         throw PlacedError(place, error_prefix(name_, place, key) + std::string(what));
@@ -253,6 +278,29 @@ class MachineReader {
 MachineSpec read_machine(const std::filesystem::path& file, const AxisLoader& load,
                          std::span<const std::string> settings) {
     return MachineReader(file, settings).read(load);
+}
+
+std::vector<std::string> machine_settings(std::span<const std::string> settings, const MachineSpec& machine) {
+    std::vector<std::string> own;
+    std::ranges::copy_if(settings, std::back_inserter(own), [&](const std::string& setting) {
+        return std::ranges::none_of(machine.axes, [&](const AxisSpec& axis) {
+            return setting.starts_with(axis.name + ".") &&
+                   std::ranges::find(axis.settings, setting.substr(axis.name.size() + 1)) !=
+                       axis.settings.end();
+        });
+    });
+    return own;
+}
+
+std::optional<std::string> machine_title(std::string_view toml) {
+    try {
+        const Node root = parse_document(toml, "");
+        if (!root.find("machine")) return {};
+        const Member* const title = root.find("title");
+        return title && title->value.kind == NodeKind::text ? title->value.text : std::string();
+    } catch (const InputError&) {
+        return {};  // whoever reads it says what is wrong
+    }
 }
 
 std::string speed_setting(double speed) {

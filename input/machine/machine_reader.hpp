@@ -14,9 +14,17 @@ namespace camopt::input {
 using AxisLoader =
     std::function<Scene(const std::filesystem::path& file, std::span<const std::string> settings)>;
 
-/// `settings`: "KEY=VALUE" of the machine file. The speed of every axis is the least one of the machine.
+/// `settings`: "KEY=VALUE" of the machine file, or "AXIS.KEY=VALUE" of the scene of an axis, by its name. The
+/// speed of every axis is the least one of the machine.
 [[nodiscard]] MachineSpec read_machine(const std::filesystem::path& file, const AxisLoader& load,
                                        std::span<const std::string> settings = {});
+
+/// Those of the settings that are the machine file's own.
+[[nodiscard]] std::vector<std::string> machine_settings(std::span<const std::string> settings,
+                                                        const MachineSpec& machine);
+
+/// The title, perhaps empty, of a TOML text that is a machine file: one with a table [machine].
+[[nodiscard]] std::optional<std::string> machine_title(std::string_view toml);
 
 /// The setting of an axis's scene for a speed of the machine, rad/s: "motion.speed_rpm=…" to 15 digits.
 [[nodiscard]] std::string speed_setting(double speed);

@@ -30,6 +30,14 @@ constexpr std::array<TrainColumn, 3> train_columns = {
      {"dynamic_acceleration", &SweepTrain::dynamic_acceleration},
      {"dynamic_contact_force", &SweepTrain::contact_force}}};
 
+/// Columns of a sweep of machines.
+struct MachineColumn {
+    const char* name;
+    std::optional<double> SweepMachine::*value;
+};
+constexpr std::array<MachineColumn, 2> machine_columns = {
+    {{"speed_rpm", &SweepMachine::speed}, {"impossible_above_rpm", &SweepMachine::impossible_above}}};
+
 constexpr std::array<SweepCamColumn, 3> cam_columns = {
     {{"pressure_angle_deg", "largest pressure angle", &SweepCam::pressure_angle, true},
      {"convex_radius_mm", "least convex radius of the cam", &SweepCam::convex_radius, false},
@@ -45,7 +53,8 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
     for (const double value : row.settings) line.number(value);
     line.words(name_of(row.verdict)).words(row.reason).count(row.on_front ? 1 : 0);
     line.number(row.objective).number(row.lower_bound).number(row.gap).number(row.any_curve_limit);
-    for (const std::optional<double>& figure : row.figures) line.number(figure);
+    if (!columns.machine)
+        for (const std::optional<double>& figure : row.figures) line.number(figure);
     const auto shown = [&](const ShownUnit& unit, const std::optional<double>& si) {
         line.number(si ? std::optional(unit.of(*si)) : std::nullopt);
     };
@@ -54,11 +63,15 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
         for (const SweepCamColumn& column : cam_columns) shown(column.file_unit(), row.cam.*column.value);
     if (columns.train)
         for (const TrainColumn& column : train_columns) line.number(row.train.*column.value);
+    if (columns.machine)
+        for (const MachineColumn& column : machine_columns) shown(rpm_shown, row.machine.*column.value);
     line.words(fmt::format("{}", fmt::join(row.active_limits, between_limits))).words(proof_cell(row));
     const EvaluationCounts& counts = row.evaluations;
-    line.count(row.iterations).count(row.exchange_rounds);
-    line.count(counts.cost).count(counts.gradient).count(counts.constraints).count(counts.jacobian);
-    line.count(counts.hessian).count(counts.profile_points);
+    if (!columns.machine)
+        for (const long count :
+             {static_cast<long>(row.iterations), static_cast<long>(row.exchange_rounds), counts.cost,
+              counts.gradient, counts.constraints, counts.jacobian, counts.hessian, counts.profile_points})
+            line.count(count);
     return line.number(row.seconds_solve).number(row.seconds_total).finish();
 }
 
@@ -146,7 +159,8 @@ SweepRow read_row(const SweepColumns& columns, Cells cells) {
     row.on_front = cells.number<int>() != 0;
     for (auto* value : {&row.objective, &row.lower_bound, &row.gap, &row.any_curve_limit})
         *value = cells.number_or_none();
-    for (auto& figure : row.figures) figure = cells.number_or_none();
+    if (!columns.machine)
+        for (auto& figure : row.figures) figure = cells.number_or_none();
     for (const DimensionIndex index : columns.dimensions)
         row.dimensions[static_cast<std::size_t>(index)] = si_value(millimetres_shown, cells.number_or_none());
     if (columns.cam())
@@ -154,14 +168,19 @@ SweepRow read_row(const SweepColumns& columns, Cells cells) {
             row.cam.*column.value = si_value(column.file_unit(), cells.number_or_none());
     if (columns.train)
         for (const TrainColumn& column : train_columns) row.train.*column.value = cells.number_or_none();
+    if (columns.machine)
+        for (const MachineColumn& column : machine_columns)
+            row.machine.*column.value = si_value(rpm_shown, cells.number_or_none());
     row.active_limits = cells.list();
     row.proved_from = cells.proved_from();
-    row.iterations = cells.number<int>();
-    row.exchange_rounds = cells.number<int>();
-    EvaluationCounts& counts = row.evaluations;
-    for (long* count : {&counts.cost, &counts.gradient, &counts.constraints, &counts.jacobian,
-                        &counts.hessian, &counts.profile_points})
-        *count = cells.number<long>();
+    if (!columns.machine) {
+        row.iterations = cells.number<int>();
+        row.exchange_rounds = cells.number<int>();
+        EvaluationCounts& counts = row.evaluations;
+        for (long* count : {&counts.cost, &counts.gradient, &counts.constraints, &counts.jacobian,
+                            &counts.hessian, &counts.profile_points})
+            *count = cells.number<long>();
+    }
     row.seconds_solve = cells.number<double>();
     row.seconds_total = cells.number<double>();
     return row;
@@ -179,6 +198,7 @@ SweepColumns read_columns(const CsvRecord& record, std::string_view name) {
             columns.dimensions.push_back(index);
     }
     columns.train = std::find(verdict, cells.end(), train_columns.front().name) != cells.end();
+    columns.machine = std::find(verdict, cells.end(), machine_columns.front().name) != cells.end();
     if (cells != sweep_csv_columns(columns))
         throw InputError(fmt::format("{}:{}: found other columns than those of a sweep; allowed: {}", name,
                                      record.line, fmt::join(sweep_csv_columns(columns), ",")));
@@ -246,15 +266,20 @@ std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
     };
     names.insert(names.end(), columns.keys.begin(), columns.keys.end());
     add({"verdict", "reason", "pareto_front", "objective", "lower_bound", "gap", "any_curve_limit"});
-    for (int i = 0; i < sweep_figure_count; ++i) add({name_of(static_cast<SweepFigure>(i))});
+    for (int i = 0; i < sweep_figure_count && !columns.machine; ++i)
+        add({name_of(static_cast<SweepFigure>(i))});
     for (const DimensionIndex index : columns.dimensions) names.push_back(dimension_column(index));
     if (columns.cam())
         for (const SweepCamColumn& column : cam_columns) names.emplace_back(column.name);
     if (columns.train)
         for (const TrainColumn& column : train_columns) names.emplace_back(column.name);
-    add({"active_limits", "proof", "iterations", "exchange_rounds", "cost_evaluations",
-         "gradient_evaluations", "constraint_evaluations", "jacobian_evaluations", "hessian_evaluations",
-         "profile_points", "seconds_solve", "seconds_total"});
+    if (columns.machine)
+        for (const MachineColumn& column : machine_columns) names.emplace_back(column.name);
+    add({"active_limits", "proof"});
+    if (!columns.machine)
+        add({"iterations", "exchange_rounds", "cost_evaluations", "gradient_evaluations",
+             "constraint_evaluations", "jacobian_evaluations", "hessian_evaluations", "profile_points"});
+    add({"seconds_solve", "seconds_total"});
     return names;
 }
 

@@ -152,7 +152,8 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
                     feasible, optimal, on_front)};
     page.set_verdict(feasible > 0 ? "good" : "bad", "Results of the sweep", sentences);
     Settings settings;
-    const bool with_scenes = table.rows.size() <= static_cast<std::size_t>(most_scenes_of_page);
+    const bool machine = table.columns.machine;
+    const bool with_scenes = !machine && table.rows.size() <= static_cast<std::size_t>(most_scenes_of_page);
     for (const SweepRow& row : table.rows) {
         std::vector<std::string> own(table.columns.keys.size());
         for (std::size_t k = 0; k < own.size(); ++k)
@@ -195,15 +196,16 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
     page.set_axes(is_weight_sweep(table) ? "A" : by,
                   is_weight_sweep(table) ? "V" : quantities.front().symbol);
     page.set_picture(sweep_svg(picture));
-    page.set_scenes({identity.scene_file, "", identity.scene_text}, settings);
+    if (!machine) page.set_scenes({identity.scene_file, "", identity.scene_text}, settings);
     if (!with_scenes) {
-        std::string command = fmt::format("camopt solve {}", shell_word(identity.scene_file));
+        std::string command =
+            fmt::format("camopt {} {}", machine ? "machine" : "solve", shell_word(identity.scene_file));
         for (const std::string& setting : identity.settings) command += " --set " + shell_word(setting);
         page.set_without_scenes(
-            fmt::format(
-                "This page contains no scenes: the sweep has more than {} rows. The scene of a row is "
-                "solved by the command line:",
-                most_scenes_of_page),
+            machine ? "The machine of a row is solved by the command line:"
+                    : fmt::format("This page contains no scenes: the sweep has more than {} rows. The scene "
+                                  "of a row is solved by the command line:",
+                                  most_scenes_of_page),
             command);
     }
     return page.html();

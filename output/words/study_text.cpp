@@ -55,16 +55,24 @@ std::string physical_text(const SweepTable& table, const SweepRow& row, const Sc
     return text.empty() ? text : "    peaks there: " + text + "\n";
 }
 
+/// Of machines whose speed is searched the fastest one, else the row of the least objective.
 std::string best_line(const SweepTable& table, const Scene* scene) {
-    const SweepRow* best = nullptr;
-    for (const SweepRow& row : table.rows)
+    const SweepRow *best = nullptr, *fastest = nullptr;
+    bool searched = false;
+    for (const SweepRow& row : table.rows) {
+        searched = searched || row.machine.impossible_above;
         if (row.objective && (!best || *row.objective < *best->objective)) best = &row;
+        if (row.machine.speed && (!fastest || *row.machine.speed > *fastest->machine.speed)) fastest = &row;
+    }
+    if (searched && fastest) best = fastest;
     if (!best) return {};
     std::vector<std::string> settings(table.columns.keys.size());
     for (std::size_t i = 0; i < settings.size(); ++i)
         settings[i] = fmt::format("{} {}", table.columns.keys[i], short_text(best->settings[i]));
-    return fmt::format("  least objective: {} in row {} ({})\n", short_text(*best->objective, row_figures),
-                       best->number, fmt::join(settings, ", ")) +
+    const std::string what =
+        searched ? fmt::format("largest speed: {} rpm", short_text(rpm_shown.of(*best->machine.speed)))
+                 : fmt::format("least objective: {}", short_text(*best->objective, row_figures));
+    return fmt::format("  {} in row {} ({})\n", what, best->number, fmt::join(settings, ", ")) +
            (scene != nullptr ? physical_text(table, *best, *scene) : "");
 }
 

@@ -370,6 +370,30 @@ class MachineSearch {
 
 }  // namespace
 
+SweepRow machine_row(int number, std::span<const double> settings, const MachineSolution& solution) {
+    const Certificate& certificate = solution.certificate;
+    SweepRow row;
+    row.number = number;
+    row.settings.assign(settings.begin(), settings.end());
+    row.verdict = certificate.verdict;
+    row.reason = name_of(certificate.reason);
+    row.lower_bound = certificate.lower_bound;
+    row.gap = certificate.gap;
+    if (row.is_feasible()) {
+        row.objective = certificate.objective;
+        row.machine.speed = solution.speed;
+    }
+    row.machine.impossible_above = solution.impossible_above;
+    for (const MachineLimit& limit : solution.limited_by) {
+        const bool own = limit.axis >= 0;
+        row.active_limits.push_back(own ? solution.spec.axes[static_cast<std::size_t>(limit.axis)].name +
+                                              "." + limit.key
+                                        : limit.key);
+    }
+    row.seconds_solve = row.seconds_total = solution.seconds_total;
+    return row;
+}
+
 MachineSolution solve_machine(const MachineSpec& machine, const MachineOptions& options,
                               const SolveControl& control) {
     options.validate();

@@ -15,6 +15,7 @@
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/solver.hpp"
 #include "studies/delivered/solution.hpp"
+#include "studies/sweep/sweep_row.hpp"
 
 namespace camopt {
 
@@ -74,6 +75,10 @@ struct MachineSolution {
 /// "axis[0].scene.limits.cam_radius_min_mm") for a wrong machine.
 [[nodiscard]] MachineSolution solve_machine(const MachineSpec& machine, const MachineOptions& options = {},
                                             const SolveControl& control = {});
+
+/// What a machine's solution says, as a row of a sweep; `settings` as of SweepRow.
+[[nodiscard]] SweepRow machine_row(int number, std::span<const double> settings,
+                                   const MachineSolution& solution);
 
 /// The scene at another speed: everything written in units of time says what it said.
 [[nodiscard]] Scene at_speed(const Scene& scene, double speed);

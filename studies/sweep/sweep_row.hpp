@@ -31,6 +31,11 @@ struct SweepCam {
     std::optional<double> convex_radius, concave_radius;  ///< the least of the surface, m
 };
 
+/// Of a row of a machine, rad/s: its speed, and the one at which it is proved that no motions exist.
+struct SweepMachine {
+    std::optional<double> speed, impossible_above;
+};
+
 struct SweepRow {
     int number = 0;                ///< from 0, by the plan
     std::vector<double> settings;  ///< of SweepColumns::keys, in the unit of each key
@@ -41,7 +46,9 @@ struct SweepRow {
     std::array<std::optional<double>, dimension_count> dimensions{};  ///< by DimensionIndex; variable ones
     SweepCam cam;
     SweepTrain train;
-    std::vector<std::string> active_limits;  ///< keys as written, in the scene's order
+    SweepMachine machine;
+    /// Keys as written, in the scene's order; of a machine what stops it, the heaviest first.
+    std::vector<std::string> active_limits;
     /// The row whose motion this one has too, proved without a solve; none: it was solved.
     std::optional<int> proved_from = {};
     int iterations = 0, exchange_rounds = 0;
@@ -66,6 +73,7 @@ struct SweepColumns {
     std::vector<std::string> keys;           ///< varied, as the plan has them
     std::vector<DimensionIndex> dimensions;  ///< variable in at least one row
     bool train = false;                      ///< at least one row has a follower train
+    bool machine = false;  ///< the rows are machines of several axes: no figures of a motion
     /// What the Pareto front weighs against one another: the names of all figures and dimensions that carry a
     /// weight > 0 in at least one row.
     std::vector<std::string> criteria;

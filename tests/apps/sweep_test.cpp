@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt sweep from outside: what is solved, refused, interrupted, continued and joined.
 #include "core/text/text_file.hpp"
+#include "core/units.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "program.hpp"
 #include "sweep_run_of_program.hpp"
@@ -194,6 +195,58 @@ TEST_F(SweepCommand, RefusesAnotherSweepsFolder) {
     EXPECT_EQ(read_text_file(path("map") + "/sweep.csv"), before);
     EXPECT_EQ(run_sweep(again, path("log")), 0);  // nothing is left to do, and it says the same
     EXPECT_EQ(read_text_file(path("map") + "/sweep.csv"), before);
+}
+
+/// Keys of the machine file and of the scene of an axis; by workers, in parts, and as `camopt machine` says.
+TEST_F(SweepCommand, MachinesAreSweptLikeScenes) {
+    const std::string machine = scene_file("machines/cartoner");
+    const Words words = {"sweep",  machine,
+                         "--set",  "machine.speed_rpm={min=150,max=200}",
+                         "--vary", "pusher.limits.acceleration_m_s2=40,60",
+                         "--out"};
+    ASSERT_EQ(run_sweep(words + Words{path("whole"), "--results"}, path("whole")), 0) << errors("whole");
+    const SweepTable table = read_sweep_csv(read_text_file(path("whole") + "/sweep.csv"), "sweep.csv");
+    EXPECT_TRUE(table.columns.machine);
+    ASSERT_EQ(table.rows.size(), 2U);
+    for (const SweepRow& row : table.rows) {
+        EXPECT_EQ(row.verdict, Verdict::optimal) << row.reason;
+        ASSERT_TRUE(row.machine.speed && row.machine.impossible_above);
+        EXPECT_LE(*row.machine.impossible_above, *row.machine.speed * 1.0011);
+        EXPECT_FALSE(row.active_limits.empty());
+    }
+    EXPECT_GT(*table.rows[1].machine.speed, *table.rows[0].machine.impossible_above);
+    EXPECT_EQ(table.rows[0].active_limits.front().substr(0, 9), "clearance");
+    EXPECT_NE(output("whole").find("largest speed: "), std::string::npos) << output("whole");
+    // The folder of a row is that of camopt machine, and a machine again.
+    const std::string row = path("whole") + "/rows/000000/";
+    EXPECT_NE(read_text_file(row + "pusher.toml").find("acceleration_m_s2 = 40"), std::string::npos);
+    ASSERT_EQ(run_sweep({"machine", row + "machine.toml", "--json"}, path("again")), 0) << errors("again");
+    const std::string text = output("again");
+    const double again = std::stod(text.substr(text.find("\"speed_rpm\": ") + 13));
+    EXPECT_NEAR(*table.rows[0].machine.speed / units::revolution_per_minute, again, 1e-6 * again);
+    for (const char* part : {"1/2", "2/2"})
+        ASSERT_EQ(
+            run_sweep(words + Words{path("part" + std::string(part, 1)), "--shard", part, "--workers", "1"},
+                      path("log")),
+            0)
+            << errors("log");
+    ASSERT_EQ(
+        run_sweep({"sweep", "merge", path("part1"), path("part2"), "--out", path("merged")}, path("log")), 0)
+        << errors("log");
+    EXPECT_EQ(timeless_rows(path("merged")), timeless_rows(path("whole")));
+}
+
+TEST_F(SweepCommand, WrongMachineIsReportedBeforeStart) {
+    const std::string machine = scene_file("machines/cartoner");
+    EXPECT_EQ(
+        run_sweep({"sweep", machine, "--vary", "pusher.limits.acceleration_m_s2=40,-1", "--out", path("out")},
+                  path("log")),
+        2);
+    EXPECT_NE(errors("log").find("row 1 (pusher.limits.acceleration_m_s2=-1): "), std::string::npos)
+        << errors("log");
+    EXPECT_FALSE(std::filesystem::exists(path("out") + "/sweep.json"));
+    EXPECT_EQ(run_sweep({"solve", machine}, path("log")), 2);
+    EXPECT_NE(errors("log").find("for camopt machine"), std::string::npos) << errors("log");
 }
 
 TEST_F(SweepCommand, WorkersAndShardsMakeNoDifference) {

@@ -87,6 +87,27 @@ class MachineFile : public testing::Test {
     std::filesystem::path folder_;
 };
 
+TEST_F(MachineFile, SettingsReachMachineAndScenesOfAxes) {
+    write("machine.toml", machine);
+    const auto load = [](const std::filesystem::path& file, std::span<const std::string> settings) {
+        return read_scene_file(file, {.laws = {"modified_sine"}, .solvers = {}, .cam_formulas = cam_formulas},
+                               settings);
+    };
+    const std::vector<std::string> settings = {"clearance[0].at_least_mm=-30", "other.motion.lift_mm=60",
+                                               "other.motion.segments[0].to_mm=60"};
+    const MachineSpec read = read_machine(folder_ / "machine.toml", load, settings);
+    EXPECT_DOUBLE_EQ(read.clearances[0].at_least, -0.03);
+    EXPECT_DOUBLE_EQ(read.axes[0].scene.motion.lift, 0.05);
+    EXPECT_DOUBLE_EQ(read.axes[1].scene.motion.lift, 0.06);
+    EXPECT_TRUE(read.axes[0].settings.empty());
+    EXPECT_EQ(read.axes[1].settings.size(), 2U);
+    EXPECT_EQ(machine_settings(settings, read), std::vector{settings[0]});
+    const std::vector<std::string> wrong = {"other.motion.lift_mm=-1"};
+    EXPECT_NE(
+        refusal([&] { (void)read_machine(folder_ / "machine.toml", load, wrong); }).find("motion.lift_mm"),
+        std::string::npos);
+}
+
 TEST_F(MachineFile, IsReadInSiUnits) {
     const MachineSpec read_machine = read(machine);
     EXPECT_DOUBLE_EQ(read_machine.least_speed, 20.0 * units::revolution_per_minute);

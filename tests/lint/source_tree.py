@@ -46,7 +46,7 @@ MAY_INCLUDE["output/plc"] = {"core", "scene", "splines", "studies", "output"}
 # Machines of several axes: what is about one axis does not know them.
 MAY_INCLUDE["objectives/machine"] = MAY_INCLUDE["objectives"] | {"objectives"}
 MAY_INCLUDE["studies/machine"] = MAY_INCLUDE["studies"] | {"studies", "objectives/machine"}
-MAY_INCLUDE["output/machine"] = MAY_INCLUDE["output"] | {"output", "studies/machine"}
+MAY_INCLUDE["output/machine"] = MAY_INCLUDE["output"] | {"output", "output/page", "output/plc", "studies/machine"}
 # A page shows cams of every kind: of plane ones what their leaf says, of spatial ones what is drawn of them.
 MAY_INCLUDE["output/page"] = MAY_INCLUDE["output"] | {"output", "output/spatial"}
 # Every file of a solution by its name.

@@ -299,6 +299,12 @@ ChartPanel map_panel(const SweepTable& table, const SweepQuantity& quantity) {
 }  // namespace
 
 std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
+    if (table.columns.machine) {
+        std::vector<SweepQuantity> of_machine = {
+            unit_quantity("speed", rpm_shown, [](const SweepRow& row) { return row.machine.speed; })};
+        of_machine.push_back({"total objective", "f", [](const SweepRow& row) { return row.objective; }});
+        return of_machine;
+    }
     std::vector<SweepQuantity> quantities = {
         {"objective", "f", [](const SweepRow& row) { return row.objective; }},
         figure_quantity(SweepFigure::velocity, "V"),
@@ -349,7 +355,7 @@ std::string sweep_svg(const SweepPicture& picture) {
         chart.panels.push_back(triangle_panel(table, quantities[i]));
         if (i > 0) chart.panels.back().place = ChartPanel::Place::right;
     }
-    if (weights || (!lines && !map)) {
+    if (weights || (!lines && !map && !table.columns.machine)) {
         for (const auto& [across, up, colour] : {std::array<std::size_t, 3>{0, 1, 2}, {1, 2, 0}, {0, 2, 1}})
             if (!scale_of(table, quantities[across + 1]).range.empty())
                 chart.panels.push_back(plane_panel(picture, across, up, colour));
