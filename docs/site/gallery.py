@@ -15,16 +15,34 @@ import tomllib
 # Enough for all but the hardest, whose pages say what they came to within it; where that is nothing the next is tried.
 MOST_SECONDS = (8, 60)
 # Best first: what shows a scene at a glance.
-COVERS = ["cam.svg", "mechanism.svg", "guide.svg", "profile.svg", "motion.svg"]
-CAPTIONS = {"motion.svg": "The motion found", "profile.svg": "The cam", "profile_diagrams.svg": "Pressure angle and curvature",
+COVERS = ["timing.svg", "cam.svg", "mechanism.svg", "guide.svg", "profile.svg", "motion.svg"]
+CAPTIONS = {"timing.svg": "All axes and clearances over one revolution of the master", "drive.svg": "The motor",
+            "motion.svg": "The motion found", "profile.svg": "The cam", "profile_diagrams.svg": "Pressure angle and curvature",
             "mechanism.svg": "The mechanism", "guide.svg": "The guide", "cam.svg": "The cam", "curvature.svg": "Curvature",
             "pressure_angle.svg": "Pressure angle"}
 GROUPS = [("Motions between dwells", "drd_"), ("Rise and return", "rr_"), ("Disk cams", "cam_"), ("Cams with a linkage", "tappet_"),
           ("Cams in three dimensions", ("barrel_", "cylinder_", "ocrf_")), ("Others", "")]
+MACHINES = "Machines of several axes"
+
+
+def is_machine(scene):
+    return "machine" in tomllib.loads(scene.read_text(encoding="utf-8"))
+
+
+def axes_of(machine):
+    """The scene files of a machine's axes."""
+    return [machine.parent / axis["scene"] for axis in tomllib.loads(machine.read_text(encoding="utf-8"))["axis"]]
 
 
 def digest(program, scene):
-    return hashlib.sha256(pathlib.Path(program).read_bytes() + scene.read_bytes() + str(MOST_SECONDS).encode()).hexdigest()
+    axes = b"".join(axis.read_bytes() for axis in axes_of(scene)) if is_machine(scene) else b""
+    return hashlib.sha256(pathlib.Path(program).read_bytes() + scene.read_bytes() + axes + str(MOST_SECONDS).encode()).hexdigest()
+
+
+def words_of_call(scene, seconds):
+    """The subcommand and the options behind the scene's name."""
+    return ("machine", ["--max-seconds", str(seconds)]) if is_machine(scene) else (
+        "solve", ["--set", f"solver.max_seconds={seconds}"])
 
 
 def solved(program, scene, folder):
@@ -36,18 +54,19 @@ def solved(program, scene, folder):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     for seconds in MOST_SECONDS:
-        run = subprocess.run([program, "solve", scene, "--out", folder / "result", "--set", f"solver.max_seconds={seconds}"],
+        command, options = words_of_call(scene, seconds)
+        run = subprocess.run([program, command, scene, "--out", folder / "result", *options],
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if run.returncode in (0, 3):
             break
     if run.returncode not in (0, 3):
-        raise SystemExit(f"site: camopt solve {scene} ended with {run.returncode}: {run.stdout[-1000:]}")
+        raise SystemExit(f"site: camopt {command} {scene} ended with {run.returncode}: {run.stdout[-1000:]}")
     cam = tomllib.loads(scene.read_text()).get("cam", {})
     if run.returncode == 0 and cam.get("type") in ("barrel", "cylindrical"):
         subprocess.run([program, "export", folder / "result", "--out", folder / "result", "--picture"], check=True,
                        stdout=subprocess.DEVNULL)
     # Which files it wrote where is of no interest here.
-    words = "\n".join(line for line in run.stdout.split("\n") if not line.startswith("  wrote "))
+    words = "\n".join(line for line in run.stdout.split("\n") if not line.lstrip().startswith("wrote "))
     facts = {"digest": now, "words": words, "seconds": seconds}
     stamp.write_text(json.dumps(facts))
     return facts
@@ -67,11 +86,14 @@ def comment_of(text):
 class Gallery:
     def __init__(self, root, out, cache, program):
         self.root, self.out, self.cache, self.program = root, out, cache, program
-        self.scenes = sorted((root / "scenes").glob("**/*.toml"), key=by_number)
+        files = sorted((root / "scenes").glob("**/*.toml"), key=by_number)
+        axes = {axis for file in files if is_machine(file) for axis in axes_of(file)}
+        self.scenes = [file for file in files if file not in axes]  # an axis stands on its machine's page
 
     def places(self):
         """Of each scene's file its page on the site."""
-        return {str(scene.relative_to(self.root)): f"gallery/{scene.stem}.md" for scene in self.scenes}
+        files = [(scene, file) for scene in self.scenes for file in [scene, *(axes_of(scene) if is_machine(scene) else [])]]
+        return {str(file.relative_to(self.root)): f"gallery/{scene.stem}.md" for scene, file in files}
 
     def solve_all(self):
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
@@ -90,15 +112,15 @@ class Gallery:
     def write(self):
         (self.out / "gallery").mkdir(parents=True, exist_ok=True)
         facts = self.solve_all()
-        cards = {title: [] for title, _ in GROUPS}
+        cards = {title: [] for title in [*(title for title, _ in GROUPS[:-1]), MACHINES, GROUPS[-1][0]]}
         for scene in self.scenes:
             text = scene.read_text(encoding="utf-8")
             title = tomllib.loads(text)["title"]
             pictures = self.pictures(scene)
-            group = next(title for title, prefix in GROUPS if scene.stem.startswith(prefix))
+            group = MACHINES if is_machine(scene) else next(title for title, prefix in GROUPS if scene.stem.startswith(prefix))
             cards[group].append(card(scene, title, pictures))
-            (self.out / "gallery" / f"{scene.stem}.md").write_text(scene_page(scene, title, text, pictures, facts[scene]),
-                                                                   encoding="utf-8")
+            (self.out / "gallery" / f"{scene.stem}.md").write_text(scene_page(scene, scene.relative_to(self.root), title, text,
+                                                                              pictures, facts[scene]), encoding="utf-8")
         (self.out / "gallery/index.md").write_text(index_page(cards, self.scenes), encoding="utf-8")
         return len(self.scenes)
 
@@ -120,10 +142,13 @@ def index_page(cards, scenes):
     return "\n".join(parts) + f"\n```{{toctree}}\n:hidden:\n\n{names}\n```\n"
 
 
-def scene_page(scene, title, text, pictures, facts):
+def scene_page(scene, name, title, text, pictures, facts):
     parts = [f"# {title}\n\n{comment_of(text)}\n"]
-    parts += [f"![{CAPTIONS.get(name, name)}]({scene.stem}_{name})\n" for name in pictures]
-    parts.append(f"## Scene\n\n`scenes/{scene.name}`:\n\n```toml\n{text}```\n")
-    parts.append(f"## Result\n\n`camopt solve scenes/{scene.name} --set solver.max_seconds={facts['seconds']}` says:\n\n"
+    parts += [f"![{CAPTIONS.get(one, one)}]({scene.stem}_{one})\n" for one in pictures]
+    parts.append(f"## Scene\n\n`{name}`:\n\n```toml\n{text}```\n")
+    if is_machine(scene):
+        parts += [f"`{name.parent / axis.name}`:\n\n```toml\n{axis.read_text(encoding='utf-8')}```\n" for axis in axes_of(scene)]
+    command, options = words_of_call(scene, facts["seconds"])
+    parts.append(f"## Result\n\n`camopt {command} {name} {' '.join(options)}` says:\n\n"
                  f"```text\n{facts['words'].rstrip()}\n```\n")
     return "\n".join(parts)
