@@ -60,7 +60,7 @@ std::optional<DualityProof> relaxed_proof(const ContinuousProblem& problem, cons
     const RelaxedGrid grid(problem.grid(), point.slack);
     const BackendResult dual = make_structured_solver()->minimize(grid, point.x, options, control);
     if (!dual.row_multipliers || !dual.row_multipliers->allFinite()) return {};
-    DualityProof proof = duality_proof(grid, point.x, *dual.row_multipliers,
+    DualityProof proof = duality_proof(grid, dual.x, *dual.row_multipliers,
                                        problem.box(point.objective, point.slack), "objective");
     if (!std::isfinite(proof.bound)) return {};
     proof.limits_relaxed_by = point.slack;
@@ -72,9 +72,10 @@ constexpr double active_row = 1e-6;
 // Factor on the step towards the interior that the violation requires.
 constexpr double pull = 1.0 + 1e-6;
 
-/// Keeps the better of the current proof and that of these multipliers.
+/// Keeps the better of the current proof and that of these multipliers. `at`: the point they belong to, where
+/// curved rows and costs have the tangents that they balance; the delivered point may be a little off it.
 void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const Eigen::VectorXd& multipliers,
-               const std::string& source) {
+               const Eigen::VectorXd& at, const std::string& source) {
     const Nlp& grid = problem.grid();
     if (multipliers.size() != grid.shape().constraints() || !multipliers.allFinite()) return;
     Certificate& certificate = result.certificate;
@@ -82,7 +83,7 @@ void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const
     certificate.stationarity = std::min(certificate.stationarity.value_or(infinity), stationarity);
     if (!grid.shape().convex || !problem.convex(certificate.objective)) return;
     DualityProof proof =
-        duality_proof(grid, result.x, multipliers, problem.box(certificate.objective, 0.0), "objective");
+        duality_proof(grid, at, multipliers, problem.box(certificate.objective, 0.0), "objective");
     if (!std::isfinite(proof.bound)) return;
     if (certificate.lower_bound && *certificate.lower_bound >= proof.bound) return;
     certificate.lower_bound = proof.bound;
@@ -97,10 +98,10 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
     const auto proved = [&] { return result.certificate.gap && *result.certificate.gap <= judge.gap; };
     const BackendResult& last = result.exchange.last;
     if (last.row_multipliers)
-        try_proof(result, problem, *last.row_multipliers, std::string(solver.name()));
+        try_proof(result, problem, *last.row_multipliers, last.x, std::string(solver.name()));
     else if (!was_stopped(result.exchange.termination))
         try_proof(result, problem, fitted_multipliers(problem.grid(), result.x, active_row, control),
-                  "fitted");
+                  result.x, "fitted");
     if (proved() || !problem.grid().shape().convex || control.ending()) return;
     if (solver.name() == "structured" && was_stopped(result.exchange.termination)) return;
     // The grid of another backend's last round is a relaxation too: its dual is a bound for all curves.
@@ -108,7 +109,7 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
     options.tolerance = exchange.backend.tolerance;
     options.max_seconds = exchange.backend.max_seconds;
     const BackendResult dual = make_structured_solver()->minimize(problem.grid(), result.x, options, control);
-    if (dual.row_multipliers) try_proof(result, problem, *dual.row_multipliers, "structured");
+    if (dual.row_multipliers) try_proof(result, problem, *dual.row_multipliers, dual.x, "structured");
 }
 
 /// The first point of a solve: the problem's own start if it is feasible, else the point of least violation
