@@ -8,6 +8,7 @@
 #include "output/machine/machine_folder.hpp"
 #include "output/machine/machine_output.hpp"
 #include "output/report/result_folder.hpp"
+#include "studies/checked/checked_cam.hpp"
 
 #include <filesystem>
 
@@ -40,8 +41,9 @@ ExitCode machine_command(const MachineRequest& request) {
     if (!request.out.empty()) prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written: Ctrl-C must not lose them
     MachineSolution solution = solve_with_progress(request, machine);
-    const MachineRun run{request.scene, request.settings, request.plc, request.command,
-                         InterruptWatch::interrupted};
+    const MachineRun run{request.scene, request.settings, request.plc, request.command};
+    for (Solution& axis : solution.axes)
+        if (!request.out.empty() && !InterruptWatch::interrupted()) add_forward_check(axis);
     if (!request.out.empty()) write_machine_folder(request.out, run, solution);
     std::string text = request.json
                            ? machine_json(solution, {run.file, run.command, {}}, origins_of(run, solution))

@@ -15,6 +15,7 @@
 #include "output/page/study_html.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/study_text.hpp"
+#include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -183,9 +184,10 @@ SweepRow SweepJob::solve_machine_row(int row, const SweepFolder& folder) const {
     options.explain = request_.results;  // the table has no place for what each limit would have to be
     MachineSolution solution = solve_machine(machine(row), options);
     const SweepRow found = machine_row(row, plan_.row(row), solution);
-    if (request_.results)
-        write_machine_folder(folder.path() / "rows" / fmt::format("{:06}", row),
-                             {request_.scene, row_settings(row)}, solution);
+    if (!request_.results) return found;
+    for (Solution& axis : solution.axes) add_forward_check(axis);
+    write_machine_folder(folder.path() / "rows" / fmt::format("{:06}", row),
+                         {request_.scene, row_settings(row)}, solution);
     return found;
 }
 

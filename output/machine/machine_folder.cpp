@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/machine/machine_folder.hpp"
 
-#include "core/units.hpp"
 #include "input/machine/machine_reader.hpp"
 #include "input/scene_reader.hpp"
 #include "output/json/certificate_json.hpp"
@@ -10,7 +9,7 @@
 #include "output/page/page_html.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/result_folder.hpp"
-#include "studies/checked/checked_cam.hpp"
+#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -42,7 +41,7 @@ std::vector<RunOrigin> origins_of(const MachineRun& run, const MachineSolution& 
         for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s) {
             if (!solution.timing->searched[own][s]) continue;
             settings.push_back(fmt::format("motion.segments[{}].angle_deg={:.15g}", s,
-                                           motion.segments[s].angle / units::degree));
+                                           degrees_shown.of(motion.segments[s].angle)));
         }
         origins.push_back({axis.file, run.command,
                            input::scene_with_overrides(input::scene_file_text(axis.file), axis.file, settings,
@@ -52,12 +51,11 @@ std::vector<RunOrigin> origins_of(const MachineRun& run, const MachineSolution& 
 }
 
 void write_machine_folder(const std::filesystem::path& out, const MachineRun& run,
-                          MachineSolution& solution) {
+                          const MachineSolution& solution) {
     const std::vector<RunOrigin> origins = origins_of(run, solution);
     const RunOrigin own{run.file, run.command, {}};
     for (std::size_t b = 0; b < solution.axes.size(); ++b) {
-        Solution& axis = solution.axes[b];
-        if (!run.stopped || !run.stopped()) add_forward_check(axis);
+        const Solution& axis = solution.axes[b];
         const View view(axis);
         std::vector<FolderFile> also = result_extras(view, origins[b]);
         if (!run.plc.empty())

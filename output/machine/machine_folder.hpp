@@ -15,13 +15,13 @@ struct MachineRun {
     std::vector<std::string> settings;
     std::vector<std::string> plc = {};  ///< formats of electronic cams, for every axis
     std::string command = {};
-    std::function<bool()> stopped = {};  ///< true: cams are no longer checked forwards; empty: never
 };
 
 /// The scene of every axis as it was solved.
 [[nodiscard]] std::vector<RunOrigin> origins_of(const MachineRun& run, const MachineSolution& solution);
 
-/// Checks the cams forwards before. Throws InputError for a folder that cannot be written.
-void write_machine_folder(const std::filesystem::path& out, const MachineRun& run, MachineSolution& solution);
+/// Throws InputError for a folder that cannot be written.
+void write_machine_folder(const std::filesystem::path& out, const MachineRun& run,
+                          const MachineSolution& solution);
 
 }  // namespace camopt

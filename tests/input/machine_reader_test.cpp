@@ -87,7 +87,7 @@ class MachineFile : public testing::Test {
     std::filesystem::path folder_;
 };
 
-TEST_F(MachineFile, SettingsReachMachineAndScenesOfAxes) {
+TEST_F(MachineFile, SettingsReachMachineAndAxes) {
     write("machine.toml", machine);
     const auto load = [](const std::filesystem::path& file, std::span<const std::string> settings) {
         return read_scene_file(file, {.laws = {"modified_sine"}, .solvers = {}, .cam_formulas = cam_formulas},

@@ -12,15 +12,15 @@ ValueError; a numerical outcome is a verdict, never an exception. While a scene 
 Ctrl-C raises KeyboardInterrupt, and what was found until then is its attribute `solution` (`table`, `comparison`).
 """
 
-from ._camopt import (CompanionChange, Comparison, ComparisonRow, Constraint, InputError, Law, ModelError, Motion, Number, OwnTermValue,
-                      Peak, Peaks, Progress, Relaxation, Solution, Spline, SweepTable, UnavailableError, __version__,
+from ._camopt import (CompanionChange, Comparison, ComparisonRow, Constraint, InputError, Law, MachineSolution, ModelError, Motion, Number,
+                      OwnTermValue, Peak, Peaks, Progress, Relaxation, Solution, Spline, SweepTable, UnavailableError, __version__,
                       law, laws, licenses)
 from ._rules import DerivativeCheck, OwnLimit, OwnTerm, check_derivatives, limit, term
 from ._scene import Scene
-from ._solving import Solver, compare, solve
+from ._solving import Solver, compare, solve, solve_machine
 from ._sweep import simplex_weights, structured, sweep
 
-__all__ = ["CompanionChange", "Comparison", "ComparisonRow", "Constraint", "DerivativeCheck", "InputError", "Law", "ModelError", "Motion",
-           "Number", "OwnLimit", "OwnTerm", "OwnTermValue", "Peak", "Peaks", "Progress", "Relaxation", "Scene",
+__all__ = ["CompanionChange", "Comparison", "ComparisonRow", "Constraint", "DerivativeCheck", "InputError", "Law", "MachineSolution",
+           "ModelError", "Motion", "Number", "OwnLimit", "OwnTerm", "OwnTermValue", "Peak", "Peaks", "Progress", "Relaxation", "Scene",
            "Solution", "Solver", "Spline", "SweepTable", "UnavailableError", "check_derivatives", "compare", "law",
-           "laws", "licenses", "limit", "simplex_weights", "solve", "structured", "sweep", "term"]
+           "laws", "licenses", "limit", "simplex_weights", "solve", "solve_machine", "structured", "sweep", "term"]

@@ -279,6 +279,9 @@ class Solution:
     def own_terms(self) -> list[OwnTermValue]: """The user-defined terms, a list of OwnTermValue."""
     @property
     def constraints(self) -> list[Constraint]: """Every limit of the scene, a list of Constraint."""
+    @property
+    def drive(self) -> dict[str, float] | None:
+        """Torque, speed and power of the motor of [drive] as result.json has them; None without a motor."""
     def table(self) -> dict[str, Numbers]:
         """The motion as columns {name: array}: those of motion.csv, the unit in the name. 361 even cam angles, the
         breakpoints and the peaks; where the jerk jumps an angle stands twice."""
@@ -360,6 +363,43 @@ class Sequence:
     def __init__(self) -> None: ...
     def solve(self, scene: ReadScene, progress: _Callback = None) -> Solution:
         """As solve(), but an infeasible scene is not explained: no relaxation is searched."""
+
+class MachineSolution:
+    """What was found for a machine of several axes: its speed with the proof of what stops it, the motions."""
+    @property
+    def verdict(self) -> str: """"optimal", "local", "feasible", "infeasible" or "failed"."""
+    @property
+    def speed_rpm(self) -> float | None: """The speed of the motions delivered; None without any."""
+    @property
+    def impossible_above_rpm(self) -> float | None:
+        """The speed at which it is proved that no motions exist; None without a proof."""
+    @property
+    def at_standstill(self) -> bool: """Whether the machine contradicts itself at any speed."""
+    @property
+    def fun(self) -> float | None: """The total objective; None where nothing is delivered."""
+    @property
+    def axes(self) -> dict[str, Solution]: """A dict of one Solution an axis, by name; empty where there is none."""
+    @property
+    def notes(self) -> list[str]: """Notes on the result."""
+    @property
+    def seconds(self) -> float: """Wall time of the whole solve, s."""
+    def to_json(self) -> str: """What `camopt machine --json` prints."""
+    def to_dict(self) -> dict[str, Any]:
+        """The same as a dict: limited_by, clearances, timing, the result of every axis."""
+    def summary(self) -> str: """What `camopt machine` prints."""
+    def svg(self) -> str | None: """The timing diagram as SVG text; None where nothing is delivered."""
+    def write(self, folder: str, plc: Sequence_[str] = ...) -> None:
+        """Writes the folder that `camopt machine --out` writes. plc: formats of electronic cams, for every axis."""
+    def _repr_svg_(self) -> str | None: """For notebooks: the timing diagram."""
+
+def solve_machine(
+    file: str,
+    settings: Sequence_[str],
+    speed_gap: float | None = None,
+    max_seconds: float | None = None,
+    progress: _Callback = None,
+) -> MachineSolution:
+    """Solves a machine file with settings "KEY=VALUE", or "AXIS.KEY=VALUE" of the scene of an axis."""
 
 class SweepTable:
     """The rows of a sweep, by number: one solve each."""

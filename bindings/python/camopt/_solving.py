@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from typing import Any
 
 from . import _camopt
-from ._camopt import Comparison, InputError, ModelError, Progress, Solution, UnavailableError
-from ._scene import Scene
+from ._camopt import Comparison, InputError, MachineSolution, ModelError, Progress, Solution, UnavailableError
+from ._scene import Scene, _settings
 
 Callback = Callable[[Progress], object]
 
@@ -30,6 +31,20 @@ def solve(scene: Scene | None = None, /, *, progress: Callback | None = None, **
 def compare(scene: Scene | None = None, /, *, progress: Callback | None = None, **keys: Any) -> Comparison:
     """Every classical law on a scene (or keywords), compared with its optimum. Raises as solve() does."""
     return _camopt.compare(_given(scene, keys)._read, progress)
+
+
+def solve_machine(file: str | os.PathLike[str], keys: Mapping[str, Any] | None = None, /, *, speed_gap: float | None = None,
+                  max_seconds: float | None = None, progress: Callback | None = None) -> MachineSolution:
+    """The largest speed of a machine file (several axes on one master) with its proof, or at a given speed the motions of
+    least total objective, as `camopt machine` finds them.
+
+        found = camopt.solve_machine("cartoner.toml", {"axis[1].phase_deg": 10, "pusher.limits.acceleration_m_s2": 20})
+        found.speed_rpm, found.impossible_above_rpm, found.axes["pusher"].motion
+
+    keys: of the machine file, or of the scene of an axis behind its name. speed_gap: relative, of the largest speed
+    (1e-3); max_seconds: wall time (60). Raises InputError for a wrong file.
+    """
+    return _camopt.solve_machine(os.fspath(file), _settings(keys or {}), speed_gap, max_seconds, progress)
 
 
 class Solver:

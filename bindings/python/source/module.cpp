@@ -46,6 +46,7 @@ PYBIND11_MODULE(_camopt, module) {
     camopt::python::add_scenes(module);
     camopt::python::add_solutions(module);
     camopt::python::add_solving(module);
+    camopt::python::add_machines(module);
     camopt::python::add_sweeps(module);
     camopt::python::add_comparisons(module);
 }

@@ -96,6 +96,7 @@ void add_solutions(pybind11::module_& module);
 void add_files(pybind11::class_<struct SolvedScene>& type);
 void add_pickles(pybind11::class_<struct SolvedScene>& type);
 void add_solving(pybind11::module_& module);
+void add_machines(pybind11::module_& module);
 void add_sweeps(pybind11::module_& module);
 void add_comparisons(pybind11::module_& module);
 

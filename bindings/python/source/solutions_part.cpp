@@ -265,6 +265,13 @@ void add_motion_of(py::class_<SolvedScene>& type) {
             "own_terms", [](const SolvedScene& s) { return of(s).own_terms; },
             "The user-defined terms, a list of OwnTermValue.")
         .def_property_readonly("constraints", &constraints, "Every limit of the scene, a list of Constraint.")
+        .def_property_readonly(
+            "drive",
+            [](const SolvedScene& s) -> py::object {
+                if (!of(s).drive) return py::none();
+                return dictionary(s)["drive"];
+            },
+            "Torque, speed and power of the motor of [drive] as result.json has them; None without a motor.")
         .def("table", &table,
              "The motion as columns {name: array}: those of motion.csv, the unit in the name. 361 even cam "
              "angles, the\n"
