@@ -87,6 +87,20 @@ TEST(ServoAxis, LimitOfRmsIsConvexQuadratic) {
     EXPECT_EQ(none.conflict.front().key, "limits.motor_torque_rms_nm");
 }
 
+/// The tangent of the quadratic row is that at the solver's point: at the delivered one, a little inside, it
+/// missed the last 8e-6 of this bound.
+TEST(ServoAxis, CurvedRowIsProvedToLastDigits) {
+    const Solution solution = optimum_of(scene_of(
+        "[motion]\ntype = \"DRD\"\nlift_deg = 60\nspeed_rpm = 62\nmonotone = true\nrise_deg = 80\n"
+        "[spline]\ndegree = 5\nsegments = 14\n[drive]\nload_inertia_kg_m2 = 0.039\n"
+        "transmission_deg_per_rev = 36\nmoment_nm = -0.1965\nfriction_nm = 0.7209\n"
+        "[objective]\njerk = 0.1\nreference = { jerk = 50 }\n[limits]\n"
+        "motor_curve = [[0, 0.6529], [510, 0.6529], [1367, 0.1959]]\nmotor_torque_rms_nm = 0.1559\n"));
+    ASSERT_TRUE(solution.certificate.gap);
+    EXPECT_LE(*solution.certificate.gap, 1e-7);
+    EXPECT_NEAR(solution.drive->rms_torque, 0.1559, 1e-9);
+}
+
 TEST(ServoAxis, MotorCurveIsActiveAtCorner) {
     const std::string curve = "[limits]\nmotor_curve = [[0, 4.4], [900, 4.4], [2100, 1.2]]\n";
     const Solution solution =
