@@ -77,7 +77,7 @@ class SceneReader {
         scene.length_unit = written_length_unit();
         scene.motion = read_motion(source_, known_);
         scene.spline = read_spline();
-        if (!source_.table("objective") && !scene.motion.prescribed())
+        if (!source_.table("objective") && !scene.motion.prescribed() && !is_nearest())
             source_.fail({}, "objective", "missing; allowed: a [objective] table");
         scene.objective = read_objective();
         scene.cam = read_cam(source_, scene.motion, known_);
@@ -92,6 +92,7 @@ class SceneReader {
         scene.solver = read_solver();
         const std::optional<MeasuredInput> measured = read_measured(source_, scene.motion, known_);
         if (measured) scene.measured = measured->motion;
+        weigh_deviation(scene);
         if (const std::optional<SceneFault> fault = find_fault(scene)) {
             if (measured) fail_in_measured(source_, *measured, *fault);
             source_.fail_member(fault->member, words_of(*fault));
@@ -141,6 +142,19 @@ class SceneReader {
             {DesignKind::automatic, DesignKind::ordinates, DesignKind::coefficients, DesignKind::states},
             spline.design);
         return spline;
+    }
+
+    bool is_nearest() const {
+        const auto use = source_.find("measured", "use");
+        return use && use->value().text == "nearest";
+    }
+
+    /// measured.use = "nearest" is a weight; one that is given stays.
+    void weigh_deviation(Scene& scene) const {
+        const auto norm = source_.find("measured", "norm");
+        ObjectiveSpec& objective = scene.objective;
+        if (!is_nearest() || objective.deviation > 0.0 || objective.deviation_rms > 0.0) return;
+        (norm && norm->value().text == "rms" ? objective.deviation_rms : objective.deviation) = 1.0;
     }
 
     ObjectiveSpec read_objective() const {

@@ -4,8 +4,8 @@
 #include "core/numbers/polynomial.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/rules/energy_rule.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/point_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 
@@ -18,12 +18,6 @@ using Kind = StretchRequest::Kind;
 
 constexpr int parts_of_shape = 16;  // of a smooth piece of a law: sines squared are then exact to round-off
 constexpr double same_joint = 1e-9;
-
-/// A part of the motion with one constant torque: r F and friction of its stroke.
-struct DriveSpan {
-    double begin = -infinity, end = infinity;
-    double constant = 0.0;
-};
 
 int direction_of(const MotionFamily::Stretch& stretch) {
     if (stretch.kind == Kind::dwell) return 0;
@@ -125,9 +119,6 @@ class MotorPeakRule final : public WholeMotionRule {
             });
         return all;
     }
-    [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double>) const override {
-        return {};
-    }
     [[nodiscard]] std::string remark(std::span<const double> setting) const override {
         return setting[0] > 0.0 ? "torque +" : "torque -";
     }
@@ -153,36 +144,15 @@ class MotorPeakRule final : public WholeMotionRule {
     double reference_;
 };
 
-/// Of the root mean square over the cycle, level > 0: as a limit (m / level² − 1) / 2 <= 0, which is
-/// (rms − level) / level near it; as a term sqrt(m) / level − q.
-class MotorEnergyRule final : public WholeMotionRule {
+/// Of the torque over the cycle.
+class MotorEnergy {
  public:
-    MotorEnergyRule(std::string name, const Scene& scene, const MotionFamily& family, double level, int term)
-        : name_(std::move(name)),
-          torque_(drive_torque(*scene.drive, scene.motion)),
+    MotorEnergy(const Scene& scene, const MotionFamily& family)
+        : torque_(drive_torque(*scene.drive, scene.motion)),
           spans_(spans_of(scene, family)),
-          level_(level),
-          cycle_(cycle_of(scene, family)) {
-        if (term >= 0) parameters_.push_back(term);
-    }
-    [[nodiscard]] std::string name() const override { return name_; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] bool linear() const override { return false; }
-    [[nodiscard]] Curvature curvature(double, double) const override { return Curvature::convex; }
-    [[nodiscard]] int highest_order() const override { return 2; }
-    [[nodiscard]] bool limit() const override { return parameters_.empty(); }
-    [[nodiscard]] double scale() const override { return 1.0; }
-    [[nodiscard]] bool is_one_row() const override { return true; }
-    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
-        const double share = rms(motion) / level_;
-        const double value =
-            parameters_.empty() ? 0.5 * (share * share - 1.0) : share - (q.size() > 0 ? q[0] : 0.0);
-        return {{{value, motion.begin()}, {0.0}}};
-    }
-    [[nodiscard]] AffineRow row(const MotionFamily&, double, Side, std::span<const double>) const override {
-        throw ModelError(name_ + ": a quadratic rule has no linear row");
-    }
-    [[nodiscard]] std::optional<QuadraticForm> form(const MotionFamily& family) const override {
+          cycle_(cycle_of(scene, family)) {}
+
+    [[nodiscard]] QuadraticForm form(const MotionFamily& family, double level) const {
         EnergySum sum(family.size());
         double length = 0.0, whole = 0.0;
         for (const MotionFamily::Piece& piece : family.pieces()) {
@@ -190,7 +160,7 @@ class MotorEnergyRule final : public WholeMotionRule {
             if (piece.copy) continue;
             length += piece.end - piece.begin;
             visit_parts(spans_, piece.begin, piece.end, [&](double begin, double end, const DriveSpan& span) {
-                const std::array<double, 3> weights = torque_weights(torque_, span, 1.0 / level_);
+                const std::array<double, 3> weights = torque_weights(torque_, span, 1.0 / level);
                 visit_quadrature(begin, end, piece.segment < 0 ? parts_of_shape : 1,
                                  [&](double x, double weight) {
                                      AffineRow row{weights[2], {}, {}};
@@ -200,15 +170,10 @@ class MotorEnergyRule final : public WholeMotionRule {
             });
         }
         const double cycle = cycle_ * length / whole;  // copies are the same
-        const double rest = torque_.constant / level_;
+        const double rest = torque_.constant / level;
         if (cycle > length) sum.add(AffineRow{rest, {}, {}}, cycle - length);
         return sum.form(1.0 / cycle);
     }
-    [[nodiscard]] std::vector<Place> first() const override { return {{{0.0, 0.0}, {0.0}}}; }
-    [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double>) const override {
-        return {};
-    }
-    [[nodiscard]] std::string remark(std::span<const double>) const override { return {}; }
 
     [[nodiscard]] double rms(const Motion& motion) const {
         const std::vector<double> breakpoints = motion.breakpoints();
@@ -228,12 +193,20 @@ class MotorEnergyRule final : public WholeMotionRule {
     }
 
  private:
-    std::string name_;
     DriveTorque torque_;
     std::vector<DriveSpan> spans_;
-    std::vector<int> parameters_;
-    double level_, cycle_;
+    double cycle_;
 };
+
+std::shared_ptr<const EnergyRule> motor_energy_rule(std::string name, const Scene& scene,
+                                                    const MotionFamily& family, double level, int term) {
+    const auto energy = std::make_shared<const MotorEnergy>(scene, family);
+    return std::make_shared<const EnergyRule>(
+        std::move(name),
+        EnergyRule::Energy{[energy](const Motion& motion) { return energy->rms(motion); },
+                           [energy](const MotionFamily& own, double of) { return energy->form(own, of); }},
+        level, term);
+}
 
 /// |τ n|: a polynomial on a spline.
 class PowerRule final : public PointRule {
@@ -373,13 +346,12 @@ void add_curve_bounds(std::vector<MotionBound>& all, const Scene& scene,
 }  // namespace
 
 DriveAlong::DriveAlong(const Scene& scene) : torque_(drive_torque(*scene.drive, scene.motion)) {
-    for (const DriveSpan& span : spans_of(scene, scene_family(scene, DesignKind::states)))
-        spans_.push_back({span.begin, span.end, span.constant});
+    spans_ = spans_of(scene, scene_family(scene, DesignKind::states));
 }
 
 DrivePoint DriveAlong::at(const MotionPoint& point, Side side) const {
-    const Span* own = &spans_.front();
-    for (const Span& span : spans_)
+    const DriveSpan* own = &spans_.front();
+    for (const DriveSpan& span : spans_)
         if (side == Side::right ? point.x >= span.begin - same_joint : point.x > span.begin + same_joint)
             own = &span;
     return {
@@ -480,15 +452,13 @@ void add_drive_rules(CamModel& model, const Scene& scene) {
             parameter.defined_by =
                 std::make_shared<const MotorPeakRule>(scene, model.design, index, reference);
         else
-            parameter.defined_by =
-                std::make_shared<const MotorEnergyRule>(term.name, scene, model.design, reference, index);
+            parameter.defined_by = motor_energy_rule(term.name, scene, model.design, reference, index);
         (peak ? motor.peak_parameter : motor.rms_parameter) = index;
         if (peak) model.rules.emplace_back(parameter.defined_by);
         model.parameters.push_back(std::move(parameter));
     }
     if (const auto& limit = scene.limits.motor_torque_rms)
-        model.rules.emplace_back(
-            std::make_shared<const MotorEnergyRule>(limit->key, scene, model.design, limit->value, -1));
+        model.rules.emplace_back(motor_energy_rule(limit->key, scene, model.design, limit->value, -1));
 }
 
 }  // namespace camopt

@@ -24,6 +24,11 @@ namespace camopt {
 struct DrivePoint {
     double torque = 0.0, speed = 0.0;  ///< N m, rad/s
 };
+/// A part of the motion with one constant torque: r F and friction of its stroke.
+struct DriveSpan {
+    double begin = -infinity, end = infinity;
+    double constant = 0.0;
+};
 class DriveAlong {
  public:
     explicit DriveAlong(const Scene& scene);
@@ -31,10 +36,7 @@ class DriveAlong {
 
  private:
     DriveTorque torque_;
-    struct Span {
-        double begin = 0.0, end = 0.0, constant = 0.0;
-    };
-    std::vector<Span> spans_;
+    std::vector<DriveSpan> spans_;
 };
 
 /// The limits that are linear; none without a drive.

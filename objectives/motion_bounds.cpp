@@ -128,10 +128,6 @@ class AreaRule final : public WholeMotionRule {
         return sum;
     }
     [[nodiscard]] std::vector<Place> first() const override { return {{{0.0, 0.0}, {0.0}}}; }
-    [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double>) const override {
-        return {};
-    }
-    [[nodiscard]] std::string remark(std::span<const double>) const override { return {}; }
 
  private:
     std::vector<int> parameters_;

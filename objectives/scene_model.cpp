@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/deviation_rules.hpp"
 #include "objectives/drive_rules.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
@@ -389,6 +390,7 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_own_rules(model, scene);
     add_response_rules(model, scene);
     add_drive_rules(model, scene);
+    add_deviation_terms(model, scene);
     return model;
 }
 

@@ -34,7 +34,7 @@ constexpr std::array<CostTerm, cost_figure_count> rows = {{
      "Weight of the root mean square of the jerk.",
      "Reference of the root mean square of the jerk."},
 }};
-constexpr std::array<ResponseTerm, 5> response_rows = {{
+constexpr std::array<ResponseTerm, 7> response_rows = {{
     {ResponseFigure::residual, "residual", "R",
      &ObjectiveSpec::residual, &Reference::residual,
      "Weight of the residual vibration R, the amplitude of the output after each rise and return.",
@@ -56,6 +56,14 @@ constexpr std::array<ResponseTerm, 5> response_rows = {{
      &ObjectiveSpec::motor_torque_rms, &Reference::motor_torque_rms,
      "Weight of the root mean square of the motor's torque over the cycle: what heats the motor.",
      "Reference of the root mean square of the motor's torque, N m."},
+    {ResponseFigure::deviation, "deviation", "largest deviation",
+     &ObjectiveSpec::deviation, &Reference::deviation,
+     "Weight of the largest deviation from the rows of [measured].",
+     "Reference of that deviation, in lifts; without it 0.001."},
+    {ResponseFigure::deviation_rms, "deviation_rms", "rms deviation",
+     &ObjectiveSpec::deviation_rms, &Reference::deviation_rms,
+     "Weight of the root mean square of the deviations from the rows of [measured].",
+     "Reference of that root mean square, in lifts; without it 0.001."},
 }};
 // clang-format on
 

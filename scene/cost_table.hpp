@@ -40,7 +40,15 @@ struct CostTerm {
 
 /// Figures of the whole motion in addition to its peaks: responses of the elastic follower train, the lost
 /// area, and the torque of the motor.
-enum class ResponseFigure { residual, dynamic_acceleration, lost_area, motor_torque, motor_torque_rms };
+enum class ResponseFigure {
+    residual,
+    dynamic_acceleration,
+    lost_area,
+    motor_torque,
+    motor_torque_rms,
+    deviation,
+    deviation_rms
+};
 
 /// A term that is a rule of the whole motion. Its figure is not a member of Peaks: it depends on a train and
 /// a speed, or on all strokes together.
@@ -59,6 +67,9 @@ struct ResponseTerm {
     }
     [[nodiscard]] bool needs_drive() const {
         return figure == ResponseFigure::motor_torque || figure == ResponseFigure::motor_torque_rms;
+    }
+    [[nodiscard]] bool needs_measured() const {
+        return figure == ResponseFigure::deviation || figure == ResponseFigure::deviation_rms;
     }
 };
 [[nodiscard]] std::span<const ResponseTerm> response_terms();

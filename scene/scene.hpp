@@ -148,6 +148,7 @@ struct Reference {
     std::optional<double> residual, dynamic_acceleration;  ///< in lifts; in lifts by x²
     std::optional<double> area;                            ///< lost area, 1 − mean displacement in lifts
     std::optional<double> motor_torque, motor_torque_rms;  ///< N m
+    std::optional<double> deviation, deviation_rms;        ///< lifts; none: 0.001
     bool numeric = false;  ///< true: `law` plays no part, every number needed must be given
     friend bool operator==(const Reference&, const Reference&) = default;
 };
@@ -159,6 +160,7 @@ struct ObjectiveSpec {
     double residual = 0.0, dynamic_acceleration = 0.0;      ///< weights, >= 0; need dynamics
     double area = 0.0;  ///< weight, >= 0, of the lost area 1 − (1/L) ∫ y dx over the whole motion
     double motor_torque = 0.0, motor_torque_rms = 0.0;  ///< weights, >= 0; need a drive
+    double deviation = 0.0, deviation_rms = 0.0;        ///< weights, >= 0; need a measured motion
     /// Weights, >= 0, of the cam's variable dimensions divided by the lift (of an oscillating follower: by
     /// the lift times the centre distance); the offset counts by its magnitude.
     std::array<double, dimension_count> dimensions{};

@@ -193,8 +193,11 @@ Rows measured() {
         {"measured", "angles", text, plain, any, {"cam", "crank"}, "\"cam\"",
          "`\"crank\"`: `theta` and `step` are crank angles, two for one of the cam."},
         {"measured.zero", "deg", number, degrees, any, {}, "required", "Cam angle from the start of the motion."},
-        {"measured", "use", text, plain, any, {"compare", "start"}, "\"compare\"",
-         "`\"compare\"`: what the optimum gains over it. `\"start\"`: searches begin from it, too."},
+        {"measured", "use", text, plain, any, {"compare", "start", "nearest"}, "\"compare\"",
+         "`\"compare\"`: what the optimum gains over it. `\"start\"`: searches begin from it, too. `\"nearest\"`: the "
+         "optimum is the motion nearest to its rows (objective.deviation, or deviation_rms by `norm`)."},
+        {"measured", "norm", text, plain, any, {"peak", "rms"}, "\"peak\"",
+         "Of `\"nearest\"`: the largest deviation, or the root mean square of all."},
         {"measured", "name", text, plain, any, {}, "the file's", "Its name in reports."},
     };
 }

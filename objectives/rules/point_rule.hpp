@@ -146,9 +146,15 @@ class WholeMotionRule : public PointRule {
     /// It is one row, that of first(): no motion needs another.
     [[nodiscard]] virtual bool is_one_row() const { return false; }
     /// Further settings whose rows are added together with those of this one.
-    [[nodiscard]] virtual std::vector<std::vector<double>> beside(std::span<const double> setting) const = 0;
+    [[nodiscard]] virtual std::vector<std::vector<double>> beside(std::span<const double> setting) const {
+        static_cast<void>(setting);
+        return {};
+    }
     /// Identifies the row: "310 rpm".
-    [[nodiscard]] virtual std::string remark(std::span<const double> setting) const = 0;
+    [[nodiscard]] virtual std::string remark(std::span<const double> setting) const {
+        static_cast<void>(setting);
+        return {};
+    }
 
     /// Of a rule that is quadratic: (form − 1) / 2, a convex form of the entries of the family. It is then
     /// one row, and has no row().

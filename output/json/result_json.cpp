@@ -68,7 +68,18 @@ Json measured_json(const Solution& solution) {
     const ShownUnits units = file_units(solution.scene);
     const MotionUnit& output = units.motion[0].first;
     const double objective = solution.certificate.objective;
-    const bool gains = measured.objective && solution.motion && *measured.objective > 0.0;
+    const ObjectiveSpec& weights = solution.scene.objective;
+    const bool nearest = weights.deviation > 0.0 || weights.deviation_rms > 0.0;
+    const bool gains = measured.objective && solution.motion && *measured.objective > 0.0 && !nearest &&
+                       !follows_noise(measured);
+    Json laws = Json::array();
+    for (const LawMatch& match : measured.laws)
+        laws.push_back(
+            {{"law", match.law},
+             {"from_deg", number_json(match.begin * units.degrees_per_x)},
+             {"to_deg", number_json(match.end * units.degrees_per_x)},
+             {"largest_deviation_" + output.name, number_json(match.largest * output.per_normalised)},
+             {"rms_deviation_" + output.name, number_json(match.rms * output.per_normalised)}});
     return {{"name", words_json(measured.name)},
             {"rows", measured.rows},
             {"free_numbers", measured.freedom},
@@ -80,6 +91,7 @@ Json measured_json(const Solution& solution) {
             {"objective", number_json(measured.objective)},
             {"gain_percent",
              gains ? number_json(100.0 * (1.0 - objective / *measured.objective)) : Json(nullptr)},
+            {"nearest_laws", laws},
             {"started", measured.started}};
 }
 

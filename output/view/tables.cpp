@@ -161,11 +161,33 @@ std::string measured_sentence(const Solution& solution) {
             "; with {} free numbers, more than half as many as rows, the spline follows the noise of the "
             "table: fewer spline.segments smooth it",
             measured.freedom);
-    if (measured.objective && solution.motion && *measured.objective > 0.0) {
+    const ObjectiveSpec& objective = solution.scene.objective;
+    const bool nearest = objective.deviation > 0.0 || objective.deviation_rms > 0.0;
+    // Of noise no motion can be said to be better.
+    if (!nearest && !follows_noise(measured) && measured.objective && solution.motion &&
+        *measured.objective > 0.0) {
         const double gain = 100.0 * (1.0 - solution.certificate.objective / *measured.objective);
         text += fmt::format("; the optimum's objective is {} % {} than its {}", short_text(std::abs(gain), 3),
                             gain < 0.0 ? "more" : "less", short_text(*measured.objective));
     }
+    for (const OwnTermReport& term : solution.own_terms) {
+        if (!nearest || !term.of_scene || !term.name.starts_with("deviation")) continue;
+        const std::string what = term.name == "deviation" ? "largest deviation" : "rms deviation";
+        text +=
+            fmt::format("; the motion's {} from the table is {}", what, unit.normalised_text(term.value, 4));
+        const Certificate& certificate = solution.certificate;
+        const bool alone = certificate.lower_bound && solution.own_terms.size() == 1 &&
+                           certificate.verdict == Verdict::optimal;
+        if (alone && std::abs(term.weight * term.value / term.reference - certificate.objective) <=
+                         1e-9 * certificate.objective)
+            text +=
+                fmt::format(", and no motion of this spline space within these limits has one below {}",
+                            unit.normalised_text(*certificate.lower_bound * term.reference / term.weight, 4));
+    }
+    for (const LawMatch& match : measured.laws)
+        text += fmt::format("; nearest law: {} from {} to {} deg, deviation at most {} (rms {})", match.law,
+                            degrees_at(solution, match.begin), degrees_at(solution, match.end),
+                            unit.normalised_text(match.largest, 3), unit.normalised_text(match.rms, 3));
     if (measured.started) text += "; the search began from it, too";
     return text;
 }

@@ -179,11 +179,14 @@ Fault free_knot_fault(const Scene& scene) {
                          std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
                              return row.side != 0 && row.in(scene.limits).has_value();
                          });
-    if (bounded || scene.motion.start || scene.motion.end || scene.objective.area > 0.0)
+    const bool weighed = std::ranges::any_of(response_terms(), [&](const ResponseTerm& term) {
+        return !term.needs_dynamics() && !term.needs_drive() && term.weight_in(scene.objective) > 0.0;
+    });
+    if (bounded || scene.motion.start || scene.motion.end || weighed)
         return SceneFault{
             "spline.knots",
             "\"free\" with motion.start, motion.end, a corridor, a limit of one side or a weight "
-            "of the area",
+            "of the area or of a deviation",
             "\"fixed\""};
     const int segments =
         spline.breakpoints.empty() ? spline.segments : static_cast<int>(spline.breakpoints.size()) - 1;

@@ -2,6 +2,7 @@
 // Validation of a measured motion: enough rows, ascending angles over the whole motion, the displacements of
 // the scene.
 #include "core/units.hpp"
+#include "scene/cost_table.hpp"
 #include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>
@@ -131,6 +132,10 @@ Fault measured_fault(const Scene& scene) {
     if (scene.measured && scene.motion.prescribed())
         return SceneFault{"measured", "a measured motion in a prescribed program",
                           "a program with at least one segment of kind \"spline\", which is fitted to it"};
+    for (const ResponseTerm& term : response_terms())
+        if (!scene.measured && term.needs_measured() && term.weight_in(scene.objective) > 0.0)
+            return SceneFault{fmt::format("objective.{}", term.name), "a weight > 0 without [measured]",
+                              "0, or a table [measured] to deviate from"};
     if (!scene.measured) return std::nullopt;
     return MeasuredCheck(scene).fault();
 }

@@ -193,6 +193,13 @@ struct SolverReport {
     std::optional<int> proved_from = {};
 };
 
+/// The law of the catalogue that is nearest to the rows of one stroke, in the mean square, with its own ends.
+struct LawMatch {
+    std::string law;                  ///< its title
+    double begin = 0.0, end = 0.0;    ///< x
+    double largest = 0.0, rms = 0.0;  ///< |law − table| over the stroke, in lifts
+};
+
 /// A measured motion beside the delivered one: the spline of the scene's own space that is nearest to it in
 /// the mean square, and what that one is worth.
 struct MeasuredReport {
@@ -206,6 +213,7 @@ struct MeasuredReport {
     Peaks peaks;                                  ///< of the fit, as Solution::peaks
     std::optional<double> objective;  ///< of the fit by the scene's weights; none: not of the motion alone
     bool started = false;             ///< the search began from it too
+    std::vector<LawMatch> laws;       ///< of each stroke whose displacements are given
 };
 
 struct LimitCurve {  ///< the lower bound for every curve (motions/bounds/any_curve_limit.hpp)

@@ -2,6 +2,7 @@
 #include "studies/delivered/solution_parts.hpp"
 
 #include "core/units.hpp"
+#include "objectives/deviation_rules.hpp"
 #include "objectives/drive_rules.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
@@ -167,6 +168,15 @@ std::vector<OwnTermReport> own_term_reports(const Scene& scene, const Motion& mo
                            drive_reference(scene, scene_family(scene, DesignKind::states), term),
                            rms ? figures.rms_torque : figures.torque.value,
                            rms ? motion.begin() : figures.torque.at, rms, true});
+    }
+    for (const ResponseTerm& term : response_terms()) {
+        const double weight = term.weight_in(scene.objective);
+        if (!term.needs_measured() || !(weight > 0.0)) continue;
+        const Deviation found = deviation_of(measured_rows(scene, motion.begin(), motion.end()), motion);
+        const bool rms = term.figure == ResponseFigure::deviation_rms;
+        reports.push_back({term.name, weight, deviation_reference(scene, term),
+                           rms ? found.rms : found.largest.value, rms ? motion.begin() : found.largest.at,
+                           rms, true});
     }
     return reports;
 }

@@ -16,25 +16,6 @@ namespace {
 
 // Of the squares' own size: far below the square of what a double can tell of a displacement's error.
 constexpr double smoothing = 1e-12;
-// x: a row beyond the end by less is rounding of an angle.
-constexpr double end_slack = 1e-9;
-
-struct MeasuredRow {
-    double x = 0.0, y = 0.0;
-};
-
-/// Rows on the motion, in x and lifts.
-std::vector<MeasuredRow> rows_of(const MotionFamily& family, const MotionSpec& motion,
-                                 const MeasuredMotion& measured) {
-    std::vector<MeasuredRow> rows;
-    const double unit = motion.unit_angle();
-    for (std::size_t k = 0; k < measured.angle.size(); ++k) {
-        const double x = measured.angle[k] / unit;
-        if (x < family.begin() - end_slack || x > family.end() + end_slack) continue;
-        rows.push_back({std::clamp(x, family.begin(), family.end()), measured.displacement[k] / motion.lift});
-    }
-    return rows;
-}
 
 /// Entries stand for derivatives: in these units they are of the order of displacements.
 Eigen::VectorXd entry_units(const MotionFamily& family) {
@@ -148,9 +129,8 @@ bool weighs_motion_alone(const Scene& scene) {
 
 }  // namespace
 
-Eigen::VectorXd nearest_design(const MotionFamily& family, const MotionSpec& motion,
-                               const MeasuredMotion& measured) {
-    const std::vector<MeasuredRow> rows = rows_of(family, motion, measured);
+Eigen::VectorXd nearest_design(const MotionFamily& family, const Scene& scene) {
+    const std::vector<MeasuredRow> rows = measured_rows(scene, family.begin(), family.end());
     if (static_cast<int>(rows.size()) < family.freedom())
         throw SceneError(
             {"measured",
@@ -169,23 +149,18 @@ MeasuredReport measured_report(const Scene& scene, const Peaks& reference) {
     fit.scene = space_of(scene);
     fit.reference_peaks = reference;
     const MotionFamily family = scene_family(fit.scene, DesignKind::states);
-    const auto motion =
-        std::make_shared<const MotionChain>(family.motion(nearest_design(family, scene.motion, measured)));
+    const auto motion = std::make_shared<const MotionChain>(family.motion(nearest_design(family, scene)));
     MeasuredReport report;
     report.name = measured.name;
     report.motion = motion;
-    const std::vector<MeasuredRow> rows = rows_of(family, scene.motion, measured);
+    const std::vector<MeasuredRow> rows = measured_rows(scene, family.begin(), family.end());
     report.rows = static_cast<int>(rows.size());
     report.freedom = family.freedom();
-    double squares = 0.0;
-    for (const MeasuredRow& row : rows) {
-        const double error = std::abs(motion->at(row.x).derivative[0] - row.y);
-        squares += error * error;
-        if (error <= report.largest_error) continue;
-        report.largest_error = error;
-        report.at = row.x;
-    }
-    report.rms_error = std::sqrt(squares / static_cast<double>(rows.size()));
+    report.laws = nearest_laws(family, scene.motion.type == MotionType::rr, rows);
+    const Deviation deviation = deviation_of(rows, *motion);
+    report.largest_error = deviation.largest.value;
+    report.at = deviation.largest.at;
+    report.rms_error = deviation.rms;
     report_delivered(fit, {motion, {}});
     report.peaks = fit.peaks;
     if (weighs_motion_alone(scene)) report.objective = defined_objective(fit);

@@ -101,7 +101,7 @@ PosedScene::PosedScene(const Scene& scene, HeldStrokes held)
       model(scene_model(scale.scaled(), design_of(scene), reference, strokes)) {
     const bool measured = scene.measured && scene.measured->start && !searches_angles(scene);
     if (measured && model.design.contradictions().empty())
-        model.start_design = nearest_design(model.design, scene.motion, *scene.measured);
+        model.start_design = nearest_design(model.design, scene);
 }
 
 SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
@@ -131,7 +131,8 @@ SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
     // A root-mean-square term alone makes the optimum unique.
     plan.tie_break = scene.objective.tie_break != TieBreak::none &&
                      !weighs_any(scene.objective, CostTerm::Kind::rms) &&
-                     !(scene.objective.motor_torque_rms > 0.0) && !scene.motion.prescribed();
+                     !(scene.objective.motor_torque_rms > 0.0) && !scene.motion.prescribed() &&
+                     !(scene.objective.deviation_rms > 0.0);
     plan.proof = planned_proof(plan, posed, general);
     plan.seconds = scene.solver.max_seconds;
     if (options.explain) {

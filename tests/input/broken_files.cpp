@@ -195,7 +195,7 @@ std::vector<BrokenScene> broken_files() {
          "jerks = 1\n",
          "s.toml:4:1: objective.jerks: found an unknown key; allowed: velocity, acceleration, jerk, "
          "rms_acceleration, rms_jerk, torque, residual, dynamic_acceleration, area, "
-         "motor_torque, motor_torque_rms, base_radius, "
+         "motor_torque, motor_torque_rms, deviation, deviation_rms, base_radius, "
          "roller_radius, "
          "offset, center_distance, "
          "arm_length, face_offset, reference, tie_break; did you mean 'jerk'?"},
@@ -207,7 +207,7 @@ std::vector<BrokenScene> broken_files() {
          "reference = { jrk = 69 }\n",
          "s.toml:5:15: objective.reference.jrk: found an unknown key; allowed: velocity, acceleration, jerk, "
          "rms_acceleration, rms_jerk, torque, residual, dynamic_acceleration, area, "
-         "motor_torque, motor_torque_rms; did you mean 'jerk'?"},
+         "motor_torque, motor_torque_rms, deviation, deviation_rms; did you mean 'jerk'?"},
         {"unknown_limit",
          "[motion]\n"
          "type = \"DRD\"\n"

@@ -206,6 +206,9 @@ std::vector<KeyCase> measured_cases() {
          motion + "measured.table = \"measured.csv\"\n"},
         {"measured.use", "\"start\"", 1,
          [](const Scene& scene) { return scene.measured.value().start ? 1.0 : 0.0; }, both},
+        {"measured.norm", "\"rms\"", 1,
+         [](const Scene& scene) { return scene.objective.deviation_rms; },
+         both + "measured.use = \"nearest\"\n"},
         {"measured.name", "\"old cam\"", 1,
          [](const Scene& scene) { return scene.measured.value().name == "old cam" ? 1.0 : 0.0; }, both},
     };

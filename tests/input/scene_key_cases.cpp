@@ -96,6 +96,9 @@ std::vector<KeyCase> spline_cases() {
 std::vector<KeyCase> objective_cases() {
     using namespace scene_key_cases;
     const std::string table = "objective.reference.";
+    const std::string deviates =
+        "motion.rise_rad = 2\nmotion.lift_mm = 20\nmeasured.step_rad = 0.28571\n"
+        "measured.s_mm = [0, 1, 3, 7, 12, 17, 19, 20]\n";
     return {
         {"objective.velocity", "0.25", 0.25, [](const Scene& s) { return s.objective.velocity; }},
         {"objective.acceleration", "2", 2, [](const Scene& s) { return s.objective.acceleration; }},
@@ -104,6 +107,13 @@ std::vector<KeyCase> objective_cases() {
         {"objective.rms_jerk", "4", 4, [](const Scene& s) { return s.objective.rms_jerk; }},
         {"objective.area", "0.5", 0.5, [](const Scene& s) { return s.objective.area; }},
         {table + "area", "0.4", 0.4, [](const Scene& s) { return s.objective.reference.area.value(); }},
+        {"objective.deviation", "0.5", 0.5, [](const Scene& s) { return s.objective.deviation; }, deviates},
+        {"objective.deviation_rms", "0.5", 0.5, [](const Scene& s) { return s.objective.deviation_rms; },
+         deviates},
+        {table + "deviation", "0.4", 0.4,
+         [](const Scene& s) { return s.objective.reference.deviation.value(); }},
+        {table + "deviation_rms", "0.4", 0.4,
+         [](const Scene& s) { return s.objective.reference.deviation_rms.value(); }},
         {"objective.torque", "0.75", 0.75, [](const Scene& s) { return s.objective.torque; }},
         {"objective.reference", "\"cycloidal\"", 1,
          [](const Scene& s) { return s.objective.reference.law == "cycloidal" ? 1.0 : 0.0; }},

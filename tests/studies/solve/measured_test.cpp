@@ -4,6 +4,7 @@
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/deviation_rules.hpp"
 #include "objectives/scene_model.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/view/tables.hpp"
@@ -73,6 +74,7 @@ TEST(Measured, MotionInSpaceIsReproduced) {
 
 TEST(Measured, SparseTableIsReportedAsFollowingNoise) {
     const Solution sparse = solve(measured_scene(24, cycloid, 16));
+    EXPECT_EQ(measured_sentence(sparse).find('%'), std::string::npos);  // no gain over noise
     ASSERT_TRUE(sparse.measured);
     EXPECT_EQ(sparse.measured->freedom, 13);  // 16 + 3 coefficients, six of them fixed by the ends
     EXPECT_TRUE(follows_noise(*sparse.measured));
@@ -180,7 +182,7 @@ TEST(Measured, NoMotionInSpaceIsNearer) {
     const Scene scene =
         measured_scene(90, [](double x) { return cycloid(x) + 2e-3 * std::sin(91.0 * x) * x * (1 - x); });
     const MotionFamily family = scene_family(scene, DesignKind::coefficients);
-    const Eigen::VectorXd best = nearest_design(family, scene.motion, *scene.measured);
+    const Eigen::VectorXd best = nearest_design(family, scene);
     const double least = mean_square(scene, family.motion(best));
     ASSERT_TRUE(family.equalities().empty());  // ends are built in: every entry is free
     for (int j = 0; j < family.size(); ++j)
@@ -206,10 +208,87 @@ TEST(Measured, TableGapIsBridgedSmoothly) {
     }
     table = seen;
     const MotionFamily family = scene_family(scene, DesignKind::coefficients);
-    const auto motion = family.motion(nearest_design(family, scene.motion, table));
+    const auto motion = family.motion(nearest_design(family, scene));
     for (int k = 0; k <= 100; ++k) {
         const double x = k / 100.0;
         EXPECT_NEAR(motion.at(x).derivative[0], cycloid(x), 0.02) << x;
+    }
+}
+
+Scene nearest_scene(bool rms, double noise) {
+    Scene scene = measured_scene(
+        120, [&](double x) { return cycloid(x) + noise * std::sin(97.0 * x) * x * (1.0 - x); }, 8);
+    scene.objective = {};
+    (rms ? scene.objective.deviation_rms : scene.objective.deviation) = 1.0;
+    return scene;
+}
+
+/// Two ways to one number: the normal equations, and a quadratic program with its proof.
+TEST(NearestMotion, LeastRmsIsThatOfLeastSquares) {
+    const Scene scene = nearest_scene(true, 2e-3);
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    const MotionFamily family = scene_family(scene, DesignKind::coefficients);
+    const double least = std::sqrt(mean_square(scene, family.motion(nearest_design(family, scene))));
+    EXPECT_NEAR(solution.certificate.objective, least / 1e-3, 1e-6);
+    EXPECT_LE(*solution.certificate.lower_bound, least / 1e-3 + 1e-9);
+}
+
+/// No admissible change makes the largest deviation smaller: of a convex problem that is its optimum.
+TEST(NearestMotion, LargestDeviationCannotBeLowered) {
+    const Scene scene = nearest_scene(false, 2e-3);
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    const std::vector<MeasuredRow> rows = measured_rows(scene, 0.0, 1.0);
+    const double least = deviation_of(rows, *solution.motion).largest.value;
+    EXPECT_NEAR(solution.certificate.objective, least / 1e-3, 1e-9);
+    EXPECT_LT(*solution.certificate.gap, 1e-6);
+    EXPECT_NE(measured_sentence(solution).find("no motion of this spline space"), std::string::npos);
+    const MotionFamily family = scene_family(scene, DesignKind::coefficients);
+    const Eigen::VectorXd squares = nearest_design(family, scene);
+    EXPECT_LT(least, deviation_of(rows, family.motion(squares)).largest.value);
+    int level = 0;  // as many rows as free numbers and one more lie at the largest deviation
+    for (const MeasuredRow& row : rows)
+        level += std::abs(std::abs(solution.motion->at(row.x).derivative[0] - row.y) - least) < 1e-8 ? 1 : 0;
+    EXPECT_GE(level, 2);
+}
+
+TEST(NearestMotion, LimitsKeepItAway) {
+    Scene scene = nearest_scene(false, 0.0);
+    const Solution free = solve(scene);
+    scene.limits.acceleration = 5.8;  // the cycloid has 2π
+    const Solution limited = solve(scene);
+    ASSERT_EQ(limited.certificate.verdict, Verdict::optimal) << limited.certificate.reason;
+    EXPECT_LE(limited.peaks.acceleration.value, 5.8 * (1.0 + 1e-9));
+    EXPECT_GT(limited.certificate.objective, free.certificate.objective + 0.5);
+    scene.limits.acceleration = 3.0;  // no rise has less than 4
+    EXPECT_EQ(solve(scene).certificate.verdict, Verdict::infeasible);
+}
+
+TEST(NearestMotion, NeedsTable) {
+    Scene scene = nearest_scene(false, 0.0);
+    scene.measured.reset();
+    try {
+        (void)solve(scene);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "objective.deviation: found a weight > 0 without [measured]; allowed: 0, or a table "
+                     "[measured] to deviate from");
+    }
+}
+
+TEST(NearestLaw, IsNamedWithItsAngles) {
+    for (const char* const key : {"modified_sine", "cycloidal", "modified_trapezoid", "polynomial_345"}) {
+        const auto law = make_law(key);
+        const Scene scene = measured_scene(
+            120, [&](double x) { return law->at(std::clamp((x - 0.03) / 0.92, 0.0, 1.0)).derivative[0]; });
+        const MeasuredReport report = measured_report(scene, {});
+        ASSERT_EQ(report.laws.size(), 1U);
+        EXPECT_EQ(report.laws[0].law, law->info().title);
+        EXPECT_NEAR(report.laws[0].begin, 0.03, 1e-6);
+        EXPECT_NEAR(report.laws[0].end, 0.95, 1e-6);
+        EXPECT_LT(report.laws[0].largest, 1e-9);
     }
 }
 
