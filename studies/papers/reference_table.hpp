@@ -56,6 +56,9 @@ struct ReferenceTable {
 [[nodiscard]] ReferenceTable spline_versus_modified_sine(
     const SolveControl& control = {}, const std::function<void(const std::string&)>& finished = {});
 
+/// The solves that are not proved optimal, in words: "n = 10 (failed: time_limit)".
+[[nodiscard]] std::vector<std::string> unproved_rows(const ReferenceTable& table);
+
 /// The scene of one row: DRD, cubic, symmetric as the paper forces it, the paper's rounded references.
 [[nodiscard]] Scene paper_scene(int segments, double velocity_weight, double acceleration_weight,
                                 double jerk_weight);
