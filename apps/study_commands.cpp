@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// camopt table, reproduce, compare, dynamics: studies beside a solve.
+// camopt table, compare, dynamics: studies beside a solve.
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
@@ -14,7 +14,6 @@
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/papers.hpp"
 #include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 
@@ -25,15 +24,6 @@
 namespace camopt::apps {
 
 namespace {
-
-// A paper's tables and figures and ours.
-void write_report_folder(const std::filesystem::path& path, const std::string& name, const std::string& json,
-                         const PaperReport& report) {
-    FolderUpdate folder(path);
-    folder.write(name, json);
-    for (const auto& [file, text] : paper_report_files(report)) folder.write(file, text);
-    folder.finish();
-}
 
 // camopt compare: every classical law on the scene, beside its optimum.
 Comparison compare_with_progress(const Scene& scene) {
@@ -89,21 +79,15 @@ ExitCode table_command(const TableRequest& request) {
     if (!table) return failure;
     const PaperReport report = paper_004_report(*table);
     const std::string json = reference_table_json(*table);
-    if (!request.out.empty()) write_report_folder(request.out, "table.json", json, report);
+    if (!request.out.empty()) {
+        FolderUpdate folder(request.out);
+        folder.write("table.json", json);
+        for (const auto& [name, text] : paper_report_files(report)) folder.write(name, text);
+        folder.finish();
+    }
     print(request.json ? json : paper_report_text(report));
     // Success only where every row is proved: an incomplete table must not pass as a whole one.
     return report.faults.empty() ? success : failure;
-}
-
-ExitCode reproduce_command(const ReproduceRequest& request) {
-    const PaperInfo& paper = find_paper(request.paper);
-    if (!request.out.empty()) prepare_folder(request.out);
-    const auto report = interruptible_run("the report", "", paper.report);
-    if (!report) return failure;
-    const std::string json = paper_report_json(*report);
-    if (!request.out.empty()) write_report_folder(request.out, "report.json", json, *report);
-    print(request.json ? json : paper_report_text(*report));
-    return report->faults.empty() ? success : failure;
 }
 
 ExitCode compare_command(const CompareRequest& request) {

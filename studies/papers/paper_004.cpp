@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "motions/laws/law_catalogue.hpp"
-#include "studies/papers/papers.hpp"
+#include "studies/papers/reference_table.hpp"
 
 #include <fmt/format.h>
 
@@ -57,9 +57,9 @@ void add_proof(std::vector<PaperCell>& row, const Certificate& certificate) {
 }
 
 std::string limit_sentence(const LimitCurve& limit) {
-    std::string text = fmt::format("No curve lies below {:.9f}", limit.objective);
+    std::string text = fmt::format("No curve lies below the limit {:.9f}", limit.objective);
     if (limit.velocity && limit.acceleration && limit.jerk)
-        text += fmt::format("; it is the objective at V = {:.7f}, A = {:.7f}, J = {:.7f}", *limit.velocity,
+        text += fmt::format(", the objective at V = {:.7f}, A = {:.7f}, J = {:.7f}", *limit.velocity,
                             *limit.acceleration, *limit.jerk);
     return text + ".";
 }
@@ -244,10 +244,6 @@ PaperReport paper_004_report(const ReferenceTable& table) {
     report.notes = table.notes;
     for (const std::string& row : unproved_rows(table)) report.faults.push_back("not proved optimal: " + row);
     return report;
-}
-
-PaperReport paper_004(const SolveControl& control, const PaperProgress& finished) {
-    return paper_004_report(spline_versus_modified_sine(control, finished));
 }
 
 }  // namespace camopt

@@ -4,7 +4,6 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "splines/curve.hpp"
 #include "splines/design_vector.hpp"
-#include "studies/papers/paper_report.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>

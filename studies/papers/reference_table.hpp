@@ -4,6 +4,7 @@
 #pragma once
 
 #include "studies/delivered/solution.hpp"
+#include "studies/papers/paper_report.hpp"
 
 namespace camopt {
 
@@ -58,6 +59,10 @@ struct ReferenceTable {
 
 /// The solves that are not proved optimal, in words: "n = 10 (failed: time_limit)".
 [[nodiscard]] std::vector<std::string> unproved_rows(const ReferenceTable& table);
+
+/// Tables 1 to 4 and Figs. 1 to 8 of the paper (T.-Y. Shon and M.-Y. Yang, "Synthesis of Optimum CAM Curve by
+/// Cubic Spline", 1994), printed and ours. A fault for each row that is not proved optimal.
+[[nodiscard]] PaperReport paper_004_report(const ReferenceTable& table);
 
 /// The scene of one row: DRD, cubic, symmetric as the paper forces it, the paper's rounded references.
 [[nodiscard]] Scene paper_scene(int segments, double velocity_weight, double acceleration_weight,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Paper 004 as a report: the printed figures beside those of the reference table; the catalogue of papers.
+#include "benchmarks/papers/papers.hpp"
 #include "core/errors.hpp"
-#include "studies/papers/papers.hpp"
 
 #include <gtest/gtest.h>
 
