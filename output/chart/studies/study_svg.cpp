@@ -151,7 +151,7 @@ std::string paper_figure_svg(const PaperFigure& figure) {
             drawn.points.push_back({series.x[i], series.y[i]});
         panel.series.push_back(std::move(drawn));
     }
-    return chart_svg({figure.title, {}, {}, {std::move(panel)}});
+    return chart_svg({figure.title, {}, {std::move(panel)}});
 }
 
 std::vector<std::pair<std::string, std::string>> paper_report_files(const PaperReport& report) {
@@ -205,7 +205,6 @@ std::string comparison_svg(const Comparison& comparison) {
     return chart_svg({solution.scene.title.empty() ? "Comparison of laws" : solution.scene.title,
                       {verdict_sentence(solution), comparison_sentence(comparison),
                        "Objective = " + objective_words(comparison)},
-                      {},
                       {std::move(names), bar_panel(comparison), std::move(numbers)}});
 }
 
