@@ -6,7 +6,6 @@
 #include "core/errors.hpp"
 #include "core/version.hpp"
 #include "scene/cost_table.hpp"
-#include "studies/papers/papers.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/ranges.h>
@@ -42,7 +41,6 @@ const char* examples =
     "  camopt report result                         report.html and report.md again, from the result folder\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table and the proved optima\n"
-    "  camopt reproduce 004 --out paper             a paper's tables and figures and ours\n"
     "\n"
     "Exit codes: 0 optimal, local or feasible, interrupted or not; 1 failed, interrupted before a motion "
     "was found, or standard output not written (a full disk); 2 wrong input; 3 proved infeasible; 130 a "
@@ -60,7 +58,6 @@ struct Words {
     ReportRequest report;
     ListRequest list;
     TableRequest table;
-    ReproduceRequest reproduce;
     SweepRequest sweep;
     SweepMergeRequest sweep_merge;
     MachineRequest machine;
@@ -185,24 +182,9 @@ CLI::App& add_table(CLI::App& program, TableRequest& request) {
         ->type_name("")
         ->required()
         ->check(one_of({"spline-vs-modified-sine"}));
-    command.add_option("--out", request.out, "Write JSON, CSV, Markdown and the picture here")
-        ->type_name("DIR");
-    command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
-    return command;
-}
-
-CLI::App& add_reproduce(CLI::App& program, ReproduceRequest& request) {
-    CLI::App& command = *program.add_subcommand(
-        "reproduce", "Compute a paper's tables and figures again and compare them with the printed ones");
-    std::vector<std::string> ids;
-    for (const PaperInfo& paper : paper_catalogue()) ids.emplace_back(paper.id);
-    command.add_option("PAPER", request.paper, fmt::format("{}", fmt::join(ids, ", ")))
-        ->type_name("")
-        ->required()
-        ->check(one_of(ids));
     command.add_option("--out", request.out, "Write JSON, CSV, Markdown and the pictures here")
         ->type_name("DIR");
-    command.add_flag("--json", request.json, "Print the report as JSON and nothing else");
+    command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
     return command;
 }
 
@@ -408,7 +390,6 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     const CLI::App& report = add_report(program, parsed.report);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
-    const CLI::App& reproduce = add_reproduce(program, parsed.reproduce);
     CLI::App& sweep = add_sweep(program, parsed.sweep);
     const CLI::App& sweep_merge = add_sweep_merge(sweep, parsed.sweep_merge);
     // Not commands of people. The shells ask what could stand where the cursor is; the build writes the
@@ -467,7 +448,6 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     }
     if (report.parsed()) return report_command(parsed.report);
     if (table.parsed()) return table_command(parsed.table);
-    if (reproduce.parsed()) return reproduce_command(parsed.reproduce);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);
     if (sweep.parsed()) {
         find_scene(parsed.sweep, asked);

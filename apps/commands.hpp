@@ -177,13 +177,6 @@ struct TableRequest {
 };
 [[nodiscard]] ExitCode table_command(const TableRequest& request);
 
-struct ReproduceRequest {
-    std::string paper;  ///< "000" … "004"
-    std::string out;    ///< folder; empty: nothing is written
-    bool json = false;
-};
-[[nodiscard]] ExitCode reproduce_command(const ReproduceRequest& request);
-
 // camopt sweep SCENE --pareto first,second: a front by limits.
 
 /// Writes pareto.csv, pareto.svg and pareto.html into request.out and prints the front. After Ctrl-C the

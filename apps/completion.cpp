@@ -5,7 +5,6 @@
 #include "input/keys/scene_keys.hpp"
 #include "output/plc/plc_format.hpp"
 #include "output/view/columns.hpp"
-#include "studies/papers/papers.hpp"
 
 namespace camopt::apps {
 
@@ -91,11 +90,6 @@ WordList positional_words(const CLI::App& command) {
     if (command.get_name() == "report") return {":folders"};
     if (command.get_name() == "merge") return {":folders"};
     if (command.get_name() == "machine") return {":scenes"};
-    if (command.get_name() == "reproduce") {
-        WordList ids;
-        for (const PaperInfo& paper : paper_catalogue()) ids.emplace_back(paper.id);
-        return ids;
-    }
     return {command.get_option_no_throw("SCENE") ? ":scenes" : ":files"};
 }
 

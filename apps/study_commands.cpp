@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// camopt table, reproduce, compare, dynamics: studies beside a solve.
+// camopt table, compare, dynamics: studies beside a solve.
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
@@ -14,7 +14,6 @@
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/papers.hpp"
 #include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 
@@ -25,39 +24,6 @@
 namespace camopt::apps {
 
 namespace {
-
-void write_table_folder(const std::filesystem::path& path, const ReferenceTable& table) {
-    FolderUpdate folder(path);
-    folder.write("table.json", reference_table_json(table));
-    folder.write("table.md", reference_table_markdown(table));
-    folder.write("table.svg", reference_table_svg(table));
-    folder.write("optimum_points.csv", optimum_points_csv(table));
-    folder.write("convergence.csv", convergence_csv(table));
-    folder.write("laws.csv", laws_csv(table));
-    folder.write("weights.csv", weights_csv(table));
-    folder.finish();
-}
-
-/// Success only where every row is proved optimal: a table with a hole in it must not pass for a whole one.
-ExitCode exit_code_of(const ReferenceTable& table) {
-    const auto optimal = [](const auto& row) { return row.optimum.certificate.verdict == Verdict::optimal; };
-    return std::ranges::all_of(table.convergence, optimal) && std::ranges::all_of(table.weights, optimal)
-               ? success
-               : failure;
-}
-
-// camopt reproduce: a paper's tables and figures and ours.
-void write_report_folder(const std::filesystem::path& path, const PaperReport& report) {
-    FolderUpdate folder(path);
-    folder.write("report.json", paper_report_json(report));
-    folder.write("report.md", paper_report_markdown(report));
-    for (const PaperTable& table : report.tables) folder.write(table.key + ".csv", paper_table_csv(table));
-    for (const PaperFigure& figure : report.figures) {
-        folder.write(figure.key + ".csv", paper_figure_csv(figure));
-        folder.write(figure.key + ".svg", paper_figure_svg(figure));
-    }
-    folder.finish();
-}
 
 // camopt compare: every classical law on the scene, beside its optimum.
 Comparison compare_with_progress(const Scene& scene) {
@@ -111,21 +77,17 @@ ExitCode table_command(const TableRequest& request) {
     if (!request.out.empty()) prepare_folder(request.out);
     const auto table = interruptible_run("the table", "solved ", spline_versus_modified_sine);
     if (!table) return failure;
-    if (!request.out.empty()) write_table_folder(request.out, *table);
-    const std::string text = request.json ? reference_table_json(*table) : reference_table_text(*table);
-    print(text);
-    return exit_code_of(*table);
-}
-
-ExitCode reproduce_command(const ReproduceRequest& request) {
-    const PaperInfo& paper = find_paper(request.paper);
-    if (!request.out.empty()) prepare_folder(request.out);
-    const auto report = interruptible_run("the report", "", paper.report);
-    if (!report) return failure;
-    if (!request.out.empty()) write_report_folder(request.out, *report);
-    const std::string text = request.json ? paper_report_json(*report) : paper_report_text(*report);
-    print(text);
-    return report->faults.empty() ? success : failure;
+    const PaperReport report = paper_004_report(*table);
+    const std::string json = reference_table_json(*table);
+    if (!request.out.empty()) {
+        FolderUpdate folder(request.out);
+        folder.write("table.json", json);
+        for (const auto& [name, text] : paper_report_files(report)) folder.write(name, text);
+        folder.finish();
+    }
+    print(request.json ? json : paper_report_text(report));
+    // Success only where every row is proved: an incomplete table must not pass as a whole one.
+    return report.faults.empty() ? success : failure;
 }
 
 ExitCode compare_command(const CompareRequest& request) {

@@ -168,9 +168,6 @@ time.]]
 camopt_promise(own_rules [[
 Cost terms and limits of your own, for Scene::own_terms and Scene::own_limits: any function of y to y'''.]]
   scene/own_rule.hpp)
-camopt_promise(papers [[
-The papers behind camopt computed again: their tables and figures beside the numbers found here.]]
-  studies/papers/papers.hpp)
 camopt_promise(pareto_front [[
 The trade-off of two figures of a scene, traced by limits instead of weights: min p + ε q subject to q <=
 cap. Also the front over the rows of a sweep.]]

@@ -35,29 +35,28 @@ constexpr std::string_view hatch =
 /// The one style sheet: #0072b2 is the result, grey what it is compared with, green bounds, red limits.
 std::string chart_style() {
     std::string style =
-        ".optimum,.best-line{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}.row-line{fill:"
-        "none;stroke:#0072b2;stroke-width:1.6}.reference,.law-line{fill:none;stroke:#6b6b6b;stroke-width:1.5;"
-        "stroke-dasharray:6 "
-        "4}.measured{fill:none;stroke:#009e73;stroke-width:1.5;stroke-dasharray:2 "
-        "2.5}.measured-point{fill:#009e73}.limit-line{fill:none;stroke:#009e73;stroke-width:1.8;stroke-"
-        "dasharray:6 "
-        "4}.limit{stroke:#c81e1e;stroke-width:1.6;stroke-dasharray:1.6 "
-        "4;stroke-linecap:round}.segment{stroke:#555;stroke-width:1;stroke-dasharray:8 "
-        "3}.breakpoint{stroke:#9a9a9a;stroke-width:1}.set-point{fill:#fff;stroke:#d55e00;stroke-width:1.8}."
-        "set-region{stroke:#d55e00;stroke-width:5;stroke-opacity:.35}.limit-label,.segment-label,.limit-line-"
-        "label,.peak-label{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round}.limit-"
-        "label{font-size:11.5px;fill:#c81e1e}.segment-label{font-size:11.5px;fill:#444}.limit-line-label{"
-        "font-size:11.5px;fill:#00704f}.peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}.peak-label{font-"
-        "weight:600;fill:#005a8c}.law-dot{fill:#666}.row-dot,.optimum-dot{fill:#0072b2;stroke:#0072b2}.row-"
-        "dot.off{fill:#fff}.unproved{fill:#fff;stroke:#c00000;stroke-width:2}.printed{fill:none;stroke:#"
-        "d55e00;stroke-width:1.8}.law{fill:#fff;stroke:#111;stroke-width:1.3}.law-number{font-size:10.5px;"
-        "fill:#111}.dot{stroke:#222;stroke-width:.4}.off-front{fill:#c4c4c4}.shut{fill:#e4e4e4}.failed{fill:#"
-        "f4c7c3}.cross{fill:none;stroke:#b3261e;stroke-width:2}.optimum-bar{fill:#0072b2}.law-bar{fill:#"
-        "8c8c8c}.broken-bar{fill:url(#hatch);stroke:#b5b5b5}.cut{stroke:#fff;stroke-width:3}.optimum-line{"
-        "stroke:#0072b2;stroke-width:1.4;stroke-dasharray:5 "
-        "3}.optimum-stem{stroke:#0072b2;stroke-width:3}.law-stem{stroke:#9a9a9a;stroke-width:3}.best{font-"
-        "weight:600;fill:#0072b2}.remark{font-size:11px;fill:#555}.note{fill:#555}.warning{fill:#c00000}."
-        "corner{font-size:13px;font-weight:600;fill:#333}";
+        ".optimum{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
+        ".row-line{fill:none;stroke:#0072b2;stroke-width:1.6}"
+        ".reference{fill:none;stroke:#6b6b6b;stroke-width:1.5;stroke-dasharray:6 4}"
+        ".measured{fill:none;stroke:#009e73;stroke-width:1.5;stroke-dasharray:2 2.5}"
+        ".measured-point{fill:#009e73}"
+        ".limit-line{fill:none;stroke:#009e73;stroke-width:1.8;stroke-dasharray:6 4}"
+        ".limit{stroke:#c81e1e;stroke-width:1.6;stroke-dasharray:1.6 4;stroke-linecap:round}"
+        ".segment{stroke:#555;stroke-width:1;stroke-dasharray:8 3}"
+        ".breakpoint{stroke:#9a9a9a;stroke-width:1}.set-point{fill:#fff;stroke:#d55e00;stroke-width:1.8}"
+        ".set-region{stroke:#d55e00;stroke-width:5;stroke-opacity:.35}"
+        ".limit-label,.segment-label,.peak-label{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-"
+        "linejoin:round}"
+        ".limit-label{font-size:11.5px;fill:#c81e1e}.segment-label{font-size:11.5px;fill:#444}"
+        ".peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}.peak-label{font-weight:600;fill:#005a8c}"
+        ".row-dot{fill:#0072b2;stroke:#0072b2}.row-dot.off{fill:#fff}"
+        ".law{fill:#fff;stroke:#111;stroke-width:1.3}.law-number{font-size:10.5px;fill:#111}"
+        ".dot{stroke:#222;stroke-width:.4}.off-front{fill:#c4c4c4}.shut{fill:#e4e4e4}.failed{fill:#f4c7c3}"
+        ".cross{fill:none;stroke:#b3261e;stroke-width:2}.optimum-bar{fill:#0072b2}.law-bar{fill:#8c8c8c}"
+        ".broken-bar{fill:url(#hatch);stroke:#b5b5b5}.cut{stroke:#fff;stroke-width:3}"
+        ".optimum-line{stroke:#0072b2;stroke-width:1.4;stroke-dasharray:5 3}"
+        ".best{font-weight:600;fill:#0072b2}.remark{font-size:11px;fill:#555}.note{fill:#555}"
+        ".warning{fill:#c00000}.corner{font-size:13px;font-weight:600;fill:#333}";
     for (std::size_t i = 0; i < palette.size(); ++i)
         style += fmt::format(
             ".l{0}{{fill:none;stroke:{1};stroke-width:1.8;stroke-linejoin:round}}.p{0}{{fill:{1}}}", i,
@@ -428,7 +427,6 @@ double draw_head(SvgCanvas& canvas, const Chart& chart, double room) {
     add(chart.title, "title", title_font, title_line);
     y += 4;
     for (const std::string& line : chart.lines) add(line, "subtitle", line_font, text_line);
-    add(chart.warning, "warning", line_font, text_line);
     return y + text_line + 2;
 }
 

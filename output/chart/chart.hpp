@@ -81,7 +81,6 @@ struct ChartPanel {
 struct Chart {
     std::string title;
     std::vector<std::string> lines = {};  ///< below the title
-    std::string warning = {};
     std::vector<ChartPanel> panels = {};
 };
 

@@ -141,13 +141,6 @@ std::string numbered_markdown(const std::string& title, const std::vector<std::s
 constexpr const char* faults_title = "NOT COMPUTED OR NOT PROVED";
 constexpr const char* assumptions_title = "Chosen by us, not given by the paper";
 
-constexpr int table_line_width = 100;
-constexpr const char* title = "The best cubic spline and the modified sine";
-constexpr const char* introduction =
-    "Rise between two dwells; C2 cubic spline on n equal segments, y(x) + y(1 − x) = 1. Every optimum is "
-    "found and proved by camopt; compared with the values printed in a paper of 1994. Source:  T.-Y. Shon, "
-    "M.-Y. Yang, \"Synthesis of Optimum CAM Curve by Cubic Spline\", 1994.";
-
 constexpr int comparison_line_width = 110;
 constexpr int objective_decimals = 6, peak_decimals = 4;
 
@@ -236,34 +229,6 @@ std::string paper_report_markdown(const PaperReport& report) {
     for (const PaperFigure& figure : report.figures)
         text += fmt::format("\n## {}\n\n![{}]({}.svg)\n", figure.title, figure.title, figure.key);
     return text + numbered_markdown("Notes", report.notes);
-}
-
-std::string reference_table_text(const ReferenceTable& table) {
-    std::string text = fmt::format("{}\n\n{}", title, wrapped_text(introduction, "", table_line_width));
-    const std::string warning = unproved_warning(table);
-    if (!warning.empty()) text += fmt::format("\n{}", wrapped_text(warning, "WARNING  ", table_line_width));
-    for (const TableSection& section : reference_table_sections(table))
-        text += fmt::format("\n{}\n{}\n{}", section.title,
-                            wrapped_text(section.introduction, "", table_line_width),
-                            aligned_text(section.table));
-    if (!table.notes.empty()) text += "\nNotes\n";
-    for (std::size_t i = 0; i < table.notes.size(); ++i)
-        text += wrapped_text(table.notes[i], fmt::format("{}. ", i + 1), table_line_width);
-    return text;
-}
-
-std::string reference_table_markdown(const ReferenceTable& table) {
-    std::string text = fmt::format("# {}\n\n{}\n", title, introduction);
-    const std::string warning = unproved_warning(table);
-    if (!warning.empty()) text += fmt::format("\n**Warning.** {}\n", warning);
-    for (const TableSection& section : reference_table_sections(table)) {
-        text += fmt::format("\n## {}\n\n{}\n\n{}", section.title, section.introduction,
-                            markdown_text(section.table));
-    }
-    if (!table.notes.empty()) text += "\n## Notes\n\n";
-    for (std::size_t i = 0; i < table.notes.size(); ++i)
-        text += fmt::format("{}. {}\n", i + 1, table.notes[i]);
-    return text;
 }
 
 std::string comparison_text(const Comparison& comparison) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Sweeps, papers and the reference table for people.
+// Sweeps, papers, comparisons and plans for people.
 #pragma once
 
 #include "output/view/number_text.hpp"
 #include "scene/scene.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/papers/paper_report.hpp"
-#include "studies/papers/reference_table.hpp"
 #include "studies/search/plan.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
@@ -24,14 +23,6 @@ namespace camopt {
 
 /// Names the figures' files: <key>.svg beside the page.
 [[nodiscard]] std::string paper_report_markdown(const PaperReport& report);
-
-// The reference table for people: plain text for a terminal, and the same as a Markdown page.
-//
-// Peaks and objective are normalised, without units. A solve that is not proved optimal is said to be so in
-// its own row and once more at the top. An infinite jerk is "∞". Nothing throws.
-[[nodiscard]] std::string reference_table_text(const ReferenceTable& table);
-
-[[nodiscard]] std::string reference_table_markdown(const ReferenceTable& table);
 
 // A comparison for a terminal: one line a law, sorted by the objective. Infinite is "∞". Nothing throws.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison);
@@ -77,30 +68,6 @@ struct PhysicalPeak {
 
 /// "0.4 V/1.76 + 0.4 A/5.528 + 0.2 J/69.47".
 [[nodiscard]] std::string objective_words(const Comparison& comparison);
-
-// The reference table's values as cells: what the terminal text and the Markdown page share. Private to
-// output/.
-
-struct TableSection {
-    std::string title;
-    std::string introduction;
-    TextTable table;
-};
-
-/// Convergence, points, laws, weights, in this order.
-[[nodiscard]] std::vector<TableSection> reference_table_sections(const ReferenceTable& table);
-
-/// Peaks and objective of the delivered curve; none where a solve gave no curve.
-[[nodiscard]] std::optional<PeakFigures> optimum_figures(const Solution& solution);
-
-/// "optimal" with its gap, or in capitals what it is instead and why.
-[[nodiscard]] std::string verdict_text(const Certificate& certificate);
-
-/// The solves that are not proved optimal, in words: "n = 10 (failed: time_limit)".
-[[nodiscard]] std::vector<std::string> unproved_rows(const ReferenceTable& table);
-
-/// One sentence naming them; empty where every row is proved.
-[[nodiscard]] std::string unproved_warning(const ReferenceTable& table);
 
 // The plan of a solve in words, for `camopt check`.
 

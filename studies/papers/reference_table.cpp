@@ -4,7 +4,6 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "splines/curve.hpp"
 #include "splines/design_vector.hpp"
-#include "studies/papers/paper_report.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
@@ -186,6 +185,22 @@ ReferenceTable spline_versus_modified_sine(const SolveControl& control,
     }
     table.notes = explanations();
     return table;
+}
+
+std::vector<std::string> unproved_rows(const ReferenceTable& table) {
+    std::vector<std::string> rows;
+    const auto look = [&](const std::string& name, const Certificate& certificate) {
+        if (certificate.verdict == Verdict::optimal) return;
+        const std::string reason =
+            certificate.reason == Reason::none ? "" : fmt::format(": {}", name_of(certificate.reason));
+        rows.push_back(fmt::format("{} ({}{})", name, name_of(certificate.verdict), reason));
+    };
+    for (const ConvergenceRow& row : table.convergence)
+        look(fmt::format("n = {}", row.segments), row.optimum.certificate);
+    for (const WeightEffectRow& row : table.weights)
+        look(fmt::format("weights {:.3g}, {:.3g}, {:.3g}", row.velocity, row.acceleration, row.jerk),
+             row.optimum.certificate);
+    return rows;
 }
 
 }  // namespace camopt

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "studies/delivered/solution.hpp"
+#include "studies/papers/paper_report.hpp"
 
 namespace camopt {
 
@@ -55,6 +56,13 @@ struct ReferenceTable {
 /// `finished` hears of each row's solve, for progress.
 [[nodiscard]] ReferenceTable spline_versus_modified_sine(
     const SolveControl& control = {}, const std::function<void(const std::string&)>& finished = {});
+
+/// The solves that are not proved optimal, in words: "n = 10 (failed: time_limit)".
+[[nodiscard]] std::vector<std::string> unproved_rows(const ReferenceTable& table);
+
+/// Tables 1 to 4 and Figs. 1 to 8 of the paper (T.-Y. Shon and M.-Y. Yang, "Synthesis of Optimum CAM Curve by
+/// Cubic Spline", 1994), printed and ours. A fault for each row that is not proved optimal.
+[[nodiscard]] PaperReport paper_004_report(const ReferenceTable& table);
 
 /// The scene of one row: DRD, cubic, symmetric as the paper forces it, the paper's rounded references.
 [[nodiscard]] Scene paper_scene(int segments, double velocity_weight, double acceleration_weight,

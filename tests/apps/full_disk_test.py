@@ -38,7 +38,6 @@ PRINTING = [
     *(("list", topic, *form) for topic in ("laws", "followers", "solvers", "keys", "columns", "controllers")
       for form in ((), ("--json",))),
     ("table", "spline-vs-modified-sine"), ("table", "spline-vs-modified-sine", "--json"),
-    ("reproduce", "000"), ("reproduce", "000", "--json"),
     ("report", SOLVED),
     ("export", SOLVED, "--out", FOLDER / "unused", "--csv"),
     ("sweep", DRD, "--weights", "simplex:2", "--out", FOLDER / "unused_sweep"),
@@ -56,7 +55,6 @@ WRITING = [
     ("compare", DRD, "--out"),
     ("dynamics", SLIDE, *QUICK_TRAIN, "--out"),
     ("table", "spline-vs-modified-sine", "--out"),
-    ("reproduce", "000", "--out"),
     ("export", SOLVED, "--csv", "--dxf", "--drawing", "svg", "--stl", "--picture", "--plc", "csv", "--nc", "--out"),
     ("export", DRUM, "--csv", "--stl", "--obj", "--picture", "--nc", "--out"),
     ("sweep", DRD, "--weights", "simplex:3", "--out"),

@@ -61,31 +61,24 @@ TEST(Program, PrintsReadableSummary) {
     EXPECT_NE(run.output.find("−2.6 %"), std::string::npos);
 }
 
-TEST(Program, ReproducesAPaper) {
+TEST(Program, PrintsAndWritesThePublishedTable) {
     const test::TemporaryFolder folder;
-    const std::string out = folder.path() + "/paper";
-    const ProgramRun run = run_camopt("reproduce 000 --json --out '" + out + "'");
+    const std::string out = folder.path() + "/table";
+    const ProgramRun run = run_camopt("table spline-vs-modified-sine --json --out '" + out + "'");
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.errors, "");
-    const json report = json::parse(run.output);
-    EXPECT_EQ(report["paper"], "000");
-    EXPECT_EQ(read_text_file(out + "/report.json"), run.output);
-    EXPECT_TRUE(std::filesystem::exists(out + "/report.md"));
-    std::set<std::string> names;  // a file of a name that is there already would replace it
-    for (const json& table : report["tables"]) {
-        const std::string name = table["key"].get<std::string>() + ".csv";
-        EXPECT_TRUE(names.insert(name).second) << name;
-        EXPECT_TRUE(std::filesystem::exists(out + "/" + name));
-    }
-    for (const json& figure : report["figures"]) {
-        const std::string name = figure["key"].get<std::string>();
-        EXPECT_TRUE(names.insert(name + ".csv").second) << name;
-        EXPECT_TRUE(std::filesystem::exists(out + "/" + name + ".svg"));
-        EXPECT_TRUE(std::filesystem::exists(out + "/" + name + ".csv"));
-    }
-    EXPECT_FALSE(std::filesystem::exists(out + "/INCOMPLETE.txt"));
-    expect_refused("reproduce 007", "007");
-    expect_refused("reproduce", "PAPER");
+    EXPECT_TRUE(json::parse(run.output)["all_optimal"].get<bool>());
+    std::set<std::string> names = {"table.json", "report.md"};
+    for (const char* number : {"1", "2", "3", "4"}) names.insert(std::string("table_") + number + ".csv");
+    for (const char* number : {"1", "2", "3", "4", "5", "6", "7", "8"})
+        for (const char* type : {".csv", ".svg"}) names.insert(std::string("figure_") + number + type);
+    std::set<std::string> written;
+    for (const auto& entry : std::filesystem::directory_iterator(out))
+        written.insert(entry.path().filename().string());
+    EXPECT_EQ(written, names);
+    EXPECT_EQ(read_text_file(out + "/table.json"), run.output);
+    expect_refused("table no-such-table", "no-such-table");
+    expect_refused("table", "WHAT");
 }
 
 TEST(Program, WritesTheFolderAndNothingWithoutIt) {

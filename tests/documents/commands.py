@@ -53,6 +53,17 @@ def faults_of_camopt(program, words):
             return
 
 
+def faults_of_benchmark(root, words):
+    name = words[0].rsplit("/", 1)[1]
+    source = next((root / "benchmarks").rglob(f"{name}.cpp"), None)
+    if not source:
+        yield f"there is no benchmark {name}"
+        return
+    for word in words[1:]:
+        if word.startswith("--") and word not in source.read_text():
+            yield f"{name} knows no {word}"
+
+
 def faults_of_script(root, words):
     script = root / words[0]
     if not script.exists():
@@ -83,6 +94,8 @@ def faults_of_command(root, program, words):
         yield from faults_of_camopt(program, words[1:])
     elif name.startswith("scripts/"):
         yield from faults_of_script(root, words)
+    elif name.startswith("build/release/benchmarks/"):
+        yield from faults_of_benchmark(root, words)
     elif name in ("cmake", "ctest"):
         yield from faults_of_presets(root, words)
     elif name == "mpirun" and "camopt" in words:

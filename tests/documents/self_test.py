@@ -59,12 +59,15 @@ class Commands(unittest.TestCase):
     def test_what_is_there(self):
         self.assertEqual(self.faults("camopt solve a.toml --set x=1 --out b   # words\n"
                                      "camopt sweep merge a b --out c && scripts/soak --seed 7 --motions 1\n"
-                                     "cmake --preset release && cmake --build --preset release"), [])
+                                     "cmake --preset release && cmake --build --preset release\n"
+                                     "build/release/benchmarks/reproduce 000 --out paper"), [])
 
     def test_what_is_not(self):
         for text, words in [("camopt optimise a.toml", "no command optimise"), ("camopt solve --outt b", "no option --outt"),
                             ("camopt check a --out b", "no option --out"), ("scripts/absent", "no scripts/absent"),
                             ("scripts/soak --never", "knows no --never"), ("cmake --preset fastest", "no preset fastest"),
+                            ("build/release/benchmarks/absent", "no benchmark absent"),
+                            ("build/release/benchmarks/reproduce 000 --never", "knows no --never"),
                             ("no_such_program all", "no program"), ("camopt sweep merge a --resume", "no option --resume")]:
             with self.subTest(text):
                 self.assertIn(words, "; ".join(self.faults(text)))

@@ -53,9 +53,7 @@ EXCEPTIONS = {
     ("docs/adding_a_solver.md", "remedy"): "a member of SolverEntry",
     ("docs/nc.md", "beside"): "printed by programs of earlier releases, quoted",
     ("docs/nc.md", "whatever"): "quoted output",
-    ("docs/papers/", "of its own"): "a comment",
     ("scene/limit_table.cpp", "presses"): "a force presses the follower on the cam",
-    ("studies/papers/paper_003.cpp", "farther"): "quoted from the paper",
 }
 WORD = re.compile(r"[A-Z][a-z0-9]*|[a-z0-9]+")
 TEST = re.compile(r"\b(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)")

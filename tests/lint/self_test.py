@@ -20,7 +20,7 @@ CLEAN = {
     "solvers/CMakeLists.txt": "# SPDX-License-Identifier: MIT\nlink(camopt::core)\n",
     "profiles/inverse/i.hpp": SPDX + '#pragma once\n#include "core/a.hpp"\n',
     "profiles/p.hpp": SPDX + "#pragma once\n",
-    "studies/papers/s.cpp": SPDX + '#include "profiles/inverse/i.hpp"\n',
+    "benchmarks/papers/s.cpp": SPDX + '#include "profiles/inverse/i.hpp"\n',
     "CMakeLists.txt": "# SPDX-License-Identifier: MIT\nproject(camopt VERSION 0.2.0 LANGUAGES CXX)\n",
     "README.md": "# Title\nSee [a](core/a.hpp), [here](#title) and `core/a.hpp`.\n",
 }

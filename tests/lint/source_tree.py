@@ -23,10 +23,6 @@ MAY_INCLUDE = {
 # ask a cam through scene/cam_mechanism.hpp and know no kind.
 LEAVES = {"profiles/disk", "profiles/inverse", "profiles/remote", "profiles/spatial"}
 MAY_INCLUDE |= {leaf: {"core", "scene", "profiles/kinds"} for leaf in LEAVES}
-# A paper is about one kind of cam; the report that all of them fill is used elsewhere too.
-MAY_INCLUDE["studies/papers"] = MAY_INCLUDE["studies"] | {"studies"} | LEAVES
-for user in ("studies", "output"):
-    MAY_INCLUDE[user] |= {"studies/papers"}
 # What kinds of cams say of themselves, without formulas: readers and lists know no more of them.
 MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A program that embeds camopt may have set a locale in which 1234.5 is written 1.234,5: what camopt reads,
 // solves and writes is the same to the last byte.
+#include "benchmarks/papers/papers.hpp"
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
 #include "input/loading/load_scene.hpp"
@@ -12,7 +13,6 @@
 #include "output/plc/plc_export.hpp"
 #include "output/report/result_folder.hpp"
 #include "scene/scene.hpp"
-#include "studies/papers/papers.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "tests/output/temporary_folder.hpp"

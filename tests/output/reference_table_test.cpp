@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The reference table's texts, against a small table made by hand: one row proved, one failed, one infinite
-// jerk.
+// The reference table as JSON and as a report, against a small table made by hand: one row proved, one
+// failed, one infinite jerk.
+#include "studies/papers/reference_table.hpp"
+
 #include "output/chart/studies/study_svg.hpp"
 #include "output/csv/study_csv.hpp"
 #include "output/json/study_json.hpp"
@@ -104,20 +106,20 @@ TEST(ReferenceTableJson, NumbersRoundTripExactly) {
     EXPECT_EQ(json.at("notes").size(), 2u);
 }
 
-TEST(ReferenceTableOutput, UnprovedValuesAreMarkedEverywhere) {
+TEST(ReferenceTableOutput, UnprovedRowsAreReported) {
     const ReferenceTable table = small_table();
     const Json json = Json::parse(reference_table_json(table));
     EXPECT_FALSE(json.at("all_optimal").get<bool>());
     EXPECT_EQ(json.at("unproved").size(), 2u);
     EXPECT_EQ(json.at("convergence").at(1).at("optimum").at("verdict"), "failed");
     EXPECT_EQ(json.at("convergence").at(1).at("optimum").at("reason"), "time_limit");
-    for (const std::string& text : {reference_table_text(table), reference_table_markdown(table)}) {
-        EXPECT_TRUE(holds(text, "NOT PROVED OPTIMAL: FAILED"));
-        EXPECT_TRUE(holds(text, "n = 6 (failed: time_limit)"));
-    }
-    EXPECT_TRUE(holds(reference_table_svg(table), "n = 6 (failed: time_limit)"));
-    EXPECT_TRUE(holds(convergence_csv(table), "failed,time_limit"));
-    EXPECT_TRUE(holds(weights_csv(table), "failed,time_limit"));
+    const PaperReport report = paper_004_report(table);
+    for (const std::string& text : {paper_report_text(report), paper_report_markdown(report)})
+        for (const char* words : {"1. not proved optimal: n = 6 (failed: time_limit)",
+                                  "2. not proved optimal: weights 0.4, 0.4, 0.2 (failed: time_limit)"})
+            EXPECT_TRUE(holds(text, words)) << text;
+    EXPECT_TRUE(holds(paper_table_csv(report.tables[1]), ",failed,"));
+    EXPECT_TRUE(holds(paper_table_csv(report.tables[3]), ",failed\n"));
 }
 
 TEST(ReferenceTableOutput, ProvedTableHasNoWarning) {
@@ -125,44 +127,31 @@ TEST(ReferenceTableOutput, ProvedTableHasNoWarning) {
     table.convergence.pop_back();
     table.weights.clear();
     EXPECT_TRUE(Json::parse(reference_table_json(table)).at("all_optimal").get<bool>());
-    EXPECT_FALSE(holds(reference_table_text(table), "WARNING"));
-    EXPECT_FALSE(holds(reference_table_svg(table), "Not proved"));
+    EXPECT_TRUE(paper_004_report(table).faults.empty());
 }
 
 TEST(ReferenceTableText, ShowsPrintedValuesAndNotes) {
-    const std::string text = reference_table_text(small_table());
-    EXPECT_TRUE(holds(text, "paper, as printed"));
-    EXPECT_TRUE(holds(text, "0.333333333"));
-    EXPECT_TRUE(holds(text, "limit of all curves"));
-    EXPECT_TRUE(holds(text, "∞"));
-    EXPECT_TRUE(holds(text, "2. A second one."));
+    const std::string text = paper_report_text(paper_004_report(small_table()));
+    for (const char* words :
+         {"V printed", "0.333333333", "0.937196370", "54.6090860", "∞", "optimal", "2. A second one."})
+        EXPECT_TRUE(holds(text, words)) << words;
     EXPECT_FALSE(holds(text, "nan"));
-    EXPECT_FALSE(holds(text, "inf"));
+    EXPECT_FALSE(holds(text, " inf "));
 }
 
-TEST(ReferenceTableCsv, MissingValuesAreEmptyCells) {
-    const ReferenceTable table = small_table();
-    EXPECT_EQ(lines(convergence_csv(table)), 3u);
-    EXPECT_EQ(lines(laws_csv(table)), 3u);
-    EXPECT_EQ(lines(weights_csv(table)), 2u);
-    EXPECT_EQ(lines(optimum_points_csv(table)), 6u);
-    EXPECT_TRUE(holds(laws_csv(table), "Parabolic,parabolic,2,4,,2,4,,,\n"));
-    EXPECT_TRUE(holds(convergence_csv(table), "\"as printed, \"\"rounded\"\"\""));
-    for (const std::string& text :
-         {convergence_csv(table), laws_csv(table), weights_csv(table), optimum_points_csv(table)}) {
-        const std::string header = text.substr(0, text.find('\n'));
-        EXPECT_FALSE(holds(text, "inf"));
-        EXPECT_FALSE(holds(header, " "));
+TEST(ReferenceTableFiles, MissingValuesAreEmptyCells) {
+    const PaperReport report = paper_004_report(small_table());
+    const auto rows_of = [&](std::size_t table) { return lines(paper_table_csv(report.tables[table])); };
+    EXPECT_EQ(rows_of(0), 3u);
+    EXPECT_EQ(rows_of(1), 3u);
+    EXPECT_EQ(rows_of(2), 3u);
+    EXPECT_EQ(rows_of(3), 2u);
+    EXPECT_TRUE(holds(paper_table_csv(report.tables[2]), "Parabolic,2,2,4,4,,,\n"));
+    for (const auto& [name, text] : paper_report_files(report)) {
+        if (!name.ends_with(".csv")) continue;
+        EXPECT_TRUE(holds(name, "table_") || holds(name, "figure_"));
+        EXPECT_FALSE(holds(text, "inf")) << name;
     }
-}
-
-TEST(ReferenceTableSvg, DrawsOnlyFiniteValues) {
-    const std::string picture = reference_table_svg(small_table());
-    EXPECT_TRUE(holds(picture, "best-line"));
-    EXPECT_TRUE(holds(picture, "Parabolic"));
-    EXPECT_FALSE(holds(picture, "nan"));
-    EXPECT_FALSE(holds(picture, "inf\""));
-    EXPECT_FALSE(reference_table_svg({}).empty());
 }
 
 }  // namespace reference_table_test

@@ -197,7 +197,6 @@ std::string pareto_svg(const ParetoPicture& picture) {
                      goal_title(picture, 0), goal_title(picture, 1)),
          {count_sentence(picture.front),
           end_sentence(picture) + " Dashed: lower bound for every curve. Diamonds: classical laws."},
-         {},
          panels_of(picture)});
 }
 

@@ -2,6 +2,7 @@
 #include "output/chart/studies/study_svg.hpp"
 
 #include "output/chart/chart.hpp"
+#include "output/csv/study_csv.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
@@ -150,7 +151,18 @@ std::string paper_figure_svg(const PaperFigure& figure) {
             drawn.points.push_back({series.x[i], series.y[i]});
         panel.series.push_back(std::move(drawn));
     }
-    return chart_svg({figure.title, {}, {}, {std::move(panel)}});
+    return chart_svg({figure.title, {}, {std::move(panel)}});
+}
+
+std::vector<std::pair<std::string, std::string>> paper_report_files(const PaperReport& report) {
+    std::vector<std::pair<std::string, std::string>> files = {{"report.md", paper_report_markdown(report)}};
+    for (const PaperTable& table : report.tables)
+        files.emplace_back(table.key + ".csv", paper_table_csv(table));
+    for (const PaperFigure& figure : report.figures) {
+        files.emplace_back(figure.key + ".csv", paper_figure_csv(figure));
+        files.emplace_back(figure.key + ".svg", paper_figure_svg(figure));
+    }
+    return files;
 }
 
 std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainStudy& study) {
@@ -193,7 +205,6 @@ std::string comparison_svg(const Comparison& comparison) {
     return chart_svg({solution.scene.title.empty() ? "Comparison of laws" : solution.scene.title,
                       {verdict_sentence(solution), comparison_sentence(comparison),
                        "Objective = " + objective_words(comparison)},
-                      {},
                       {std::move(names), bar_panel(comparison), std::move(numbers)}});
 }
 

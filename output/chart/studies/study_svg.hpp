@@ -4,7 +4,6 @@
 
 #include "studies/compare/comparison.hpp"
 #include "studies/papers/paper_report.hpp"
-#include "studies/papers/reference_table.hpp"
 #include "studies/pareto/pareto_front.hpp"
 #include "studies/response/train_study.hpp"
 
@@ -12,6 +11,9 @@ namespace camopt {
 
 /// A figure of a paper's report: curves or points over two axes, with a legend.
 [[nodiscard]] std::string paper_figure_svg(const PaperFigure& figure);
+
+/// The files of a report by their names: report.md, a CSV for each table, CSV and SVG for each figure.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> paper_report_files(const PaperReport& report);
 
 /// An elastic follower train: the response over the speed, and what happens over time at one speed. File
 /// names and pictures: residual and acceleration over the speed, deflection and force over the cam angle.
@@ -21,12 +23,6 @@ namespace camopt {
 /// every limit; hatched ones violate some, and the worst is named. Bars far longer than the optimum's are
 /// cut.
 [[nodiscard]] std::string comparison_svg(const Comparison& comparison);
-
-/// The reference table: objective against the number of segments with the paper's values and the bound of all
-/// curves; acceleration and jerk of the best 12 segments and of the modified sine; peaks of the classical
-/// laws relative to the modified sine. Normalised. Rows that are not proved optimal are named in red; a part
-/// without values is left out.
-[[nodiscard]] std::string reference_table_svg(const ReferenceTable& table);
 
 /// pareto.svg: a front of two goals, the laws beside it, the bound of all curves, and what the other peaks
 /// come to along it. pareto_text: the same in a few lines.

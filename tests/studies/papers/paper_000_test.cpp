@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Paper 000: which entries of Table 1 agree, which digits are misprinted, and the whole report.
+#include "benchmarks/papers/paper_000_parts.hpp"
+#include "benchmarks/papers/papers.hpp"
 #include "core/units.hpp"
-#include "studies/papers/paper_000_parts.hpp"
-#include "studies/papers/papers.hpp"
 
 #include <gtest/gtest.h>
 

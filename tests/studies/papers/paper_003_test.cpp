@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The report of paper 003 against docs/theory/remote_follower.py: largest pressure angles by both
 // definitions, verdicts, forward checks.
+#include "benchmarks/papers/papers.hpp"
+#include "benchmarks/papers/tappet_shedding.hpp"
 #include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
-#include "studies/papers/papers.hpp"
-#include "studies/papers/tappet_shedding.hpp"
 #include "tests/support/counting_clock.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The reports of papers 001 and 002: what they say is what was found independently.
-#include "studies/papers/papers.hpp"
+#include "benchmarks/papers/papers.hpp"
 
 #include <gtest/gtest.h>
 

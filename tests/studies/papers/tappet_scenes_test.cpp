@@ -2,12 +2,12 @@
 // What the paper could not do: the tappets' dwells within 30 deg. The delivered motion alone makes the cam
 // again here: own dyads by the law of cosines, the roller's path differentiated numerically, none of the
 // formulas that the optimizer saw.
+#include "benchmarks/papers/tappet_shedding.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/papers/tappet_shedding.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/counting_clock.hpp"

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/papers.hpp"
+#include "benchmarks/papers/papers.hpp"
 
 #include "core/errors.hpp"
 
 #include <fmt/format.h>
 
 namespace camopt {
+
+PaperReport paper_004(const SolveControl& control, const PaperProgress& finished) {
+    return paper_004_report(spline_versus_modified_sine(control, finished));
+}
 
 std::span<const PaperInfo> paper_catalogue() {
     static constexpr std::array papers = {

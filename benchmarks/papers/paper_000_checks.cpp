@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/papers/paper_000_parts.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "profiles/inverse/guide.hpp"
 #include "profiles/inverse/paper_guide.hpp"
 #include "studies/inverse/inverse_forward.hpp"
-#include "studies/papers/paper_000_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/spatial_tables.hpp"
+#include "benchmarks/papers/spatial_tables.hpp"
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"

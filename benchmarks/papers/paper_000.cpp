@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/paper_000_parts.hpp"
-#include "studies/papers/papers.hpp"
+#include "benchmarks/papers/paper_000_parts.hpp"
+#include "benchmarks/papers/papers.hpp"
 
 namespace camopt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/paper_000_parts.hpp"
+#include "benchmarks/papers/paper_000_parts.hpp"
 
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"

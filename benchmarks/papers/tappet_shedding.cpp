@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/tappet_shedding.hpp"
+#include "benchmarks/papers/tappet_shedding.hpp"
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"

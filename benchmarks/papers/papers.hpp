@@ -61,7 +61,4 @@ struct PaperInfo {
 /// Some seconds: 15 solves.
 [[nodiscard]] PaperReport paper_004(const SolveControl& control = {}, const PaperProgress& finished = {});
 
-/// The report of a table that is already computed.
-[[nodiscard]] PaperReport paper_004_report(const ReferenceTable& table);
-
 }  // namespace camopt

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/papers/papers.hpp"
+#include "benchmarks/papers/tappet_shedding.hpp"
 #include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/delivered/cam_summary.hpp"
-#include "studies/papers/papers.hpp"
-#include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>

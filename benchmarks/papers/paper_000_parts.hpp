@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Private to studies/papers/: the parts of the report on paper 000, one source each.
+// Private to benchmarks/papers/: the parts of the report on paper 000, one source each.
 #pragma once
 
+#include "benchmarks/papers/papers.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/paper_guide.hpp"
-#include "studies/papers/papers.hpp"
 
 namespace camopt::feeding_paper {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/papers/papers.hpp"
+#include "benchmarks/papers/spatial_tables.hpp"
 #include "core/units.hpp"
-#include "studies/papers/papers.hpp"
-#include "studies/papers/spatial_tables.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/papers/spatial_tables.hpp"
 #include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
@@ -6,7 +7,6 @@
 #include "profiles/spatial/spatial_cam.hpp"
 #include "scene/cam_flanks.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/papers/spatial_tables.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Private to studies/papers/: the tables and figures that papers 001 and 002 have in common.
+// Private to benchmarks/papers/: the tables and figures that papers 001 and 002 have in common.
 #pragma once
 
+#include "benchmarks/papers/papers.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 #include "scene/cam_flanks.hpp"
-#include "studies/papers/papers.hpp"
 
 namespace camopt::spatial_tables {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/papers/papers.hpp"
+#include "benchmarks/papers/spatial_tables.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "studies/papers/papers.hpp"
-#include "studies/papers/spatial_tables.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>
