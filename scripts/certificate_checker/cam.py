@@ -4,20 +4,20 @@ import itertools
 import math
 from fractions import Fraction
 
-from .bound import Row
 from . import enclosures
 from .inverse_rules import InverseRules
 from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
 from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides, constant
 from .exact import (
-    KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
+    KEPT, ORDERS, ROUNDED, STATED, Refuted, Unverified, add_to, bernstein, combination, derivative, exactly, halves,
     largest, largest_magnitude, middle_of, number, on_grid, product, root, tangent, times)
 from .forces import Forces
-from .laws import at_time, motion_along
+from .laws import at_time, parts_along
 from .loads import keep_force, keep_hertz, keep_torque
 from .motion_bounds import keeps
-from .units import angle_of, dimension_of, quantity
+from .runs import Row
+from .units import angle_of, dimension_of, enclosed, quantity
 
 
 DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat": ("base_radius",),
@@ -62,8 +62,7 @@ class Cam:
         self.cost = exactly(self.fixed + sum((self.weights[name] * self.sizes[name] for name in self.searched
                                               if self.sizes[name] is not None), Fraction(0)))
         self.forces = Forces(problem, scene) if "forces" in scene and not self.swings else None
-        unit = problem.unit_angle
-        self.beta = exactly(unit[0]) if unit[1] == "rad" else times(exactly(unit[0] / 180), PI)
+        self.beta = enclosed(problem.unit_angle)
         self.width = self.width_of(cam, scene)
         self.pressure = self.pressure_limits()
         self.form = cam.get("form", "open")
@@ -116,8 +115,7 @@ class Cam:
             raise Unverified(f'cam.form = "{self.form}"')
         turn = exactly(dimension_of(cam, "roller_distance"))
         if self.swings:
-            angle, unit = angle_of(cam, "arm_angle")
-            turn = exactly(angle) if unit == "rad" else times(exactly(angle / 180), PI)
+            turn = enclosed(angle_of(cam, "arm_angle"))
         second = {"second_" + name: dimension_of(cam, "second_" + name) or sizes.get(name, Fraction(0))
                   for name in ("roller_radius", "arm_length", "offset")}
         if "second_offset_mm" in cam or "second_offset_m" in cam or "second_offset_in" in cam:
@@ -182,8 +180,7 @@ class Cam:
         function = {}
 
         def add(derivative_order, weight):
-            for j, w in space.functional(at, derivative_order, side).items():
-                function[j] = function.get(j, Fraction(0)) + weight * w
+            add_to(function, space.functional(at, derivative_order, side), weight)
 
         if self.swings or self.form == "conjugate":  # and what moves in space
             return self.row_of_arm(bound, k, run, name, origin, at)
@@ -305,16 +302,15 @@ class Cam:
         """Along laws and dwells. False: nothing here looks at the limit there."""
         formulas = self.formulas_along(key)
         for copy, stretch, formula in itertools.product(range(self.problem.copies), stretches, formulas):
-            by, length, begin = copy * self.problem.stretches[-1].end, stretch.end - stretch.begin, Fraction(0)
-            for width, motion in motion_along(stretch):
+            by, length = copy * self.problem.stretches[-1].end, stretch.end - stretch.begin
+            for begin, end, motion in parts_along(stretch, 3):
                 place = stretch.begin + by + begin * length
-                for low, high, load, slope in self.loads(place, place + width * length):
+                for low, high, load, slope in self.loads(place, stretch.begin + by + end * length):
                     def room(numbers, motion=motion, place=place, load=load, slope=slope):
                         self.as_found.load = constant(load + slope * place) + constant(slope * length) * numbers[0]
                         return -formula(motion(numbers[0]))
                     if enclosures.least(room, [enclosures.interval((low - place) / length, (high - place) / length)], 0) is None:
                         raise Refuted(f"limits.{key} is passed along a {stretch.kind}")
-                begin += width
         return bool(formulas)
 
     def loads(self, begin, end):
@@ -408,8 +404,7 @@ class Cam:
             return None
         function = {}
         for order, slope in enumerate(slopes):
-            for j, w in run.space.functional(at, order, side).items():
-                function[j] = function.get(j, Fraction(0)) + slope * w
+            add_to(function, run.space.functional(at, order, side), slope)
         return Row(name, k, function, -enclosures.fraction(lowest))
 
     def row_size(self):

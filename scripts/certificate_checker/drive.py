@@ -15,14 +15,14 @@ import math
 from fractions import Fraction
 
 from .drive_laws import largest_along, square_along
+from .enclosures import ends_of
 from .exact import (
-    KEPT, PI, STATED, Refuted, Unverified, combination, derivative, integral, largest, middle_of, number, product, root, shifted)
+    KEPT, PI_ITSELF, STATED, Refuted, Unverified, combination, derivative, integral, largest, number, product, root, shifted)
 from .motion_bounds import SIDES
-from .prescribed import ends_of, state_at
+from .prescribed import state_at
 from .runs import Peak, Stretch
-from .units import FORCE, INCH, LENGTHS, POUND, POUND_FORCE, angle_of, ratio
+from .units import FORCE, INCH, LENGTHS, POUND, POUND_FORCE, angle_of, in_unit
 
-PI_ITSELF = middle_of(PI)[0]  # to 35 digits: far below what limits are met to
 MOMENTS = {"nm": Fraction(1), "lbf_in": POUND_FORCE * INCH}
 SPEEDS = {"rpm": PI_ITSELF / 30, "rad_s": Fraction(1)}
 TRAVELS = {f"{unit}_per_rev": size for unit, size in (*LENGTHS.items(), ("deg", PI_ITSELF / 180), ("rad", Fraction(1)))}
@@ -70,7 +70,7 @@ class Drive:
         for name, own in (("load_mass", not turns), ("load_inertia", turns), ("force", not turns), ("moment", turns)):
             if written(given, UNITS[name], name)[0] and not own:
                 raise Unverified(f"drive.{name} where the lift is {'an angle' if turns else 'a length'}")
-        lift = problem.lift[0] * (PI_ITSELF / 180 if problem.lift[1] == "deg" else 1)
+        lift = in_unit(problem.lift, "rad")
         travel, rate = self.quantity("transmission") / (2 * PI_ITSELF), problem.turns_per_second()
         mass = self.quantity("load_mass") + self.quantity("load_inertia")
         self.acceleration = (mass * travel + self.quantity("motor_inertia") / travel) * lift * rate**2
@@ -110,10 +110,8 @@ class Drive:
         whole = self.length * self.problem.copies
         if self.problem.type == "program" and self.problem.wraps:
             return whole
-        angle = angle_of(given, "cycle")
-        if angle is None:
-            angle = (Fraction(360), "deg") if self.problem.unit_angle[1] == "deg" else (2 * PI_ITSELF, "rad")
-        cycle = ratio(angle, self.problem.unit_angle)
+        angle = angle_of(given, "cycle") or (Fraction(360), "deg")
+        cycle = in_unit(angle, self.problem.unit_angle[1]) / self.problem.unit_angle[0]
         if cycle < whole * (1 - STATED):
             raise Unverified("a cycle shorter than the motion")
         return max(cycle, whole)

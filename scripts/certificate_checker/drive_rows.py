@@ -12,8 +12,10 @@ least of all rows together, times their multipliers. The limit's own row is (rms
 from fractions import Fraction
 
 from .conditions import Conditions
-from .exact import SAME_PLACE, Refuted, Unverified, derivative, integral, number, product, root, shifted
-from .prescribed import ends_of, state_at
+from .enclosures import ends_of
+from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, number, product, root, shifted
+from .prescribed import state_at
+from .runs import Row
 
 NEAR = Fraction(1, 10**6)  # rules that the delivered motion comes so near to may be the one that a row means
 
@@ -64,7 +66,6 @@ class MotorRows:
         return [rule for rule, value in zip(rules, values) if value >= max(values) - NEAR]
 
     def row(self, rule, at, side):
-        from .bound import Row
         name, drive = f"{rule.key} at x = {float(at)}", self.drive
         span = drive.span_at(at, side)
         if span is None:
@@ -79,8 +80,7 @@ class MotorRows:
             return Row(name, 0, {}, most, rule.peak)
         at = self.problem.folded(at, side)
         function = {j: slope * w for j, w in run.space.functional(at, 1, side).items()}
-        for j, w in run.space.functional(at, 2, side).items():
-            function[j] = function.get(j, Fraction(0)) + bend * w
+        add_to(function, run.space.functional(at, 2, side), bend)
         return Row(name, k, function, most, rule.peak)
 
     # -- root mean squares
@@ -108,7 +108,6 @@ class MotorRows:
     @staticmethod
     def over_all(name, functions, constant, size, most, peak=None):
         """(functions + constant) / size <= most, and the peak."""
-        from .bound import Row
         scaled = [{j: w / size for j, w in f.items()} for f in functions]
         return Row(name, 0, scaled[0], most - constant / size, peak, beside=dict(enumerate(scaled[1:], 1)))
 
@@ -126,15 +125,9 @@ class MotorRows:
                 torque = drive.torque(p, span)
                 constant += span.constant * integral(torque, width) / drive.cycle
                 square += integral(product(torque, torque), width) / drive.cycle
-                for j, value in self.basis_products(run, i, begin, width, torque):
-                    function[j] = function.get(j, Fraction(0)) + value
+                add_to(function, {j: integral(product(part, torque), width) for j, part in self.parts(run, i, begin)}, 1 / drive.cycle)
             functions.append(function)
         return functions, constant, square
-
-    def basis_products(self, run, i, begin, width, torque):
-        """(control point, the product of its part of the torque and this torque) on a part of a piece."""
-        for j, part in self.parts(run, i, begin):
-            yield j, integral(product(part, torque), width) / self.drive.cycle
 
     def parts(self, run, i, begin):
         """(control point, the torque without its constant of its basis function), t from `begin` of piece i."""

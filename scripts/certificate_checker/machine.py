@@ -8,9 +8,10 @@ from .bound import Bound
 from .cam import Cam
 from .conditions import Conditions
 from .drive import Drive
-from .exact import KEPT, PI, Refuted, SAME_PLACE, Unverified, middle_of, number, shifted
+from .enclosures import ends_of
+from .exact import KEPT, PI_ITSELF, Refuted, SAME_PLACE, Unverified, add_to, number, shifted
 from .motion import Curve
-from .prescribed import ends_of, state_at
+from .prescribed import state_at
 from .problem import Problem
 from .references import references_of
 from .units import LENGTHS, angle_of, ratio
@@ -119,9 +120,7 @@ class Clearance:
                 constant += min(size * y for y in ends_of(state[0]))
                 continue
             constant -= size * run.level(stretch)
-            function = bound.functions[k]
-            for j, weight in run.space.functional(axis.problem.folded(x, "right"), 0).items():
-                function[j] = function.get(j, Fraction(0)) + size * weight
+            add_to(bound.functions[k], run.space.functional(axis.problem.folded(x, "right"), 0), size)
         return constant
 
     def check(self, curves):
@@ -194,7 +193,7 @@ def stays_below(polynomial, most):
 
 def add_rows(bounds, clearances, rows):
     """The constant that clearances leave."""
-    constant, degree = Fraction(0), 180 / middle_of(PI)[0]
+    constant, degree = Fraction(0), 180 / PI_ITSELF
     for row in rows:
         origin = row["origin"]
         clearance = next((c for c in clearances if c.name == origin["rule"]), None)

@@ -12,12 +12,12 @@ from .box_proof import BoxProof
 from .cam import Cam
 from .conditions import Conditions
 from .drive import Drive, TERMS as MOTOR_TERMS
-from .exact import KEPT, NOT_CONVEX, ORDERS, PI, Refuted, STATED, Unverified, middle_of, number
+from .exact import KEPT, NOT_CONVEX, ORDERS, Refuted, STATED, Unverified, number
 from .machine import judge_machine
 from .motion import Curve
 from .prescribed import bound_of, is_prescribed, judge_passed_limit
 from .problem import Problem
-from .units import angle_of
+from .units import angle_of, in_unit
 from .references import references_of
 from .stored import check_box, factor_of, stored_bound
 from .train import Train
@@ -133,19 +133,18 @@ def with_angles_found(scene, result):
     and fill the turn."""
     segments, searched = [dict(s) for s in scene["motion"].get("segments", [])], False
     for segment, found in zip(segments, result.get("segments") or []):
-        for unit, degree in (("deg", Fraction(1)), ("rad", middle_of(PI)[0] / 180)):
+        for unit in ("deg", "rad"):
             given = segment.get(f"angle_{unit}")
             if not isinstance(given, dict):
                 continue
-            angle, searched = number(found["angle_deg"]) * degree, True
+            angle, searched = in_unit((number(found["angle_deg"]), "deg"), unit), True
             if not number(given["min"]) * (1 - STATED) <= angle <= number(given["max"]) * (1 + STATED):
                 raise Refuted(f"an angle of {found['angle_deg']} deg is outside its range")
             segment[f"angle_{unit}"] = angle
     if not searched:
         return scene, False
-    angles = [angle_of(segment, "angle") for segment in segments]
-    turn = {"deg": Fraction(360), "rad": 2 * middle_of(PI)[0]}
-    if scene["motion"].get("closed", True) and abs(1 - sum(a / turn[unit] for a, unit in angles)) > STATED:
+    turn = sum(in_unit(angle_of(segment, "angle"), "deg") for segment in segments)
+    if scene["motion"].get("closed", True) and abs(1 - turn / 360) > STATED:
         raise Refuted("the angles found do not add up to a turn")
     return scene | {"motion": scene["motion"] | {"segments": segments}}, True
 
