@@ -17,6 +17,8 @@ from .references import references_of
 from .units import LENGTHS, angle_of, ratio
 
 TURN = Fraction(360)
+IN_TIME = "_s", "_s2", "_s3"
+OF_FORCES = "contact_force", "torque_max", "hertz_pressure", "residual", "dynamic_"
 MOST_PARTS = 4000  # of one clearance between two breakpoints, before the answer is left open
 
 
@@ -31,8 +33,8 @@ class Axis:
         if speed is not None:
             motion["speed_rpm"] = speed
         else:  # as the speed approaches 0 nothing that counts in time is left
-            limits = self.scene.get("limits", {})
-            self.scene["limits"] = {k: v for k, v in limits.items() if not k.endswith(("_s", "_s2", "_s3"))}
+            self.scene["limits"] = {k: v for k, v in self.scene.get("limits", {}).items()
+                                    if not k.endswith(IN_TIME) and not k.startswith(("motor_speed", *OF_FORCES))}
         self.scene["motion"] = motion
         if result is None:
             self.scene["objective"] = {}
@@ -44,9 +46,7 @@ class Axis:
         if "cam" in self.scene:
             self.problem.cam = Cam(self.problem, self.scene, result or {})
         if "drive" in self.scene:
-            if speed is None:
-                raise Unverified("a motor as the speed approaches 0")
-            self.problem.drive = Drive(self.problem, result or {})
+            self.problem.drive = Drive(self.problem, result or {}, speed is None)
             self.problem.terms += self.problem.drive.terms
         if self.problem.unit_angle[1] != "deg":
             raise Unverified("an axis with angles in radians")
