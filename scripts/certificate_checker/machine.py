@@ -11,7 +11,8 @@ from .conditions import Conditions
 from .disk_rules import constant
 from .drive import Drive
 from .enclosures import ends_of
-from .exact import KEPT, Refuted, SAME_PLACE, Unverified, add_to, combination, largest, number, shifted
+from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, shifted
+from .known import name_unknown_of_machine, name_what_is_unknown
 from .laws import POLYNOMIALS, at_time, parts_along
 from .motion import Curve
 from .prescribed import state_at
@@ -31,6 +32,7 @@ class Axis:
         """`result`: with its objective, whose references it states."""
         self.name = written["name"]
         self.scene = tomllib.loads((folder / f"{self.name}.toml").read_text(), parse_float=Fraction)
+        name_what_is_unknown(self.scene)
         motion = {k: v for k, v in self.scene["motion"].items() if not k.startswith("speed_")}
         if speed is not None:
             motion["speed_rpm"] = speed
@@ -48,6 +50,20 @@ class Axis:
             self.problem.drive = Drive(self.problem, result or {}, speed is None)
             self.problem.terms += self.problem.drive.terms
         self.unit_angle = in_unit(self.problem.unit_angle, "deg")
+
+    def only_tightens(self):
+        """Whether a motion at a speed is one at any lower speed: it has to be where limits in time allow rest, and torque without viscous
+        friction lies between that at the speed and that at rest."""
+        limits, drive = self.problem.limits, self.problem.drive
+        segments = self.problem.motion["segments"]
+        tables = [t for s in segments for t in (*s.get("via", []), s.get("end", {}))] + self.problem.motion.get("corridor", [])
+        sided = [v for k, v in limits.items() if k.endswith(IN_TIME) and isinstance(v, dict)]
+        if any(k.endswith(IN_TIME) for t in tables for k in t) or any(v.get("min", 0) > 0 or v.get("max", 0) < 0 for v in sided):
+            return False
+        if any(k.startswith(("motor_curve", *OF_FORCES)) for k in limits):
+            return False
+        return not any(k.startswith("motor_torque") for k in limits) or \
+            (not drive.quantity("viscous") and drive.returns_to_its_speed())
 
     def place(self, angle):
         """x of the axis at a master angle."""
@@ -85,6 +101,9 @@ class Clearance:
         key = next(k for k in written if k.startswith("at_least_"))
         self.unit, self.at_least = key[len("at_least_"):], number(written[key])
         self.axes = [next(a for a in axes if a.name == name) for name in written["between"]]
+        for axis in self.axes:
+            if axis.problem.motion.get("closed") == "relative":
+                raise Unverified(f"a clearance of {axis.name}, which advances in every cycle")
         self.factors = [number(f) for f in written.get("factors", [1] * len(self.axes))]
         self.begin, end = (in_unit(angle_of(written, key) or (whole, "deg"), "deg") for key, whole in (("from", 0 * TURN), ("to", TURN)))
         self.length = end - self.begin if end > self.begin else end - self.begin + TURN
@@ -237,10 +256,14 @@ def judge_machine(folder, report, outcome_of):
     machine = tomllib.loads((folder / "machine.toml").read_text(), parse_float=Fraction)
     result = json.loads((folder / "machine.json").read_text(), parse_float=Fraction)
     certificate = json.loads((folder / "certificate.json").read_text())
-    verdict, impossible = result["verdict"], result["impossible_above_rpm"]
+    name_unknown_of_machine(machine)
+    verdict, impossible, (least, most) = result["verdict"], result["impossible_above_rpm"], speeds_of(machine)
     claims = [verdict, f"{len(machine['axis'])} axes"]
     claims += [f"motions at {float(result['speed_rpm']):.9g} rpm"] if result["speed_rpm"] is not None else []
     claims += [f"none at {float(impossible):.9g} rpm"] if impossible is not None else []
+    if verdict == "infeasible":
+        own = f"{float(least):.9g} rpm" + (" or above" if least < most else "")
+        claims.append("none at " + ("any speed" if result["at_standstill"] else own))
     report.say("claimed: " + ", ".join(claims))
     if verdict != certificate["verdict"] and not (verdict == "optimal" and impossible is not None):
         raise Refuted("certificate.json and machine.json disagree")
@@ -249,17 +272,28 @@ def judge_machine(folder, report, outcome_of):
         axes = [Axis(folder, written, speed) for written in machine["axis"]]
         return axes, [Clearance(i, written, axes) for i, written in enumerate(machine.get("clearance", []))]
 
+    def not_above(axes):
+        """What is not verified of all speeds above one that is impossible."""
+        return [f"the speeds above: limits of {a.name} do not only tighten with speed" for a in axes if not a.only_tightens()]
+
     if verdict == "infeasible":
-        judge_impossible(*at(None if result["at_standstill"] else speeds_of(machine)[0]), certificate["proof"], report)
-        return []
+        axes, clearances = at(None if result["at_standstill"] else least)
+        judge_impossible(axes, clearances, certificate["proof"], report)
+        return [] if result["at_standstill"] or least == most else not_above(axes)
     if not result["axes"]:
         raise Unverified("nothing: no motions are delivered")
+    missing = []
+    if not least * (1 - STATED) <= number(result["speed_rpm"]) <= most * (1 + STATED):
+        raise Refuted("motions are delivered at a speed outside the machine's range")
+    if verdict == "optimal" and least < most and impossible is None and number(result["speed_rpm"]) < most * (1 - STATED):
+        raise Refuted("nothing proves that the speed is the largest")
     if impossible is not None:
         if number(impossible) <= number(result["speed_rpm"]):
             raise Refuted("motions are delivered at a speed that is said to be impossible")
         proof = json.loads((folder / "impossible.json").read_text())["proof"]
-        judge_impossible(*at(number(impossible)), proof, report)
-    missing = []
+        axes, clearances = at(number(impossible))
+        judge_impossible(axes, clearances, proof, report)
+        missing += not_above(axes) if verdict == "optimal" else []
     for written in machine["axis"]:
         code, text = outcome_of(folder / written["name"])
         report.say(f"{written['name']}: {text}")
