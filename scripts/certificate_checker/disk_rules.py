@@ -300,6 +300,12 @@ class TwoSides:
     def __init__(self, first, second):
         self.first, self.sides = first, (first, second)
 
+    def bear(self, load):
+        for side in self.sides:
+            side.load = load
+
+    load = property(None, bear)
+
     def formulas(self, key, order=None, sign=0, remark=""):
         once = key.endswith("pressure_angle_deg") and not self.sides[1].side.turn
         named = [side for side in self.sides if not remark or side.side.name == remark]
