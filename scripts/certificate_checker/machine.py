@@ -306,6 +306,8 @@ def judge_machine(folder, report, outcome_of):
         own = tomllib.loads((folder / axis.name / "scene.toml").read_text(), parse_float=Fraction)
         if own != tomllib.loads((folder / f"{axis.name}.toml").read_text(), parse_float=Fraction):
             raise Refuted(f"{axis.name}: its result is of another scene")
+        if abs(own["motion"]["speed_rpm"] / number(result["speed_rpm"]) - 1) > STATED:
+            raise Refuted(f"{axis.name}: its result is of another speed")
         curves[axis.name] = Curve(axis.problem, result_of(folder, {"name": axis.name}))
     for clearance in clearances:
         clearance.check(curves)
