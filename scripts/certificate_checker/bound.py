@@ -3,10 +3,12 @@
 from fractions import Fraction
 
 from .conditions import Conditions, solved
-from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, derivative, integral, number, product
+from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, add_to, derivative, integral, number, product
 from .drive_rows import MotorRows
+from .enclosures import ends_of
 from .motion_bounds import lost_area
-from .prescribed import ends_of, state_at
+from .prescribed import limits_at, state_at
+from .runs import Row
 from .strokes import farthest, stroke_of
 from .train_rows import use_ringing_rows
 
@@ -16,20 +18,6 @@ STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played
 LITTLE, SAME_DIRECTION = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows whose directions differ
 ROUNDED = Fraction(1, 10**9)  # what rounding may leave of a bound before multipliers are corrected
 FARTHEST = Fraction(1000)    # lifts: no motion beyond is considered where nothing else bounds it
-
-
-class Row:
-    """function(control points of run) + searched . dimensions - (the peak, where there is one) <= most. Of a tangent of a
-    convex rule `leaning(by)` is another row under the rule, whose slope by y is larger by that. `beside`: functions of further
-    runs, by their numbers."""
-
-    def __init__(self, name, run, function, most, peak=None, searched=None, leaning=None, beside=None):
-        self.leaning, self.beside = leaning, beside or {}
-        self.name, self.run, self.function, self.most, self.peak = name, run, function, most, peak
-        self.searched = searched or {}
-
-    def functions(self):
-        return {self.run: self.function} | self.beside
 
 
 def inner(a, b):
@@ -83,31 +71,27 @@ class Bound:
     def supremum_of(self, run):
         """Bounds of |y|, |y'|, |y''|, |y'''| on a run (None: none)."""
         known = [farthest(self.problem, run, self.relaxed) or FARTHEST, None, None, None]
+
+        def lower(order, size):
+            if known[order] is None or size < known[order]:
+                known[order] = size
         for term, most in zip(self.problem.terms, self.most):
             if most is None or term.kind != "peak":
                 continue
-            size = most * term.reference * max(s.scale(term.order) for s in run.stretches)
-            if known[term.order] is None or size < known[term.order]:
-                known[term.order] = size
+            lower(term.order, most * term.reference * max(s.scale(term.order) for s in run.stretches))
         for order, cap, _ in self.problem.motion_caps:
-            cap *= 1 + self.relaxed
-            if known[order] is None or cap < known[order]:
-                known[order] = cap
+            lower(order, cap * (1 + self.relaxed))
         length = run.space.breakpoints[-1] - run.space.breakpoints[0]
         for order, size in self.motor.bounded(run, length) if self.motor else ():
-            if known[order] is None or size < known[order]:
-                known[order] = size
+            lower(order, size)
         ends = max(abs(s) for s in run.ends())
         ends = max([ends] + [abs(level + run.level(s)) for s in run.stretches for level in (s.start, s.to)])
         for order, size in self.bounded_by_sides(run, length, ends):
-            if known[order] is None or size < known[order]:
-                known[order] = size
+            lower(order, size)
         for term, most in zip(self.problem.terms, self.most):
             # From rest, and by Cauchy and Schwarz: |y^(r-1)| <= length * root mean square of y^(r).
             if term.kind == "rms" and most is not None and run.rests[0] and len(self.problem.runs) == 1:
-                size = most * term.reference * length * max(s.scale(term.order) for s in run.stretches)
-                if known[term.order - 1] is None or size < known[term.order - 1]:
-                    known[term.order - 1] = size
+                lower(term.order - 1, most * term.reference * length * max(s.scale(term.order) for s in run.stretches))
         for order in (3, 2, 1):
             if known[order] is None:
                 continue
@@ -116,16 +100,13 @@ class Bound:
                 reach, beside = length, abs(run.ends()[1] - run.ends()[0]) / length if order == 2 else 0
             elif order > 1:
                 beside = max(abs(state[order - 2]) for state in run.states)
-            below = known[order] * reach + beside
-            if known[order - 1] is None or below < known[order - 1]:
-                known[order - 1] = below
+            lower(order - 1, known[order] * reach + beside)
         narrowest = min(run.space.width(i) for i in range(run.space.segments))
         for order in (1, 2, 3):
             # Markov: a polynomial of degree d within B over a width h has a slope within 2 d^2 B / h.
             d = run.space.degree - order + 1
-            above = None if known[order - 1] is None else 2 * d * d * known[order - 1] / narrowest
-            if known[order] is None or (above is not None and above < known[order]):
-                known[order] = above
+            if known[order - 1] is not None:
+                lower(order, 2 * d * d * known[order - 1] / narrowest)
         return known
 
     def bounded_by_sides(self, run, length, ends):
@@ -159,7 +140,7 @@ class Bound:
         for i, term in enumerate(self.problem.terms):
             sizes = [s[term.order] / min(t.scale(term.order) for t in run.stretches) / term.reference
                      for run, s in zip(self.problem.runs, self.supremum)]
-            if term.kind == "peak" and (self.most[i] is None or max(sizes) < self.most[i]):
+            if sizes and term.kind == "peak" and (self.most[i] is None or max(sizes) < self.most[i]):
                 self.most[i] = max(sizes)
 
     def run_at(self, x, side):
@@ -171,19 +152,13 @@ class Bound:
     def use(self, row, multiplier):
         """function + searched . dimensions - peak <= most, times a multiplier."""
         for k, own in row.functions().items():
-            function = self.functions[k]
-            for j, value in own.items():
-                function[j] = function.get(j, Fraction(0)) + multiplier * value
+            if own:
+                add_to(self.functions[k], own, multiplier)
         self.constant -= multiplier * row.most
-        for name, slope in row.searched.items():
-            self.leaning[name] = self.leaning.get(name, Fraction(0)) + multiplier * slope
+        add_to(self.leaning, row.searched, multiplier)
         if row.peak is not None:
             self.peaks[row.peak] += multiplier
         self.rows.append((row, multiplier))
-
-    def use_peak(self, name, run, function, most, peak, multiplier):
-        """function(control points of run) <= most + peak, times a multiplier."""
-        self.use(Row(name, run, function, most, peak), multiplier)
 
     def add_row(self, row, factor=1):
         """A row of the certificate, by its name alone: rule, place, side, derivative, sign."""
@@ -222,7 +197,7 @@ class Bound:
             weight = sign / (term.reference * stretch.scale(order))
             function = {j: w * weight for j, w in run.space.functional(at, order, side).items()}
             return Row(name, k, function, Fraction(0), peak), Fraction(1)
-        if run is None and sign and self.problem.runs:
+        if run is None and sign:
             return self.row_beside_splines(name, rule, order, sign, at, side)
         cap = next((c for o, c, key in self.problem.motion_caps if key == rule and o == order), None)
         if cap is not None and run is not None and sign:
@@ -244,11 +219,8 @@ class Bound:
     def row_beside_splines(self, name, rule, order, sign, at, side):
         """A bound or a cap of the motion where it is prescribed, along a law or in a dwell: a row without control points."""
         state, stretch = state_at(self.problem, at, side)
-        rules = [(cap, cap, sign) for o, cap, key in self.problem.motion_caps if (key, o) == (rule, order)]
-        rules += [(b.most, b.scale, b.sign) for b in self.problem.bounds if b.is_meant(rule, order, sign, stretch) and
-                  b.begin - SAME_PLACE <= at <= b.end + SAME_PLACE]
-        for most, scale, own in rules[:1]:
-            reached = min(own * end for end in ends_of(state[order]))
+        for most, scale in [own[2:] for own in limits_at(self.problem, rule, at, stretch) if own[:2] == (order, sign)][:1]:
+            reached = min(sign * end for end in ends_of(state[order]))
             return Row(name, 0, {}, (most - reached) / scale + self.relaxed), Fraction(1)
         return None
 
@@ -300,7 +272,7 @@ class Bound:
 
     def leave_out(self, rule, multiplier):
         """A row that is not used only weakens the bound."""
-        self.left_out[rule] = self.left_out.get(rule, Fraction(0)) + multiplier
+        add_to(self.left_out, {rule: multiplier})
 
     def add_area(self):
         """The lost area is linear in the motion: its part of the objective is added as it is."""
@@ -313,8 +285,7 @@ class Bound:
             self.peaks[i] += term.weight
             self.area = factor * lost, [{j: factor * w for j, w in function.items()} for function in functions]
             for own, function in zip(self.functions, self.area[1]):
-                for j, w in function.items():
-                    own[j] = own.get(j, Fraction(0)) + w
+                add_to(own, function)
 
     def add_root_mean_squares(self, curve):
         """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""
@@ -333,9 +304,8 @@ class Bound:
                     bent = derivative(piece, term.order)
                     factor = problem.rms_weight(stretch, term.order) / term.reference / size / length
                     for j, function in enumerate(run.space.basis(i)):
-                        place = run.space.first(i) + j
                         value = factor * integral(product(derivative(function, term.order), bent), width)
-                        tangents[t][k][place] = tangents[t][k].get(place, Fraction(0)) + value
+                        add_to(tangents[t][k], {run.space.first(i) + j: value})
         for t, functions in tangents.items():
             self.use(Row(f"tangent of the root mean square of derivative {problem.terms[t].order}", 0, functions[0],
                          Fraction(0), t, beside=dict(enumerate(functions[1:], 1))), problem.terms[t].weight)
@@ -364,8 +334,7 @@ class Bound:
         leave as little as can be of a function of the control points: least squares, steadied."""
         rests, functions = [Conditions(run.conditions) for run in self.problem.runs], [dict(f) for f in self.functions]
         for row, multiplier in beside:
-            for j, w in row.function.items():
-                functions[row.run][j] = functions[row.run].get(j, Fraction(0)) + multiplier * w
+            add_to(functions[row.run], row.function, multiplier)
         left = {(k, j): w for k, rest in enumerate(rests) for j, w in rest.reduced(functions[k], Fraction(0))[0].items()}
         reduced = [{(k, j): number(float(factor * w)) for j, w in rests[k].reduced(dict(function), Fraction(0))[0].items()}
                    for k, function, factor in columns]

@@ -23,7 +23,7 @@ from fractions import Fraction
 from . import enclosures
 from .conditions import Conditions
 from .disk_rules import constant
-from .exact import ORDERS, STATED, Refuted, Unverified, number
+from .exact import ORDERS, STATED, Refuted, Unverified, add_to, number
 
 ROUNDED = Fraction(1, 2**44)   # what the sums of a step may be off by in the file, relative: it was rounded outward
 SAME_ROW = Fraction(1, 10**9)  # a row of the scene is that of the file to this, relative to its size
@@ -43,8 +43,7 @@ def greatest(weights, box):
 def difference(a, b, factor=1):
     """a - factor b, of rows {variable: weight}."""
     result = dict(a)
-    for j, w in b.items():
-        result[j] = result.get(j, Fraction(0)) - factor * w
+    add_to(result, b, -factor)
     return result
 
 
@@ -309,8 +308,7 @@ class BoxProof:
                 raise Refuted(f"{name}: a multiplier below 0")
             most += m * earlier.side
             stated_most += m * earlier.stated
-            for j, w in earlier.weights.items():
-                rest[j] = rest.get(j, Fraction(0)) - m * w
+            add_to(rest, earlier.weights, -m)
         most += greatest(rest, self.narrowed(data["bounds"], self.box, "side", name))
         stated_most += greatest(rest, self.narrowed(data["bounds"], self.stated_box, "stated", name))
         stated = step.stated if step else stated

@@ -4,20 +4,18 @@ import itertools
 import math
 from fractions import Fraction
 
-from .bound import Row
 from . import enclosures
 from .inverse_rules import InverseRules
 from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
 from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides, constant
 from .exact import (
-    KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
-    largest, largest_magnitude, middle_of, number, on_grid, product, root, tangent, times)
+    KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, exactly, largest_magnitude, middle_of, number, root, tangent, times)
 from .forces import Forces
-from .laws import at_time, motion_along
-from .loads import keep_force, keep_hertz, keep_torque
+from .laws import at_time, parts_along
 from .motion_bounds import keeps
-from .units import angle_of, dimension_of, quantity
+from .runs import Row
+from .units import angle_of, dimension_of, enclosed, quantity
 
 
 DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat": ("base_radius",),
@@ -62,8 +60,7 @@ class Cam:
         self.cost = exactly(self.fixed + sum((self.weights[name] * self.sizes[name] for name in self.searched
                                               if self.sizes[name] is not None), Fraction(0)))
         self.forces = Forces(problem, scene) if "forces" in scene and not self.swings else None
-        unit = problem.unit_angle
-        self.beta = exactly(unit[0]) if unit[1] == "rad" else times(exactly(unit[0] / 180), PI)
+        self.beta = enclosed(problem.unit_angle)
         self.width = self.width_of(cam, scene)
         self.pressure = self.pressure_limits()
         self.form = cam.get("form", "open")
@@ -116,8 +113,7 @@ class Cam:
             raise Unverified(f'cam.form = "{self.form}"')
         turn = exactly(dimension_of(cam, "roller_distance"))
         if self.swings:
-            angle, unit = angle_of(cam, "arm_angle")
-            turn = exactly(angle) if unit == "rad" else times(exactly(angle / 180), PI)
+            turn = enclosed(angle_of(cam, "arm_angle"))
         second = {"second_" + name: dimension_of(cam, "second_" + name) or sizes.get(name, Fraction(0))
                   for name in ("roller_radius", "arm_length", "offset")}
         if "second_offset_mm" in cam or "second_offset_m" in cam or "second_offset_in" in cam:
@@ -182,8 +178,7 @@ class Cam:
         function = {}
 
         def add(derivative_order, weight):
-            for j, w in space.functional(at, derivative_order, side).items():
-                function[j] = function.get(j, Fraction(0)) + weight * w
+            add_to(function, space.functional(at, derivative_order, side), weight)
 
         if self.swings or self.form == "conjugate":  # and what moves in space
             return self.row_of_arm(bound, k, run, name, origin, at)
@@ -263,36 +258,18 @@ class Cam:
 
     def keeper_of(self, key):
         """What looks at a limit along the delivered motion; None: nothing here does."""
-        limits, pushed = self.problem.limits, not self.swings
         if self.kind != "disk":
             formulas, more = self.as_found.kept(key)
             return (lambda curve: self.keep_formulas(curve, key, formulas, more)) if formulas else None
-        if self.form != "open" and key not in FORCES:
-            return self.keeper_on_sides(key)
         if key.endswith("pressure_angle_deg"):
-            return self.keep_pressure if pushed else lambda curve: self.keep_pressure_of_arm(curve, key)
-        if key.startswith("contact_force_min_") and pushed:
-            return lambda curve: keep_force(self, curve)
-        if key == "torque_max_nm" and pushed:
-            return lambda curve: keep_torque(self, curve, number(limits[key]))
-        if key == "hertz_pressure_max_mpa" and self.follower == "translating_roller":
-            return lambda curve: keep_hertz(self, curve, number(limits[key]) * 10**6)
-        if key.startswith("cam_radius_min") and pushed:
-            return lambda curve: self.keep_radius(curve, dimension_of(limits, "cam_radius_min"))
-        if key.startswith(("cam_radius_min", "concave_radius_min")) or key == "undercut_margin":
-            if self.follower == "translating_flat":
-                return None
-            return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
-        return None
-
-    def keeper_on_sides(self, key):
-        if key.endswith("pressure_angle_deg"):
-            return lambda curve: self.keep_pressure_of_arm(curve, key)
-        if key.startswith("hertz_pressure_max") and self.forces and not self.forces.is_constant():
+            return (lambda curve: None) if self.follower == "translating_flat" else lambda curve: self.keep_pressure(curve, key)
+        if key in FORCES and self.swings or key.startswith("hertz_pressure_max") and (
+                self.follower != "translating_roller" if self.form == "open" else self.forces and not self.forces.is_constant()):
             return None
-        if key.startswith(("cam_radius_min", "concave_radius_min", "hertz_pressure_max_mpa")) or key == "undercut_margin":
-            return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
-        return None
+        if self.follower == "translating_flat" and not key.startswith(("cam_radius_min", *FORCES)):
+            return None
+        formulas = self.as_found.formulas("limits." + key)
+        return (lambda curve: self.keep_formulas(curve, key, formulas)) if formulas else None
 
     def formulas_along(self, key):
         """Formulas of a limit that any stretch of a motion can be held against; none: there are none here."""
@@ -304,36 +281,34 @@ class Cam:
     def keep_along_laws(self, key, stretches):
         """Along laws and dwells. False: nothing here looks at the limit there."""
         formulas = self.formulas_along(key)
-        for copy, stretch, formula in itertools.product(range(self.problem.copies), stretches, formulas):
-            by, length, begin = copy * self.problem.stretches[-1].end, stretch.end - stretch.begin, Fraction(0)
-            for width, motion in motion_along(stretch):
-                place = stretch.begin + by + begin * length
-                for low, high, load, slope in self.loads(place, place + width * length):
-                    def room(numbers, motion=motion, place=place, load=load, slope=slope):
-                        self.as_found.load = constant(load + slope * place) + constant(slope * length) * numbers[0]
-                        return -formula(motion(numbers[0]))
-                    if enclosures.least(room, [enclosures.interval((low - place) / length, (high - place) / length)], 0) is None:
-                        raise Refuted(f"limits.{key} is passed along a {stretch.kind}")
-                begin += width
+        for copy, stretch in itertools.product(range(self.problem.copies), stretches):
+            by, length = copy * self.problem.stretches[-1].end, stretch.end - stretch.begin
+            for begin, end, motion in parts_along(stretch, 3):
+                self.keep_along(key, formulas, motion, stretch.begin + by + begin * length, length, end - begin)
         return bool(formulas)
 
-    def loads(self, begin, end):
-        return self.forces.lines(begin, end) if self.forces else [(begin, end, Fraction(0), Fraction(0))]
-
     def keep_formulas(self, curve, key, formulas, more=()):
-        """Formulas of one cam angle along the motion: nowhere above 0. `more`: ranges of further numbers of a formula; what moves
-        beside the motion is told the place too."""
-        moves = self.kind != "disk" and self.as_found.moves
-        more = [enclosures.interval(*ends) for ends in more]
-        for run in curve.pieces:
-            for p, width, left, _ in run:
+        """Formulas of one cam angle along the splines. `more`: ranges of further numbers of a formula."""
+        loaded = key in LOADED and self.forces and not self.forces.is_constant()
+        for copy, (run, own) in itertools.product(range(self.problem.copies if loaded else 1), zip(self.problem.runs, curve.pieces)):
+            for p, width, left, stretch in own:
                 orders = [[constant(c) for c in derivative(p, order)] for order in range(3)]
-                for formula in formulas:
-                    def room(numbers, formula=formula, orders=orders, left=left):
-                        state = [at_time(c, numbers[0]) for c in orders] + numbers[1:]
-                        return -(formula(state, constant(left) + numbers[0]) if moves else formula(state))
-                    if enclosures.least(room, [enclosures.interval(Fraction(0), width), *more], 0) is None:
-                        raise Refuted(f"limits.{key} is passed")
+                place = left - run.begin_of(stretch) + stretch.begin + copy * self.problem.stretches[-1].end
+                self.keep_along(key, formulas, lambda v, orders=orders: [at_time(c, v) for c in orders], place, Fraction(1), width, more)
+
+    def keep_along(self, key, formulas, motion, place, scale, width, more=()):
+        """Nowhere above 0 along a motion of 0 <= v <= width, x = place + scale v; what moves beside the motion is told x too."""
+        moves, more = self.kind != "disk" and self.as_found.moves, [enclosures.interval(*ends) for ends in more]
+        whole = place, place + scale * width
+        lines = self.forces.lines(*whole) if self.forces and key in LOADED else [(*whole, Fraction(0), Fraction(0))]
+        for (begin, end, load, slope), formula in itertools.product(lines, formulas):
+            def room(numbers, load=load, slope=slope, formula=formula):
+                x = constant(place) + constant(scale) * numbers[0]
+                self.as_found.load = constant(load) + constant(slope) * x
+                state = motion(numbers[0]) + numbers[1:]
+                return -(formula(state, x) if moves else formula(state))
+            if enclosures.least(room, [enclosures.interval((begin - place) / scale, (end - place) / scale), *more], 0) is None:
+                raise Refuted(f"limits.{key} is passed")
 
     def formulas_at(self, origin, at):
         """What a row's limit may mean at a place."""
@@ -346,7 +321,7 @@ class Cam:
             self.rules.load = constant(self.forces.load_at(at, origin.get("side", "right")))
         return self.rules.formulas(*words, at) if self.kind != "disk" and self.rules.moves else self.rules.formulas(*words)
 
-    def keep_pressure_of_arm(self, curve, key):
+    def keep_pressure(self, curve, key):
         """Both sides along the motion, and at rest the least of all limits."""
         formulas = [f for sign in (1, -1) for f in self.as_found.formulas("limits." + key, 1, sign)]
         self.keep_formulas(curve, key, formulas)
@@ -408,8 +383,7 @@ class Cam:
             return None
         function = {}
         for order, slope in enumerate(slopes):
-            for j, w in run.space.functional(at, order, side).items():
-                function[j] = function.get(j, Fraction(0)) + slope * w
+            add_to(function, run.space.functional(at, order, side), slope)
         return Row(name, k, function, -enclosures.fraction(lowest))
 
     def row_size(self):
@@ -424,73 +398,3 @@ class Cam:
         """What the limits leave of a range of y."""
         own = self.rules.displacements() if self.rules and self.problem.type == "DRD" else None
         return (max(low, own[0]), min(high, own[1])) if own else (low, high)
-
-    def keep_pressure(self, curve):
-        if self.follower == "translating_flat":
-            return
-        start = self.start(self.base)[0]
-        for sign, limit in zip((1, -1), self.pressure):
-            if limit is None:
-                continue
-            steep = tangent(limit)
-            pieces = []
-            for run in curve.pieces:
-                for p, w, _, _ in run:
-                    # sign (s' - sense e) - tan (start + s), in parts of tan start; beta at its lower end.
-                    slope = [c * self.lift / self.beta[0] for c in derivative(p)]
-                    height = [c * self.lift for c in p]
-                    constant = [-sign * self.sense * self.offset - steep[0] * start]
-                    pieces.append((combination((sign / (steep[0] * start), slope), (-1 / start, height),
-                                               (1 / (steep[0] * start), constant)), w))
-            worst = largest(pieces)[1]
-            if worst > KEPT * 10:
-                raise Refuted(f"the pressure angle passes {float(limit)} deg: "
-                              f"by {float(worst):.1e} of its tangent at rest")
-        still = min([s.start for s in self.problem.stretches] + [s.to for s in self.problem.stretches])
-        least = min(limit for limit in self.pressure if limit is not None)
-        if abs(self.offset) > tangent(least)[0] * (start + still * self.lift) * (1 + KEPT):
-            raise Refuted("the pressure angle at rest passes its limit")
-
-    def keep_radius(self, curve, least):
-        """1 / pitch curvature - roller >= least: (least + roller) N <= (D^2 + u^2)^(3/2), N = D^2 + u (2u + sense e) -
-        D q with q = s''. Stretch by stretch, halved until it is decided."""
-        beta, lift = middle_of(self.beta)[0], self.lift
-        if self.follower == "translating_flat":
-            pieces = [(combination((-lift, p), (-lift / beta**2, derivative(p, 2)), (1, [least - self.base])), w)
-                      for run in curve.pieces for p, w, _, _ in run]
-            if largest(pieces, Fraction(1, 10**15))[1] > KEPT * self.base:
-                raise Refuted("the cam's radius passes its limit")
-            return
-        for run in curve.pieces:
-            for p, w, _, _ in run:
-                high, _, square, bent = self.geometry(p)
-                root_of = product(square, product(square, square))
-                self.decide([(least + self.roller) * c for c in bent], root_of, w, "the cam's radius passes its limit")
-
-    def geometry(self, p):
-        """D, u, D^2 + u^2 and N = D^2 + u (2u + sense e) - D s'' along a piece; pi is taken to 35 digits, far below
-        what a limit is kept to."""
-        beta, offset = middle_of(self.beta)[0], self.sense * self.offset
-        high = combination((self.lift, p), (1, [middle_of(self.start(self.base))[0]]))
-        slope = combination((self.lift / beta, derivative(p)), (1, [-offset]))
-        bend = [c * self.lift / beta**2 for c in derivative(p, 2)]
-        square = combination((1, product(high, high)), (1, product(slope, slope)))
-        bent = combination((1, product(high, high)), (2, product(slope, slope)), (offset, slope),
-                           (-1, product(high, bend)))
-        return high, slope, square, bent
-
-    def decide(self, side, root_of, width, fault):
-        """side <= sqrt(root_of), to within 2 KEPT: where side is positive, root_of - side^2 is not
-        negative."""
-        room = combination((1 + 4 * KEPT, root_of), (-1, product(side, side)))
-        size = max(abs(c) for c in bernstein(room, width))  # brought near 1 for the grid
-        scale = max(abs(c) for c in bernstein(side, width))
-        stack = [(on_grid([c / scale for c in bernstein(side, width)]),
-                  on_grid([c / size for c in bernstein(room, width)]), 0)]
-        while stack:
-            sides, rooms, depth = stack.pop()
-            if max(sides) <= -ROUNDED or min(rooms) >= ROUNDED:
-                continue
-            if depth > 60 or any(sides[end] > 0 and rooms[end] < 0 for end in (0, -1)):
-                raise Refuted(fault)
-            stack += [(a, b, depth + 1) for a, b in zip(halves(sides), halves(rooms))]

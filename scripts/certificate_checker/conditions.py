@@ -2,7 +2,7 @@
 """Conditions, exactly."""
 from fractions import Fraction
 
-from .exact import STATED, number
+from .exact import STATED, add_to, number
 
 
 class Conditions:
@@ -29,8 +29,7 @@ class Conditions:
                 theirs, their_value = self.rows[other]
                 if pivot in theirs:
                     factor = theirs.pop(pivot)
-                    for j, w in row.items():
-                        theirs[j] = theirs.get(j, Fraction(0)) - factor * w
+                    add_to(theirs, row, -factor)
                     self.rows[other] = (theirs, their_value - factor * value)
             self.rows[pivot] = (row, value)
 
@@ -39,8 +38,7 @@ class Conditions:
         for pivot in [j for j in row if j in self.rows]:
             weight = row.pop(pivot)
             theirs, their_value = self.rows[pivot]
-            for j, w in theirs.items():
-                row[j] = row.get(j, Fraction(0)) - weight * w
+            add_to(row, theirs, -weight)
             value -= weight * their_value
         return row, value
 

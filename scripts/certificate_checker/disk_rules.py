@@ -11,7 +11,7 @@ from fractions import Fraction
 from .enclosures import Over
 from .exact import PI, Unverified, exactly, middle_of, number, tangent, times
 from .forces import Forces
-from .units import quantity
+from .units import dimension_of, enclosed, quantity
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
 TOUCHES = Fraction(1, 10**6)      # contact: regularity, and height over the centre in parts of the cam's length
@@ -43,11 +43,7 @@ class DiskRules:
         self.dimensions = dimensions if "roller_radius" in dimensions else dimensions | {"roller_radius": Fraction(0)}
         self.swings = follower.startswith("oscillating")
         self.searched = [name for name, size in dimensions.items() if isinstance(size, tuple)]
-        size, unit = problem.lift
-        degree = times(PI, exactly(Fraction(1, 180)))
-        self.lift = times(exactly(size), degree if unit == "deg" else exactly(1))
-        angle, unit = problem.unit_angle
-        self.beta = times(exactly(angle), degree if unit == "deg" else exactly(1))
+        self.lift, self.beta = enclosed(problem.lift), enclosed(problem.unit_angle)
         self.roller = follower in ("translating_roller", "oscillating_roller")
         # On the follower at the cam angle that is looked at, N: set anew where it is not the same everywhere.
         self.load = constant(0)
@@ -161,7 +157,7 @@ class DiskRules:
             return self.height()
         for start, make in (("cam_radius_min_", self.convex_radius), ("concave_radius_min_", self.concave_radius)):
             if name.startswith(start):
-                return make(self.length(name))
+                return make(dimension_of(self.limits, start[:-1]))
         if name.startswith("contact_force_min_") and not self.swings:
             return self.contact()
         if name == "undercut_margin":
@@ -169,10 +165,6 @@ class DiskRules:
         if name == "hertz_pressure_max_mpa":
             return self.hertz(number(self.limits[name]) * 10**6)
         return None
-
-    def length(self, name):
-        units = {"mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}
-        return number(self.limits[name]) * units[name.rsplit("_", 1)[1]]
 
     def pressures(self, limit, sign):
         return [self.pressure(limit, sign)]
@@ -307,6 +299,12 @@ class TwoSides:
 
     def __init__(self, first, second):
         self.first, self.sides = first, (first, second)
+
+    def bear(self, load):
+        for side in self.sides:
+            side.load = load
+
+    load = property(None, bear)
 
     def formulas(self, key, order=None, sign=0, remark=""):
         once = key.endswith("pressure_angle_deg") and not self.sides[1].side.turn

@@ -7,7 +7,8 @@ With y in lifts h and a unit of x lasting T seconds these are, of y(x),
 
     torque = Ka y'' + Kv y' + K0 + Kf sgn y',   Ka = (m r + J / r) h / T^2,  Kv = c r h / T,  K0 = F r,  Kf = R r,   n = h / (T r) y'.
 
-Dry friction is a constant of each stroke, 0 in dwells. Root mean squares are over the cycle, outside of which the axis rests:
+Dry friction is a constant of each stroke, 0 in dwells. As the speed approaches 0 only K0 + Kf sgn y' is left of the torque.
+Root mean squares are over the cycle, outside of which the axis rests:
 
     mean square = (integral of torque^2 dx + (C - L) K0^2) / C,   C: the cycle, L: the motion, in x.
 """
@@ -15,14 +16,15 @@ import math
 from fractions import Fraction
 
 from .drive_laws import largest_along, square_along
+from .enclosures import ends_of
 from .exact import (
-    KEPT, PI, STATED, Refuted, Unverified, combination, derivative, integral, largest, middle_of, number, product, root, shifted)
+    KEPT, PI_ITSELF, STATED, Refuted, Unverified, combination, derivative, integral, largest, number, product, root, shifted)
+from .laws import SYMMETRIC
 from .motion_bounds import SIDES
-from .prescribed import ends_of, state_at
+from .prescribed import state_at
 from .runs import Peak, Stretch
-from .units import FORCE, INCH, LENGTHS, POUND, POUND_FORCE, angle_of, ratio
+from .units import FORCE, INCH, LENGTHS, POUND, POUND_FORCE, angle_of, in_unit
 
-PI_ITSELF = middle_of(PI)[0]  # to 35 digits: far below what limits are met to
 MOMENTS = {"nm": Fraction(1), "lbf_in": POUND_FORCE * INCH}
 SPEEDS = {"rpm": PI_ITSELF / 30, "rad_s": Fraction(1)}
 TRAVELS = {f"{unit}_per_rev": size for unit, size in (*LENGTHS.items(), ("deg", PI_ITSELF / 180), ("rad", Fraction(1)))}
@@ -43,8 +45,8 @@ def written(table, units, name):
 class Span:
     """A part of the motion along which friction has one direction."""
 
-    def __init__(self, stretch, begin, end, constant):
-        self.stretch, self.begin, self.end, self.constant = stretch, begin, end, constant
+    def __init__(self, stretch, begin, end, way, constant):
+        self.stretch, self.begin, self.end, self.way, self.constant = stretch, begin, end, way, constant
 
 
 class Rule:
@@ -58,8 +60,18 @@ class Rule:
         return self.key == origin["rule"] and (not self.sign or origin.get("sign", self.sign) == self.sign)
 
 
+def slope_at_ends(stretch):
+    """y' at both ends of a dwell or a law; None: a spline, which begins and ends as what is beside it."""
+    if stretch.kind == "law" and stretch.law not in SYMMETRIC:
+        raise Unverified(f"a motor along the law {stretch.law}")
+    moves = stretch.kind == "law" and stretch.law == "constant_velocity"
+    return None if stretch.kind == "spline" else (stretch.to - stretch.start) / (stretch.end - stretch.begin) if moves else Fraction(0)
+
+
 class Drive:
-    def __init__(self, problem, result):
+    def __init__(self, problem, result, at_rest=False):
+        """`at_rest`: as the speed approaches 0."""
+        self.at_rest = at_rest
         self.problem, given = problem, problem.scene["drive"]
         for key in given:
             if not any(key == f"{name}_{unit}" for name, units in UNITS.items() for unit in units):
@@ -70,16 +82,17 @@ class Drive:
         for name, own in (("load_mass", not turns), ("load_inertia", turns), ("force", not turns), ("moment", turns)):
             if written(given, UNITS[name], name)[0] and not own:
                 raise Unverified(f"drive.{name} where the lift is {'an angle' if turns else 'a length'}")
-        lift = problem.lift[0] * (PI_ITSELF / 180 if problem.lift[1] == "deg" else 1)
-        travel, rate = self.quantity("transmission") / (2 * PI_ITSELF), problem.turns_per_second()
+        lift = in_unit(problem.lift, "rad")
+        travel, rate = self.quantity("transmission") / (2 * PI_ITSELF), Fraction(0) if at_rest else problem.turns_per_second()
         mass = self.quantity("load_mass") + self.quantity("load_inertia")
-        self.acceleration = (mass * travel + self.quantity("motor_inertia") / travel) * lift * rate**2
+        inertia = (mass * travel + self.quantity("motor_inertia") / travel) * lift
+        self.acceleration = inertia * rate**2
         self.velocity = self.quantity("viscous") * travel * lift * rate
         self.constant = (self.quantity("force") + self.quantity("moment")) * travel
         self.friction = self.quantity("friction") * travel
         self.speed = lift * rate / travel
         self.inertia_ratio = mass * travel**2 / self.quantity("motor_inertia") if self.quantity("motor_inertia") else None
-        if self.acceleration <= 0 or self.velocity < 0 or self.friction < 0:
+        if inertia <= 0 or self.quantity("viscous") < 0 or self.friction < 0:
             raise Unverified("a motor that nothing resists")
         self.spans = self.spans_of(problem.stretches)
         self.length = problem.stretches[-1].end
@@ -98,11 +111,11 @@ class Drive:
         found = []
         for s in stretches:
             if self.problem.type == "RR" and s.kind == "spline":
-                found += [Span(s, Fraction(0), Fraction(1), self.constant + self.friction),
-                          Span(s, Fraction(1), s.end, self.constant - self.friction)]
+                found += [Span(s, Fraction(0), Fraction(1), 1, self.constant + self.friction),
+                          Span(s, Fraction(1), s.end, -1, self.constant - self.friction)]
                 continue
             way = 0 if s.kind == "dwell" else (s.to > s.start) - (s.to < s.start)
-            found.append(Span(s, s.begin, s.end, self.constant + way * self.friction))
+            found.append(Span(s, s.begin, s.end, way, self.constant + way * self.friction))
         return found
 
     def cycle_of(self, given):
@@ -110,10 +123,8 @@ class Drive:
         whole = self.length * self.problem.copies
         if self.problem.type == "program" and self.problem.wraps:
             return whole
-        angle = angle_of(given, "cycle")
-        if angle is None:
-            angle = (Fraction(360), "deg") if self.problem.unit_angle[1] == "deg" else (2 * PI_ITSELF, "rad")
-        cycle = ratio(angle, self.problem.unit_angle)
+        angle = angle_of(given, "cycle") or (Fraction(360), "deg")
+        cycle = in_unit(angle, self.problem.unit_angle[1]) / self.problem.unit_angle[0]
         if cycle < whole * (1 - STATED):
             raise Unverified("a cycle shorter than the motion")
         return max(cycle, whole)
@@ -130,8 +141,9 @@ class Drive:
         key, unit = written(limits, MOMENTS, "motor_torque")
         if key and isinstance(limits[key], dict):
             for side, value in limits[key].items():
-                rules.append(Rule(f"limits.{key}.{side}", SIDES[side], Fraction(SIDES[side]), Fraction(0),
-                                  SIDES[side] * number(value) * unit, TYPICAL_BEND * self.acceleration))
+                most = SIDES[side] * number(value) * unit
+                rules.append(Rule(f"limits.{key}.{side}", SIDES[side], Fraction(SIDES[side]), Fraction(0), most,
+                                  TYPICAL_BEND * self.acceleration or max(abs(most), Fraction(1))))
         elif key:
             most = number(limits[key]) * unit
             rules += [Rule("limits." + key, sign, Fraction(sign), Fraction(0), most, most) for sign in (1, -1)]
@@ -139,7 +151,12 @@ class Drive:
         if key:
             most = number(limits[key]) * unit
             rules += [Rule("limits." + key, sign, Fraction(0), Fraction(sign), most, most) for sign in (1, -1)]
-        rules += self.curve_of([(number(n) * SPEEDS["rpm"], number(t)) for n, t in limits.get("motor_curve", [])])
+        points = [(number(n) * SPEEDS["rpm"], number(t)) for n, t in limits.get("motor_curve", [])]
+        curve = self.curve_of(points)
+        if curve and self.at_rest:  # it never rises: no torque is above the one at speed 0
+            most = points[0][1]
+            curve = [Rule("limits.motor_curve", sign, Fraction(sign), Fraction(0), most, most) for sign in (1, -1)]
+        rules += curve
         key, unit = written(limits, MOMENTS, "motor_torque_rms")
         return rules, number(limits[key]) * unit if key else None
 
@@ -252,6 +269,39 @@ class Drive:
             own = largest([([sign * c for c in formula(torque, n).own], width) for torque, n, width in pieces for sign in signs])
             low, high = (own[0], own[1]) if low is None else (max(low, own[0]), max(high, own[1]))
         return low, high
+
+    # -- as the speed approaches 0
+
+    def largest_at_rest(self, sign):
+        """The largest sign * (K0 + Kf sgn y') that sign * torque reaches at any speed, or None. It does in dwells, and where the mean of
+        Ka y'' + Kv y' times the sign is not below 0 along all that has the same constant: y' is the same at both ends, and y goes with
+        the sign."""
+        returns, damped = self.returns_to_its_speed(), self.quantity("viscous")
+        left = [sign * span.constant for span in self.spans if span.stretch.kind == "dwell" or
+                (returns and (not damped or sign * (span.way if self.friction else self.net()) >= 0))]
+        return max(left, default=None)
+
+    def is_square_left(self):
+        """The same of the root mean square: integral of (c + g)^2 >= that of c^2 + 2 c g, g = Ka y'' + Kv y'."""
+        moved = sum((abs(span.stretch.to - span.stretch.start) for span in self.spans), Fraction(0))
+        return self.returns_to_its_speed() and (self.constant * self.net() + self.friction * moved >= 0 or not self.quantity("viscous"))
+
+    def net(self):
+        return self.problem.stretches[-1].to - self.problem.stretches[0].start
+
+    def returns_to_its_speed(self):
+        """Whether y' does not jump, and is 0 wherever friction changes (between splines that reverse: both are monotone)."""
+        if self.problem.type != "program" or not self.problem.wraps or self.problem.continuity < 1:
+            return False
+        for before, after in zip(self.spans, self.spans[1:] + self.spans[:1]):
+            slopes = {slope_at_ends(span.stretch) for span in (before, after)} - {None}
+            turns = not slopes and before.way * after.way < 0
+            if len(slopes) > 1 or (before.constant != after.constant and slopes != {0} and not turns):
+                return False
+        return True
+
+    def square_at_rest(self):
+        return self.mean_square([(span.constant**2 * (span.end - span.begin),) * 2 for span in self.spans])[0]
 
     def squares_beside(self):
         return [self.square(span) for span in self.spans if span.stretch.kind != "spline"]

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from . import enclosures
 from .disk_rules import constant
-from .enclosures import Over
+from .enclosures import ends_of
 from .exact import Unverified, derivative, integral, product
 from .laws import POLYNOMIALS, harmonic, motion_along, pieces_of
 
@@ -23,10 +23,6 @@ class Formula:
 
     def __mul__(self, other):
         return Formula(self.own * (other.own if isinstance(other, Formula) else constant(other)))
-
-
-def ends_of(value):
-    return enclosures.fraction(value.value[0]), enclosures.fraction(value.value[1])
 
 
 def largest_along(span, drive, formula, sign):

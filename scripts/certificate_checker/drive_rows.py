@@ -12,9 +12,12 @@ least of all rows together, times their multipliers. The limit's own row is (rms
 from fractions import Fraction
 
 from .conditions import Conditions
-from .exact import SAME_PLACE, Refuted, Unverified, derivative, integral, number, product, root, shifted
-from .prescribed import ends_of, state_at
+from .enclosures import ends_of
+from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, number, product, root, shifted
+from .prescribed import state_at
+from .runs import Row
 
+RELIEVED = " as the speed approaches 0, which motion may relieve"
 NEAR = Fraction(1, 10**6)  # rules that the delivered motion comes so near to may be the one that a row means
 
 
@@ -33,6 +36,8 @@ class MotorRows:
         if origin["rule"].startswith("limits.motor_torque_rms"):
             if self.drive.rms_limit is None:
                 raise Refuted("limits.motor_torque_rms: the scene has no such rule")
+            if self.drive.at_rest and not self.drive.is_square_left():
+                return self.bound.leave_out(origin["rule"] + RELIEVED, multiplier)
             self.square += multiplier
             return None
         at, side = number(origin["at"]), origin.get("side", "right")
@@ -44,9 +49,18 @@ class MotorRows:
             own = self.nearest(own, at, side)
         if not own:
             return self.bound.leave_out(origin["rule"], multiplier)
+        if self.drive.at_rest:
+            return self.add_at_rest(own[0], multiplier)
         for rule in own:
             self.bound.use(self.row(rule, at, side), multiplier / len(own))
         return None
+
+    def add_at_rest(self, rule, multiplier):
+        """Wherever the row is: the torque at rest may be taken at any place where no motion relieves it."""
+        largest = self.drive.largest_at_rest(rule.sign)
+        if largest is None:
+            return self.bound.leave_out(rule.key + RELIEVED, multiplier)
+        return self.bound.use(self.over_all(rule.key, [], Fraction(0), rule.scale, (rule.most - largest) / rule.scale), multiplier)
 
     def nearest(self, rules, at, side):
         """Those of the rules that the delivered motion comes nearest to: a file that does not say which one it means is
@@ -64,7 +78,6 @@ class MotorRows:
         return [rule for rule, value in zip(rules, values) if value >= max(values) - NEAR]
 
     def row(self, rule, at, side):
-        from .bound import Row
         name, drive = f"{rule.key} at x = {float(at)}", self.drive
         span = drive.span_at(at, side)
         if span is None:
@@ -79,8 +92,7 @@ class MotorRows:
             return Row(name, 0, {}, most, rule.peak)
         at = self.problem.folded(at, side)
         function = {j: slope * w for j, w in run.space.functional(at, 1, side).items()}
-        for j, w in run.space.functional(at, 2, side).items():
-            function[j] = function.get(j, Fraction(0)) + bend * w
+        add_to(function, run.space.functional(at, 2, side), bend)
         return Row(name, k, function, most, rule.peak)
 
     # -- root mean squares
@@ -96,7 +108,10 @@ class MotorRows:
 
     def use_limit(self, cost):
         """After all other rows."""
-        if self.square:
+        if self.square and self.drive.at_rest:
+            most = (1 - self.drive.square_at_rest() / self.drive.rms_limit**2) / 2
+            self.bound.use(self.over_all("limits.motor_torque_rms", [], 0, 1, most), self.square)
+        elif self.square:
             rows = [self.limit_row(own) for own in (self.bound.curve, self.preferred()) if own is not None]
             self.bound.use(max(rows, key=lambda row: self.bound.total_with(row, self.square, cost)), self.square)
 
@@ -108,9 +123,8 @@ class MotorRows:
     @staticmethod
     def over_all(name, functions, constant, size, most, peak=None):
         """(functions + constant) / size <= most, and the peak."""
-        from .bound import Row
         scaled = [{j: w / size for j, w in f.items()} for f in functions]
-        return Row(name, 0, scaled[0], most - constant / size, peak, beside=dict(enumerate(scaled[1:], 1)))
+        return Row(name, 0, scaled[0] if scaled else {}, most - constant / size, peak, beside=dict(enumerate(scaled[1:], 1)))
 
     def fixed(self):
         """What laws, dwells and rests add to the mean square at least."""
@@ -126,15 +140,9 @@ class MotorRows:
                 torque = drive.torque(p, span)
                 constant += span.constant * integral(torque, width) / drive.cycle
                 square += integral(product(torque, torque), width) / drive.cycle
-                for j, value in self.basis_products(run, i, begin, width, torque):
-                    function[j] = function.get(j, Fraction(0)) + value
+                add_to(function, {j: integral(product(part, torque), width) for j, part in self.parts(run, i, begin)}, 1 / drive.cycle)
             functions.append(function)
         return functions, constant, square
-
-    def basis_products(self, run, i, begin, width, torque):
-        """(control point, the product of its part of the torque and this torque) on a part of a piece."""
-        for j, part in self.parts(run, i, begin):
-            yield j, integral(product(part, torque), width) / self.drive.cycle
 
     def parts(self, run, i, begin):
         """(control point, the torque without its constant of its basis function), t from `begin` of piece i."""
@@ -152,6 +160,8 @@ class MotorRows:
         |u| <= |u at the start| + B length / Ka and |u'| <= (B + Kv |u|) / Ka; and from a mean square of it, with the ends of u,
         Ka^2 integral u'^2 <= integral (Ka u' + Kv u)^2 + Ka Kv u(start)^2."""
         drive, problem, bound = self.drive, self.problem, self.bound
+        if drive.at_rest:
+            return
         start = abs(run.ends()[1] - run.ends()[0]) / length if run.is_ring() else abs(run.states[0][0])
         largest = max(abs(span.constant) for span in drive.spans)
         for rule in drive.rules:

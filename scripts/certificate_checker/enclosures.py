@@ -25,6 +25,11 @@ def fraction(end):
     return Fraction(end, ONE)
 
 
+def ends_of(value):
+    """The ends of what is enclosed, as fractions."""
+    return fraction(value.value[0]), fraction(value.value[1])
+
+
 def multiplied(a, b):
     products = a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]
     return min(products) >> BITS, -(-max(products) >> BITS)

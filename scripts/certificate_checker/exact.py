@@ -67,6 +67,7 @@ def middle_of(enclosure):
 
 
 PI = pi()
+PI_ITSELF = middle_of(PI)[0]  # to 35 digits: far below what limits and conditions are met to
 sys.set_int_max_str_digits(0)  # exact numbers are long
 
 
@@ -88,6 +89,12 @@ def tangent(degrees):
         cosine = alternating(Fraction(1), lambda k, a=angle: -a * a / ((2 * k - 1) * (2 * k)))
         ends += [sine[0] / cosine[1], sine[1] / cosine[0]]
     return outward((min(ends), max(ends)))
+
+
+def add_to(function, row, factor=1):
+    """A function of control points, {control point: weight}, plus another one times a factor."""
+    for j, w in row.items():
+        function[j] = function.get(j, Fraction(0)) + factor * w
 
 
 def value_at(polynomial, t):

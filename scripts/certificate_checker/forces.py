@@ -2,8 +2,8 @@
 """The load of a follower that is pushed straight: mass, spring, preload, viscous damping, and a load over the cam angle."""
 from fractions import Fraction
 
-from .exact import PI, middle_of, number
-from .units import quantity, unit_of
+from .exact import number
+from .units import in_unit, quantity, unit_of
 
 class Forces:
     """F = mass speed^2 s'' + damping speed s' + rate s + preload + load, in N; speed in unit angles a second."""
@@ -25,9 +25,7 @@ class Forces:
         value = given[key] if key else 0
         if not isinstance(value, list):
             return [(Fraction(0), number(value) * size if key else Fraction(0))]
-        degree = Fraction(1) / problem.unit_angle[0]
-        if problem.unit_angle[1] != "deg":
-            degree = middle_of(PI)[0] / 180 / problem.unit_angle[0]
+        degree = in_unit((Fraction(1), "deg"), problem.unit_angle[1]) / problem.unit_angle[0]
         points = [(number(angle) * degree, number(load) * size) for angle, load in value]
         turn = points[0][0] + 360 * degree
         return points + ([(turn, points[0][1])] if points[-1][0] < turn else [])

@@ -19,8 +19,8 @@ from .disk_rules import DiskRules, constant
 from .enclosures import Over
 from .exact import Unverified, exactly, number, tangent
 from .plane_vectors import across, divided, dot, plus, scaled, sign_of
-from .units import angle_of
-from .remote_rules import enclosed, length_in
+from .remote_rules import length_in
+from .units import angle_of, enclosed
 
 NAMES = ("roller_radius", "roller_rest", "roller_end", "roller_from", "pin_distance", "rocker_pivot_x", "rocker_pivot_y",
          "feeder_offset", "feeder_start")

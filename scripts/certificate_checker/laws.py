@@ -79,3 +79,12 @@ def motion_along(stretch, orders=3):
         return states
 
     return [(width, scaled(piece)) for width, piece in pieces_of(stretch.law)]
+
+
+def parts_along(stretch, orders):
+    """[(begin, end, v -> [y, y' ...], v from there)] of motion_along, in parts of the stretch."""
+    end, found = Fraction(0), []
+    for width, motion in motion_along(stretch, orders):
+        found.append((end, end + width, motion))
+        end += width
+    return found

@@ -4,19 +4,25 @@ import json
 import tomllib
 from fractions import Fraction
 
+from . import enclosures
 from .bound import Bound
 from .cam import Cam
 from .conditions import Conditions
+from .disk_rules import constant
 from .drive import Drive
-from .exact import KEPT, PI, Refuted, SAME_PLACE, Unverified, middle_of, number, shifted
+from .enclosures import ends_of
+from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, shifted
+from .known import name_unknown_of_machine, name_what_is_unknown
+from .laws import POLYNOMIALS, at_time, parts_along
 from .motion import Curve
-from .prescribed import ends_of, state_at
+from .prescribed import state_at
 from .problem import Problem
 from .references import references_of
-from .units import LENGTHS, angle_of, ratio
+from .units import LENGTHS, angle_of, in_unit
 
 TURN = Fraction(360)
-MOST_PARTS = 4000  # of one clearance between two breakpoints, before the answer is left open
+IN_TIME = "_s", "_s2", "_s3"
+OF_FORCES = "contact_force", "torque_max", "hertz_pressure", "residual", "dynamic_"
 
 
 class Axis:
@@ -26,34 +32,44 @@ class Axis:
         """`result`: with its objective, whose references it states."""
         self.name = written["name"]
         self.scene = tomllib.loads((folder / f"{self.name}.toml").read_text(), parse_float=Fraction)
+        name_what_is_unknown(self.scene)
         motion = {k: v for k, v in self.scene["motion"].items() if not k.startswith("speed_")}
         if speed is not None:
             motion["speed_rpm"] = speed
         else:  # as the speed approaches 0 nothing that counts in time is left
-            limits = self.scene.get("limits", {})
-            self.scene["limits"] = {k: v for k, v in limits.items() if not k.endswith(("_s", "_s2", "_s3"))}
+            self.scene["limits"] = {k: v for k, v in self.scene.get("limits", {}).items()
+                                    if not k.endswith(IN_TIME) and not k.startswith(("motor_speed", *OF_FORCES))}
         self.scene["motion"] = motion
         if result is None:
             self.scene["objective"] = {}
-        phase, unit = angle_of(written, "phase") or (Fraction(0), "deg")
-        if unit != "deg":
-            raise Unverified("a phase in radians")
-        self.phase = phase
+        self.phase = in_unit(angle_of(written, "phase") or (Fraction(0), "deg"), "deg")
         self.problem = Problem(self.scene, references_of(self.scene, result["reference"] if result else {}))
         if "cam" in self.scene:
             self.problem.cam = Cam(self.problem, self.scene, result or {})
         if "drive" in self.scene:
-            if speed is None:
-                raise Unverified("a motor as the speed approaches 0")
-            self.problem.drive = Drive(self.problem, result or {})
+            self.problem.drive = Drive(self.problem, result or {}, speed is None)
             self.problem.terms += self.problem.drive.terms
-        if self.problem.unit_angle[1] != "deg":
-            raise Unverified("an axis with angles in radians")
+        self.unit_angle = in_unit(self.problem.unit_angle, "deg")
+
+    def only_tightens(self):
+        """Whether a motion at a speed is one at any lower speed: it has to be where limits in time allow rest, and torque without viscous
+        friction lies between that at the speed and that at rest."""
+        limits, drive = self.problem.limits, self.problem.drive
+        segments = self.problem.motion["segments"]
+        tables = [t for s in segments for t in (*s.get("via", []), s.get("end", {}))] + self.problem.motion.get("corridor", [])
+        sided = [v for k, v in limits.items() if k.endswith(IN_TIME) and isinstance(v, dict)]
+        if any(k.endswith(IN_TIME) for t in tables for k in t) or any(v.get("min", 0) > 0 or v.get("max", 0) < 0 for v in sided):
+            return False
+        if any(k.startswith(("motor_curve", *OF_FORCES)) for k in limits):
+            return False
+        return not any(k.startswith("motor_torque") for k in limits) or \
+            (not drive.quantity("viscous") and drive.returns_to_its_speed())
 
     def place(self, angle):
         """x of the axis at a master angle."""
-        along = (angle - self.phase) % TURN
-        return (along if along < TURN * (1 - SAME_PLACE) else Fraction(0)) / self.problem.unit_angle[0]
+        x = (angle - self.phase) % TURN / self.unit_angle
+        end = self.problem.stretches[-1].end * self.problem.copies  # angles as written add up to nearly a turn
+        return x if x < end * (1 - SAME_PLACE) else Fraction(0)
 
     def lift(self, unit):
         """In the unit of a clearance."""
@@ -61,20 +77,22 @@ class Axis:
         if kind == "m" and unit in LENGTHS:
             return size / LENGTHS[unit]
         if kind != "m" and unit in ("deg", "rad"):
-            return ratio((size, kind), (Fraction(1), unit))
+            return in_unit(self.problem.lift, unit)
         raise Refuted(f"a clearance in {unit} of {self.name}")
 
     def breaks(self):
         """Master angles where its formula changes."""
         for stretch in self.problem.stretches:
             points = [stretch.begin]
+            if stretch.kind == "law":
+                points += [stretch.begin + begin * (stretch.end - stretch.begin) for begin, _, _ in parts_along(stretch, 1)]
             for run in self.problem.runs:
                 if stretch in run.stretches:
                     by = run.begin_of(stretch) - stretch.begin
                     points += [x - by for x in run.space.breakpoints if stretch.begin <= x - by <= stretch.end]
             for copy in range(self.problem.copies):
                 by = copy * self.problem.stretches[-1].end
-                yield from ((self.phase + (x + by) * self.problem.unit_angle[0]) % TURN for x in points)
+                yield from ((self.phase + (x + by) * self.unit_angle) % TURN for x in points)
 
 
 class Clearance:
@@ -83,12 +101,12 @@ class Clearance:
         key = next(k for k in written if k.startswith("at_least_"))
         self.unit, self.at_least = key[len("at_least_"):], number(written[key])
         self.axes = [next(a for a in axes if a.name == name) for name in written["between"]]
+        for axis in self.axes:
+            if axis.problem.motion.get("closed") == "relative":
+                raise Unverified(f"a clearance of {axis.name}, which advances in every cycle")
         self.factors = [number(f) for f in written.get("factors", [1] * len(self.axes))]
-        (self.begin, one), (self.end, other) = (angle_of(written, "from") or (Fraction(0), "deg"),
-                                                angle_of(written, "to") or (TURN, "deg"))
-        if (one, other) != ("deg", "deg"):
-            raise Unverified("a clearance with angles in radians")
-        self.length = self.end - self.begin if self.end > self.begin else self.end - self.begin + TURN
+        self.begin, end = (in_unit(angle_of(written, key) or (whole, "deg"), "deg") for key, whole in (("from", 0 * TURN), ("to", TURN)))
+        self.length = end - self.begin if end > self.begin else end - self.begin + TURN
         self.scale = Fraction(0)
         for axis, factor in zip(self.axes, self.factors):
             levels = [Fraction(0)] + [s.to for s in axis.problem.stretches]
@@ -109,20 +127,18 @@ class Clearance:
         if multiplier < 0:
             raise Refuted(f"{self.name}: a multiplier below 0 of a row that has no lower side")
         angle, multiplier = self.holds_at(angle), multiplier / self.scale
-        constant = multiplier * self.at_least
+        least = multiplier * self.at_least
         for axis, factor in zip(self.axes, self.factors):
             bound, x = bounds[axis.name], axis.place(angle)
             size = -multiplier * factor * axis.lift(self.unit)
             k, run, stretch = bound.run_at(x, "right")
             if run is None:
                 state, _ = state_at(axis.problem, x, "right")
-                constant += min(size * y for y in ends_of(state[0]))
+                least += min(size * y for y in ends_of(state[0]))
                 continue
-            constant -= size * run.level(stretch)
-            function = bound.functions[k]
-            for j, weight in run.space.functional(axis.problem.folded(x, "right"), 0).items():
-                function[j] = function.get(j, Fraction(0)) + size * weight
-        return constant
+            least -= size * run.level(stretch)
+            add_to(bound.functions[k], run.space.functional(axis.problem.folded(x, "right"), 0), size)
+        return least
 
     def check(self, curves):
         """The largest of at_least - sum over the stretch is within what camopt promises of 0."""
@@ -131,22 +147,21 @@ class Clearance:
             points |= {p for p in ((b - self.begin) % TURN for b in axis.breaks()) if p < self.length}
         points = sorted(points)
         for left, right in zip(points, points[1:]):
-            total = [self.at_least]
+            total, formulas = [self.at_least], []
             for axis, factor in zip(self.axes, self.factors):
-                own = y_along(axis, curves[axis.name], self.begin + left, right - left)
-                size = -factor * axis.lift(self.unit)
-                total += [Fraction(0)] * (len(own) - len(total))
-                for m, c in enumerate(own):
-                    total[m] += size * c
-            if not stays_below(total, KEPT * self.scale):
+                own, size = y_along(axis, curves[axis.name], self.begin + left, right - left), -factor * axis.lift(self.unit)
+                if callable(own):
+                    formulas.append((size, own))
+                else:
+                    total = combination((1, total), (size, own))
+            if not stays_below(total, formulas, KEPT * self.scale):
                 raise Refuted(f"{self.name} is violated between {float(self.begin + left)} and {float(self.begin + right)} deg")
 
 
 def y_along(axis, curve, angle, width):
-    """y of an axis as a polynomial of u in [0, 1] over the master angles from `angle` on, between breakpoints."""
-    problem, unit = axis.problem, axis.problem.unit_angle[0]
-    x, wide = axis.place(angle), width / unit
-    middle = problem.folded((x + wide / 2) % (TURN / unit), "right")
+    """y of an axis by u in [0, 1] over the master angles from `angle` on, between breakpoints: a polynomial, or of most laws a formula."""
+    problem, wide = axis.problem, width / axis.unit_angle
+    middle = problem.folded(axis.place(angle + width / 2), "right")
     stretch = problem.stretch_at(middle, "right")
     for run, pieces in zip(problem.runs, curve.pieces):
         if stretch not in run.stretches:
@@ -155,57 +170,42 @@ def y_along(axis, curve, angle, width):
         piece, _, left, _ = pieces[i]
         moved = shifted(piece, at - wide / 2 - left)
         return [c * wide**m for m, c in enumerate(moved)]
-    if stretch.kind == "law":
-        raise Unverified("clearances along a law")
-    return [stretch.start]
+    if stretch.kind != "law":
+        return [stretch.start]
+    at, wide = ((own / (stretch.end - stretch.begin)) for own in (middle - stretch.begin, wide))
+    if stretch.law in POLYNOMIALS:
+        rise = stretch.to - stretch.start
+        moved = shifted([Fraction(c) for c in POLYNOMIALS[stretch.law]], at - wide / 2)
+        return combination((1, [stretch.start]), (rise, [c * wide**m for m, c in enumerate(moved)]))
+    parts = parts_along(stretch, 1)
+    begin, _, motion = next((part for part in parts if at < part[1]), parts[-1])
+    return lambda u: motion(constant(at - wide / 2 - begin) + constant(wide) * u)[0]
 
 
-def stays_below(polynomial, most):
-    """By the coefficients of Bernstein, halved where they do not decide."""
-    degree = len(polynomial) - 1
-    steps = [1]
-    for k in range(degree):
-        steps.append(steps[-1] * (degree - k) // (k + 1))
-    own = []
-    for i in range(degree + 1):
-        row, total = 1, Fraction(0)
-        for m in range(i + 1):
-            total += polynomial[m] * Fraction(row, steps[m])
-            row = row * (i - m) // (m + 1)
-        own.append(total)
-    open_parts, count = [own], 0
-    while open_parts:
-        part = open_parts.pop()
-        if max(part) <= most:
-            continue
-        count += 1
-        if max(part[0], part[-1]) > most:
-            return False
-        if count > MOST_PARTS:
-            raise Unverified("a clearance that touches its limit")
-        left, right, rest = [part[0]], [part[-1]], part
-        while len(rest) > 1:
-            rest = [(a + b) / 2 for a, b in zip(rest, rest[1:])]
-            left.append(rest[0])
-            right.append(rest[-1])
-        open_parts += [left, right[::-1]]
-    return True
+def stays_below(polynomial, formulas, most):
+    """Whether a polynomial of u in [0, 1] and formulas of it, each with its factor, are nowhere above `most` together."""
+    if formulas:
+        def room(numbers):
+            own = [constant(size) * formula(numbers[0]) for size, formula in formulas]
+            return constant(most) - sum(own, at_time([constant(c) for c in polynomial], numbers[0]))
+        return enclosures.least(room, [enclosures.interval(Fraction(0), Fraction(1))], 0) is not None
+    return largest([(polynomial, Fraction(1))])[1] <= most
 
 
 def add_rows(bounds, clearances, rows):
     """The constant that clearances leave."""
-    constant, degree = Fraction(0), 180 / middle_of(PI)[0]
+    left = Fraction(0)
     for row in rows:
         origin = row["origin"]
         clearance = next((c for c in clearances if c.name == origin["rule"]), None)
         if clearance:
-            constant += clearance.use(bounds, number(origin["at"]) * degree, number(row["multiplier"]))
+            left += clearance.use(bounds, in_unit((number(origin["at"]), "rad"), "deg"), number(row["multiplier"]))
             continue
         name, _, rule = origin["rule"].partition(": ")
         if name not in bounds:
             raise Refuted(f"the machine has no rule {origin['rule']}")
         bounds[name].add_row(row | {"origin": origin | {"rule": rule}})
-    return constant
+    return left
 
 
 def judge_least_objective(axes, clearances, curves, certificate, report):
@@ -217,6 +217,9 @@ def judge_least_objective(axes, clearances, curves, certificate, report):
     bounds = {axis.name: Bound(axis.problem, reached, Fraction(0), curves[axis.name]) for axis in axes}
     value = add_rows(bounds, clearances, proof["rows"])
     for axis in axes:
+        if not axis.problem.runs:  # prescribed: its objective is a number
+            value += curves[axis.name].objective()[0]
+            continue
         bounds[axis.name].add_root_mean_squares(curves[axis.name])
         bounds[axis.name].add_area()
         value += bounds[axis.name].value()
@@ -253,10 +256,14 @@ def judge_machine(folder, report, outcome_of):
     machine = tomllib.loads((folder / "machine.toml").read_text(), parse_float=Fraction)
     result = json.loads((folder / "machine.json").read_text(), parse_float=Fraction)
     certificate = json.loads((folder / "certificate.json").read_text())
-    verdict, impossible = result["verdict"], result["impossible_above_rpm"]
+    name_unknown_of_machine(machine)
+    verdict, impossible, (least, most) = result["verdict"], result["impossible_above_rpm"], speeds_of(machine)
     claims = [verdict, f"{len(machine['axis'])} axes"]
     claims += [f"motions at {float(result['speed_rpm']):.9g} rpm"] if result["speed_rpm"] is not None else []
     claims += [f"none at {float(impossible):.9g} rpm"] if impossible is not None else []
+    if verdict == "infeasible":
+        own = f"{float(least):.9g} rpm" + (" or above" if least < most else "")
+        claims.append("none at " + ("any speed" if result["at_standstill"] else own))
     report.say("claimed: " + ", ".join(claims))
     if verdict != certificate["verdict"] and not (verdict == "optimal" and impossible is not None):
         raise Refuted("certificate.json and machine.json disagree")
@@ -265,18 +272,28 @@ def judge_machine(folder, report, outcome_of):
         axes = [Axis(folder, written, speed) for written in machine["axis"]]
         return axes, [Clearance(i, written, axes) for i, written in enumerate(machine.get("clearance", []))]
 
+    def not_above(axes):
+        """What is not verified of all speeds above one that is impossible."""
+        return [f"the speeds above: limits of {a.name} do not only tighten with speed" for a in axes if not a.only_tightens()]
+
     if verdict == "infeasible":
-        speed = None if result["at_standstill"] else least_speed(machine)
-        judge_impossible(*at(speed), certificate["proof"], report)
-        return []
+        axes, clearances = at(None if result["at_standstill"] else least)
+        judge_impossible(axes, clearances, certificate["proof"], report)
+        return [] if result["at_standstill"] or least == most else not_above(axes)
     if not result["axes"]:
         raise Unverified("nothing: no motions are delivered")
+    missing = []
+    if not least * (1 - STATED) <= number(result["speed_rpm"]) <= most * (1 + STATED):
+        raise Refuted("motions are delivered at a speed outside the machine's range")
+    if verdict == "optimal" and least < most and impossible is None and number(result["speed_rpm"]) < most * (1 - STATED):
+        raise Refuted("nothing proves that the speed is the largest")
     if impossible is not None:
         if number(impossible) <= number(result["speed_rpm"]):
             raise Refuted("motions are delivered at a speed that is said to be impossible")
         proof = json.loads((folder / "impossible.json").read_text())["proof"]
-        judge_impossible(*at(number(impossible)), proof, report)
-    missing = []
+        axes, clearances = at(number(impossible))
+        judge_impossible(axes, clearances, proof, report)
+        missing += not_above(axes) if verdict == "optimal" else []
     for written in machine["axis"]:
         code, text = outcome_of(folder / written["name"])
         report.say(f"{written['name']}: {text}")
@@ -289,6 +306,8 @@ def judge_machine(folder, report, outcome_of):
         own = tomllib.loads((folder / axis.name / "scene.toml").read_text(), parse_float=Fraction)
         if own != tomllib.loads((folder / f"{axis.name}.toml").read_text(), parse_float=Fraction):
             raise Refuted(f"{axis.name}: its result is of another scene")
+        if abs(own["motion"]["speed_rpm"] / number(result["speed_rpm"]) - 1) > STATED:
+            raise Refuted(f"{axis.name}: its result is of another speed")
         curves[axis.name] = Curve(axis.problem, result_of(folder, {"name": axis.name}))
     for clearance in clearances:
         clearance.check(curves)
@@ -306,8 +325,8 @@ def result_of(folder, written):
     return json.loads((folder / written["name"] / "result.json").read_text())
 
 
-def least_speed(machine):
-    speed = machine["machine"].get("speed_rpm")
-    if speed is None:
-        raise Unverified("a speed in rad/s")
-    return number(speed["min"] if isinstance(speed, dict) else speed)
+def speeds_of(machine):
+    """(the least speed, the largest), rpm."""
+    key, = machine["machine"]
+    speed, unit = machine["machine"][key], {"speed_rpm": Fraction(1), "speed_rad_s": in_unit((Fraction(1, 6), "rad"), "deg")}[key]
+    return [number(speed[end] if isinstance(speed, dict) else speed) * unit for end in ("min", "max")]

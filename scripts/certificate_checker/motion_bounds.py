@@ -4,8 +4,8 @@ from fractions import Fraction
 
 from . import enclosures
 from .disk_rules import constant
-from .exact import KEPT, ORDERS, Refuted, Unverified, derivative, integral, largest, number, shifted
-from .laws import SYMMETRIC, motion_along
+from .exact import KEPT, ORDERS, Refuted, Unverified, add_to, derivative, integral, largest, number, shifted
+from .laws import SYMMETRIC, parts_along
 
 TYPICAL = (1, 2, 6, 60)  # of y ... y''' over one lift: what a bound near 0 is measured by
 SIDES = {"min": -1, "max": 1}
@@ -88,15 +88,14 @@ def keeps(stretch, order, sign, most, begin, end):
     """Whether sign * y^(order) <= most along a dwell or a law from `begin` to `end`."""
     if order == 3 and stretch.kind == "law" and stretch.law in JUMPING:
         raise Unverified(f"the jerk of the law {stretch.law}")
-    length, at = stretch.end - stretch.begin, Fraction(0)
-    for width, motion in motion_along(stretch, order + 1):
-        low, high = max((begin - stretch.begin) / length, at), min((end - stretch.begin) / length, at + width)
+    length = stretch.end - stretch.begin
+    for at, until, motion in parts_along(stretch, order + 1):
+        low, high = max((begin - stretch.begin) / length, at), min((end - stretch.begin) / length, until)
         if low <= high:
             def room(numbers, motion=motion):
                 return constant(most) - constant(sign) * motion(numbers[0])[order]
             if enclosures.least(room, [enclosures.interval(low - at, high - at)], 0) is None:
                 return False
-        at += width
     return True
 
 
@@ -119,9 +118,8 @@ def lost_area(problem):
         total -= sum(((s.end - s.begin) * run.level(s) for s in run.stretches), Fraction(0))
         function = {}
         for i in range(run.space.segments):
-            for k, basis in enumerate(run.space.basis(i)):
-                j = run.space.first(i) + k
-                function[j] = function.get(j, Fraction(0)) - integral(basis, run.space.width(i)) / length
+            for j, basis in enumerate(run.space.basis(i), run.space.first(i)):
+                add_to(function, {j: integral(basis, run.space.width(i))}, -1 / length)
         functions.append(function)
     return 1 - total / length, functions
 

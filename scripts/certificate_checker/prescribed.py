@@ -2,10 +2,10 @@
 """Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
 from fractions import Fraction
 
-from . import enclosures
 from .disk_rules import constant
+from .enclosures import ends_of
 from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, number, root, tangent
-from .laws import motion_along
+from .laws import parts_along
 from .units import dimension_of
 from .references import law_peak
 
@@ -39,17 +39,9 @@ def state_at(problem, at, side):
     if stretch is None:
         raise Refuted(f"a row speaks of x = {float(at)}, outside the motion")
     v = min(max((at - stretch.begin) / (stretch.end - stretch.begin), Fraction(0)), Fraction(1))
-    begin, pieces = Fraction(0), motion_along(stretch, 4)
-    for width, motion in pieces:
-        if v < begin + width or (v == begin + width and (side == "left" or motion is pieces[-1][1])):
-            return motion(constant(v - begin)), stretch
-        begin += width
-    raise Refuted(f"x = {float(at)} is not on its stretch")
-
-
-def ends_of(value):
-    """The ends of what is enclosed, as fractions."""
-    return enclosures.fraction(value.value[0]), enclosures.fraction(value.value[1])
+    parts = parts_along(stretch, 4)
+    begin, _, motion = next((part for part in parts if v < part[1] or (v == part[1] and side == "left")), parts[-1])
+    return motion(constant(v - begin)), stretch
 
 
 # -- no motion: the one there is passes a limit
@@ -73,22 +65,23 @@ def judge_passed_limit(problem, proof, report):
     return []
 
 
+def limits_at(problem, rule, at, stretch):
+    """[(order, sign, most, scale)] of a limit at a place where the motion is prescribed: sign * y^(order) <= most. Peaks beside splines
+    are those of the splines."""
+    caps = [(order, cap) for order, cap, key in problem.motion_caps if key == rule]
+    caps += [(t.order, t.cap * stretch.scale(t.order)) for t in problem.terms if t.kind == "peak" and t.cap is not None and
+             not problem.runs and stretch.kind == "law" and rule in [f"limits.{n}" for n, order in ORDERS.items() if order == t.order]]
+    return [(order, sign, cap, cap) for order, cap in caps for sign in (1, -1)] + [
+        (b.order, b.sign, b.most, b.scale) for b in problem.bounds if b.key == rule and b.stretch in (None, stretch) and
+        b.begin - SAME_PLACE <= at <= b.end + SAME_PLACE]
+
+
 def passes(problem, rule, at, side):
     """Whether a limit is certainly passed at a place."""
-    (state, stretch), own = state_at(problem, at, side), []
+    state, stretch = state_at(problem, at, side)
     if problem.drive and rule.startswith("limits.motor_"):
         return problem.drive.passes(rule, at, side)
-    for term in problem.terms:
-        name = next((n for n, order in ORDERS.items() if term.kind == "peak" and order == term.order), None)
-        if term.cap is not None and rule == f"limits.{name}" and stretch.kind == "law":
-            own += [(term.order, sign, term.cap * stretch.scale(term.order)) for sign in (1, -1)]
-    for order, cap, key in problem.motion_caps:
-        if key == rule:
-            own += [(order, sign, cap) for sign in (1, -1)]
-    for bound in problem.bounds:
-        if bound.key == rule and bound.stretch in (None, stretch) and \
-                bound.begin - SAME_PLACE <= at <= bound.end + SAME_PLACE:
-            own.append((bound.order, bound.sign, bound.most))
+    own = [limit[:3] for limit in limits_at(problem, rule, at, stretch)]
     if problem.cam and rule.startswith("cam.face_") and problem.cam.width:
         own += [(1, sign, problem.cam.width[1] * problem.cam.beta[1] / problem.cam.lift) for sign in (1, -1)]
     if own:

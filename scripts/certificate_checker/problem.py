@@ -3,11 +3,11 @@
 import itertools
 from fractions import Fraction
 
-from .exact import ORDERS, PI, SAME_PLACE, Unverified, exactly, middle_of, number, times
+from .exact import ORDERS, SAME_PLACE, Unverified, add_to, number
 from .motion_bounds import area_reference, motion_bounds
 from .runs import Peak, Run, Stretch
 from .spaces import Space
-from .units import LENGTHS, angle_of, ratio
+from .units import LENGTHS, angle_of, in_unit, ratio
 
 CLOSE = Fraction(1, 10**6)  # set points nearer than this, in x, fix a slope that a last digit moves
 
@@ -90,12 +90,11 @@ class Problem:
         return None if key is None else number(table[key]) * unit
 
     def turns_per_second(self):
-        """Unit angles a second. rpm with degrees and rad/s with radians are exact."""
-        if "speed_rpm" in self.motion and self.unit_angle[1] == "deg":
-            return number(self.motion["speed_rpm"]) * 6 / self.unit_angle[0]
-        if "speed_rad_s" in self.motion and self.unit_angle[1] == "rad":
-            return number(self.motion["speed_rad_s"]) / self.unit_angle[0]
-        raise Unverified("a speed that has no exact ratio to the angles (rpm goes with degrees, rad/s with radians)")
+        """Unit angles a second. rpm with degrees and rad/s with radians are exact, others to the 35 digits of pi."""
+        for key, size, unit in (("speed_rpm", 6, "deg"), ("speed_rad_s", 1, "rad")):
+            if key in self.motion:
+                return in_unit((number(self.motion[key]) * size, unit), self.unit_angle[1]) / self.unit_angle[0]
+        raise Unverified("numbers in units of time where no speed is given, or as it approaches 0")
 
     def derivative_of(self, table, name):
         """(how a velocity, acceleration or jerk is written in a table, y^(r) for one in that unit): normalised, by time or by the
@@ -113,12 +112,7 @@ class Problem:
                 key = f"{name}_{unit}_{by}{power}"
                 if key not in table:
                     continue
-                angle = self.unit_angle[0]
-                if self.unit_angle[1] != by:
-                    if by != "rad":
-                        raise Unverified(f"{key} with angles in radians")
-                    angle = middle_of(times(exactly(angle / 180), PI))[0]  # to 35 digits: far below what conditions are met to
-                return key, length / size * angle**order
+                return key, length / size * in_unit(self.unit_angle, by)**order
         found = [key for key in table if key.startswith(name + "_")]
         if found:
             raise Unverified(f"{found[0]}: this unit")
@@ -284,8 +278,7 @@ class Problem:
             run.demand(at, 0, side, level, "displacement at the start of the turn")
         for order in range(1, self.continuity + 1):
             row = run.space.functional(begin, order, "right")
-            for j, weight in run.space.functional(end, order, "left").items():
-                row[j] = row.get(j, Fraction(0)) - weight
+            add_to(row, run.space.functional(end, order, "left"), -1)
             run.conditions.append((row, Fraction(0), f"derivative {order} at the start of the turn"))
 
     def state_beside(self, neighbour):

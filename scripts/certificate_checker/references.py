@@ -4,6 +4,7 @@ from fractions import Fraction
 
 from .exact import (
     ORDERS, PI, Refuted, STATED, Unverified, derivative, exactly, integral, largest_magnitude, number, product, root, times)
+from .laws import POLYNOMIALS
 
 
 def references_of(scene, stated):
@@ -62,12 +63,10 @@ def law_peak(law, name):
         ("cycloidal", "acceleration"): lambda: times(exactly(2), PI),
         ("cycloidal", "jerk"): lambda: times(exactly(4), square),
     }
-    polynomials = {"polynomial_345": [0, 0, 0, 10, -15, 6], "polynomial_4567": [0, 0, 0, 0, 35, -84, 70, -20],
-                   "polynomial_56789": [0, 0, 0, 0, 0, 126, -420, 540, -315, 70]}
     if (law, name) in known:
         return known[(law, name)]()
-    if law in polynomials:
-        y = [Fraction(c) for c in polynomials[law]]
+    if law in POLYNOMIALS and law != "constant_velocity":
+        y = [Fraction(c) for c in POLYNOMIALS[law]]
         if name in ORDERS:
             return largest_magnitude([(derivative(y, ORDERS[name]), Fraction(1))])
         if name.startswith("rms_"):

@@ -23,9 +23,9 @@ from fractions import Fraction
 
 from .disk_rules import DiskRules, constant
 from .enclosures import Over
-from .exact import PI, Unverified, exactly, number, tangent, times
+from .exact import Unverified, number, tangent
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
-from .units import angle_of, dimension_of
+from .units import angle_of, dimension_of, enclosed
 
 NUMBERS = {"lever": (), "lever_coupler_slider": ("lever_arm", "coupler", "slider_x", "slider_y"),
            "lever_coupler_lever": ("lever_arm", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm"),
@@ -33,12 +33,6 @@ NUMBERS = {"lever": (), "lever_coupler_slider": ("lever_arm", "coupler", "slider
                "lever_arm", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm", "rocker_output_arm",
                "second_coupler", "slider_x", "slider_y")}
 OF_THE_CAM = ("roller_radius", "roller_arm", "lever_pivot_x", "lever_pivot_y", "center_x", "center_y")
-
-
-def enclosed(angle):
-    """rad, of (number, unit)."""
-    size, unit = angle
-    return exactly(size) if unit == "rad" else times(exactly(size / 180), PI)
 
 
 def length_in(table, name):
@@ -67,7 +61,7 @@ class RemoteRules:
                        (("lever_angle", 0), ("rocker_angle", 0), ("slider_angle", 90), ("output_angle", 0))}
         self.left = {name: constant(1 if linkage.get(name, "left") == "left" else -1)
                      for name in ("lever_branch", "rocker_branch")}
-        self.lift = enclosed(problem.lift) if problem.lift[1] != "m" else exactly(problem.lift[0])
+        self.lift = enclosed(problem.lift)
         self.beta = enclosed(problem.unit_angle)
 
     def size(self, name):

@@ -85,3 +85,17 @@ class Peak:
 
     def __init__(self, kind, order, weight, reference, cap=None):
         self.kind, self.order, self.weight, self.reference, self.cap = kind, order, weight, reference, cap
+
+
+class Row:
+    """function(control points of run) + searched . dimensions - (the peak, where there is one) <= most. Of a tangent of a
+    convex rule `leaning(by)` is another row under the rule, whose slope by y is larger by that. `beside`: functions of further
+    runs, by their numbers."""
+
+    def __init__(self, name, run, function, most, peak=None, searched=None, leaning=None, beside=None):
+        self.leaning, self.beside = leaning, beside or {}
+        self.name, self.run, self.function, self.most, self.peak = name, run, function, most, peak
+        self.searched = searched or {}
+
+    def functions(self):
+        return {self.run: self.function} | self.beside

@@ -11,7 +11,7 @@ from .disk_rules import constant
 from .enclosures import Over
 from .plane_vectors import sign_of
 from .exact import PI, exactly, number, tangent, times
-from .units import angle_of, dimension_of
+from .units import angle_of, dimension_of, enclosed
 
 NAMES = ("roller_radius", "arm_length", "center_distance", "lateral_offset", "roller_length")
 
@@ -28,15 +28,11 @@ class SpatialRules:
         self.kind = "barrel" if cam["type"] == "barrel" else cam.get("follower")
         self.sizes = {name: dimension_of(cam, *self.keys(name)) for name in NAMES} | (found or {})
         self.searched = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}
-        size, unit = problem.lift
-        degree = times(PI, exactly(Fraction(1, 180)))
-        self.lift = times(exactly(size), degree if unit == "deg" else exactly(Fraction(1)))
-        angle, unit = problem.unit_angle
-        self.beta = times(exactly(angle), degree if unit == "deg" else exactly(Fraction(1)))
+        self.lift, self.beta = enclosed(problem.lift), enclosed(problem.unit_angle)
         self.start = tuple(-end / 2 for end in reversed(self.lift)) if self.kind != "translating" else exactly(Fraction(0))
         given = angle_of(cam, "start")
         if given:
-            self.start = times(exactly(given[0]), degree if given[1] == "deg" else exactly(Fraction(1)))
+            self.start = enclosed(given)
 
     def keys(self, name):
         """A translating follower's distance from the cam's axis is called the cylinder's radius."""

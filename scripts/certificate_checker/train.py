@@ -30,6 +30,7 @@ from .enclosures import Complex, Over
 from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, times, value_at
 from .laws import at_time, harmonic
 from .runs import Peak
+from .units import in_unit
 
 FORCES = {"n_mm": 1000, "n_m": 1}
 AMPLITUDES = {"um": Fraction(1, 10**6), "mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}
@@ -86,10 +87,7 @@ class Train:
         return high, low
 
     def time_at(self, rpm):
-        angle, unit = self.problem.unit_angle
-        if unit != "deg":
-            raise Unverified("a speed in rpm with angles in radians")
-        return angle / (6 * rpm)
+        return in_unit(self.problem.unit_angle, "deg") / (6 * rpm)
 
     # -- the response
 

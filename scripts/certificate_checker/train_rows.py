@@ -7,7 +7,8 @@ which is taken is free. The checker takes that of the delivered motion, turned s
 """
 from fractions import Fraction
 
-from .exact import Unverified, number, root
+from .exact import Unverified, add_to, number, root
+from .runs import Row
 
 LIGHT = Fraction(1, 10**7)  # rows lighter than this part of the heaviest are left out
 FREE = Fraction(1, 10**4)   # how much less a turn is damped than that of a tangent: two speeds are no neighbours
@@ -24,7 +25,7 @@ def use_ringing_rows(bound):
         time = time_of(train, origin.get("remark", ""))
         if origin["limit"]:  # the row is in parts of the limit
             multiplier *= reference / train.residual_limit()
-        weights[time] = weights.get(time, Fraction(0)) + multiplier
+        add_to(weights, {time: multiplier})
     heaviest = max(weights.values())
     parts = []  # (real, imaginary) part of E / (v reference), the multiplier times u
     for time, weight in weights.items():
@@ -45,7 +46,7 @@ def use_ringing_rows(bound):
         multiplier = root(a * a + b * b)[1]
         row = {j: (a * real[j][0] + b * imaginary[j][0]) / multiplier for j in real}
         error = sum((real[j][1] + imaginary[j][1] for j in real), Fraction(0)) * most
-        bound.use_peak(f"residual at T = {float(1 / problem.turns_per_second())}", 0, row, error, place, multiplier)
+        bound.use(Row(f"residual at T = {float(1 / problem.turns_per_second())}", 0, row, error, place), multiplier)
 
 
 class Parts:

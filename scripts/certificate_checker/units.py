@@ -2,7 +2,7 @@
 """Numbers of a scene with their units."""
 from fractions import Fraction
 
-from .exact import Unverified, number
+from .exact import PI, PI_ITSELF, Unverified, exactly, number, times
 
 INCH, POUND, POUND_FORCE = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction("4.4482216152605")
 LENGTHS = {"mm": Fraction(1, 1000), "m": Fraction(1), "in": INCH}
@@ -49,6 +49,18 @@ def angle_of(table, key):
                 raise Unverified(f"{key}_{spelling}: an angle that is searched")
             return number(value) * size, unit
     return None
+
+
+def enclosed(angle):
+    """(low, high) around rad, of (number, "deg" or "rad"); a length is what it is."""
+    size, unit = angle
+    return times(exactly(size / 180), PI) if unit == "deg" else exactly(size)
+
+
+def in_unit(angle, unit):
+    """Its number of degrees or radians, from one to the other with pi to 35 digits; a length is what it is."""
+    value, own = angle
+    return value if own in (unit, "m") else value * 180 / PI_ITSELF if unit == "deg" else value * PI_ITSELF / 180
 
 
 def ratio(a, b):

@@ -2,6 +2,8 @@
 """The bound in the format VIPR."""
 from fractions import Fraction
 
+from .exact import add_to
+
 
 def vipr(bound, problem, cost, proved):
     """The bound as a certificate in the VIPR format, version 1.0: the linear program over the control points and the
@@ -54,8 +56,7 @@ def vipr(bound, problem, cost, proved):
             higher = []
             for low, high, width in zip(derived, derived[1:], run.space.steps(step)):
                 row = dict(high)
-                for j, w in low.items():
-                    row[j] = row.get(j, Fraction(0)) - w
+                add_to(row, low, -1)
                 higher.append({j: w / width for j, w in row.items()} if width else {})
             derived = higher
         for row, weight in zip(derived, weights):
