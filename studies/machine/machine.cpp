@@ -73,7 +73,7 @@ class MachineSearch {
             report_contradictions(axis, design);
             result_.certificate = std::move(axis.certificate);
             result_.speed = machine().least_speed;
-            result_.at_standstill = true;
+            result_.at_standstill = !has_points_in_time(axis.scene.motion);
             for (const std::string& note : axis.notes)
                 result_.notes.push_back(machine().axes[static_cast<std::size_t>(b)].name + ": " + note);
             return true;
@@ -156,7 +156,10 @@ class MachineSearch {
         if (slow.feasible() &&
             hold_strokes(posed_machine(machine(), scenes_at_standstill(machine()), memory_), slow.x, memory_))
             slow = trial_of(0.0, scenes_at_standstill(machine()));
-        result_.at_standstill = !slow.feasible() && slow.proof;
+        result_.at_standstill =
+            !slow.feasible() && slow.proof && std::ranges::all_of(machine().axes, [](const AxisSpec& axis) {
+                return standstill_is_any_speed(axis.scene);
+            });
         const Trial& told = result_.at_standstill ? slow : least;
         Certificate& certificate = result_.certificate;
         certificate.verdict = Verdict::infeasible;

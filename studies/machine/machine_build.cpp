@@ -250,16 +250,22 @@ bool only_tightens_with_speed(const Scene& scene) {
         if (const auto& limit = row.in(scene.limits);
             limit && limit->in_time() && row.side * limit->normalised < 0.0)
             return false;
-    const MotionSpec& motion = scene.motion;
+    return !has_points_in_time(scene.motion);
+}
+
+bool has_points_in_time(const MotionSpec& motion) {
     for (const Corridor& corridor : motion.corridors)
         for (const Corridor::Bounds& bounds : corridor.bounds)
-            if (is_unit_of_time(bounds.unit)) return false;
-    for (const ProgramSegment& segment : motion.segments) {
-        if (counts_in_time(segment.end)) return false;
-        for (const SetPoint& point : segment.via)
-            if (counts_in_time(point)) return false;
-    }
-    return true;
+            if (is_unit_of_time(bounds.unit)) return true;
+    return std::ranges::any_of(motion.segments, [](const ProgramSegment& segment) {
+        return counts_in_time(segment.end) ||
+               std::ranges::any_of(segment.via, [](const SetPoint& point) { return counts_in_time(point); });
+    });
+}
+
+bool standstill_is_any_speed(const Scene& scene) {
+    const bool relieved = scene.drive && scene.drive->viscous > 0.0 && scene.motion.relative;
+    return !relieved && !has_points_in_time(scene.motion);
 }
 
 }  // namespace camopt
