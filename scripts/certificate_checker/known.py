@@ -55,6 +55,8 @@ def name_what_is_unknown(scene):
     """A table, a key or a term that nothing below looks at would pass unseen."""
     for table in sorted(set(scene) - KNOWN_TABLES):
         raise Unverified(f"[{table}]")
+    if scene.get("measured", {}).get("use") == "nearest":
+        raise Unverified("the distance from a measured table")
     for term in sorted(set(scene.get("objective", {})) - KNOWN_TERMS):
         raise Unverified(f"objective.{term}")
     name_unknown_limits(scene)

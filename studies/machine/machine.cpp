@@ -356,7 +356,12 @@ class MachineSearch {
         }
         const bool failed = std::ranges::any_of(
             result_.axes, [](const Solution& axis) { return axis.certificate.verdict == Verdict::failed; });
-        if (failed) result_.certificate.verdict = Verdict::failed;
+        if (failed) {  // no motion of a machine without the others
+            result_.certificate.verdict = Verdict::failed;
+            result_.certificate.reason = Reason::numerical_failure;
+            result_.axes.clear();
+            return;
+        }
         for (int k = 0; k < static_cast<int>(machine().clearances.size()); ++k) {
             Extremum worst = posed.problem->worst_of_clearance(k, x);
             worst.value *= -posed.problem->clearance_scale(k);
