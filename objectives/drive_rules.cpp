@@ -383,7 +383,7 @@ DriveFigures drive_figures(const Scene& scene, const Motion& motion) {
     std::vector<MotionBound> curve;
     if (!scene.limits.motor_curve.empty()) add_curve_bounds(curve, scene, spans);
     for (const MotionBound& bound : curve) raise(figures.share_of_curve, bound.extreme_of(motion));
-    figures.rms_torque = MotorEnergyRule("", scene, family, 1.0, -1).rms(motion);
+    figures.rms_torque = MotorEnergy(scene, family).rms(motion);
     return figures;
 }
 

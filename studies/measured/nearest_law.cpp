@@ -3,6 +3,8 @@
 #include "objectives/scene_model.hpp"
 #include "studies/measured/measured_fit.hpp"
 
+#include <Eigen/Cholesky>
+
 namespace camopt {
 
 namespace {
