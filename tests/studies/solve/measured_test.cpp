@@ -224,7 +224,7 @@ Scene nearest_scene(bool rms, double noise) {
 }
 
 /// Two ways to one number: the normal equations, and a quadratic program with its proof.
-TEST(NearestMotion, LeastRmsIsThatOfLeastSquares) {
+TEST(NearestMotion, LeastRmsIsLeastSquares) {
     Scene scene = nearest_scene(true, 2e-3);
     scene.limits.jerk = 400.0;  // far from active: it bounds what the proof must look at
     const Solution solution = solve(scene);

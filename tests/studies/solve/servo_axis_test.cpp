@@ -89,7 +89,7 @@ TEST(ServoAxis, LimitOfRmsIsConvexQuadratic) {
 
 /// The tangent of the quadratic row is that at the solver's point: at the delivered one, a little inside, it
 /// missed the last 8e-6 of this bound.
-TEST(ServoAxis, CurvedRowIsProvedToLastDigits) {
+TEST(ServoAxis, CurvedRowIsProvedSharply) {
     const Solution solution = optimum_of(scene_of(
         "[motion]\ntype = \"DRD\"\nlift_deg = 60\nspeed_rpm = 62\nmonotone = true\nrise_deg = 80\n"
         "[spline]\ndegree = 5\nsegments = 14\n[drive]\nload_inertia_kg_m2 = 0.039\n"
