@@ -244,10 +244,6 @@ JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
     const std::vector<double>& breakpoints = curve.space().breakpoints();
     const std::array<double, 4> whole = {1.0, motion.velocity.value, motion.acceleration.value,
                                          motion.jerk.value};
-    double narrowest = infinity;
-    for (int i = 0; i < curve.space().segments(); ++i)
-        narrowest = std::min(narrowest, curve.space().width(i));
-    constexpr double rounding_of_lift = 64.0 * std::numeric_limits<double>::epsilon();
     JointJump worst;
     for (int order = 0; order <= std::min(curve.continuity(), 3); ++order) {
         double largest = 0.0;
@@ -263,8 +259,6 @@ JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
         // between.
         if (jump.relative > largest_joint_jump * largest) largest = std::max(largest, size_of(curve, order));
         largest = std::max(largest, standstill * whole[static_cast<std::size_t>(order)]);
-        // A derivative that is nothing but the rounding of displacements (the jerk of a constant velocity).
-        if (largest <= rounding_of_lift * std::pow(narrowest, -order)) continue;
         jump.relative /= largest > 0.0 ? largest : 1.0;
         if (is_worse(jump.relative, worst.relative)) worst = jump;
     }
