@@ -11,8 +11,8 @@ namespace camopt {
 
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Matrix4d;
+using Eigen::Vector4d;
 
 constexpr double neighbourhood = 2.5 * units::degree;   // to either side: below the width of a form error
 constexpr double shared_errors = 10.0 * units::degree;  // rows this far apart share form errors
@@ -68,6 +68,7 @@ double rows_within(double angle, const std::vector<InspectedRow>& rows) {
 
 /// Medians of neighbours, outliers and weights of the rows.
 void judge(Inspection& found) {
+    std::ranges::stable_sort(found.rows, {}, &InspectedRow::angle);
     const std::size_t count = found.rows.size();
     const auto half =
         static_cast<std::size_t>(std::clamp(rows_within(neighbourhood, found.rows), least_half, most_half));
@@ -92,38 +93,42 @@ void judge(Inspection& found) {
 }
 
 void fit(Inspection& found, const CompareRow& compare) {
-    const auto count = static_cast<Eigen::Index>(found.rows.size());
-    MatrixXd slopes(count, found.fitted), inverse, scores;
-    VectorXd weights(count), deviations(count);
+    Matrix4d inverse;
+    std::vector<Vector4d> scores;
+    double weights = 0.0, squares = 0.0;
     for (int step = 0; step < most_steps; ++step) {
         for (InspectedRow& row : found.rows) compare(row, found.alignment);
         if (step > plain_steps) judge(found);
-        for (Eigen::Index i = 0; i < count; ++i) {
-            const InspectedRow& row = found.rows[static_cast<std::size_t>(i)];
-            slopes.row(i) = row.slope.head(found.fitted);
-            weights[i] = row.weight;
-            deviations[i] = row.aligned;
+        Matrix4d normal = Matrix4d::Zero();
+        Vector4d right = Vector4d::Zero();
+        scores.clear();
+        weights = squares = 0.0;
+        for (InspectedRow& row : found.rows) {
+            if (found.fitted == 2) row.slope.tail<2>().setZero();
+            normal += row.weight * row.slope * row.slope.transpose();
+            right += scores.emplace_back(row.weight * row.aligned * row.slope);
+            weights += row.weight;
+            squares += row.weight * row.aligned * row.aligned;
         }
-        // Of a cam that is round the angle is not determined and remains.
-        inverse = MatrixXd(slopes.transpose() * weights.asDiagonal() * slopes)
-                      .completeOrthogonalDecomposition()
-                      .pseudoInverse();
-        scores = weights.cwiseProduct(deviations).asDiagonal() * slopes;
-        const VectorXd change = -inverse * scores.colwise().sum().transpose();
+        inverse = normal.completeOrthogonalDecomposition().pseudoInverse();  // a round part keeps its angle
+        const Vector4d change = inverse * right;
         if (step > plain_steps && !(change.cwiseAbs().maxCoeff() > settled)) break;
-        found.alignment.head(found.fitted) += change;
+        found.alignment -= change;
     }
-    MatrixXd shared = scores.transpose() * scores;
-    const auto lags = std::min(static_cast<Eigen::Index>(rows_within(shared_errors, found.rows)), count / 8);
-    for (Eigen::Index lag = 1; lag <= lags; ++lag) {
-        const MatrixXd product = scores.bottomRows(count - lag).transpose() * scores.topRows(count - lag);
-        const double taper = 1.0 - static_cast<double>(lag) / static_cast<double>(lags + 1);
-        shared += taper * (product + product.transpose());
-    }
-    const double free_rows = std::max(1.0, weights.sum() - found.fitted);
-    const double variance = weights.dot(deviations.cwiseAbs2()) / free_rows;
-    const VectorXd wider = (inverse * shared * inverse).diagonal() * (weights.sum() / free_rows);
-    found.error.head(found.fitted) = (variance * inverse.diagonal()).cwiseMax(wider).cwiseSqrt();
+    const auto lags =
+        std::min(static_cast<std::size_t>(rows_within(shared_errors, found.rows)), scores.size() / 8);
+    Matrix4d shared = Matrix4d::Zero();
+    for (std::size_t i = 0; i < scores.size(); ++i)
+        for (std::size_t lag = 0; lag <= std::min(lags, i); ++lag) {
+            const double taper =
+                lag == 0 ? 0.5 : 1.0 - static_cast<double>(lag) / static_cast<double>(lags + 1);
+            const Matrix4d product = taper * scores[i] * scores[i - lag].transpose();
+            shared += product + product.transpose();
+        }
+    const double free_rows = std::max(1.0, weights - found.fitted);
+    const Vector4d usual = inverse.diagonal() * (squares / free_rows),
+                   wider = (inverse * shared * inverse).diagonal() * (weights / free_rows);
+    found.error = usual.cwiseMax(wider).cwiseSqrt();
 }
 
 DeviationFigures figures_of(const std::vector<InspectedRow>& rows, double InspectedRow::*deviation,
@@ -144,7 +149,7 @@ DeviationFigures figures_of(const std::vector<InspectedRow>& rows, double Inspec
 /// The worst rows, and the stretches out of tolerance: those closer than a neighbourhood are one.
 void name_worst(Inspection& found) {
     std::vector<InspectedRow> order = found.rows;
-    std::ranges::stable_sort(order, std::greater(), [](const auto& row) { return std::abs(row.aligned); });
+    std::ranges::stable_sort(order, std::greater(), [](const auto& row) { return std::abs(row.around); });
     for (const InspectedRow& row : order) {
         const auto near = [&](const InspectedRow& other) {
             return std::abs(std::remainder(row.angle - other.angle, units::turn)) < shared_errors;
@@ -170,15 +175,16 @@ Inspection inspect_cam(const Solution& nominal, const input::InspectedTable& tab
     found.points = table.points;
     found.is_angle = nominal.scene.motion.lift_is_angle;
     found.tolerance = tolerance;
-    for (std::size_t i = 0; i < table.rows.size(); ++i)
-        found.rows.push_back({.line = table.lines[i], .given = table.rows[i]});
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        found.rows.emplace_back().line = table.lines[i];
+        found.rows.back().given = table.rows[i];
+    }
     found.alignment[1] = searched_offset(found.rows, compare);
     for (InspectedRow& row : found.rows) {
-        compare(row, Eigen::Vector4d::Zero());
+        compare(row, Vector4d::Zero());
         row.raw = row.aligned;
         compare(row, found.alignment);
     }
-    std::ranges::stable_sort(found.rows, {}, &InspectedRow::angle);
     if (covers_revolution(found.rows)) found.fitted = 4;
     fit(found, compare);
     found.raw = figures_of(found.rows, &InspectedRow::raw);

@@ -29,7 +29,8 @@ struct InspectedRow {
     bool base = false;                              ///< the nominal follower dwells at s = 0
     bool outlier = false;                           ///< more than 5 robust standard deviations from `around`
     double weight = 1.0;                            ///< in the fit
-    Eigen::Vector4d slope;  ///< of the aligned deviation by the alignment (ρ, α, x, y)
+    Eigen::Vector4d slope =
+        Eigen::Vector4d::Zero();  ///< of the aligned deviation by the alignment (ρ, α, x, y)
 };
 
 struct DeviationFigures {
@@ -44,7 +45,7 @@ struct Inspection {
     double noise = 0.0;                      ///< robust standard deviation of rows from their neighbours
     std::vector<InspectedRow> rows;          ///< by ascending angle
     DeviationFigures raw, all, base, lobe;   ///< raw, and aligned: all rows, base circle, all others
-    std::vector<InspectedRow> worst;         ///< with the largest aligned deviations, 10° apart
+    std::vector<InspectedRow> worst;         ///< with the largest medians of neighbours, 10° apart
     std::optional<double> tolerance;         ///< aligned deviations within ± it are in tolerance
     std::vector<std::array<double, 3>> out;  ///< stretches out of it: angles from, to, worst deviation
 };
