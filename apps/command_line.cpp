@@ -463,50 +463,25 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
                         wrong_input);
     }
     refuse_empty_values(program);
-    if (solve.parsed()) {
-        find_scene(parsed.solve, asked);
-        parsed.solve.command = joined(count, words);
-        return solve_command(parsed.solve);
-    }
-    if (studio.parsed()) {
-        if (!parsed.studio.settings.empty()) find_scene(parsed.studio, asked);
-        return studio_command(parsed.studio);
-    }
-    if (compare.parsed()) {
-        find_scene(parsed.compare, asked);
-        parsed.compare.command = joined(count, words);
-        return compare_command(parsed.compare);
-    }
-    if (dynamics.parsed()) {
-        find_scene(parsed.dynamics, asked);
-        return dynamics_command(parsed.dynamics);
-    }
-    if (machine.parsed()) {
-        find_scene(parsed.machine, asked);
-        parsed.machine.command = joined(count, words);
-        return machine_command(parsed.machine);
-    }
-    if (check.parsed()) {
-        find_scene(parsed.check, asked);
-        return check_command(parsed.check);
-    }
-    if (export_cam.parsed()) {
-        find_scene(parsed.export_cam, asked);
-        return export_command(parsed.export_cam);
-    }
-    if (inspect.parsed()) {
-        find_scene(parsed.inspect, asked);
-        parsed.inspect.command = joined(count, words);
-        return inspect_command(parsed.inspect);
-    }
+    const auto run = [&](auto& request, const auto& command) {
+        find_scene(request, asked);
+        if constexpr (requires { request.command; }) request.command = joined(count, words);
+        return command(request);
+    };
+    if (solve.parsed()) return run(parsed.solve, solve_command);
+    if (studio.parsed() && parsed.studio.settings.empty()) return studio_command(parsed.studio);
+    if (studio.parsed()) return run(parsed.studio, studio_command);
+    if (compare.parsed()) return run(parsed.compare, compare_command);
+    if (dynamics.parsed()) return run(parsed.dynamics, dynamics_command);
+    if (machine.parsed()) return run(parsed.machine, machine_command);
+    if (check.parsed()) return run(parsed.check, check_command);
+    if (export_cam.parsed()) return run(parsed.export_cam, export_command);
+    if (inspect.parsed()) return run(parsed.inspect, inspect_command);
     if (report.parsed()) return report_command(parsed.report);
     if (table.parsed()) return table_command(parsed.table);
     if (reproduce.parsed()) return reproduce_command(parsed.reproduce);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);
-    if (sweep.parsed()) {
-        find_scene(parsed.sweep, asked);
-        return sweep_of(parsed.sweep);
-    }
+    if (sweep.parsed()) return run(parsed.sweep, sweep_of);
     return list_command(parsed.list);
 }
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "studies/inspect/inspection.hpp"
 
+#include "core/errors.hpp"
 #include "core/units.hpp"
+#include "profiles/sampling.hpp"
+#include "studies/delivered/delivered.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/QR>
+#include <fmt/format.h>
 
 #include <set>
 
@@ -12,8 +17,11 @@ namespace camopt {
 namespace {
 
 using Eigen::Matrix4d;
+using Eigen::Vector2d;
 using Eigen::Vector4d;
 
+constexpr double at_rest = 1e-9;  // lifts: a smaller displacement, and slope by x, is that of the dwell
+constexpr int foot_steps = 5;     // each leaves some hundredths of the way: far below 1 nm of distance
 constexpr double neighbourhood = 2.5 * units::degree;   // to either side: below the width of a form error
 constexpr double shared_errors = 10.0 * units::degree;  // rows this far apart share form errors
 constexpr double least_half = 2.0, most_half = 50.0;    // rows of a neighbourhood, to either side
@@ -24,6 +32,112 @@ constexpr double least_spread = 1e-9, settled = 1e-13;  // m, rad: of round-off;
 constexpr int plain_steps = 5, most_steps = 60, search_steps = 180;
 constexpr std::size_t search_rows = 120, most_worst = 5;
 constexpr double clearly_better = 0.9;  // of two offsets the smaller one unless the other is this good
+
+/// Fills in a row under an alignment.
+using CompareRow = std::function<void(InspectedRow& row, const Vector4d& alignment)>;
+
+/// The nominal motion around the revolution: beyond an open one it rests.
+struct NominalMotion {
+    MotionChain chain;
+    MotionScale scale;
+    bool closed;
+
+    explicit NominalMotion(const Solution& nominal)
+        : chain(nominal.whole_turn()), scale(motion_scale(nominal.scene)) {
+        const double first = chain.at(chain.begin()).derivative[0];
+        closed = is_whole_turn(scale.unit_angle * (chain.end() - chain.begin())) &&
+                 std::abs(chain.at(chain.end(), Side::left).derivative[0] - first) < at_rest;
+    }
+    /// The state at x; whether it is the dwell at 0 goes to the row.
+    [[nodiscard]] MotionPoint at(double x, InspectedRow* row = nullptr) const {
+        const double length = chain.end() - chain.begin();
+        if (closed) x -= length * std::floor((x - chain.begin()) / length);
+        const MotionPoint point = motion_at(chain, std::clamp(x, chain.begin(), chain.end()));
+        if (row) row->base = std::max(std::abs(point.derivative[0]), std::abs(point.derivative[1])) < at_rest;
+        return point;
+    }
+};
+
+void compare_lift(const NominalMotion& motion, InspectedRow& row, const Vector4d& alignment) {
+    const double angle = row.given.x() - alignment[1], cosine = std::cos(angle), sine = std::sin(angle);
+    const FollowerState state = state_of(motion.at(angle / motion.scale.unit_angle, &row), motion.scale);
+    row.angle = row.given.x();
+    row.measured = row.given.y();
+    row.nominal = state.s;
+    row.aligned = row.follower =
+        row.measured - state.s - alignment[0] - alignment[2] * cosine - alignment[3] * sine;
+    row.slope = {-1.0, state.velocity - alignment[2] * sine + alignment[3] * cosine, -cosine, -sine};
+}
+
+/// The surface of a closed disk cam, side 0 of one that drives both ways.
+struct NominalSurface {
+    DrivenMechanism cam;
+    NominalMotion motion;
+    double probe_radius;
+    std::vector<MechanismPoint> samples;
+
+    void compare(InspectedRow& row, const Vector4d& alignment) const {
+        const Eigen::Rotation2Dd turn(alignment[1]);
+        const Vector2d place = turn.inverse() * Vector2d(row.given - alignment.tail<2>());
+        const MotionPoint at = motion.at(foot_of(place), &row);
+        const MechanismPoint foot = mechanism_point(cam, at, motion.scale);
+        const Vector2d normal = foot.normal.head<2>(), contact = foot.contact.head<2>();
+        const MechanismState state{cam.dimensions, state_of(at, motion.scale), foot.theta};
+        row.angle = foot.theta;
+        row.measured = row.given.norm();
+        row.nominal = (contact + probe_radius * normal).norm();
+        row.aligned = normal.dot(place - contact) - probe_radius - alignment[0];
+        row.follower =
+            row.aligned / cam.formulas->quantity(MechanismQuantity::normal_lever, state, 0, {}).value;
+        row.slope << -1.0, normal.x() * place.y() - normal.y() * place.x(), -(turn * normal);
+    }
+
+    /// x of the nearest point: from the nearest sample by steps along the surface.
+    [[nodiscard]] double foot_of(const Vector2d& place) const {
+        const auto nearest = std::ranges::min_element(samples, {}, [&](const MechanismPoint& sample) {
+            return (sample.contact.head<2>() - place).squaredNorm();
+        });
+        const MechanismPoint &before = nearest == samples.begin() ? *nearest : *(nearest - 1),
+                             &after = nearest + 1 == samples.end() ? *nearest : *(nearest + 1);
+        const double first = nearest->theta / motion.scale.unit_angle,
+                     widest = (after.theta - before.theta) / motion.scale.unit_angle;
+        const double per_length =
+            sense_of(cam.formulas->rotation()) * widest / (after.contact - before.contact).norm();
+        double x = first;
+        for (int i = 0; i < foot_steps; ++i) {
+            const MechanismPoint point = mechanism_point(cam, motion.at(x), motion.scale);
+            const Vector2d forward(point.normal.y(), -point.normal.x());
+            x += per_length * forward.dot(place - point.contact.head<2>());
+            if (!(std::abs(x - first) <= widest)) return first;  // a corner
+        }
+        return x;
+    }
+};
+
+CompareRow row_comparison(const Solution& nominal, const input::InspectedTable& table, double probe_radius) {
+    const bool turns = nominal.scene.motion.lift_is_angle;
+    const char* const lifts = turns ? "displacements s_deg or s_rad" : "displacements s_mm, s_in or s_m";
+    const auto refuse = [&](bool wrong, const std::string& found) {
+        if (wrong) throw InputError(fmt::format("{}: found {}; allowed: {}", table.file, found, lifts));
+    };
+    NominalMotion motion(nominal);
+    if (!table.points) {
+        refuse(table.is_angle != turns,
+               turns ? "lengths where the lift is an angle" : "angles where the lift is a length");
+        if (probe_radius > 0.0)
+            throw InputError("--probe-radius-mm: found with displacements; allowed: with points of the cam");
+        return
+            [motion](InspectedRow& row, const Vector4d& alignment) { compare_lift(motion, row, alignment); };
+    }
+    refuse(!nominal.cam, "points of a cam where the scene has no cam");
+    refuse(!nominal.cam->cam.formulas->is_direct(),
+           fmt::format("points of a cam of type \"{}\", not \"disk\"", nominal.scene.cam->type));
+    refuse(!motion.closed, fmt::format("points of an open cam ({})", open_because(nominal)));
+    const DrivenMechanism& cam = nominal.cam->cam;
+    return [surface = NominalSurface{cam, motion, probe_radius,
+                                     sampled_profile(cam, motion.chain, motion.scale, {})}](
+               InspectedRow& row, const Vector4d& alignment) { surface.compare(row, alignment); };
+}
 
 double median_of(std::vector<double> values) {
     if (values.empty()) return 0.0;

@@ -55,9 +55,4 @@ struct Inspection {
 [[nodiscard]] Inspection inspect_cam(const Solution& nominal, const input::InspectedTable& table,
                                      double probe_radius = 0.0, std::optional<double> tolerance = {});
 
-/// Fills in a row under an alignment. Private to this folder.
-using CompareRow = std::function<void(InspectedRow& row, const Eigen::Vector4d& alignment)>;
-[[nodiscard]] CompareRow row_comparison(const Solution& nominal, const input::InspectedTable& table,
-                                        double probe_radius);
-
 }  // namespace camopt
