@@ -129,10 +129,7 @@ CurvePage page_of(const Inspection& found, const Json& json) {
 
 std::string deviation_svg(const CurvePage& page, const Inspection& found) {
     const Curve& curve = page.curves.front();
-    ChartPanel panel;
-    panel.width = 812;  // px
-    panel.height = 320;
-    panel.caption = curve.title;
+    ChartPanel panel{.width = 812, .height = 320, .caption = curve.title};  // px
     panel.frame.horizontal_title = "cam angle (deg)";
     panel.frame.vertical_title = curve.unit.name;
     const auto add = [&](const char* css, const char* title,

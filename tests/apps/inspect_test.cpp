@@ -57,7 +57,7 @@ TEST_F(InspectCommand, ResultFolderIsUsedUnchanged) {
     EXPECT_EQ(run_camopt(words + " --set motion.lift_mm=8").exit_code, 2);
 }
 
-TEST_F(InspectCommand, OutOfToleranceIsAnExitCode) {
+TEST_F(InspectCommand, OutOfToleranceExitsWithOne) {
     std::string table = "theta_deg;s_mm\n";
     for (int i = 0; i < 360; ++i) table += fmt::format("{};{}\n", i, i >= 100 && i < 110 ? "5,02" : "5");
     write_text_file(path("table.csv"), table);
