@@ -103,7 +103,8 @@ TextTable table_of(const Json& list) {
 }
 
 CurvePage page_of(const Inspection& found, const Json& json) {
-    const KeyUnit unit = Units(found).deviation;
+    const Units units(found);
+    const ShownUnit& unit = units.deviation;
     CurvePage page{.title = json["title"], .tone = found.out.empty() ? "good" : "bad"};
     page.headline = fmt::format("Deviations after alignment: {} to {}, rms {}", unit.text(found.all.least, 4),
                                 unit.text(found.all.most, 4), unit.text(found.all.rms, 4));
@@ -151,7 +152,8 @@ std::string rows_csv(const Inspection& found) {
     std::string text;
     for (const InspectedRow& row : found.rows) {
         CsvLine header, line;
-        for (const auto& [key, value] : row_json(row, Units(found)).items()) {
+        const Json cells = row_json(row, Units(found));
+        for (const auto& [key, value] : cells.items()) {
             header.words(key);
             line.number(value.get<double>());
         }

@@ -40,7 +40,7 @@ using CompareRow = std::function<void(InspectedRow& row, const Vector4d& alignme
 struct NominalMotion {
     MotionChain chain;
     MotionScale scale;
-    bool closed;
+    bool closed = false;
 
     explicit NominalMotion(const Solution& nominal)
         : chain(nominal.whole_turn()), scale(motion_scale(nominal.scene)) {
@@ -73,7 +73,7 @@ void compare_lift(const NominalMotion& motion, InspectedRow& row, const Vector4d
 struct NominalSurface {
     DrivenMechanism cam;
     NominalMotion motion;
-    double probe_radius;
+    double probe_radius = 0.0;
     std::vector<MechanismPoint> samples;
 
     void compare(InspectedRow& row, const Vector4d& alignment) const {
@@ -155,7 +155,8 @@ double spread_of(std::vector<double> values) {
 double searched_offset(std::vector<InspectedRow> rows, const CompareRow& compare) {
     double best = infinity, offset = 0.0;
     for (int i = 0; i <= search_steps; ++i) {
-        const double tried = (i % 2 == 0 ? -1.0 : 1.0) * ((i + 1) / 2) * units::turn / search_steps;
+        const int from_zero = i % 2 == 0 ? -i / 2 : (i + 1) / 2;
+        const double tried = units::turn * from_zero / search_steps;
         std::vector<double> seen;
         for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / search_rows) {
             compare(rows[k], {0.0, tried, 0.0, 0.0});
