@@ -88,15 +88,20 @@ Json inspection_json(const Inspection& found, const std::string& title) {
     return json;
 }
 
+std::string shown_words(const std::string& key) {
+    const std::string words = words_of(key);
+    return words.ends_with(" um") ? words.substr(0, words.size() - 2) + "µm" : words;
+}
+
 /// A list of objects with the same keys.
 TextTable table_of(const Json& list) {
     TextTable table;
     for (const auto& [key, value] : list.front().items())
-        table.columns.push_back({words_of(key), value.is_string()});
+        table.columns.push_back({shown_words(key), value.is_string()});
     for (const Json& one : list) {
         std::vector<std::string>& cells = table.rows.emplace_back();
         for (const Json& value : one)
-            cells.push_back(value.is_string() ? words_of(value.get<std::string>())
+            cells.push_back(value.is_string() ? shown_words(value.get<std::string>())
                                               : short_text(value.get<double>(), 5));
     }
     return table;
@@ -105,14 +110,19 @@ TextTable table_of(const Json& list) {
 CurvePage page_of(const Inspection& found, const Json& json) {
     const Units units(found);
     const ShownUnit& unit = units.deviation;
-    CurvePage page{.title = json["title"], .tone = found.out.empty() ? "good" : "bad"};
+    CurvePage page;
+    page.title = json["title"];
+    page.tone = found.out.empty() ? "good" : "bad";
     page.headline = fmt::format("Deviations after alignment: {} to {}, rms {}", unit.text(found.all.least, 4),
                                 unit.text(found.all.most, 4), unit.text(found.all.rms, 4));
     if (found.tolerance)
         page.sentences = {fmt::format("{} ± {}.", found.out.empty() ? "In tolerance:" : "OUT OF TOLERANCE:",
                                       unit.text(*found.tolerance, 4))};
-    for (const char* const key : {"alignment", "deviations", "worst", "out_of_tolerance", "outliers"})
-        if (!json[key].empty()) page.tables.push_back({key, words_of(key), table_of(json[key])});
+    for (const auto& [key, title] :
+         {std::pair("alignment", "Alignment"), std::pair("deviations", "Deviations, measured − nominal"),
+          std::pair("worst", "Worst locations"), std::pair("out_of_tolerance", "Out of tolerance"),
+          std::pair("outliers", "Outliers")})
+        if (!json[key].empty()) page.tables.push_back({key, title, table_of(json[key])});
     Curve curve{"deviation", "cam", "Deviation, measured − nominal", "d", unit};
     curve.reference = ComparedCurve{"before alignment", {}};
     for (const InspectedRow& row : found.rows) {
@@ -133,6 +143,9 @@ std::string deviation_svg(const CurvePage& page, const Inspection& found) {
     ChartPanel panel{.width = 812, .height = 320, .caption = curve.title};  // px
     panel.frame.horizontal_title = "cam angle (deg)";
     panel.frame.vertical_title = curve.unit.name;
+    panel.frame.horizontal = {page.angles.front(), page.angles.back()};
+    for (const double tick : degree_ticks(page.angles.front(), page.angles.back(), 13))
+        panel.frame.horizontal_ticks.push_back({tick, tick_text(tick, 1.0)});
     const auto add = [&](const char* css, const char* title,
                          const std::function<double(std::size_t)>& value) {
         ChartSeries& line = panel.series.emplace_back(ChartSeries{Look::line, css, {}, 4.0, title});
