@@ -48,8 +48,7 @@ TEST_F(InspectCommand, OwnTableIsInTolerance) {
 }
 
 TEST_F(InspectCommand, ResultFolderIsUsedUnchanged) {
-    ASSERT_EQ(run_camopt("solve " + test::scene("prescribed_tappet") + " --out " + path("result")).exit_code,
-              0);
+    ASSERT_EQ(run_camopt("solve " + test::scene("drd_cubic_12") + " --out " + path("result")).exit_code, 0);
     const std::string words = "inspect " + path("result") + " " + path("result/motion.csv");
     const ProgramRun run = run_camopt(words);
     ASSERT_EQ(run.exit_code, 0) << run.errors;
