@@ -37,6 +37,7 @@ const char* examples =
     "  camopt export result --out cam --nc          the same from a result folder, without a solve\n"
     "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform table\n"
     "  camopt export result --out cam --plc codesys,siemens  electronic cams with their stated loss\n"
+    "  camopt inspect result measured.csv --tolerance-um 20    a measured cam against its nominal one\n"
     "  camopt studio scene.toml                     the scene in a browser, solved again for each slider\n"
     "  camopt report result                         report.html and report.md again, from the result folder\n"
     "  camopt list laws                             the classical laws with their peaks\n"
@@ -55,6 +56,7 @@ struct Words {
     DynamicsRequest dynamics;
     CheckRequest check;
     ExportRequest export_cam;
+    InspectRequest inspect;
     ReportRequest report;
     ListRequest list;
     TableRequest table;
@@ -149,6 +151,32 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
     add_scene(command, request.scene);
     add_settings(command, request.settings);
     add_units(command, request.units);
+    return command;
+}
+
+CLI::App& add_inspect(CLI::App& program, InspectRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "inspect", "Compare a measured cam with its nominal one: deviations, best alignment, tolerance");
+    command.add_option("NOMINAL", request.scene, "Scene file (TOML) or result folder")->type_name("");
+    command
+        .add_option(
+            "TABLE", request.table,
+            "CSV file: theta_deg and s_mm of the follower; of a disk cam also x_mm and y_mm or r_mm and "
+            "theta_deg")
+        ->type_name("")
+        ->required();
+    command.add_option("--tolerance-um", request.tolerance_um, "Largest deviation allowed after alignment")
+        ->type_name("T")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option("--probe-radius-mm", request.probe_radius_mm, "Points are centres of a ball; default: 0")
+        ->type_name("R")
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--out", request.out, "Write inspection.json, .csv, .svg and .html here")
+        ->type_name("DIR");
+    add_settings(command, request.settings);
+    command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
+    command.footer("Exit codes: 0 in tolerance, or none given; 1 out of tolerance; 2 wrong input.\n");
     return command;
 }
 
@@ -387,6 +415,7 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     const CLI::App& machine = add_machine(program, parsed.machine);
     const CLI::App& check = add_check(program, parsed.check);
     const CLI::App& export_cam = add_export(program, parsed.export_cam);
+    const CLI::App& inspect = add_inspect(program, parsed.inspect);
     const CLI::App& report = add_report(program, parsed.report);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
@@ -415,44 +444,24 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
                         wrong_input);
     }
     refuse_empty_values(program);
-    if (solve.parsed()) {
-        find_scene(parsed.solve, asked);
-        parsed.solve.command = joined(count, words);
-        return solve_command(parsed.solve);
-    }
-    if (studio.parsed()) {
-        if (!parsed.studio.settings.empty()) find_scene(parsed.studio, asked);
-        return studio_command(parsed.studio);
-    }
-    if (compare.parsed()) {
-        find_scene(parsed.compare, asked);
-        parsed.compare.command = joined(count, words);
-        return compare_command(parsed.compare);
-    }
-    if (dynamics.parsed()) {
-        find_scene(parsed.dynamics, asked);
-        return dynamics_command(parsed.dynamics);
-    }
-    if (machine.parsed()) {
-        find_scene(parsed.machine, asked);
-        parsed.machine.command = joined(count, words);
-        return machine_command(parsed.machine);
-    }
-    if (check.parsed()) {
-        find_scene(parsed.check, asked);
-        return check_command(parsed.check);
-    }
-    if (export_cam.parsed()) {
-        find_scene(parsed.export_cam, asked);
-        return export_command(parsed.export_cam);
-    }
+    const auto run = [&](auto& request, const auto& command) {
+        find_scene(request, asked);
+        if constexpr (requires { request.command; }) request.command = joined(count, words);
+        return command(request);
+    };
+    if (solve.parsed()) return run(parsed.solve, solve_command);
+    if (studio.parsed() && parsed.studio.settings.empty()) return studio_command(parsed.studio);
+    if (studio.parsed()) return run(parsed.studio, studio_command);
+    if (compare.parsed()) return run(parsed.compare, compare_command);
+    if (dynamics.parsed()) return run(parsed.dynamics, dynamics_command);
+    if (machine.parsed()) return run(parsed.machine, machine_command);
+    if (check.parsed()) return run(parsed.check, check_command);
+    if (export_cam.parsed()) return run(parsed.export_cam, export_command);
+    if (inspect.parsed()) return run(parsed.inspect, inspect_command);
     if (report.parsed()) return report_command(parsed.report);
     if (table.parsed()) return table_command(parsed.table);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);
-    if (sweep.parsed()) {
-        find_scene(parsed.sweep, asked);
-        return sweep_of(parsed.sweep);
-    }
+    if (sweep.parsed()) return run(parsed.sweep, sweep_of);
     return list_command(parsed.list);
 }
 

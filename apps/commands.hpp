@@ -100,6 +100,18 @@ struct ExportRequest {
 /// Of a workshop drawing: "svg", "pdf", "dxf".
 [[nodiscard]] std::vector<std::string> drawing_formats();
 
+struct InspectRequest {
+    std::string scene;                  ///< the nominal cam: file, or a result folder: then nothing is solved
+    std::string table, out;             ///< file of the measured cam; folder, empty: nothing is written
+    std::vector<std::string> settings;  ///< KEY=VALUE
+    std::optional<double> tolerance_um;  ///< none: no verdict
+    double probe_radius_mm = 0.0;
+    bool json = false;
+    std::string command;  ///< the whole command line, for the record
+};
+/// failure: out of tolerance.
+[[nodiscard]] ExitCode inspect_command(const InspectRequest& request);
+
 struct ReportRequest {
     std::string folder;  ///< a result folder
 };

@@ -22,13 +22,11 @@
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <system_error>
 
 namespace camopt::apps {
 
@@ -43,11 +41,6 @@ struct Exported {
     std::vector<std::filesystem::path> written;
     std::string fault;  ///< why the program was not written; empty: it was, or none was asked for
 };
-
-bool is_folder(const std::string& what) {
-    std::error_code ignored;
-    return std::filesystem::is_directory(what, ignored);
-}
 
 /// What needs no cam.
 bool wants_only_motion(const ExportRequest& request) {
@@ -97,30 +90,6 @@ void check_wishes(const ExportRequest& request, const Scene& scene) {
     if (!direct && (request.step || request.obj || request.stl || request.nc))
         throw InputError(fmt::format("{}: of a cam of type \"{}\" export writes --csv, --dxf and --picture",
                                      request.scene, cam->type));
-}
-
-Solution read_back(const ExportRequest& request) {
-    if (!request.solver.empty() || !request.settings.empty())
-        throw InputError(
-            fmt::format("{}: {}: found with a result folder, which is used unchanged; allowed: with "
-                        "a scene",
-                        request.scene, request.solver.empty() ? "--set" : "--solver"));
-    const auto load = [](const std::string& text, const std::string& name) {
-        return load_scene(SceneText{name, text}, {});
-    };
-    Solution solution = read_result_folder(request.scene, load).solution;
-    check_wishes(request, solution.scene);
-    return solution;
-}
-
-Solution delivered(const ExportRequest& request) {
-    if (is_folder(request.scene)) return read_back(request);
-    const Scene scene = load_scene(request.scene, with_solver(request.settings, request.solver));
-    check_wishes(request, scene);
-    const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
-    Solution solution = solve(scene, control);
-    end_progress();
-    return solution;
 }
 
 void write_program(const ExportedProgram& program, FolderUpdate& folder, Exported& result) {
@@ -296,7 +265,8 @@ std::vector<std::string> drawing_formats() {
 ExitCode export_command(const ExportRequest& request) {
     prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written
-    Solution solution = delivered(request);
+    Solution solution = solved_or_read(request.scene, with_solver(request.settings, request.solver),
+                                       [&](const Scene& scene) { check_wishes(request, scene); });
     Exported exported;
     FolderUpdate folder(request.out);
     export_motion(request, solution, folder, exported);

@@ -4,6 +4,10 @@
 
 #include "scene/scene.hpp"
 
+namespace camopt {
+struct Solution;
+}
+
 namespace camopt::apps {
 
 /// The settings, and --solver as one of them.
@@ -38,5 +42,10 @@ struct SceneText {
 };
 [[nodiscard]] SceneText read_scene_text(const std::string& file);
 [[nodiscard]] Scene load_scene(const SceneText& scene, std::span<const std::string> settings);
+
+/// The solution of a scene file, which is solved, or of a result folder, which is used as it is and takes no
+/// settings. check: throws for a scene that the command refuses, before the solve.
+[[nodiscard]] Solution solved_or_read(const std::string& what, const std::vector<std::string>& settings,
+                                      const std::function<void(const Scene&)>& check);
 
 }  // namespace camopt::apps

@@ -3,6 +3,7 @@
 #include "core/text/parsing.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
+#include "input/inspected_table.hpp"
 #include "input/keys/key_spellings.hpp"
 #include "input/scene_parts.hpp"
 
@@ -28,6 +29,10 @@ struct Column {
     Spelling unit;
 };
 
+constexpr std::size_t least_inspected = 8;  // rows: twice the parameters of an alignment
+
+constexpr const char* inspected_columns =
+    "theta_deg and s_mm of the follower, or x_mm and y_mm, or r_mm and theta_deg of the cam";
 constexpr const char *angle_columns = "theta_deg, theta_rad or crank_deg",
                      *lift_columns = "s_mm, s_in, s_m, s_deg or s_rad";
 
@@ -49,6 +54,8 @@ class TableReader {
             if (first->find(separator_) == std::string_view::npos &&
                 first->find(other) != std::string_view::npos)
                 separator_ = other;
+        if (form_.points && separator_ != ',' && text_.find(',') != std::string_view::npos)
+            form_.decimal = ',';
         const std::vector<std::string_view> cells = split_text(*first, separator_, cell_ends);
         const bool named =
             std::ranges::none_of(cells, [&](std::string_view cell) { return value(cell).has_value(); });
@@ -60,7 +67,7 @@ class TableReader {
 
  private:
     std::string_view text_;
-    const TableForm& form_;
+    TableForm form_;
     MeasuredTable table_;
     int line_ = 0;
     char separator_ = ',';
@@ -91,7 +98,7 @@ class TableReader {
         std::vector<std::string_view> names = cells;
         if (!form_.columns.empty())
             names.assign(form_.columns.begin(), form_.columns.end());
-        else if (!named)
+        else if (!named && !form_.points)
             fail("numbers where the columns are named",
                  "a line such as theta_deg,s_mm, or columns = [\"theta_deg\", \"s_mm\"] in [measured]");
         columns_ = names.size();
@@ -100,8 +107,9 @@ class TableReader {
             if (names[i] == "crank_deg") theta_ = Column{i, "theta_crank_deg", spellings::cam_angle[2]};
         if (theta_ && form_.by_step)
             fail(fmt::format("the column {} together with measured.step", theta_->key), "one of the two");
+        std::optional<Column> lift = column(names, "s", spellings::lift);
+        if (form_.points && !(theta_ && lift)) find_points(names, lift);
         if (!theta_ && !form_.by_step) refuse_columns(names, angle_columns, ", or step_deg in [measured]");
-        const std::optional<Column> lift = column(names, "s", spellings::lift);
         if (!lift) refuse_columns(names, lift_columns);
         s_ = *lift;
         if (theta_) {
@@ -110,6 +118,14 @@ class TableReader {
         }
         table_.s_key = s_.key;
         table_.s_unit = s_.unit;
+    }
+
+    /// x in place of the angle and y, or r, in place of the displacement.
+    void find_points(const std::vector<std::string_view>& names, std::optional<Column>& value) {
+        const std::optional<Column> x = column(names, "x", spellings::length);
+        value = column(names, x ? "y" : "r", spellings::length);
+        if (x) theta_ = x;
+        if (!theta_ || !value) refuse_columns(names, inspected_columns);
     }
 
     [[nodiscard]] static std::optional<Column> column(const std::vector<std::string_view>& names,
@@ -127,7 +143,8 @@ class TableReader {
         std::string list;
         for (const std::string_view name : names)
             list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", printable(name));
-        fail(fmt::format("the columns {}", list), fmt::format("one of them named {}{}", allowed, or_else));
+        fail(fmt::format("the columns {}", list),
+             fmt::format("{}{}{}", form_.points ? "" : "one of them named ", allowed, or_else));
     }
 
     [[nodiscard]] std::optional<double> value(std::string_view cell) const {
@@ -162,7 +179,7 @@ class TableReader {
 
     /// False for a row that repeats the one before.
     [[nodiscard]] bool add_angle(double theta, double s) {
-        if (!table_.theta.empty()) {
+        if (!table_.theta.empty() && !theta_->key.starts_with('x')) {
             const double step = theta - table_.theta.back();
             const double change = std::abs(s - table_.s.back());
             if (step == 0.0 && change <= same_row * std::max(1.0, std::abs(s))) return false;
@@ -189,6 +206,31 @@ MeasuredTable read_measured_table(const std::filesystem::path& file, const Table
             fmt::format("{}: cannot be read: {}; allowed: a CSV file with the columns theta_deg and s_mm",
                         printable(file.string()), read.fault));
     return measured_table_of(read.bytes, printable(file.string()), form);
+}
+
+InspectedTable inspected_table_of(std::string_view text, const std::string& name) {
+    TableForm form;
+    form.points = true;
+    const MeasuredTable read = measured_table_of(text, name, form);
+    if (read.s.size() < least_inspected)
+        throw InputError(
+            fmt::format("{}: found {} rows; allowed: at least {}", name, read.s.size(), least_inspected));
+    const bool plane = read.theta_key.starts_with('x'), polar = read.s_key.starts_with('r');
+    InspectedTable table{name, plane || polar, is_angle_unit(read.s_unit.unit), {}, read.lines};
+    for (std::size_t i = 0; i < read.s.size(); ++i) {
+        const double first = read.theta_unit.factor * read.theta[i], second = read.s_unit.factor * read.s[i];
+        table.rows.emplace_back(polar ? second * std::cos(first) : first,
+                                polar ? second * std::sin(first) : second);
+    }
+    return table;
+}
+
+InspectedTable read_inspected_table(const std::filesystem::path& file) {
+    const std::string name = printable(file.string());
+    const FileBytes read = file_bytes(file, most_table_bytes);
+    if (read.fault.empty()) return inspected_table_of(read.bytes, name);
+    throw InputError(fmt::format("{}: cannot be read: {}; allowed: a CSV file with the columns {}", name,
+                                 read.fault, inspected_columns));
 }
 
 }  // namespace camopt::input

@@ -2,9 +2,11 @@
 // Tables of measured motions: columns by their names, faults with their lines, and scenes that stand alone.
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "input/inspected_table.hpp"
 #include "input/scene_parts.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/cam_formulas.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -258,6 +260,63 @@ TEST_F(MeasuredScene, ItsTextIsSelfContained) {
     write("plain.toml", "motion.type = \"DRD\" # as given\nobjective.jerk = 1\n");
     EXPECT_EQ(whole_scene_text(folder_ / "plain.toml"),
               "motion.type = \"DRD\" # as given\nobjective.jerk = 1\n");
+}
+
+/// Eight rows of two cells each.
+std::string eight(const std::string& header, const std::string& first, const std::string& second) {
+    std::string text = header + "\n";
+    for (int i = 0; i < 8; ++i) text += fmt::format("{}{}{}\n", i, first, second);
+    return text;
+}
+
+std::string inspected_refusal(const std::string& text) {
+    try {
+        (void)inspected_table_of(text, "m.csv");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(InspectedTable, ReadsDisplacementsInAnySpelling) {
+    const InspectedTable table =
+        inspected_table_of(eight("# gauge\ncrank_deg;s_in;x_mm", "0,5", ";1,5;0"), "m.csv");
+    EXPECT_FALSE(table.points);
+    EXPECT_FALSE(table.is_angle);
+    EXPECT_NEAR(table.rows[3].x(), 15.25 * units::degree, 1e-15);
+    EXPECT_NEAR(table.rows[3].y(), 1.5 * units::inch, 1e-15);
+    EXPECT_EQ(table.lines[3], 6);
+    EXPECT_TRUE(inspected_table_of(eight("theta_rad,s_deg", "", ",1.5"), "m.csv").is_angle);
+}
+
+TEST(InspectedTable, ReadsPointsOfTheCam) {
+    const InspectedTable plane = inspected_table_of(eight("y_mm\tx_in", ",5", "\t1"), "m.csv");
+    EXPECT_TRUE(plane.points);
+    EXPECT_NEAR(plane.rows[3].x(), 0.0254, 1e-15);
+    EXPECT_NEAR(plane.rows[3].y(), 3.5e-3, 1e-15);
+    EXPECT_EQ(plane.lines[3], 5);
+    const InspectedTable polar = inspected_table_of(eight("theta_deg,r_mm", "0", ",40"), "m.csv");
+    EXPECT_TRUE(polar.points);
+    EXPECT_NEAR(polar.rows[7].x(), 0.04 * std::cos(70.0 * units::degree), 1e-15);
+    EXPECT_NEAR(polar.rows[7].y(), 0.04 * std::sin(70.0 * units::degree), 1e-15);
+}
+
+TEST(InspectedTable, SaysWhatIsWrongAndWhere) {
+    const std::string allowed =
+        "theta_deg and s_mm of the follower, or x_mm and y_mm, or r_mm and theta_deg of the cam";
+    EXPECT_EQ(inspected_refusal("angle,lift\n0,1\n"),
+              "m.csv:1: found the columns \"angle\", \"lift\"; allowed: " + allowed);
+    EXPECT_EQ(inspected_refusal("\n0.5,1\n1,2\n"),
+              "m.csv:2: found the columns \"0.5\", \"1\"; allowed: " + allowed);
+    EXPECT_EQ(inspected_refusal("x_mm,z_mm\n0,1\n"),
+              "m.csv:1: found the columns \"x_mm\", \"z_mm\"; allowed: " + allowed);
+    EXPECT_EQ(inspected_refusal("x_mm,y_mm\n0,1\n0,one\n"),
+              "m.csv:3: found \"one\" in the column y_mm; allowed: a finite number");
+    EXPECT_EQ(inspected_refusal("theta_deg,s_mm\n0,1\n1,1\n"), "m.csv: found 2 rows; allowed: at least 8");
+    EXPECT_NE(testing_support::refusal([] {
+                  (void)read_inspected_table("/nowhere/m.csv");
+              }).find("allowed: a CSV file with the columns " + allowed),
+              std::string::npos);
 }
 
 }  // namespace measured_table_test

@@ -43,6 +43,9 @@ MAY_INCLUDE["output/plc"] = {"core", "scene", "splines", "studies", "output"}
 MAY_INCLUDE["objectives/machine"] = MAY_INCLUDE["objectives"] | {"objectives"}
 MAY_INCLUDE["studies/machine"] = MAY_INCLUDE["studies"] | {"studies", "objectives/machine"}
 MAY_INCLUDE["output/machine"] = MAY_INCLUDE["output"] | {"output", "output/page", "output/plc", "studies/machine"}
+# A measured cam: what solves a scene and writes its result does not know it.
+MAY_INCLUDE["studies/inspect"] = MAY_INCLUDE["studies"] | {"studies"}
+MAY_INCLUDE["output/inspect"] = MAY_INCLUDE["output"] | {"output", "output/page", "studies/inspect"}
 # A page shows cams of every kind: of plane ones what their leaf says, of spatial ones what is drawn of them.
 MAY_INCLUDE["output/page"] = MAY_INCLUDE["output"] | {"output", "output/spatial"}
 # Every file of a solution by its name.
