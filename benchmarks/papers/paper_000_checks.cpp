@@ -3,7 +3,7 @@
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "profiles/inverse/guide.hpp"
-#include "profiles/inverse/paper_guide.hpp"
+#include "benchmarks/papers/paper_guide.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 
 #include <fmt/format.h>

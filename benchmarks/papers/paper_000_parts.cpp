@@ -4,7 +4,7 @@
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "profiles/inverse/guide.hpp"
-#include "profiles/inverse/paper_guide.hpp"
+#include "benchmarks/papers/paper_guide.hpp"
 
 namespace camopt::feeding_paper {
 

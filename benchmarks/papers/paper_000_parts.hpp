@@ -4,7 +4,7 @@
 
 #include "benchmarks/papers/papers.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
-#include "profiles/inverse/paper_guide.hpp"
+#include "benchmarks/papers/paper_guide.hpp"
 
 namespace camopt::feeding_paper {
 

@@ -5,7 +5,7 @@
 
 #include "core/units.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
-#include "profiles/inverse/paper_guide.hpp"
+#include "benchmarks/papers/paper_guide.hpp"
 
 namespace camopt::test {
 

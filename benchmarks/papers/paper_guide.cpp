@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/inverse/paper_guide.hpp"
+#include "benchmarks/papers/paper_guide.hpp"
 
 #include "core/errors.hpp"
 
