@@ -183,7 +183,7 @@ SweepRow SweepJob::solve_machine_row(int row, const SweepFolder& folder) const {
     MachineOptions options;
     options.explain = request_.results;  // the table has no place for what each limit would have to be
     MachineSolution solution = solve_machine(machine(row), options);
-    const SweepRow found = machine_row(row, plan_.row(row), solution);
+    SweepRow found = machine_row(row, plan_.row(row), solution);
     if (!request_.results) return found;
     for (Solution& axis : solution.axes) add_forward_check(axis);
     write_machine_folder(folder.path() / "rows" / fmt::format("{:06}", row),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The paper's approximate method: what converges with the number of nodes, and what does not.
-#include "core/errors.hpp"
 #include "benchmarks/papers/paper_guide.hpp"
+#include "core/errors.hpp"
 #include "reference_machine.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -3,9 +3,9 @@
 // printed in it), and its roller.
 #pragma once
 
+#include "benchmarks/papers/paper_guide.hpp"
 #include "core/units.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
-#include "benchmarks/papers/paper_guide.hpp"
 
 namespace camopt::test {
 
