@@ -107,10 +107,10 @@ class MachineReader {
 
     [[nodiscard]] bool is_axis(const std::string& name) const {
         const Member* const axes = root_.find("axis");
-        return axes && std::ranges::find(root_keys.allowed, name) == root_keys.allowed.end() &&
+        return axes != nullptr && std::ranges::find(root_keys.allowed, name) == root_keys.allowed.end() &&
                std::ranges::any_of(axes->value.items, [&](const Node& axis) {
                    const Member* const own = axis.kind == NodeKind::table ? axis.find("name") : nullptr;
-                   return own && own->value.kind == NodeKind::text && own->value.text == name;
+                   return own != nullptr && own->value.kind == NodeKind::text && own->value.text == name;
                });
     }
     [[nodiscard]] static std::vector<std::string> all_settings(const AxisSpec& axis,
@@ -297,7 +297,7 @@ std::optional<std::string> machine_title(std::string_view toml) {
         const Node root = parse_document(toml, "");
         if (!root.find("machine")) return {};
         const Member* const title = root.find("title");
-        return title && title->value.kind == NodeKind::text ? title->value.text : std::string();
+        return title != nullptr && title->value.kind == NodeKind::text ? title->value.text : std::string();
     } catch (const InputError&) {
         return {};  // whoever reads it says what is wrong
     }
