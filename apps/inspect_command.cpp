@@ -22,8 +22,7 @@ ExitCode inspect_command(const InspectRequest& request) {
     if (request.tolerance_um && nominal.scene.motion.lift_is_angle && !table.points)
         throw InputError(
             "--tolerance-um: found a length for deviations that are angles; allowed: with points of the cam, "
-            "or with "
-            "displacements that are lengths");
+            "or with displacements that are lengths");
     std::optional<double> tolerance = request.tolerance_um;
     if (tolerance) *tolerance *= 1e-6;
     const Inspection found =

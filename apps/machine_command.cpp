@@ -34,20 +34,15 @@ MachineSolution solve_with_progress(const MachineRequest& request, const Machine
 }  // namespace
 
 ExitCode machine_command(const MachineRequest& request) {
-    const auto load = [](const std::filesystem::path& file, std::span<const std::string> settings) {
-        return camopt::load_scene(file, settings);
-    };
-    const MachineSpec machine = input::read_machine(request.scene, load, request.settings);
+    const MachineSpec machine = input::read_machine(request.scene, camopt::load_scene, request.settings);
     if (!request.out.empty()) prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written: Ctrl-C must not lose them
     MachineSolution solution = solve_with_progress(request, machine);
-    const MachineRun run{request.scene, request.settings, request.plc, request.command};
+    const MachineRun run = machine_run(request.scene, request.settings, request.command, solution);
     for (Solution& axis : solution.axes)
         if (!request.out.empty() && !InterruptWatch::interrupted()) add_forward_check(axis);
-    if (!request.out.empty()) write_machine_folder(request.out, run, solution);
-    std::string text = request.json
-                           ? machine_json(solution, {run.file, run.command, {}}, origins_of(run, solution))
-                           : machine_text(solution);
+    if (!request.out.empty()) write_machine_folder(request.out, run, solution, request.plc);
+    std::string text = request.json ? machine_json(solution, run.machine, run.axes) : machine_text(solution);
     if (!request.out.empty() && !request.json) text += "wrote " + request.out + "\n";
     print(text);
     return exit_code_of(solution.certificate.verdict);

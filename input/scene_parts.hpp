@@ -75,8 +75,7 @@ struct TableForm {
     std::vector<std::string> columns = {};  ///< their names; empty: in the first line
     bool by_step = false;                   ///< the rows have no angles
     char decimal = '.';
-    bool points =
-        false;  ///< read_inspected_table's: (x, y) or (theta, r) too, and the decimal comma by itself
+    bool points = false;  ///< read_inspected_table's: (x, y) or (theta, r) too; finds the decimal comma
 };
 
 /// Throws InputError "FILE:LINE: …" for columns that are missing or in other units, cells that are not finite

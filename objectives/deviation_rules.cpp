@@ -34,10 +34,11 @@ class DeviationRule final : public WholeMotionRule {
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             const double off = (motion.at(rows_[k].x).derivative[0] - rows_[k].y) / reference_;
             const double sign = off < 0.0 ? -1.0 : 1.0;
+            const Place place{{std::abs(off) - own, rows_[k].x}, {sign, static_cast<double>(k)}};
             if (all.empty() || all.back().setting[0] != sign)
-                all.push_back({{std::abs(off) - own, rows_[k].x}, {sign, static_cast<double>(k)}});
-            else if (std::abs(off) - own > all.back().where.value)
-                all.back() = {{std::abs(off) - own, rows_[k].x}, {sign, static_cast<double>(k)}};
+                all.push_back(place);
+            else if (place.where.value > all.back().where.value)
+                all.back() = place;
         }
         return all;
     }

@@ -118,6 +118,11 @@ void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, st
     update.finish();
 }
 
+/// Of the results of a row.
+std::filesystem::path row_folder(const SweepFolder& folder, int row) {
+    return folder.path() / "rows" / fmt::format("{:06}", row);
+}
+
 /// Their page holds every row: 80 MB of it, more than a browser likes.
 constexpr std::size_t most_drawn_rows = 100'000;
 
@@ -155,11 +160,8 @@ std::vector<std::string> SweepJob::row_settings(int row) const {
 }
 
 MachineSpec SweepJob::machine(int row) const {
-    const auto load = [](const std::filesystem::path& file, std::span<const std::string> settings) {
-        return camopt::load_scene(file, settings);
-    };
     try {
-        return input::read_machine(request_.scene, load, row_settings(row));
+        return input::read_machine(request_.scene, camopt::load_scene, row_settings(row));
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", row_text(plan_, row), error.what()));
     }
@@ -186,8 +188,8 @@ SweepRow SweepJob::solve_machine_row(int row, const SweepFolder& folder) const {
     SweepRow found = machine_row(row, plan_.row(row), solution);
     if (!request_.results) return found;
     for (Solution& axis : solution.axes) add_forward_check(axis);
-    write_machine_folder(folder.path() / "rows" / fmt::format("{:06}", row),
-                         {request_.scene, row_settings(row)}, solution);
+    write_machine_folder(row_folder(folder, row),
+                         machine_run(request_.scene, row_settings(row), "", solution), solution);
     return found;
 }
 
@@ -208,11 +210,10 @@ std::vector<SweepRow> SweepJob::solve(RowRange rows, const SweepFolder& folder,
 
 std::function<void(int row, const Solution&)> SweepJob::keeper(const SweepFolder& folder) const {
     if (!request_.results) return {};
-    return [this, place = folder.path() / "rows"](int row, const Solution& solution) {
+    return [this, &folder](int row, const Solution& solution) {
         const RunOrigin origin{request_.scene, "",
                                input::scene_with_overrides(scene_.text, scene_.name, row_settings(row))};
-        write_result_folder(place / fmt::format("{:06}", row), View(solution), origin,
-                            {.for_programs = true});
+        write_result_folder(row_folder(folder, row), View(solution), origin, {.for_programs = true});
     };
 }
 

@@ -299,7 +299,7 @@ std::optional<std::string> machine_title(std::string_view toml) {
         const Member* const title = root.find("title");
         return title != nullptr && title->value.kind == NodeKind::text ? title->value.text : std::string();
     } catch (const InputError&) {
-        return {};  // whoever reads it says what is wrong
+        return {};  // its reader says what is wrong
     }
 }
 

@@ -67,11 +67,6 @@ Json measured_json(const Solution& solution) {
     const MeasuredReport& measured = *solution.measured;
     const ShownUnits units = file_units(solution.scene);
     const MotionUnit& output = units.motion[0].first;
-    const double objective = solution.certificate.objective;
-    const ObjectiveSpec& weights = solution.scene.objective;
-    const bool nearest = weights.deviation > 0.0 || weights.deviation_rms > 0.0;
-    const bool gains = measured.objective && solution.motion && *measured.objective > 0.0 && !nearest &&
-                       !follows_noise(measured);
     Json laws = Json::array();
     for (const LawMatch& match : measured.laws)
         laws.push_back(
@@ -89,8 +84,7 @@ Json measured_json(const Solution& solution) {
             {"at_deg", number_json(measured.at * units.degrees_per_x)},
             {"peaks", peaks_json(measured.peaks)},
             {"objective", number_json(measured.objective)},
-            {"gain_percent",
-             gains ? number_json(100.0 * (1.0 - objective / *measured.objective)) : Json(nullptr)},
+            {"gain_percent", number_json(gain_percent(solution))},
             {"nearest_laws", laws},
             {"started", measured.started}};
 }

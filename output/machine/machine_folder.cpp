@@ -28,59 +28,67 @@ CurvePage page_of(const MachineView& view) {
             .notes = view.solution.notes};
 }
 
+/// The scene of an axis as it was solved.
+RunOrigin origin_of(const MachineSolution& solution, std::size_t own, const std::string& command) {
+    const AxisSpec& axis = solution.spec.axes[own];
+    std::vector<std::string> settings = axis.settings;
+    settings.push_back(input::speed_setting(solution.speed));
+    const MotionSpec& motion = axis.scene.motion;
+    for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s) {
+        if (!solution.timing->searched[own][s]) continue;
+        settings.push_back(fmt::format("motion.segments[{}].angle_deg={:.15g}", s,
+                                       degrees_shown.of(motion.segments[s].angle)));
+    }
+    return {axis.file, command,
+            input::scene_with_overrides(input::scene_file_text(axis.file), axis.file, settings,
+                                        std::filesystem::path(axis.file).parent_path())};
+}
+
+/// In the folder of the machine.
+std::string scene_name(const AxisSpec& axis) {
+    return axis.name + ".toml";
+}
+
 }  // namespace
 
-std::vector<RunOrigin> origins_of(const MachineRun& run, const MachineSolution& solution) {
-    std::vector<RunOrigin> origins;
-    origins.reserve(solution.spec.axes.size());
-    for (const AxisSpec& axis : solution.spec.axes) {
-        std::vector<std::string> settings = axis.settings;
-        settings.push_back(input::speed_setting(solution.speed));
-        const MotionSpec& motion = axis.scene.motion;
-        const std::size_t own = origins.size();
-        for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s) {
-            if (!solution.timing->searched[own][s]) continue;
-            settings.push_back(fmt::format("motion.segments[{}].angle_deg={:.15g}", s,
-                                           degrees_shown.of(motion.segments[s].angle)));
-        }
-        origins.push_back({axis.file, run.command,
-                           input::scene_with_overrides(input::scene_file_text(axis.file), axis.file, settings,
-                                                       std::filesystem::path(axis.file).parent_path())});
+MachineRun machine_run(const std::string& file, std::span<const std::string> settings,
+                       const std::string& command, const MachineSolution& solution) {
+    MachineRun run{{file, command, {}}, {}, {}};
+    std::vector<std::string> own = input::machine_settings(settings, solution.spec);
+    for (std::size_t b = 0; b < solution.spec.axes.size(); ++b) {
+        run.axes.push_back(origin_of(solution, b, command));
+        own.push_back(fmt::format("axis[{}].scene=\"{}\"", b, scene_name(solution.spec.axes[b])));
     }
-    return origins;
+    run.toml = input::scene_with_overrides(input::scene_file_text(file), file, own);
+    return run;
 }
 
 void write_machine_folder(const std::filesystem::path& out, const MachineRun& run,
-                          const MachineSolution& solution) {
-    const std::vector<RunOrigin> origins = origins_of(run, solution);
-    const RunOrigin own{run.file, run.command, {}};
+                          const MachineSolution& solution, const std::vector<std::string>& plc) {
     for (std::size_t b = 0; b < solution.axes.size(); ++b) {
         const Solution& axis = solution.axes[b];
         const View view(axis);
-        std::vector<FolderFile> also = result_extras(view, origins[b]);
-        if (!run.plc.empty())
-            for (const PlcFile& file : plc_export(axis, run.plc, {}).files)
+        std::vector<FolderFile> also = result_extras(view, run.axes[b]);
+        if (!plc.empty())
+            for (const PlcFile& file : plc_export(axis, plc, {}).files)
                 also.push_back({file.name, file.text});
-        write_result_folder(out / solution.spec.axes[b].name, view, origins[b], {{}, false, std::move(also)});
+        write_result_folder(out / solution.spec.axes[b].name, view, run.axes[b],
+                            {{}, false, std::move(also)});
     }
     FolderUpdate folder(out);
     for (const char* const name : {"impossible.json", "timing.svg"}) folder.remove_earlier(name);
     const MachineView view(solution);
     if (!view.curves.empty()) folder.write("timing.svg", timing_svg(view));
-    folder.write("report.html", curve_page_html(page_of(view), own));
-    folder.write("report.md", machine_markdown(view, own));
+    folder.write("report.html", curve_page_html(page_of(view), run.machine));
+    folder.write("report.md", machine_markdown(view, run.machine));
     // With the scenes of its axes beside it: the machine can be run and checked from its folder alone.
-    std::vector<std::string> settings = input::machine_settings(run.settings, solution.spec);
-    for (std::size_t b = 0; b < origins.size(); ++b) {
-        const std::string name = solution.spec.axes[b].name + ".toml";
-        settings.push_back(fmt::format("axis[{}].scene=\"{}\"", b, name));
-        folder.write(name, origins[b].scene_text);
-    }
-    folder.write("machine.toml",
-                 input::scene_with_overrides(input::scene_file_text(run.file), run.file, settings));
+    for (std::size_t b = 0; b < run.axes.size(); ++b)
+        folder.write(scene_name(solution.spec.axes[b]), run.axes[b].scene_text);
+    folder.write("machine.toml", run.toml);
     folder.write("certificate.json", certificate_json(solution.certificate));
     if (solution.impossible) folder.write("impossible.json", impossible_json(solution));
-    folder.write("machine.json", machine_json(solution, own, origins));  // last: the rest is complete then
+    folder.write("machine.json",
+                 machine_json(solution, run.machine, run.axes));  // last: the rest is complete then
     folder.finish();
 }
 

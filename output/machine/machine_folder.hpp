@@ -9,19 +9,20 @@
 
 namespace camopt {
 
-/// What was asked for: the machine file, the settings it was read with, and the words of the command line.
+/// What was read: the machine file, and the scene of every axis as it was solved.
 struct MachineRun {
-    std::string file;
-    std::vector<std::string> settings;
-    std::vector<std::string> plc = {};  ///< formats of electronic cams, for every axis
-    std::string command = {};
+    RunOrigin machine;            ///< without its text
+    std::vector<RunOrigin> axes;  ///< in the order of the machine
+    std::string toml;             ///< the machine with its settings, and the scenes of its axes beside it
 };
 
-/// The scene of every axis as it was solved.
-[[nodiscard]] std::vector<RunOrigin> origins_of(const MachineRun& run, const MachineSolution& solution);
+/// `settings`: those the file was read with; `command`: the words of the command line. Reads the files once:
+/// what is written later is what was solved.
+[[nodiscard]] MachineRun machine_run(const std::string& file, std::span<const std::string> settings,
+                                     const std::string& command, const MachineSolution& solution);
 
-/// Throws InputError for a folder that cannot be written.
+/// `plc`: formats of electronic cams, for every axis. Throws InputError for a folder that cannot be written.
 void write_machine_folder(const std::filesystem::path& out, const MachineRun& run,
-                          const MachineSolution& solution);
+                          const MachineSolution& solution, const std::vector<std::string>& plc = {});
 
 }  // namespace camopt

@@ -149,6 +149,16 @@ bool follows_noise(const MeasuredReport& measured) {
     return measured.rows < 2 * measured.freedom;
 }
 
+std::optional<double> gain_percent(const Solution& solution) {
+    const MeasuredReport& measured = *solution.measured;
+    const ObjectiveSpec& objective = solution.scene.objective;
+    const bool sought = objective.deviation > 0.0 || objective.deviation_rms > 0.0;
+    if (sought || follows_noise(measured) || !measured.objective || !solution.motion ||
+        !(*measured.objective > 0.0))
+        return {};
+    return 100.0 * (1.0 - solution.certificate.objective / *measured.objective);
+}
+
 std::string measured_sentence(const Solution& solution) {
     const MeasuredReport& measured = *solution.measured;
     const MotionUnit& unit = shown_units(solution.scene).motion[0].first;
@@ -161,17 +171,12 @@ std::string measured_sentence(const Solution& solution) {
             "; with {} free numbers, more than half as many as rows, the spline follows the noise of the "
             "table: fewer spline.segments smooth it",
             measured.freedom);
-    const ObjectiveSpec& objective = solution.scene.objective;
-    const bool nearest = objective.deviation > 0.0 || objective.deviation_rms > 0.0;
-    // Of noise no motion can be said to be better.
-    if (!nearest && !follows_noise(measured) && measured.objective && solution.motion &&
-        *measured.objective > 0.0) {
-        const double gain = 100.0 * (1.0 - solution.certificate.objective / *measured.objective);
-        text += fmt::format("; the optimum's objective is {} % {} than its {}", short_text(std::abs(gain), 3),
-                            gain < 0.0 ? "more" : "less", short_text(*measured.objective));
-    }
+    if (const std::optional<double> gain = gain_percent(solution))
+        text +=
+            fmt::format("; the optimum's objective is {} % {} than its {}", short_text(std::abs(*gain), 3),
+                        *gain < 0.0 ? "more" : "less", short_text(*measured.objective));
     for (const OwnTermReport& term : solution.own_terms) {
-        if (!nearest || !term.of_scene || !term.name.starts_with("deviation")) continue;
+        if (!term.of_scene || !term.name.starts_with("deviation")) continue;
         const std::string what = term.name == "deviation" ? "largest deviation" : "rms deviation";
         text +=
             fmt::format("; the motion's {} from the table is {}", what, unit.normalised_text(term.value, 4));

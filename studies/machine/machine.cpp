@@ -5,6 +5,7 @@
 #include "scene/written_limits.hpp"
 #include "studies/machine/machine_build.hpp"
 #include "studies/search/settled_scene.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/format.h>
 
@@ -379,16 +380,9 @@ class MachineSearch {
 }  // namespace
 
 SweepRow machine_row(int number, std::span<const double> settings, const MachineSolution& solution) {
-    const Certificate& certificate = solution.certificate;
-    SweepRow row;
-    row.number = number;
-    row.settings.assign(settings.begin(), settings.end());
-    row.verdict = certificate.verdict;
-    row.reason = name_of(certificate.reason);
-    row.lower_bound = certificate.lower_bound;
-    row.gap = certificate.gap;
+    SweepRow row = certified_row(number, settings, solution.certificate);
     if (row.is_feasible()) {
-        row.objective = certificate.objective;
+        row.objective = solution.certificate.objective;
         row.machine.speed = solution.speed;
     }
     row.machine.impossible_above = solution.impossible_above;

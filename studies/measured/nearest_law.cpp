@@ -14,7 +14,7 @@ constexpr int most_steps = 25;
 constexpr double settled = 1e-12, least_width = 0.2, most_width = 2.0;
 constexpr std::size_t least_rows = 8;
 
-/// Rows of one stroke: x from its begin by its angle, displacement as a share of its own.
+/// Rows of one stroke: x from its begin by its angle, displacement as a share of that stroke.
 struct StrokeRows {
     std::vector<MeasuredRow> rows;
     bool falls = false;

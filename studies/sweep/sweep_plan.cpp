@@ -253,15 +253,17 @@ SweepColumns check_rows(SweepScenes& scenes) {
     return columns;
 }
 
-SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution) {
-    const Certificate& certificate = solution.certificate;
-    SweepRow row;
-    row.number = number;
-    row.settings.assign(settings.begin(), settings.end());
+SweepRow certified_row(int number, std::span<const double> settings, const Certificate& certificate) {
+    SweepRow row = failed_row(number, settings, name_of(certificate.reason));
     row.verdict = certificate.verdict;
-    row.reason = name_of(certificate.reason);
     row.lower_bound = finite(certificate.lower_bound);
     row.gap = finite(certificate.gap);
+    return row;
+}
+
+SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    SweepRow row = certified_row(number, settings, certificate);
     if (solution.any_curve_limit) row.any_curve_limit = finite(solution.any_curve_limit->objective);
     if (solution.motion && row.is_feasible()) {
         row.objective = finite(certificate.objective);

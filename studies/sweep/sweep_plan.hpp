@@ -109,6 +109,10 @@ struct Chunking {
 /// where that makes fewer than least_chunks chunks. Throws InputError where that row is wrong.
 [[nodiscard]] int chunk_size_for(SweepScenes& scenes);
 
+/// What a certificate says of a row: verdict, reason, bound.
+[[nodiscard]] SweepRow certified_row(int number, std::span<const double> settings,
+                                     const Certificate& certificate);
+
 /// What a solution says, as a row.
 [[nodiscard]] SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution);
 

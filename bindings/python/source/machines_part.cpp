@@ -25,7 +25,6 @@ namespace {
 struct SolvedMachine {
     std::shared_ptr<const MachineSolution> solution;
     MachineRun run;
-    std::vector<RunOrigin> origins;  ///< of the axes
 };
 
 const MachineSolution& of(const SolvedMachine& machine) {
@@ -38,12 +37,9 @@ SolvedMachine solved_machine(const std::string& file, const std::vector<std::str
     MachineOptions options;
     options.speed_gap = speed_gap.value_or(options.speed_gap);
     options.max_seconds = max_seconds.value_or(options.max_seconds);
-    const auto load = [](const std::filesystem::path& scene, std::span<const std::string> own) {
-        return load_scene(scene, own);
-    };
-    const MachineSpec machine = input::read_machine(file, load, settings);
+    const MachineSpec machine = input::read_machine(file, load_scene, settings);
     Watch watch(std::move(progress));
-    SolvedMachine solved{nullptr, {.file = file, .settings = settings}, {}};
+    SolvedMachine solved;
     try {
         const py::gil_scoped_release others_run;
         solved.solution =
@@ -52,7 +48,7 @@ SolvedMachine solved_machine(const std::string& file, const std::vector<std::str
     } catch (const SceneError& error) {
         input::fail_in_machine(file, settings, machine, error.fault());
     }
-    solved.origins = origins_of(solved.run, *solved.solution);
+    solved.run = machine_run(file, settings, "", *solved.solution);
     watch.raise_what_came("solution", py::cast(solved));
     return solved;
 }
@@ -65,7 +61,7 @@ std::optional<double> rpm(std::optional<double> speed) {
 py::dict axis_solutions(const SolvedMachine& machine) {
     py::dict solutions;
     for (std::size_t b = 0; b < of(machine).axes.size(); ++b) {
-        const RunOrigin& origin = machine.origins[b];
+        const RunOrigin& origin = machine.run.axes[b];
         SolvedScene axis{std::shared_ptr<const Solution>(machine.solution, &machine.solution->axes[b]),
                          origin};
         axis.given = py::cast(ReadScene(origin.scene_text, origin.scene_file, {}, {}));
@@ -75,7 +71,7 @@ py::dict axis_solutions(const SolvedMachine& machine) {
 }
 
 std::string machine_json_text(const SolvedMachine& machine) {
-    return machine_json(of(machine), {machine.run.file, {}, {}}, machine.origins);
+    return machine_json(of(machine), machine.run.machine, machine.run.axes);
 }
 
 /// None where nothing is delivered: there is nothing to draw.
@@ -86,9 +82,7 @@ std::optional<std::string> timing_picture(const SolvedMachine& machine) {
 
 void write_machine(const SolvedMachine& machine, const std::string& folder,
                    const std::vector<std::string>& plc) {
-    MachineRun run = machine.run;
-    run.plc = plc;
-    write_machine_folder(folder, run, *machine.solution);
+    write_machine_folder(folder, machine.run, *machine.solution, plc);
 }
 
 }  // namespace

@@ -18,11 +18,8 @@ namespace machine_test {
 using testing_support::refusal;
 
 MachineSpec cartoner(const std::vector<std::string>& settings = {}) {
-    const auto load = [](const std::filesystem::path& file, std::span<const std::string> own) {
-        return load_scene(file, own);
-    };
     return input::read_machine(std::filesystem::path(CAMOPT_SOURCE_DIR) / "scenes/machines/cartoner.toml",
-                               load, settings);
+                               load_scene, settings);
 }
 
 double rpm(double speed) {
