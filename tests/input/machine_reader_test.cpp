@@ -4,6 +4,7 @@
 
 #include "input/scene_reader.hpp"
 #include "profiles/factory/cam_formulas.hpp"
+#include "tests/output/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -60,8 +61,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 class MachineFile : public testing::Test {
  protected:
-    MachineFile() : folder_(std::filesystem::path(testing::TempDir()) / "machine_reader_test") {
-        std::filesystem::create_directories(folder_);
+    MachineFile() {
         write("slide.toml", slide);
         write("arm.toml",
               replaced(replaced(replaced(slide, "lift_mm", "lift_deg"), "to_mm = 50", "to_deg = 50"),
@@ -70,42 +70,41 @@ class MachineFile : public testing::Test {
         write("stroke.toml", replaced(slide, "type = \"program\"", "type = \"DRD\""));
     }
     void write(const std::string& name, const std::string& text) {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
+        std::ofstream(path(name), std::ios::binary) << text;
     }
-    [[nodiscard]] MachineSpec read(const std::string& text) {
+    [[nodiscard]] std::filesystem::path path(const std::string& name) const {
+        return std::filesystem::path(folder_.path()) / name;
+    }
+    [[nodiscard]] static Scene load(const std::filesystem::path& file,
+                                    std::span<const std::string> settings) {
+        return read_scene_file(file, {.laws = {"modified_sine"}, .solvers = {}, .cam_formulas = cam_formulas},
+                               settings);
+    }
+    [[nodiscard]] MachineSpec read(const std::string& text, std::span<const std::string> settings = {}) {
         write("machine.toml", text);
-        const auto load = [](const std::filesystem::path& file, std::span<const std::string> settings) {
-            return read_scene_file(
-                file, {.laws = {"modified_sine"}, .solvers = {}, .cam_formulas = cam_formulas}, settings);
-        };
-        return read_machine(folder_ / "machine.toml", load);
+        return read_machine(path("machine.toml"), load, settings);
     }
     void expect_refusal(const std::string& what, const std::string& by, const std::string& words) {
         const std::string said = refusal([&] { (void)read(replaced(machine, what, by)); });
         EXPECT_NE(said.find(words), std::string::npos) << said << "\ninstead of " << words;
     }
-    std::filesystem::path folder_;
+
+ private:
+    test::TemporaryFolder folder_;  // tests run beside one another
 };
 
 TEST_F(MachineFile, SettingsReachMachineAndAxes) {
-    write("machine.toml", machine);
-    const auto load = [](const std::filesystem::path& file, std::span<const std::string> settings) {
-        return read_scene_file(file, {.laws = {"modified_sine"}, .solvers = {}, .cam_formulas = cam_formulas},
-                               settings);
-    };
     const std::vector<std::string> settings = {"clearance[0].at_least_mm=-30", "other.motion.lift_mm=60",
                                                "other.motion.segments[0].to_mm=60"};
-    const MachineSpec read = read_machine(folder_ / "machine.toml", load, settings);
-    EXPECT_DOUBLE_EQ(read.clearances[0].at_least, -0.03);
-    EXPECT_DOUBLE_EQ(read.axes[0].scene.motion.lift, 0.05);
-    EXPECT_DOUBLE_EQ(read.axes[1].scene.motion.lift, 0.06);
-    EXPECT_TRUE(read.axes[0].settings.empty());
-    EXPECT_EQ(read.axes[1].settings.size(), 2U);
-    EXPECT_EQ(machine_settings(settings, read), std::vector{settings[0]});
+    const MachineSpec found = read(machine, settings);
+    EXPECT_DOUBLE_EQ(found.clearances[0].at_least, -0.03);
+    EXPECT_DOUBLE_EQ(found.axes[0].scene.motion.lift, 0.05);
+    EXPECT_DOUBLE_EQ(found.axes[1].scene.motion.lift, 0.06);
+    EXPECT_TRUE(found.axes[0].settings.empty());
+    EXPECT_EQ(found.axes[1].settings.size(), 2U);
+    EXPECT_EQ(machine_settings(settings, found), std::vector{settings[0]});
     const std::vector<std::string> wrong = {"other.motion.lift_mm=-1"};
-    EXPECT_NE(
-        refusal([&] { (void)read_machine(folder_ / "machine.toml", load, wrong); }).find("motion.lift_mm"),
-        std::string::npos);
+    EXPECT_NE(refusal([&] { (void)read(machine, wrong); }).find("motion.lift_mm"), std::string::npos);
 }
 
 TEST_F(MachineFile, IsReadInSiUnits) {

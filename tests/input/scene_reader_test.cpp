@@ -7,6 +7,7 @@
 #include "profiles/factory/cam_formulas.hpp"
 #include "scene/written_limits.hpp"
 #include "tests/input/scene_key_cases.hpp"
+#include "tests/output/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,8 +28,8 @@ const std::string jerk_only = "objective.jerk = 1\n";
 
 /// Where measured.csv lies.
 std::filesystem::path folder_of_tables() {
-    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "camopt_scene_reader";
-    std::filesystem::create_directories(folder);
+    static const test::TemporaryFolder own;  // tests run beside one another
+    const std::filesystem::path folder = own.path();
     std::ofstream(folder / "measured.csv")
         << "s_mm,theta_rad\n0,0\n1,0.2\n3,0.5\n7,0.8\n12,1.1\n17,1.4\n19,1.7\n20,2\n";
     return folder;
