@@ -98,6 +98,7 @@ SweepTable random_table() {
     SweepTable table{{{"objective.velocity", "motion.segments[1].to"},
                       {DimensionIndex::base_radius, DimensionIndex::offset},
                       false,
+                      false,
                       {}},
                      {}};
     for (int i = 0; i < 500; ++i) table.rows.push_back(random_row(i, generator));
