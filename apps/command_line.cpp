@@ -57,6 +57,7 @@ struct Words {
     CheckRequest check;
     ExportRequest export_cam;
     InspectRequest inspect;
+    ValvesRequest valves;
     ReportRequest report;
     ListRequest list;
     TableRequest table;
@@ -177,6 +178,29 @@ CLI::App& add_inspect(CLI::App& program, InspectRequest& request) {
     add_settings(command, request.settings);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     command.footer("Exit codes: 0 in tolerance, or none given; 1 out of tolerance; 2 wrong input.\n");
+    return command;
+}
+
+CLI::App& add_valves(CLI::App& program, ValvesRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "valves", "Intake and exhaust lobe on one crankshaft: overlap, lobe separation, clearance");
+    for (const auto& [name, target] : {std::pair{"INTAKE", &request.intake}, {"EXHAUST", &request.exhaust}})
+        command.add_option(name, *target, "Result folder, or scene file of a valve lobe with its centerline")
+            ->type_name("")
+            ->required();
+    CLI::Option* const gap =
+        command
+            .add_option("--gap-mm", request.gap_mm,
+                        "Distance of the nearest edges of the shut valves: say the least clearance")
+            ->type_name("G")
+            ->check(CLI::PositiveNumber);
+    command.add_option("--included-deg", request.included_deg, "Angle between the valves' axes; default: 0")
+        ->type_name("A")
+        ->check(CLI::Range(0.0, 179.0))
+        ->needs(gap);
+    add_units(command, request.units);
+    command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
+    command.footer("Exit codes: 0; 1 the valves touch; 2 wrong input.\n");
     return command;
 }
 
@@ -416,6 +440,7 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     const CLI::App& check = add_check(program, parsed.check);
     const CLI::App& export_cam = add_export(program, parsed.export_cam);
     const CLI::App& inspect = add_inspect(program, parsed.inspect);
+    const CLI::App& valves = add_valves(program, parsed.valves);
     const CLI::App& report = add_report(program, parsed.report);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
@@ -458,6 +483,7 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     if (check.parsed()) return run(parsed.check, check_command);
     if (export_cam.parsed()) return run(parsed.export_cam, export_command);
     if (inspect.parsed()) return run(parsed.inspect, inspect_command);
+    if (valves.parsed()) return valves_command(parsed.valves);
     if (report.parsed()) return report_command(parsed.report);
     if (table.parsed()) return table_command(parsed.table);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);

@@ -72,9 +72,10 @@ struct ExportRequest {
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
     std::vector<std::string> plc;       ///< keys of plc_formats(); empty: none
-    std::optional<double> step_deg;     ///< of table.csv; none: by points
+    std::optional<double> step_deg;     ///< of table.csv, lobe.csv; none: by points, 1
+    std::string lobe;                   ///< "mm" or "in": lobe.csv of a valve lobe; empty: none
     std::string columns;                ///< of table.csv, between commas; empty: the usual ones
-    std::optional<int> digits;          ///< of table.csv; none: all
+    std::optional<int> digits;          ///< of table.csv, lobe.csv; none: all
     bool csv = false, stl = false, obj = false, step = false, picture = false, dxf = false, nc = false;
     std::string units;                            ///< as of solve
     std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
@@ -111,6 +112,16 @@ struct InspectRequest {
 };
 /// failure: out of tolerance.
 [[nodiscard]] ExitCode inspect_command(const InspectRequest& request);
+
+struct ValvesRequest {
+    std::string intake, exhaust;   ///< valve lobes: files, or result folders: then nothing is solved
+    std::string units;             ///< as of solve
+    std::optional<double> gap_mm;  ///< between the nearest edges of the shut valves; none: no clearance
+    double included_deg = 0.0;     ///< between the valves' axes
+    bool json = false;
+};
+/// failure: the valves touch.
+[[nodiscard]] ExitCode valves_command(const ValvesRequest& request);
 
 struct ReportRequest {
     std::string folder;  ///< a result folder

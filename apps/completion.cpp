@@ -86,7 +86,8 @@ WordList value_words(const CLI::Option& option, std::string_view typed) {
 WordList positional_words(const CLI::App& command) {
     if (command.get_name() == "list") return list_topics();
     if (command.get_name() == "table") return {"spline-vs-modified-sine"};
-    if (command.get_name() == "export" || command.get_name() == "inspect") return {":results"};
+    if (command.get_name() == "export" || command.get_name() == "inspect" || command.get_name() == "valves")
+        return {":results"};
     if (command.get_name() == "report") return {":folders"};
     if (command.get_name() == "merge") return {":folders"};
     if (command.get_name() == "machine") return {":scenes"};

@@ -7,6 +7,7 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/csv/lobe_csv.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_solid.hpp"
 #include "output/drawing/profile_shape.hpp"
@@ -46,7 +47,7 @@ struct Exported {
 bool wants_only_motion(const ExportRequest& request) {
     const bool cam = request.stl || request.obj || request.step || request.picture || request.dxf ||
                      request.nc || !request.sheet.empty();
-    return !cam && (request.csv || !request.plc.empty());
+    return !cam && (request.csv || !request.lobe.empty() || !request.plc.empty());
 }
 
 /// The types of cams that have a workshop drawing: "disk".
@@ -66,12 +67,15 @@ std::string drawn_types() {
 /// Throws where the cam of this scene has no such files.
 void check_wishes(const ExportRequest& request, const Scene& scene) {
     const std::optional<CamSpec>& cam = scene.cam;
+    if ((request.step_deg || request.digits) && !request.csv && request.lobe.empty())
+        throw InputError(fmt::format("{}: found without a table; allowed: with --csv or --lobe",
+                                     request.step_deg ? "--step-deg" : "--digits"));
     if (!cam) {
         if (wants_only_motion(request)) return;
-        throw InputError(
-            fmt::format("{}: export writes --csv and --plc of a motion; the rest is for cams, and this "
-                        "scene has none",
-                        request.scene));
+        throw InputError(fmt::format(
+            "{}: export writes --csv, --lobe and --plc of a motion; the rest is for cams, and this "
+            "scene has none",
+            request.scene));
     }
     if (request.sheet == "pdf") require_pdf();
     if (!cam_kind(cam->type)->is_plane_curve) {
@@ -248,6 +252,10 @@ void export_motion(const ExportRequest& request, const Solution& solution, Folde
         const UniformTable table = uniform_table(solution, options);
         folder.write("table.csv", table.text);
         result.text += fmt::format("\nTable: {}\n", table.words());
+    }
+    if (!request.lobe.empty()) {
+        const LengthUnit unit = request.lobe == "in" ? LengthUnit::inch : LengthUnit::millimetre;
+        folder.write("lobe.csv", lobe_csv(solution, {unit, request.step_deg.value_or(1.0), request.digits}));
     }
     if (!request.plc.empty()) {
         const PlcExport exported = plc_export(solution, request.plc, {request.points});

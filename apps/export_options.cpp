@@ -134,9 +134,15 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
                          "table.csv: the motion evenly by cam angle, with or without a cam; and points of "
                          "the cam: profile.csv, "
                          "guide.csv, of three-dimensional cams flanks.csv, both flanks with normals");
-    command.add_option("--step-deg", request.step_deg, "Step of table.csv; --points is for the rest then")
-        ->type_name("NUMBER")
-        ->needs(csv);
+    command
+        .add_option("--lobe", request.lobe,
+                    "lobe.csv: a valve lobe by cam and crank angle from its nose, lifts in this unit")
+        ->type_name("UNIT")
+        ->check(CLI::IsMember({"mm", "in"}));
+    command
+        .add_option("--step-deg", request.step_deg,
+                    "Step of table.csv, where --points is for the rest then, and of lobe.csv (default: 1)")
+        ->type_name("NUMBER");
     command
         .add_option(
             "--columns", request.columns,
@@ -146,11 +152,11 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
         ->needs(csv);
     constexpr int most_digits = 17;
     command
-        .add_option("--digits", request.digits,
-                    "Significant digits in table.csv; default: as many as read back to the same number")
+        .add_option(
+            "--digits", request.digits,
+            "Significant digits in table.csv and lobe.csv; default: as many as read back to the same number")
         ->type_name("N")
-        ->check(CLI::Range(1, most_digits))
-        ->needs(csv);
+        ->check(CLI::Range(1, most_digits));
     add_plc(command, request.plc);
     command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
     command

@@ -286,6 +286,13 @@ camopt_promise(units [[
 Factors from display units to SI: 3.0 * units::millimetre is 0.003 m, 90 * units::degree is π/2 rad.
 Everything behind these headers is in m, rad, s, kg, N unless its comment says otherwise.]]
   core/units.hpp)
+camopt_promise(valves [[
+Valve lobes: ValveSpec and make_valve_lobe() for the motion of a scene; of a solved lobe its events,
+durations, areas, accelerations and spring (valve_report), of two the overlap (valve_pair). m, rad, N.
+lobe_csv() writes the table for engine programs.]]
+  output/csv/lobe_csv.hpp
+  scene/valve_spec.hpp
+  studies/valve/valve_report.hpp)
 camopt_promise(version [[
 The version of this camopt, "MAJOR.MINOR.PATCH".]]
   core/version.hpp)

@@ -3,6 +3,7 @@
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/scene.hpp"
+#include "scene/written_limits.hpp"
 
 #include <fmt/format.h>
 
@@ -129,14 +130,13 @@ std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec&
                                 motion.lift_is_angle ? "an angle" : "a length",
                                 motion.lift_is_angle ? "a limit in deg or rad, or a normalised one"
                                                      : "a limit in mm, in or m, or a normalised one"));
-    if (!motion.speed)
+    if (!motion.speed && limit.in_time())
         source.fail(
             given->member->place, limit.key,
             fmt::format("found a limit in {} without a speed; allowed: together with motion.speed_rpm or "
                         "motion.speed_rad_s",
                         limit.unit));
-    limit.one_normalised =
-        motion.lift * std::pow(*motion.speed / motion.unit_angle(), row.order()) / given->spelling->factor;
+    limit.one_normalised = one_normalised_peak(motion, row.order(), *given->spelling);
     limit.normalised = number / limit.one_normalised;
     return limit;
 }

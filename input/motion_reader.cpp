@@ -17,6 +17,7 @@ namespace {
 
 // Of a revolution: the rounding of angles written with ten digits.
 constexpr double turn_rounding = 1e-9;
+constexpr std::string_view valve_type = "valve";
 
 /// In lifts; `key`: as written by the user.
 double displacement_in_lifts(const SceneSource& source, const Given& given, const std::string& key,
@@ -232,6 +233,44 @@ void repeat_segments(MotionSpec& motion) {
         motion.segments.insert(motion.segments.end(), own.begin(), own.end());
 }
 
+/// type = "valve". The lift is the valve's.
+ValveSpec read_valve(const SceneSource& source, const MotionSpec& motion) {
+    ValveSpec valve;
+    const auto needed = [&](std::string_view table, const char* name) {
+        const std::optional<double> number = source.number(table, name);
+        if (!number)
+            source.fail_member(joined_key(table, name), "missing; allowed: needed by type \"valve\"");
+        return *number;
+    };
+    if (motion.lift_is_angle)
+        source.fail_member("motion.lift", "found an angle; allowed: a length, the lift of the valve");
+    valve.lift = needed("motion", "lift");
+    source.read_number("motion", "rocker_ratio", valve.ratio);
+    source.read_number("motion", "valve_arm", valve.ratio);
+    source.read_number("motion", "lash", valve.lash);
+    valve.checking_height = needed("motion", "checking_height");
+    valve.duration = needed("motion", "duration");
+    valve.opening = source.number("motion", "opening").value_or(0.5 * valve.duration);
+    valve.centerline = source.number("motion", "centerline");
+    const bool swings = source.find("motion", "valve_arm").has_value();
+    const auto read_ramp = [&](const std::string& table) {
+        for (const char* name : {"height", "velocity"})
+            if (const auto given = source.find(table, name);
+                given && is_angle_unit(given->spelling->unit) != swings)
+                source.fail(given->member->place, joined_key(table, given->member->name),
+                            swings ? "found a length; allowed: an angle of the follower, which swings by "
+                                     "motion.valve_arm"
+                                   : "found an angle; allowed: a length");
+        return ValveRamp{needed(table, "height"), needed(table, "velocity"), source.number(table, "end")};
+    };
+    valve.opening_ramp = read_ramp("motion.opening_ramp");
+    valve.closing_ramp =
+        source.table("motion.closing_ramp") ? read_ramp("motion.closing_ramp") : valve.opening_ramp;
+    if (const std::optional<SceneFault> fault = find_valve_fault(valve))
+        source.fail_member(fault->member, words_of(*fault));
+    return valve;
+}
+
 class MotionReader {
  public:
     MotionReader(const SceneSource& source, const KnownNames& known) : source_(source), known_(known) {}
@@ -240,7 +279,9 @@ class MotionReader {
         MotionSpec motion;
         source_.read_choice("motion", "type", {MotionType::drd, MotionType::rr, MotionType::program},
                             motion.type);
-        refuse_keys_of_other_types(motion.type);
+        const auto type = source_.find("motion", "type");
+        const bool is_valve = type && type->value().text == valve_type;
+        refuse_keys_of_other_types(motion.type, is_valve);
         if (const auto lift = source_.find("motion", "lift")) {
             motion.lift = lift->number();
             motion.lift_is_angle = is_angle_unit(lift->spelling->unit);
@@ -252,6 +293,7 @@ class MotionReader {
         source_.read_number("motion", "rise", motion.rise);
         motion.return_angle = source_.number("motion", "return");
         motion.speed = source_.number("motion", "speed");
+        if (const auto engine = source_.number("motion", "engine_speed")) motion.speed = 0.5 * *engine;
         if (const auto symmetric = source_.find("motion", "symmetric"))
             motion.symmetric = symmetric->value().boolean;
         if (const auto within = source_.find("motion", "within_lift"))
@@ -266,8 +308,12 @@ class MotionReader {
         if (const auto segments = source_.find("motion", "segments"))
             for (const Node& segment : segments->value().items)
                 motion.segments.push_back(read_segment(segment, motion));
+        if (is_valve) {
+            const ValveSpec valve = read_valve(source_, motion);
+            motion.lift_is_angle = source_.find("motion", "valve_arm").has_value();
+            make_valve_lobe(motion, valve);
+        }
         settle_angle_ranges(source_, motion);
-        check_moving_laws(motion);
         check_turn(motion);
         read_set_points(source_, motion);
         repeat_segments(motion);
@@ -279,15 +325,23 @@ class MotionReader {
     const SceneSource& source_;
     const KnownNames& known_;
 
-    void refuse_keys_of_other_types(MotionType type) const {
+    void refuse_keys_of_other_types(MotionType type, bool is_valve) const {
         const bool program = type == MotionType::program;
+        const std::string_view own = is_valve ? valve_type : name_of(type);
         const auto refuse = [&](std::initializer_list<const char*> names, const char* allowed) {
             for (const char* name : names)
                 if (const auto given = source_.find("motion", name))
                     source_.fail(given->member->place, joined_key("motion", given->member->name),
                                  fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
-                                             name_of(type), allowed));
+                                             own, allowed));
         };
+        if (is_valve)
+            return refuse({"rise", "return", "segments", "closed", "repeat", "stops", "start", "end",
+                           "symmetric", "via"},
+                          "other types; a valve lobe is said by lift, duration and ramps");
+        refuse({"rocker_ratio", "valve_arm", "lash", "checking_height", "duration", "opening", "centerline",
+                "opening_ramp", "closing_ramp"},
+               "type \"valve\"");
         if (!program) return refuse({"segments", "closed", "repeat"}, "type \"program\"");
         refuse({"rise", "return"},
                "type \"DRD\" or \"RR\"; a program says the angle of each of its segments");
@@ -320,27 +374,6 @@ class MotionReader {
             segment.to_unit = to->spelling->unit;
         }
         return segment;
-    }
-
-    /// objectives/ checks this too, without the location.
-    void check_moving_laws(const MotionSpec& motion) const {
-        const std::size_t count = motion.segments.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::string& law = motion.segments[i].law;
-            if (std::ranges::find(known_.moving_laws, law) == known_.moving_laws.end()) continue;
-            const auto joins = [&](bool outer, std::size_t other) {
-                const SegmentKind kind = motion.segments[other].kind;
-                if (outer && motion.relative && kind == SegmentKind::law) return true;  // program_family.cpp
-                return (outer && !motion.periodic()) || kind == SegmentKind::spline;
-            };
-            if (joins(i == 0, (i + count - 1) % count) && joins(i + 1 == count, (i + 1) % count)) continue;
-            source_.fail_member(
-                fmt::format("motion.segments[{}].law", i),
-                fmt::format("found \"{}\", a law whose ends move; allowed: next to segments of kind "
-                            "\"spline\", which join with its velocity, or at the end of a motion that is "
-                            "not closed",
-                            law));
-        }
     }
 
     /// core/ checks this too, but in radians.

@@ -26,8 +26,8 @@ void add_sided(std::vector<MotionBound>& all, const PeakLimitRow& row, const Pea
                const MotionFamily& family) {
     MotionBound bound{row.name(), limit.key, limit.unit, row.order(), row.side, row.side * limit.normalised,
                       limit.given};
-    bound.per_normalised = limit.in_time() ? limit.unit_per_normalised() : 1.0;
-    if (limit.in_time() || family.stretches().size() == 1) {
+    bound.per_normalised = limit.physical() ? limit.unit_per_normalised() : 1.0;
+    if (limit.physical() || family.stretches().size() == 1) {
         all.push_back(std::move(bound));
         return;
     }

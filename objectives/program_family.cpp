@@ -130,26 +130,28 @@ namespace {
 
 constexpr double same_velocity = 1e-9;  // of two laws that join, relative
 
-/// y' of a law where it ends, or begins, in lifts by the cam angle; none: its displacement is free.
+/// y' of a law or a dwell where it ends, or begins, in lifts by the cam angle; none: its displacement is
+/// free.
 std::optional<double> end_velocity(const MotionSpec& motion, std::size_t index, bool at_end) {
     const ProgramSegment& segment = motion.segments[index];
     double from = 0.0;
     for (std::size_t i = 0; i < index; ++i) from = motion.segments[i].to.value_or(from);
+    if (segment.kind == SegmentKind::dwell) return 0.0;
     if (segment.kind != SegmentKind::law || !segment.to) return std::nullopt;
     const std::unique_ptr<Law> law = make_law(segment.law);
     const MotionPoint point = at_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
     return (*segment.to - from) * point.derivative[1] / segment.angle;
 }
 
-/// A law with moving ends is joined by splines, which take its velocity, or stands where a motion begins or
-/// ends; a relative motion may go on with a law of the same velocity.
+/// An end that moves is joined by a spline, which takes its velocity, by a law of the same velocity, or
+/// stands where a motion begins or ends.
 void require_splines_beside(const MotionSpec& motion, std::size_t index) {
     const std::size_t count = motion.segments.size();
     const auto refuse = [&](const std::string& beside) {
         throw SceneError(
             {fmt::format("motion.segments[{}].law", index),
              fmt::format("\"{}\", a law whose ends move, next to {}", motion.segments[index].law, beside),
-             "spline segments next to it, which join with its velocity"});
+             "spline segments next to it, which join with its velocity, or a law that has it"});
     };
     for (const bool after : {false, true}) {
         const bool outer = index == (after ? count - 1 : 0);
@@ -158,12 +160,12 @@ void require_splines_beside(const MotionSpec& motion, std::size_t index) {
         if (motion.segments[other].kind == SegmentKind::spline) continue;
         const auto own = end_velocity(motion, index, after), next = end_velocity(motion, other, !after);
         const bool goes_on =
-            outer && motion.relative && own && next &&
+            own && next &&
             std::abs(*own - *next) <= same_velocity * std::max(std::abs(*own), std::abs(*next));
         if (!goes_on)
             refuse(fmt::format("motion.segments[{}] of kind \"{}\"{}", other,
                                name_of(motion.segments[other].kind),
-                               own && next ? " with another velocity" : ""));
+                               own && next && *next != 0.0 ? " with another velocity" : ""));
     }
 }
 

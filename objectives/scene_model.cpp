@@ -293,7 +293,7 @@ void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& refe
             largest = std::max(largest, own);
             squares += own * own * scale.angle;
             width += scale.angle;
-            if (limit == nullptr || !*limit || (*limit)->in_time()) continue;
+            if (limit == nullptr || !*limit || (*limit)->physical()) continue;
             const double most =
                 (*limit)->normalised * scale.displacement / std::pow(scale.angle, term.measured.order);
             for (const int sign : {1, -1})
@@ -315,7 +315,7 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
         if (peak && source.order < 3) model.entry_scale[source.order] = source.reference;
         if (peak && source.order == 3) model.jerk_reference = source.reference;
         const std::optional<PeakLimit>& limit = *source.limit;
-        const bool caps_motion = limit && limit->in_time() && !model.stretch_scales.empty();
+        const bool caps_motion = limit && limit->physical() && !model.stretch_scales.empty();
         if (caps_motion) {
             for (const int sign : {1, -1}) {
                 model.rules.emplace_back(std::make_shared<BoundRule>(

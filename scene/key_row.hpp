@@ -61,6 +61,11 @@ struct Spelling {
     return unit.starts_with("deg") || unit.starts_with("rad");
 }
 
+/// Counts by time: "mm/s", "rad/s^2".
+[[nodiscard]] constexpr bool is_unit_of_time(std::string_view unit) {
+    return unit.find("/s") != std::string_view::npos;
+}
+
 namespace spellings {
 
 inline constexpr Spelling plain[] = {{"", "", 1.0}};
@@ -86,15 +91,35 @@ inline constexpr Spelling speed[] = {{"_rpm", "rpm", units::revolution_per_minut
 inline constexpr Spelling pressure[] = {
     {"_mpa", "MPa", 1e6}, {"_gpa", "GPa", 1e9}, {"_pa", "Pa", 1.0}, {"_ksi", "ksi", units::ksi}};
 // Without a unit: normalised.
-inline constexpr Spelling velocity_limit[] = {
-    {"", "", 1.0},        {"_mm_s", "mm/s", units::millimetre}, {"_in_s", "in/s", units::inch},
-    {"_m_s", "m/s", 1.0}, {"_deg_s", "deg/s", units::degree},   {"_rad_s", "rad/s", 1.0}};
+inline constexpr Spelling velocity_limit[] = {{"", "", 1.0},
+                                              {"_mm_s", "mm/s", units::millimetre},
+                                              {"_in_s", "in/s", units::inch},
+                                              {"_m_s", "m/s", 1.0},
+                                              {"_deg_s", "deg/s", units::degree},
+                                              {"_rad_s", "rad/s", 1.0},
+                                              {"_mm_deg", "mm/deg", units::millimetre / units::degree},
+                                              {"_in_deg", "in/deg", units::inch / units::degree},
+                                              {"_deg_deg", "deg/deg", 1.0}};
 inline constexpr Spelling acceleration_limit[] = {
-    {"", "", 1.0},           {"_mm_s2", "mm/s^2", units::millimetre}, {"_in_s2", "in/s^2", units::inch},
-    {"_m_s2", "m/s^2", 1.0}, {"_deg_s2", "deg/s^2", units::degree},   {"_rad_s2", "rad/s^2", 1.0}};
-inline constexpr Spelling jerk_limit[] = {
-    {"", "", 1.0},           {"_mm_s3", "mm/s^3", units::millimetre}, {"_in_s3", "in/s^3", units::inch},
-    {"_m_s3", "m/s^3", 1.0}, {"_deg_s3", "deg/s^3", units::degree},   {"_rad_s3", "rad/s^3", 1.0}};
+    {"", "", 1.0},
+    {"_mm_s2", "mm/s^2", units::millimetre},
+    {"_in_s2", "in/s^2", units::inch},
+    {"_m_s2", "m/s^2", 1.0},
+    {"_deg_s2", "deg/s^2", units::degree},
+    {"_rad_s2", "rad/s^2", 1.0},
+    {"_mm_deg2", "mm/deg^2", units::millimetre / (units::degree * units::degree)},
+    {"_in_deg2", "in/deg^2", units::inch / (units::degree * units::degree)},
+    {"_deg_deg2", "deg/deg^2", 1.0 / units::degree}};
+inline constexpr double cubic_degree = units::degree * units::degree * units::degree;
+inline constexpr Spelling jerk_limit[] = {{"", "", 1.0},
+                                          {"_mm_s3", "mm/s^3", units::millimetre},
+                                          {"_in_s3", "in/s^3", units::inch},
+                                          {"_m_s3", "m/s^3", 1.0},
+                                          {"_deg_s3", "deg/s^3", units::degree},
+                                          {"_rad_s3", "rad/s^3", 1.0},
+                                          {"_mm_deg3", "mm/deg^3", units::millimetre / cubic_degree},
+                                          {"_in_deg3", "in/deg^3", units::inch / cubic_degree},
+                                          {"_deg_deg3", "deg/deg^3", units::degree / cubic_degree}};
 
 // Of set points: normalised, in time, and by the cam angle.
 inline constexpr Spelling set_point_place[] = {{"", "", 1.0},

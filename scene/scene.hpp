@@ -10,6 +10,7 @@
 #include "scene/drive_spec.hpp"
 #include "scene/dynamics_spec.hpp"
 #include "scene/own_rule.hpp"
+#include "scene/valve_spec.hpp"
 
 #include <map>
 
@@ -105,6 +106,7 @@ struct MotionSpec {
     /// points of the first and the last stretch; what is not given is 0, as at rest.
     std::optional<SetPoint> start, end;
     std::vector<Corridor> corridors;
+    std::optional<ValveSpec> valve;  ///< program: its segments are those of this lobe (make_valve_lobe)
 
     /// A program whose first segment follows its last one.
     [[nodiscard]] bool periodic() const { return type == MotionType::program && (closed || relative); }
@@ -191,9 +193,10 @@ struct PeakLimit {
     [[nodiscard]] double unit_per_normalised() const {
         return one_normalised > 0.0 ? one_normalised : given / normalised;
     }
-    /// In time: it holds for the motion itself. A normalised one holds for each segment of a program by its
-    /// own angle and displacement.
-    [[nodiscard]] bool in_time() const { return !unit.empty(); }
+    /// In a unit, in time or by the cam angle: it holds for the motion itself. A normalised one holds for
+    /// each segment of a program by its own angle and displacement.
+    [[nodiscard]] bool physical() const { return !unit.empty(); }
+    [[nodiscard]] bool in_time() const { return unit.find("/s") != std::string::npos; }
     friend bool operator==(const PeakLimit&, const PeakLimit&) = default;
 };
 

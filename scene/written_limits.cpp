@@ -53,7 +53,7 @@ const Spelling& peak_spelling(const PeakLimitRow& row, const PeakLimit& limit, c
                            motion.lift_is_angle ? "an angle" : "a length"),
                motion.lift_is_angle ? "a limit in deg or rad, or a normalised one"
                                     : "a limit in mm, in or m, or a normalised one");
-    if (!motion.speed)
+    if (!motion.speed && is_unit_of_time(known->unit))
         refuse(member, fmt::format("a limit in {} without a speed", known->unit),
                "a limit in time only where motion.speed is given");
     return *known;
@@ -62,10 +62,7 @@ const Spelling& peak_spelling(const PeakLimitRow& row, const PeakLimit& limit, c
 void complete(const PeakLimitRow& row, PeakLimit& limit, const MotionSpec& motion) {
     const Spelling& spelling = peak_spelling(row, limit, motion);
     const std::string member = member_of(row.name());
-    const double scale =
-        spelling.unit.empty()
-            ? 1.0
-            : motion.lift * std::pow(*motion.speed / motion.unit_angle(), row.order()) / spelling.factor;
+    const double scale = one_normalised_peak(motion, row.order(), spelling);
     limit.unit = spelling.unit;
     if (limit.key.empty())
         limit.key = row.side == 0 ? fmt::format("{}{}", member, spelling.suffix)
@@ -105,6 +102,12 @@ void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {
 }
 
 }  // namespace
+
+double one_normalised_peak(const MotionSpec& motion, int order, const Spelling& spelling) {
+    if (spelling.unit.empty()) return 1.0;
+    const double speed = is_unit_of_time(spelling.unit) ? *motion.speed : 1.0;
+    return motion.lift * std::pow(speed / motion.unit_angle(), order) / spelling.factor;
+}
 
 Scene with_written_limits(Scene scene) {
     for (const PeakLimitRow& row : peak_limit_rows())

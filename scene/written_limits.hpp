@@ -2,11 +2,13 @@
 // Completes the limits of a scene written in C++, as a scene file would give them.
 //
 // A limit on a peak (PeakLimit) is given by its normalised number, or by the number in a unit:
-//     given = normalised · lift · (speed / unit angle)^order / unit,   order 1, 2, 3.
+//     given = normalised · lift · (speed / unit angle)^order / unit,   order 1, 2, 3; by the cam angle
+//     (mm/deg^2) without the speed.
 // Any other (WrittenLimit) by its SI value. The key, the unit and the other number follow. Without a unit a
 // limit of the cam is shown in the manual's: deg, mm, N, N m, MPa.
 #pragma once
 
+#include "scene/key_row.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {
@@ -16,7 +18,10 @@ namespace camopt {
 /// limit in time without a speed.
 [[nodiscard]] Scene with_written_limits(Scene scene);
 
-// Limits on peaks of the motion in units of time: limits.velocity = millimetres_per_second(300). They need
+/// given / normalised of a limit on the peak of a derivative in this unit; in time the motion has a speed.
+[[nodiscard]] double one_normalised_peak(const MotionSpec& motion, int order, const Spelling& spelling);
+
+// Limits on peaks of the motion in units: limits.velocity = millimetres_per_second(300). Those of time need
 // motion.speed; lengths where the lift is a length, angles where it is an angle. solve() refuses another
 // unit.
 
@@ -32,5 +37,7 @@ inline constexpr PeakUnit millimetres_per_second_squared{"mm/s^2"}, metres_per_s
 inline constexpr PeakUnit millimetres_per_second_cubed{"mm/s^3"}, metres_per_second_cubed{"m/s^3"},
     inches_per_second_cubed{"in/s^3"}, degrees_per_second_cubed{"deg/s^3"},
     radians_per_second_cubed{"rad/s^3"};
+inline constexpr PeakUnit millimetres_per_degree{"mm/deg"}, millimetres_per_degree_squared{"mm/deg^2"},
+    millimetres_per_degree_cubed{"mm/deg^3"};
 
 }  // namespace camopt

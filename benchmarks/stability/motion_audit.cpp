@@ -185,7 +185,7 @@ class Audit {
 
     void check_cap(const std::optional<PeakLimit>& limit, int order, const char* name) {
         // A cap in time holds for the motion itself: of a program its peaks are not those of the segments.
-        if (!limit || (limit->in_time() && !solution_.curve)) return;
+        if (!limit || (limit->physical() && !solution_.curve)) return;
         note(peaks_[order] / limit->normalised - 1, name);
     }
 

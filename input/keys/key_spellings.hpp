@@ -28,6 +28,11 @@ inline constexpr Spelling lift[] = {{"_mm", "mm", units::millimetre},
 inline constexpr Spelling displacement[] = {
     {"", "", 1.0},    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch},
     {"_m", "m", 1.0}, {"_deg", "deg", units::degree},   {"_rad", "rad", 1.0}};
+inline constexpr Spelling ramp_velocity[] = {{"_mm_deg", "mm/deg", units::millimetre / units::degree},
+                                             {"_in_deg", "in/deg", units::inch / units::degree},
+                                             {"_mm_rad", "mm/rad", units::millimetre},
+                                             {"_in_rad", "in/rad", units::inch},
+                                             {"_deg_deg", "deg/deg", 1.0}};
 /// Where the name of the key is the unit.
 inline constexpr Spelling degrees[] = {{"", "deg", units::degree}};
 using camopt::spellings::speed;

@@ -59,12 +59,13 @@ Rows other_tables() {
 
 Rows motion() {
     return {
-        {"motion", "type", text, plain, any, {"DRD", "RR", "program"}, "required",
+        {"motion", "type", text, plain, any, {"DRD", "RR", "program", "valve"}, "required",
          "`\"DRD\"`: rise between two dwells. `\"RR\"`: rise and return without a dwell at the top. "
          "`\"program\"`: the segments of one revolution, without `rise`, `return`, `symmetric` and `via` outside "
-         "them; each segment may have its own `via`."},
+         "them; each segment may have its own `via`. `\"valve\"`: a valve lobe."},
         {"motion", "lift", number, lift, positive, {}, "1 mm",
-         "Lift of the follower; an angle for a swinging or indexing output."},
+         "Lift of the follower; an angle for a swinging or indexing output. Of type `\"valve\"` the lift of the valve "
+         "at the nose, needed."},
         {"motion", "rise", number, cam_angle, within_turn, {}, "180 deg", "Cam angle of the rise."},
         {"motion", "return", number, cam_angle, within_turn, {}, "the rise",
          "Cam angle of the return, RR only; rise and return together at most 360 deg."},
@@ -95,6 +96,26 @@ Rows motion() {
          "State at its end, after the last segment of a program."},
         {"motion", "corridor", tables, plain, any, {}, "none",
          "Inequalities on a stretch of the cam angle, one table each."},
+        {"motion", "duration", number, cam_angle, within_turn, {}, "needed by a valve",
+         "Type `\"valve\"`: between the two angles at which the valve has lifted `checking_height`."},
+        {"motion", "checking_height", number, length, positive, {}, "needed by a valve",
+         "Type `\"valve\"`: lift of the valve at which the duration is measured."},
+        {"motion", "lash", number, length, not_negative, {}, "0", "Type `\"valve\"`: clearance, at the valve."},
+        {"motion", "rocker_ratio", number, plain, positive, {}, "1",
+         "Type `\"valve\"`: valve travel by follower travel."},
+        {"motion", "valve_arm", number, length, positive, {}, "none",
+         "Type `\"valve\"` with an oscillating (finger) follower: valve travel by radian of the follower.",
+         Availability::now, "rocker_ratio"},
+        {"motion", "opening", number, cam_angle, within_turn, {}, "half the duration",
+         "Type `\"valve\"`: the part of the duration before the nose."},
+        {"motion", "centerline", number, cam_angle, any, {}, "none",
+         "Type `\"valve\"`: of the nose after top dead centre, negative before it (exhaust); events alone use it."},
+        {"motion", "engine_speed", number, speed, positive, {}, "none",
+         "Type `\"valve\"`: twice the cam's speed.", Availability::now, "speed"},
+        {"motion", "opening_ramp", table, plain, any, {}, "needed by a valve",
+         "Type `\"valve\"`: from the base circle smoothly to a constant velocity, and on to the opening flank."},
+        {"motion", "closing_ramp", table, plain, any, {}, "as the opening ramp",
+         "Type `\"valve\"`: from the closing flank to the base circle."},
         {"motion.segments", "kind", text, plain, any, {"dwell", "law", "spline"}, "required",
          "`\"dwell\"` keeps the displacement, `\"law\"` is a classical law, `\"spline\"` is optimised."},
         {"motion.segments", "angle", number_or_range, cam_angle, within_turn, {}, "required",
@@ -150,6 +171,21 @@ Rows end_state(const char* table) {
          joint ? "There: lifts per segment, by the cam angle, or in time (needs a speed)."
                : "There: dy/dx (programs: lifts per segment), by the cam angle, or in time (needs a speed)."},
         {table, "acceleration", number, spellings::set_point_acceleration, any, {}, otherwise, "There, likewise."},
+    };
+}
+
+/// A ramp of a valve lobe.
+Rows valve_ramp(const char* table) {
+    const bool opening = std::string_view(table) == "motion.opening_ramp";
+    return {
+        {table, "height", number, lift, positive, {}, "required",
+         "Of the follower above the base circle, where the ramp meets the flank."},
+        {table, "velocity", number, ramp_velocity, positive, {}, "required",
+         "Of the follower by the cam angle, constant over the last two thirds of the height."},
+        {table, "end", number, cam_angle, positive, {}, "(s - height) / (1.5 velocity)",
+         opening ? "Where the ramp ends, before the opening checking point; only where that point, at the follower "
+                   "displacement s, is above the ramp."
+                 : "Where the ramp begins, after the closing checking point, likewise."},
     };
 }
 
@@ -390,10 +426,11 @@ std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
 
 KeyTable all_rows() {
     KeyTable all;
-    for (const Rows& part : {top_level(), motion(), set_points("motion.via", "rise"),
-                             end_state("motion.start"), end_state("motion.end"), corridor(),
-                             set_points("motion.segments.via", "segment"), end_state("motion.segments.end"),
-                             measured(), spline(), objective(), dimension_weight_rows(), reference()})
+    for (const Rows& part :
+         {top_level(), motion(), set_points("motion.via", "rise"), end_state("motion.start"),
+          end_state("motion.end"), valve_ramp("motion.opening_ramp"), valve_ramp("motion.closing_ramp"),
+          corridor(), set_points("motion.segments.via", "segment"), end_state("motion.segments.end"),
+          measured(), spline(), objective(), dimension_weight_rows(), reference()})
         all.add(part);
     all.add(type_row(all));
     for (const CamKind& kind : cam_kinds())

@@ -83,6 +83,7 @@ void check_own_law(const Law& law) {
 using std::numbers::pi;
 
 constexpr const char* kHandbook = "Norton, Cam Design and Manufacturing Handbook";
+constexpr const char* kRamps = "Quartic with y'' = 0 at both ends";
 constexpr const char* kFreudenstein = "Freudenstein, Int. J. Mech. Sci. 1 (1960)";
 
 LawInfo make_info(const char* key, std::string title, const char* source, int continuity) {
@@ -220,6 +221,22 @@ std::unique_ptr<Law> constant_velocity() {
     return polynomial(std::move(info), {0, 1});
 }
 
+/// y = 2x³ − x⁴: from rest to a constant velocity, y'(1) = 2, without a jump of the acceleration.
+std::unique_ptr<Law> run_in() {
+    LawInfo info = make_info("run_in", "Run-in from rest to constant velocity (programs only)", kRamps, 0);
+    info.rests = false;
+    return std::make_unique<PolynomialLaw>(std::move(info), std::vector<double>{0, 0, 0, 2, -1},
+                                           std::vector<double>{1, -2, 0, 2, -1});
+}
+
+/// y = 2x − 2x³ + x⁴, the run-in backwards.
+std::unique_ptr<Law> run_out() {
+    LawInfo info = make_info("run_out", "Run-out from constant velocity to rest (programs only)", kRamps, 0);
+    info.rests = false;
+    return std::make_unique<PolynomialLaw>(std::move(info), std::vector<double>{0, 2, 0, -2, 1},
+                                           std::vector<double>{1, 0, 0, -2, 1});
+}
+
 /// The customary Ta.
 template <auto Maker>
 std::unique_ptr<Law> of_an_eighth() {
@@ -257,6 +274,8 @@ constexpr std::array kMakers{&parabolic,
                              &make_one_dwell_cycloidal,
                              &make_one_dwell_polynomial_345,
                              &make_one_dwell_polynomial_3456,
+                             &run_in,
+                             &run_out,
                              &constant_velocity};
 
 using Laws = OpenRegistry<LawInfo, LawMaker>;

@@ -44,6 +44,8 @@ using Json = nlohmann::ordered_json;
 
 /// null where the scene has no train, or there is no motion.
 [[nodiscard]] Json train_json(const Solution& solution);
+/// What an engine builder asks of a valve lobe; the solution has a motion.
+[[nodiscard]] Json valve_json(const Solution& solution);
 /// What the motion asks of the motor. The solution has one.
 [[nodiscard]] Json drive_json(const Solution& solution);
 

@@ -167,7 +167,7 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     std::string text =
         fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : printable(solution.scene.title));
     text += asked(solution.scene) + verdict_section(solution) + infeasible_section(solution, tables);
-    text += section("peaks") + section("segments");
+    text += section("peaks") + section("valve") + section("valve_figures") + section("segments");
     for (const std::string& sentence : excursion_sentences(solution)) text += "\n" + sentence + "\n";
     text += own_terms_section(solution) + dynamics_section(solution);
     if (solution.motion && solution.constraints.empty()) text += "\n## Limits\n\nNone was set.\n";

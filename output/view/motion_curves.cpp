@@ -223,7 +223,7 @@ std::vector<LimitSpan> segment_limits(const Solution& solution, const PeakLimit&
     constexpr std::array peaks = {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk};
     const auto peak = peaks[static_cast<std::size_t>(order) - 1];
     std::vector<LimitSpan> spans;
-    if (limit.in_time()) return spans;
+    if (limit.physical()) return spans;
     for (const SegmentReport& segment : solution.segments) {
         if (!segment.curve || !segment.peaks) continue;
         const double normalised = ((*segment.peaks).*peak).value;

@@ -8,6 +8,7 @@
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/shown_units.hpp"
+#include "output/view/valve_tables.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
@@ -292,6 +293,7 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
         add("measured", "Measured motion", measured_table(solution), measured_sentence(solution) + ".");
     if (!solution.motion) return all;
     add("peaks", "Peaks", peak_table(solution), peak_note + any_curve_note(solution));
+    for (ViewTable& table : valve_tables(solution)) all.push_back(std::move(table));
     add("segments", "Segments", segment_table(solution), segment_table_note());
     add("limits", "Limits", limit_table(solution), verification_words(solution.constraints));
     add("set_points", "Set points", set_point_table(solution));

@@ -28,8 +28,8 @@ struct ViewTable {
     std::string note = {};
 };
 
-/// changes, measured, peaks, segments, limits, set_points, dimensions, cam, title_block: those that have
-/// rows, in this order.
+/// changes, measured, peaks, valve, valve_figures, segments, limits, set_points, dimensions, cam,
+/// title_block: those that have rows, in this order.
 [[nodiscard]] std::vector<ViewTable> result_tables(const Solution& solution);
 
 /// Labels and words of the fields of the title block that are given.

@@ -28,6 +28,7 @@ void append(std::string& list, const std::string& part) {
 }
 
 std::string kind_of_motion(const MotionSpec& motion) {
+    if (motion.valve) return "a valve lobe";
     if (motion.type == MotionType::program)
         return fmt::format("a program of {} segments over {} deg", motion.segments.size(),
                            short_text(degrees_shown.of(motion.length() * motion.unit_angle())));

@@ -7,6 +7,7 @@
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
+#include "output/view/valve_tables.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
@@ -116,6 +117,12 @@ std::string interrupted_sentence(const Solution& solution) {
 std::string segment_lines(const Solution& solution) {
     if (solution.segments.empty()) return {};
     return indented(aligned_text(segment_table(solution))) + fmt::format("  {}\n", segment_table_note());
+}
+
+std::string valve_lines(const Solution& solution) {
+    std::string text;
+    for (const ViewTable& one : valve_tables(solution)) text += indented(aligned_text(one.table));
+    return text;
 }
 
 std::string set_point_lines(const Solution& solution) {
@@ -300,7 +307,7 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
     text += verdict_sentence(solution) + "\n";
     const std::string objective = objective_line(solution);
     if (!objective.empty()) text += "  " + objective + "\n";
-    if (solution.motion) text += peak_lines(solution) + segment_lines(solution);
+    if (solution.motion) text += peak_lines(solution) + valve_lines(solution) + segment_lines(solution);
     for (const std::string& sentence : excursion_sentences(solution)) text += fmt::format("  {}\n", sentence);
     for (const OwnTermReport& term : solution.own_terms)
         text += fmt::format("  term: {}\n", own_term_sentence(term));

@@ -89,11 +89,6 @@ std::optional<double>& value_of(SetPoint& point, int order) {
     return order == 0 ? point.displacement : order == 1 ? point.velocity : point.acceleration;
 }
 
-bool is_unit_of_time(std::string_view unit) {
-    const std::size_t slash = unit.find('/');
-    return slash != std::string_view::npos && unit.substr(slash + 1).starts_with('s');
-}
-
 double set_point_unit(const SetPointScale& scale, int order, bool in_time) {
     if (in_time && !scale.speed)
         throw InputError("a set point in time: found no speed; allowed: together with motion.speed");
@@ -250,12 +245,14 @@ void keep_written(MotionSpec& changed, const MotionSpec& before) {
 void keep_written(Scene& changed, const MotionSpec& before) {
     MotionSpec& now = changed.motion;
     keep_written(now, before);
-    // Normalised peak · lift · (speed / unit angle)^order is what a limit in time holds.
-    const double pace =
-        before.speed.value_or(1.0) / now.speed.value_or(1.0) * now.unit_angle() / before.unit_angle();
+    // Normalised peak · lift · (speed / unit angle)^order is what a limit in time holds; by the cam angle
+    // without the speed.
+    const double longer = now.unit_angle() / before.unit_angle();
+    const double pace = before.speed.value_or(1.0) / now.speed.value_or(1.0) * longer;
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (auto& limit = row.in(changed.limits); limit && limit->in_time()) {
-            const double factor = before.lift / now.lift * std::pow(pace, row.order());
+        if (auto& limit = row.in(changed.limits); limit && limit->physical()) {
+            const double faster = limit->in_time() ? pace : longer;
+            const double factor = before.lift / now.lift * std::pow(faster, row.order());
             limit->normalised *= factor;
             limit->one_normalised /= factor;
         }

@@ -31,9 +31,6 @@ struct SetPointScale {
 /// Throws InputError by time without a speed.
 [[nodiscard]] double set_point_unit(const SetPointScale& scale, int order, bool in_time);
 
-/// Whether a unit counts by time: "mm/s", "rad/s^2".
-[[nodiscard]] bool is_unit_of_time(std::string_view unit);
-
 /// A set point on the whole motion.
 struct PlacedPoint {
     std::string member;                           ///< "motion.via[0]", "motion.segments[2].via[0]"

@@ -11,7 +11,9 @@ SYMMETRIC = ("constant_velocity", "polynomial_345", "polynomial_4567", "polynomi
              "parabolic", "modified_sine", "modified_trapezoid")
 POLYNOMIALS = {"constant_velocity": [0, 1], "polynomial_345": [0, 0, 0, 10, -15, 6],
                "polynomial_4567": [0, 0, 0, 0, 35, -84, 70, -20],
-               "polynomial_56789": [0, 0, 0, 0, 0, 126, -420, 540, -315, 70]}
+               "polynomial_56789": [0, 0, 0, 0, 0, 126, -420, 540, -315, 70],
+               "run_in": [0, 0, 0, 2, -1], "run_out": [0, 2, 0, -2, 1]}
+END_VELOCITIES = {"constant_velocity": (1, 1), "run_in": (0, 2), "run_out": (2, 0)}  # others rest
 
 
 def harmonic(law):

@@ -19,6 +19,7 @@ from .prescribed import state_at
 from .problem import Problem
 from .references import references_of
 from .units import LENGTHS, angle_of, in_unit
+from .valve import as_program
 
 TURN = Fraction(360)
 IN_TIME = "_s", "_s2", "_s3"
@@ -31,7 +32,7 @@ class Axis:
     def __init__(self, folder, written, speed, result=None):
         """`result`: with its objective, whose references it states."""
         self.name = written["name"]
-        self.scene = tomllib.loads((folder / f"{self.name}.toml").read_text(), parse_float=Fraction)
+        self.scene = as_program(tomllib.loads((folder / f"{self.name}.toml").read_text(), parse_float=Fraction))
         name_what_is_unknown(self.scene)
         motion = {k: v for k, v in self.scene["motion"].items() if not k.startswith("speed_")}
         if speed is not None:

@@ -5,7 +5,7 @@ from fractions import Fraction
 from . import enclosures
 from .disk_rules import constant
 from .exact import KEPT, ORDERS, Refuted, Unverified, add_to, derivative, integral, largest, number, shifted
-from .laws import SYMMETRIC, parts_along
+from .laws import POLYNOMIALS, SYMMETRIC, parts_along
 
 TYPICAL = (1, 2, 6, 60)  # of y ... y''' over one lift: what a bound near 0 is measured by
 SIDES = {"min": -1, "max": 1}
@@ -102,9 +102,13 @@ def keeps(stretch, order, sign, most, begin, end):
 # -- the lost area: 1 - the mean displacement in lifts
 
 def mean_of_law(stretch):
-    if stretch.law not in SYMMETRIC:
+    if stretch.law in POLYNOMIALS:
+        share = integral([Fraction(c) for c in POLYNOMIALS[stretch.law]], Fraction(1))
+    elif stretch.law in SYMMETRIC:
+        share = Fraction(1, 2)
+    else:
         raise Unverified(f"the area under the law {stretch.law}")
-    return (stretch.start + stretch.to) / 2
+    return stretch.start + share * (stretch.to - stretch.start)
 
 
 def lost_area(problem):
@@ -136,5 +140,6 @@ def area_reference(problem):
         raise Unverified(f"the area of the law {asked}, which the objective divides by")
     if problem.type != "program":
         return Fraction(1, 2)
-    area = sum(((s.end - s.begin) * (s.start + s.to) / 2 for s in problem.stretches), Fraction(0))
+    area = sum(((s.end - s.begin) * (mean_of_law(s) if s.kind == "law" else (s.start + s.to) / 2) for s in problem.stretches),
+               Fraction(0))
     return 1 - area / problem.stretches[-1].end

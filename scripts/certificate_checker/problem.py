@@ -4,6 +4,7 @@ import itertools
 from fractions import Fraction
 
 from .exact import ORDERS, SAME_PLACE, Unverified, add_to, number
+from .laws import END_VELOCITIES
 from .motion_bounds import area_reference, motion_bounds
 from .runs import Peak, Run, Stretch
 from .spaces import Space
@@ -251,7 +252,7 @@ class Problem:
             self.close(run)
         else:
             for place, neighbour in ((0, group[0] - 1), (1, group[-1] + 1)):
-                run.states[place] = self.state_beside(neighbour)
+                run.states[place] = self.state_beside(neighbour, place)
                 at, side = points[-place], ("right", "left")[place]
                 for order, value in enumerate((run.ends()[place], *run.states[place])):
                     run.demand(at, order, side, value, "state at the end of a spline")
@@ -281,9 +282,9 @@ class Problem:
             add_to(row, run.space.functional(end, order, "left"), -1)
             run.conditions.append((row, Fraction(0), f"derivative {order} at the start of the turn"))
 
-    def state_beside(self, neighbour):
+    def state_beside(self, neighbour, after):
         """y' and y'' where a spline meets what is beside it: rest, what a law has at its end, or what is asked where the motion
-        starts or ends."""
+        starts or ends. `after`: it follows the spline (1), or not (0)."""
         if not 0 <= neighbour < len(self.stretches):
             if not self.wraps:
                 return self.state_at_end(neighbour > 0)
@@ -292,8 +293,9 @@ class Problem:
         if own.kind != "law" or own.law in ("cycloidal", "polynomial_345", "polynomial_4567", "polynomial_56789", "modified_sine",
                                             "modified_trapezoid"):
             return Fraction(0), Fraction(0)
-        if own.law == "constant_velocity":
-            return (own.to - own.start) / (own.end - own.begin), Fraction(0)
+        if own.law in END_VELOCITIES:  # without acceleration
+            slope = END_VELOCITIES[own.law][0 if after else 1]
+            return slope * (own.to - own.start) / (own.end - own.begin), Fraction(0)
         raise Unverified(f"a spline next to the law {own.law}")
 
     def turns_back(self, segments, i, following):

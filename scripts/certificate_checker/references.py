@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from .exact import (
     ORDERS, PI, Refuted, STATED, Unverified, derivative, exactly, integral, largest_magnitude, number, product, root, times)
-from .laws import POLYNOMIALS
+from .laws import END_VELOCITIES, POLYNOMIALS
 
 
 def references_of(scene, stated):
@@ -65,7 +65,7 @@ def law_peak(law, name):
     }
     if (law, name) in known:
         return known[(law, name)]()
-    if law in POLYNOMIALS and law != "constant_velocity":
+    if law in POLYNOMIALS and law not in END_VELOCITIES:
         y = [Fraction(c) for c in POLYNOMIALS[law]]
         if name in ORDERS:
             return largest_magnitude([(derivative(y, ORDERS[name]), Fraction(1))])

@@ -22,6 +22,7 @@ from .units import angle_of, in_unit
 from .references import references_of
 from .stored import check_box, factor_of, stored_bound
 from .train import Train
+from .valve import as_program
 from .vipr import vipr
 
 
@@ -83,7 +84,7 @@ def with_angles_found(scene, result):
 
 
 def judge(folder, report, vipr_path):
-    scene = tomllib.loads((folder / "scene.toml").read_text(), parse_float=Fraction)
+    scene = as_program(tomllib.loads((folder / "scene.toml").read_text(), parse_float=Fraction))
     result = json.loads((folder / "result.json").read_text())
     certificate = json.loads((folder / "certificate.json").read_text())
     name_what_is_unknown(scene)

@@ -22,7 +22,7 @@ void add_peak_limit(std::vector<LimitOutcome>& all, const PeakLimitRow& row, con
     const std::optional<PeakLimit>& limit = row.in(scene.limits);
     if (!limit) return;
     const Extremum& found =
-        derivative_peak(limit->in_time() ? figures.motion_peaks : figures.peaks, row.order());
+        derivative_peak(limit->physical() ? figures.motion_peaks : figures.peaks, row.order());
     all.push_back(outcome_of(scene, nullptr,
                              {row.name(), limit->key, limit->given,
                               found.value * limit->unit_per_normalised(), limit->unit, found.at}));

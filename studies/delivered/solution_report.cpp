@@ -120,7 +120,7 @@ void report_peak_limits(Solution& solution) {
     for (const PeakLimitRow& row : peak_limit_rows()) {
         if (row.side != 0) continue;
         const std::optional<PeakLimit>& limit = row.in(solution.scene.limits);
-        const bool in_time = limit && limit->in_time();
+        const bool in_time = limit && limit->physical();
         report_peak_limit(solution, row.name(), limit,
                           derivative_peak(in_time ? solution.motion_peaks : solution.peaks, row.order()));
     }

@@ -241,9 +241,10 @@ bool goes_by_time(const Scene& scene) {
 
 void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.motion.speed || !goes_by_time(scene)) return;
-    const double unit = units::revolution_per_minute;
+    const bool engine = scene.motion.valve.has_value();  // turns twice as fast as its cam
+    const double unit = (engine ? 0.5 : 1.0) * units::revolution_per_minute;
     const double given = as_written(*scene.motion.speed / unit);
-    all.push_back(number_adjustment("motion.speed_rpm", given, given,
+    all.push_back(number_adjustment(engine ? "motion.engine_speed_rpm" : "motion.speed_rpm", given, given,
                                     Range::between(given / farthest_operating_change, given),
                                     [unit](Scene& changed, double value) {
                                         const MotionSpec before = changed.motion;

@@ -18,6 +18,7 @@ constexpr double at_the_top = 1e-9;
 constexpr double least_dwell_left = 0.01;
 // No lift is reduced to less than this part; a displacement moves by so many lifts at most.
 constexpr double least_lift_left = 1e-3, farthest_displacement = 1.0;
+constexpr double longest_duration = 2.0;  // of a valve's, by the given one
 
 double in_degrees(double angle) {
     return as_written(angle / units::degree);
@@ -205,6 +206,37 @@ void add_lift(std::vector<Adjustment>& all, const Scene& scene) {
     all.back().usefulness = Usefulness::lift;
 }
 
+// Valve lobes.
+
+/// A number of the lobe; `factor`: SI value of the unit of the key.
+Adjustment valve_change(const Scene& scene, const std::string& key, double factor, double ValveSpec::*member,
+                        double least, double most) {
+    const double given = as_written((*scene.motion.valve).*member / factor);
+    return number_adjustment(key, given, given, Range::between(least * given, most * given),
+                             [factor, member](Scene& changed, double value) {
+                                 ValveSpec valve = *changed.motion.valve;
+                                 const double part_before_nose = valve.opening / valve.duration;
+                                 valve.*member = value * factor;
+                                 valve.opening = part_before_nose * valve.duration;
+                                 if (find_valve_fault(valve)) return;  // stays as it was, which is infeasible
+                                 const MotionSpec before = changed.motion;
+                                 make_valve_lobe(changed.motion, valve);
+                                 keep_written(changed, before);
+                                 make_valve_lobe(changed.motion, valve);
+                             });
+}
+
+std::vector<Adjustment> valve_adjustments(const Scene& scene) {
+    std::vector<Adjustment> all;
+    all.push_back(valve_change(scene, "motion.duration_crank_deg", 0.5 * units::degree, &ValveSpec::duration,
+                               1.0, longest_duration));
+    all.back().usefulness = Usefulness::angle;
+    all.push_back(valve_change(scene, std::string("motion.lift_") + name_of(scene.length_unit),
+                               metres_of(scene.length_unit), &ValveSpec::lift, least_lift_left, 1.0));
+    all.back().usefulness = Usefulness::lift;
+    return all;
+}
+
 // A wanted number moves by so many times its size, or what is typical of a motion from 0 to 1, at most.
 constexpr double farthest_wanted = 1e3;
 
@@ -266,6 +298,7 @@ Adjustment place_change(const Scene& scene, const PlacedPoint& point, const Plac
 }  // namespace
 
 std::vector<Adjustment> motion_adjustments(const Scene& scene) {
+    if (scene.motion.valve) return valve_adjustments(scene);
     std::vector<Adjustment> all;
     if (scene.motion.type == MotionType::program) {
         add_segment_angles(all, scene);
@@ -281,6 +314,7 @@ std::vector<Adjustment> motion_adjustments(const Scene& scene) {
 
 std::vector<SetPointChanges> set_point_changes(const Scene& scene) {
     std::vector<SetPointChanges> all;
+    if (scene.motion.valve) return all;  // they are the lobe's duration
     int segment = -1;
     std::size_t index = 0;
     for (const PlacedPoint& point : placed_points(scene.motion)) {

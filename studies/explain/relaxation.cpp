@@ -233,7 +233,7 @@ class Explainer {
         std::vector<Adjustment> all = peak_adjustments(scene_);
         const bool in_time = std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& one) {
             const std::optional<PeakLimit>& limit = one.in(scene_.limits);
-            return limit && limit->in_time();
+            return limit && limit->physical();
         });
         const bool in_space = scene_.cam.has_value() || in_time;
         for (Adjustment& one : adjustments(scene_))  // a motion in lifts has no dimensions that could help

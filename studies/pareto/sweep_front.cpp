@@ -195,7 +195,7 @@ bool can_be_capped(const Scene& scene, const FrontGoal& goal) {
     if (cost_term(*figure).limit == nullptr) return false;
     const std::optional<PeakLimit>& own = peak_limit(scene, *figure);
     // Such a limit holds for the motion, not for the peak normalised by segment; there is room for one only.
-    return !(own && own->in_time() && scene.motion.type == MotionType::program);
+    return !(own && own->physical() && scene.motion.type == MotionType::program);
 }
 
 std::optional<double> limit_on(const Scene& scene, const FrontGoal& goal) {

@@ -33,7 +33,7 @@ struct RestStroke {
 
     [[nodiscard]] double cap(const std::optional<PeakLimit>& limit, int order) const {
         if (!limit) return infinity;
-        if (of_program && !limit->in_time()) return limit->normalised;
+        if (of_program && !limit->physical()) return limit->normalised;
         return limit->normalised * std::pow(length, order) / displacement;
     }
 };

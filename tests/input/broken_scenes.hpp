@@ -11,9 +11,11 @@ namespace camopt::input {
 
 /// Every key of [limits], as messages list them.
 inline const std::string known_limit_keys =
-    "velocity, velocity_mm_s, velocity_in_s, velocity_m_s, velocity_deg_s, velocity_rad_s, "
+    "velocity, velocity_mm_s, velocity_in_s, velocity_m_s, velocity_deg_s, velocity_rad_s, velocity_mm_deg, "
+    "velocity_in_deg, velocity_deg_deg, "
     "acceleration, acceleration_mm_s2, acceleration_in_s2, acceleration_m_s2, acceleration_deg_s2, "
-    "acceleration_rad_s2, jerk, jerk_mm_s3, jerk_in_s3, jerk_m_s3, jerk_deg_s3, jerk_rad_s3, "
+    "acceleration_rad_s2, acceleration_mm_deg2, acceleration_in_deg2, acceleration_deg_deg2, jerk, "
+    "jerk_mm_s3, jerk_in_s3, jerk_m_s3, jerk_deg_s3, jerk_rad_s3, jerk_mm_deg3, jerk_in_deg3, jerk_deg_deg3, "
     "pressure_angle_deg, pressure_angle_rad, rise_pressure_angle_deg, rise_pressure_angle_rad, "
     "return_pressure_angle_deg, return_pressure_angle_rad, cam_radius_min_mm, cam_radius_min_in, "
     "cam_radius_min_m, concave_radius_min_mm, concave_radius_min_in, concave_radius_min_m, "
@@ -47,6 +49,7 @@ std::vector<BrokenScene> broken_spatial();
 std::vector<BrokenScene> broken_inverse();
 std::vector<BrokenScene> broken_forces();
 std::vector<BrokenScene> broken_drives();
+std::vector<BrokenScene> broken_valves();
 std::vector<BrokenScene> broken_drawings();
 std::vector<BrokenScene> broken_overrides();
 

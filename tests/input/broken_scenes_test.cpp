@@ -44,6 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Inverse, BrokenScenes, testing::ValuesIn(broken_inverse
 INSTANTIATE_TEST_SUITE_P(Cams, BrokenScenes, testing::ValuesIn(broken_cams()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Drawings, BrokenScenes, testing::ValuesIn(broken_drawings()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Drives, BrokenScenes, testing::ValuesIn(broken_drives()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Valves, BrokenScenes, testing::ValuesIn(broken_valves()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Forces, BrokenScenes, testing::ValuesIn(broken_forces()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Overrides, BrokenScenes, testing::ValuesIn(broken_overrides()), name_of_case);
 

@@ -23,6 +23,7 @@ std::vector<KeyCase> dimension_cases(const std::string& key, bool is_angle,
                                      const std::function<double(const Scene&)>& got, const std::string& rest);
 
 std::vector<KeyCase> motion_cases();
+std::vector<KeyCase> valve_cases();
 std::vector<KeyCase> segment_cases();
 std::vector<KeyCase> set_point_cases();
 std::vector<KeyCase> measured_cases();

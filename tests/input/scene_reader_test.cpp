@@ -47,7 +47,7 @@ Scene read(const std::string& toml, const std::vector<std::string>& overrides = 
 std::vector<KeyCase> key_cases() {
     std::vector<KeyCase> all;
     for (const auto& part :
-         {motion_cases(), segment_cases(), set_point_cases(), measured_cases(), spline_cases(),
+         {motion_cases(), valve_cases(), segment_cases(), set_point_cases(), measured_cases(), spline_cases(),
           objective_cases(), dimension_weight_cases(), cam_cases(), remote_cases(), spatial_cases(),
           inverse_cases(), force_cases(), limit_cases(), cam_limit_cases(), drawing_cases(), dynamics_cases(),
           drive_cases(), solver_cases()})

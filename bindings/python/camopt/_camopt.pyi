@@ -282,6 +282,9 @@ class Solution:
     @property
     def drive(self) -> dict[str, float] | None:
         """Torque, speed and power of the motor of [drive] as result.json has them; None without a motor."""
+    @property
+    def valve(self) -> dict[str, Any] | None:
+        """Events, durations, areas and accelerations of a valve lobe as result.json has them; None for other motions."""
     def table(self) -> dict[str, Numbers]:
         """The motion as columns {name: array}: those of motion.csv, the unit in the name. 361 even cam angles, the
         breakpoints and the peaks; where the jerk jumps an angle stands twice."""

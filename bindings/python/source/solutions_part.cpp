@@ -272,6 +272,15 @@ void add_motion_of(py::class_<SolvedScene>& type) {
                 return dictionary(s)["drive"];
             },
             "Torque, speed and power of the motor of [drive] as result.json has them; None without a motor.")
+        .def_property_readonly(
+            "valve",
+            [](const SolvedScene& s) -> py::object {
+                const auto all = py::cast<py::dict>(dictionary(s));
+                return all.contains("valve") ? py::object(all["valve"]) : py::none();
+            },
+            "Events, durations, areas and accelerations of a valve lobe as result.json has them; None for "
+            "other "
+            "motions.")
         .def("table", &table,
              "The motion as columns {name: array}: those of motion.csv, the unit in the name. 361 even cam "
              "angles, the\n"

@@ -9,6 +9,7 @@
 #include "output/view/key_words.hpp"
 #include "output/words/solution_text.hpp"
 #include "scene/key_row.hpp"
+#include "scene/motion/set_points.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
@@ -193,10 +194,11 @@ TEST(LimitTable, EveryPeakCapIsFullySupported) {
             const auto& limit = row.in(scene.limits);
             ASSERT_TRUE(limit);
             EXPECT_EQ(limit->key, "limits." + key);
-            EXPECT_EQ(limit->in_time(), !spelling.unit.empty());
+            EXPECT_EQ(limit->physical(), !spelling.unit.empty());
+            EXPECT_EQ(limit->in_time(), is_unit_of_time(spelling.unit));
             EXPECT_NE(refusal_of(scene_text(swings, least_jerk, written + " = 0")).find("limits." + written),
                       std::string::npos);
-            if (limit->in_time()) {
+            if (limit->physical()) {
                 EXPECT_NE(refusal_of(scene_text(!swings, least_jerk, line)), "") << "unit of another lift";
             }
             const std::vector<Adjustment> caps = peak_adjustments(scene);

@@ -47,7 +47,31 @@ TEST(ConstantVelocity, IsLinearWithMovableEnds) {
     EXPECT_EQ(law->peaks().velocity.value, 1.0);
     EXPECT_EQ(law->peaks().acceleration.value, 0.0);
     for (const LawInfo& other : law_catalogue())
-        EXPECT_EQ(other.rests, other.key != "constant_velocity") << other.key;
+        EXPECT_EQ(other.rests, other.key != "constant_velocity" && !other.key.starts_with("run_"))
+            << other.key;
+}
+
+TEST(ConstantVelocity, RunInLeadsFromRest) {
+    const auto in = make_law("run_in"), out = make_law("run_out");
+    for (const double x : {0.0, 0.25, 0.5, 1.0}) {
+        const LawDerivatives there = in->derivatives(x), mirrored = out->derivatives(1.0 - x);
+        EXPECT_DOUBLE_EQ(there[0], 2.0 * x * x * x - x * x * x * x);
+        for (std::size_t order = 0; order < 5; ++order)
+            EXPECT_NEAR(there[order],
+                        (order == 0 ? 1.0 : 0.0) - (order % 2 == 0 ? 1.0 : -1.0) * mirrored[order], 1e-14);
+    }
+    // Rest, run-in to 20 mm over 60 deg, as fast on to 40 mm over 30 deg, and a spline back.
+    Scene scene = cutter_scene();
+    scene.motion.closed = true;
+    scene.motion.segments = {{SegmentKind::law, 60 * degree, "run_in", 0.25},
+                             {SegmentKind::law, 30 * degree, "constant_velocity", 0.5},
+                             {SegmentKind::spline, 200 * degree, "", 0.0},
+                             {SegmentKind::dwell, 70 * degree, "", {}}};
+    EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
+    scene.motion.segments[1].to = 0.6;
+    EXPECT_NE(refusal(scene).find("next to motion.segments[1] of kind \"law\" with another velocity"),
+              std::string::npos)
+        << refusal(scene);
 }
 
 TEST(ConstantVelocity, NeighboursJoinWithItsVelocity) {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "output/json/valve_json.hpp"
+
+#include "core/units.hpp"
+#include "output/json/json_text.hpp"
+#include "output/view/shown_units.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+namespace {
+
+Json event_json(const ValveEvent& event) {
+    return {{"height_mm", number_json(millimetres_shown.of(event.height))},
+            {"opens_crank_deg", number_json(degrees_shown.of(event.opens))},
+            {"closes_crank_deg", number_json(degrees_shown.of(event.closes))},
+            {"duration_crank_deg", number_json(degrees_shown.of(event.duration()))},
+            {"area_mm_crank_deg", number_json(degrees_shown.of(millimetres_shown.of(event.area)))}};
+}
+
+Json margin_json(const ValveMargin& margin, const char* force) {
+    return {{"engine_speed_rpm", number_json(rpm_shown.of(margin.engine_speed))},
+            {force, number_json(margin.least_force)},
+            {"at_crank_deg", number_json(degrees_shown.of(margin.at))},
+            {"share_of_spring", number_json(margin.share)}};
+}
+
+}  // namespace
+
+Json valve_json(const Solution& solution) {
+    const MotionSpec& motion = solution.scene.motion;
+    const ValveReport report = valve_report(solution);
+    const ShownUnits shown = file_units(solution.scene);
+    const std::string unit = motion.lift_is_angle ? "deg" : "mm";
+    const double per_deg = units::degree, length = motion.lift_is_angle ? units::degree : units::millimetre;
+    const ShownUnit velocity{"", units::millimetre / per_deg}, acceleration{"", length / (per_deg * per_deg)};
+    Json json = {{"nose_deg", number_json(degrees_shown.of(nose_angle(*motion.valve)))},
+                 {"centerline_crank_deg", motion.valve->centerline
+                                              ? number_json(2.0 * degrees_shown.of(*motion.valve->centerline))
+                                              : Json(nullptr)},
+                 {"lobe_lift_" + unit, number_json(shown.motion[0].first.of(motion.lift))}};
+    json["events"] = Json::array();
+    for (const ValveEvent& event : report.events) json["events"].push_back(event_json(event));
+    json["opening_velocity_mm_deg"] = number_json(velocity.of(report.opening_velocity));
+    json["closing_velocity_mm_deg"] = number_json(velocity.of(report.closing_velocity));
+    const std::string by_angle = fmt::format("acceleration_{}_deg2", unit);
+    json["opening_" + by_angle] = number_json(acceleration.of(report.opening_acceleration));
+    json["nose_" + by_angle] = number_json(acceleration.of(report.nose_acceleration));
+    json["closing_" + by_angle] = number_json(acceleration.of(report.closing_acceleration));
+    const auto add_length = [&](const char* key, const std::optional<double>& value) {
+        if (value) json[key] = number_json(millimetres_shown.of(*value));
+    };
+    add_length("nose_radius_mm", report.nose_radius);
+    add_length("contact_eccentricity_mm", report.contact_offset);
+    const char* const force = motion.lift_is_angle ? "least_moment_nm" : "least_force_n";
+    for (const ValveMargin& margin : report.margins) json["spring"].push_back(margin_json(margin, force));
+    if (report.lift_off_speed)
+        json["lift_off_engine_speed_rpm"] = number_json(rpm_shown.of(*report.lift_off_speed));
+    return json;
+}
+
+std::string valve_pair_json(const ValvePair& pair) {
+    const auto mm = [](double length) { return number_json(millimetres_shown.of(length)); };
+    const auto deg = [](double angle) { return number_json(degrees_shown.of(angle)); };
+    Json json = {{"lobe_separation_deg", deg(pair.lobe_separation)}};
+    json["overlap"] = Json::array();
+    for (const ValvePair::Overlap& overlap : pair.overlaps)
+        json["overlap"].push_back({{"height_mm", mm(overlap.height)},
+                                   {"intake_opens_crank_deg", deg(overlap.opens)},
+                                   {"exhaust_closes_crank_deg", deg(overlap.closes)},
+                                   {"overlap_crank_deg", deg(std::max(0.0, overlap.duration()))}});
+    json["intake_lift_at_tdc_mm"] = mm(pair.intake_at_tdc);
+    json["exhaust_lift_at_tdc_mm"] = mm(pair.exhaust_at_tdc);
+    json["common_lift_mm"] = mm(pair.common_lift);
+    json["common_lift_at_crank_deg"] = deg(pair.common_at);
+    if (pair.clearance) {
+        json["clearance_mm"] = mm(*pair.clearance);
+        json["clearance_at_crank_deg"] = deg(*pair.clearance_at);
+    }
+    return json_text(json);
+}
+
+}  // namespace camopt

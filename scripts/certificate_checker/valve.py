@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""A valve lobe as the program it stands for, with rational numbers.
+
+s = (valve lift + lash) / ratio of the follower; a ramp of height h and velocity v is the law run_in over 2h/3v to h/3 and a
+constant velocity over 2h/3v; the flank goes from its end to the nose through s(checking height), (s(checking height) - h) / 1.5v
+or as given after the ramp's end, on the ramp where that is not below it.
+"""
+from fractions import Fraction
+
+from .exact import Unverified, number
+from .units import LENGTHS, angle_of, dimension_of
+
+OF_VALVES = ("type", "lift_", "rocker_ratio", "valve_arm_", "lash_", "duration_", "opening_", "closing_ramp", "checking_height_",
+             "centerline_", "engine_speed_", "speed_", "within_lift", "monotone", "corridor")
+OF_RAMPS = ("height_", "velocity_", "end_")
+
+
+def degrees(table, name):
+    """None where it is not given."""
+    angle = angle_of(table, name)
+    if angle and angle[1] != "deg":
+        raise Unverified(f"{name}_rad of a valve lobe")
+    return angle and angle[0]
+
+
+def ramp_of(table):
+    """(height, m; velocity, m by degree; end or None)."""
+    for unit, length in LENGTHS.items():
+        if f"velocity_{unit}_deg" in table:
+            return dimension_of(table, "height"), number(table[f"velocity_{unit}_deg"]) * length, degrees(table, "end")
+    raise Unverified("the velocity of a ramp in this unit")
+
+
+def as_program(scene):
+    """The scene itself where its motion is another one."""
+    motion = scene["motion"]
+    if motion.get("type") != "valve":
+        return scene
+    for key in sorted(motion):
+        if not key.startswith(OF_VALVES):
+            raise Unverified(f"motion.{key}")
+    ramps = [motion["opening_ramp"], motion.get("closing_ramp", motion["opening_ramp"])]
+    for key in sorted(set(ramps[0]) | set(ramps[1])):
+        if not key.startswith(OF_RAMPS):
+            raise Unverified(f"motion.opening_ramp.{key}")
+    if any(key.startswith("valve_arm_") for key in motion):
+        raise Unverified("a valve lobe whose follower swings")
+    ratio, lash = number(motion.get("rocker_ratio", 1)), dimension_of(motion, "lash")
+    lift, checking = ((dimension_of(motion, name) + lash) / ratio for name in ("lift", "checking_height"))
+    duration, opening = degrees(motion, "duration"), degrees(motion, "opening")
+    opening = duration / 2 if opening is None else opening
+    sides, total = [], Fraction(0)
+    for ramp, angle in zip(ramps, (opening, duration - opening)):
+        height, velocity, end = ramp_of(ramp)
+        way, part = checking - height, 2 * height / (3 * velocity)
+        before = way / velocity if way <= 0 else end if end is not None else way / (Fraction(3, 2) * velocity)
+        via = [{"at": (before, angle), "displacement": checking / lift}] if way > 0 else []
+        sides.append((height / lift, part, angle + before, via))
+        total += 2 * part + angle + before
+    (h, up_part, up, up_via), (k, down_part, down, down_via) = sides
+    for point in up_via:
+        point["at"] = point["at"][0] / up
+    for point in down_via:
+        point["at"] = point["at"][1] / down
+
+    def spline(angle, to, via, **more):
+        return {"kind": "spline", "angle_deg": angle, "to": to, **({"via": via} if via else {}), **more}
+
+    def law(key, angle, to):
+        return {"kind": "law", "law": key, "angle_deg": angle, "to": to}
+
+    segments = [law("run_in", up_part, h / 3), law("constant_velocity", up_part, h), spline(up, Fraction(1), up_via, end={"velocity": 0}),
+                spline(down, k, down_via), law("constant_velocity", down_part, k / 3), law("run_out", down_part, Fraction(0)),
+                {"kind": "dwell", "angle_deg": 360 - total}]
+    kept = {key: motion[key] for key in motion if key.startswith(("speed_", "within_lift", "monotone", "corridor"))}
+    for unit in ("rpm", "rad_s"):
+        if f"engine_speed_{unit}" in motion:
+            kept[f"speed_{unit}"] = number(motion[f"engine_speed_{unit}"]) / 2
+    return {**scene, "motion": {"type": "program", "lift_m": lift, "segments": segments, **kept}}

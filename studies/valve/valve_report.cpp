@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "studies/valve/valve_report.hpp"
+
+#include "core/errors.hpp"
+#include "core/numbers/polynomial.hpp"
+#include "core/units.hpp"
+#include "studies/delivered/delivered.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+namespace {
+
+constexpr int bisections = 60;
+constexpr std::array shares_of_speed = {0.5, 0.75, 1.0, 1.1, 1.25};
+constexpr double fastest = 10.0;      // times the scene's speed
+constexpr double same_height = 1e-9;  // m
+constexpr int pair_places = 7200;     // over the cycle of 720 crank degrees, then refined
+
+const ValveSpec& spec_of(const Solution& solution) {
+    return *solution.scene.motion.valve;
+}
+
+/// Nose in x.
+double nose_of(const Solution& solution) {
+    return nose_angle(spec_of(solution)) / solution.scene.motion.unit_angle();
+}
+
+/// Breakpoints inside of (begin, end), and both of these.
+std::vector<double> pieces_between(const Motion& motion, double begin, double end) {
+    std::vector<double> all = {begin};
+    for (const double point : motion.breakpoints())
+        if (point > begin && point < end) all.push_back(point);
+    all.push_back(end);
+    return all;
+}
+
+/// x next to the nose, before (sense −1) or after it, where the valve has this lift.
+double place_of_lift(const Solution& solution, double height, int sense) {
+    const Motion& motion = *solution.motion;
+    const double nose = nose_of(solution);
+    std::vector<double> pieces =
+        sense < 0 ? pieces_between(motion, motion.begin(), nose) : pieces_between(motion, nose, motion.end());
+    if (sense < 0) std::ranges::reverse(pieces);
+    const auto above = [&](double x) { return valve_lift_at(solution, x) >= height; };
+    for (std::size_t i = 1; i < pieces.size(); ++i)
+        if (!above(pieces[i])) {
+            const Border border = bisected(above, {pieces[i - 1], pieces[i]}, bisections);
+            return 0.5 * (border.with + border.without);
+        }
+    return pieces.back();
+}
+
+ValveEvent event_at(const Solution& solution, double height) {
+    const double begin = place_of_lift(solution, height, -1), end = place_of_lift(solution, height, 1);
+    ValveEvent event{height, crank_angle_at(solution, begin), crank_angle_at(solution, end), 0.0};
+    const std::vector<double> pieces = pieces_between(*solution.motion, begin, end);
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        const double middle = 0.5 * (pieces[i] + pieces[i - 1]), half = 0.5 * (pieces[i] - pieces[i - 1]);
+        for (const QuadraturePoint& point : gauss_legendre)
+            event.area += point.weight * half * valve_lift_at(solution, middle + half * point.place);
+    }
+    event.area *= 2.0 * solution.scene.motion.unit_angle();
+    return event;
+}
+
+/// Largest s'' between two places, of the follower by the cam angle; sense −1: least.
+double acceleration_between(const Solution& solution, double begin, double end, double sense = 1.0) {
+    const MotionSpec& motion = solution.scene.motion;
+    const auto figure = [&](double x, Side side) {
+        return sense * solution.motion->at(x, side).derivative[2];
+    };
+    return sense * largest_along(pieces_between(*solution.motion, begin, end), figure).value * motion.lift /
+           (motion.unit_angle() * motion.unit_angle());
+}
+
+double valve_velocity_at(const Solution& solution, double x) {
+    const MotionSpec& motion = solution.scene.motion;
+    return std::abs(solution.motion->at(x).derivative[1]) * spec_of(solution).ratio * motion.lift /
+           motion.unit_angle();
+}
+
+ValveMargin margin_at(const Solution& solution, double cam_speed) {
+    const ForceSpec& forces = *solution.scene.forces;
+    const MotionScale scale = motion_scale(solution.scene);
+    const auto force = [&](double x, Side side) {
+        return forces.force(cam_speed, state_of(solution.motion->at(x, side), scale), scale.unit_angle * x,
+                            side);
+    };
+    const Extremum least = least_along(solution.motion->breakpoints(), force);
+    FollowerState still = state_of(solution.motion->at(least.at, least.side), scale);
+    still.velocity = still.acceleration = 0.0;
+    const double pressed = forces.force(0.0, still, scale.unit_angle * least.at, least.side);
+    return {2.0 * cam_speed, least.value, crank_angle_at(solution, least.at), least.value / pressed};
+}
+
+void add_margins(ValveReport& report, const Solution& solution) {
+    const std::optional<double>& speed = solution.scene.motion.speed;
+    if (!solution.scene.forces || !speed) return;
+    for (const double share : shares_of_speed) report.margins.push_back(margin_at(solution, share * *speed));
+    const auto presses = [&](double at) { return margin_at(solution, at).least_force > 0.0; };
+    if (!presses(0.0) || presses(fastest * *speed)) return;
+    report.lift_off_speed = 2.0 * bisected(presses, {0.0, fastest * *speed}, bisections).with;
+}
+
+void require_lobe(const Solution& solution, const char* which) {
+    const MotionSpec& motion = solution.scene.motion;
+    const char* const lacks = !motion.valve               ? "no motion of type \"valve\""
+                              : !solution.motion          ? "no motion"
+                              : !motion.valve->centerline ? "no motion.centerline"
+                                                          : nullptr;
+    if (lacks != nullptr)
+        throw InputError(fmt::format("{}: found {}; allowed: a valve lobe with a motion and its centerline",
+                                     which, lacks));
+}
+
+/// A crank angle in [−360°, 360°), the cycle about top dead centre.
+double in_cycle(double crank) {
+    return crank - 2.0 * units::turn * std::floor(crank / (2.0 * units::turn) + 0.5);
+}
+
+/// Of the valve at a crank angle after top dead centre, 0 where it is shut.
+double lift_at_crank(const Solution& solution, double crank) {
+    const double from_nose = in_cycle(crank - 2.0 * *spec_of(solution).centerline);
+    const Motion& motion = *solution.motion;
+    const double x = x_of_crank_angle(solution, from_nose);
+    return std::max(0.0, x < motion.begin() || x > motion.end() ? 0.0 : valve_lift_at(solution, x));
+}
+
+/// The largest value over the cycle, and its crank angle.
+Extremum largest_over_cycle(const std::function<double(double crank)>& figure) {
+    std::vector<double> places;
+    for (int i = 0; i <= pair_places; ++i)
+        places.push_back(2.0 * units::turn * (static_cast<double>(i) / pair_places - 0.5));
+    const double step = places[1] - places[0];
+    const double best = *std::ranges::max_element(places, {}, figure);
+    const GoldenSection section = golden_maximum(figure, best - step, best + step, bisections);
+    return {section.value(), section.place()};
+}
+
+}  // namespace
+
+const ValveEvent& ValveReport::at(double height) const {
+    return *std::ranges::min_element(
+        events, {}, [&](const ValveEvent& event) { return std::abs(event.height - height); });
+}
+
+double valve_lift_at(const Solution& solution, double x) {
+    const ValveSpec& valve = spec_of(solution);
+    return valve.ratio * solution.scene.motion.lift * solution.motion->at(x).derivative[0] - valve.lash;
+}
+
+double crank_angle_at(const Solution& solution, double x) {
+    return 2.0 * (x * solution.scene.motion.unit_angle() - nose_angle(spec_of(solution)));
+}
+
+double x_of_crank_angle(const Solution& solution, double crank) {
+    return (0.5 * crank + nose_angle(spec_of(solution))) / solution.scene.motion.unit_angle();
+}
+
+ValveReport valve_report(const Solution& solution) {
+    const ValveSpec& valve = spec_of(solution);
+    const Motion& motion = *solution.motion;
+    ValveReport report;
+    std::vector<double> heights = {0.1 * units::millimetre, valve.checking_height, 0.05 * units::inch,
+                                   units::millimetre, 0.2 * units::inch};
+    std::ranges::sort(heights);
+    const auto same = [](double one, double other) { return std::abs(one - other) < same_height; };
+    heights.erase(std::unique(heights.begin(), heights.end(), same), heights.end());
+    for (const double height : heights)
+        if (height < valve.lift) report.events.push_back(event_at(solution, height));
+    const double nose = nose_of(solution);
+    report.opening_velocity = valve_velocity_at(solution, place_of_lift(solution, 0.0, -1));
+    report.closing_velocity = valve_velocity_at(solution, place_of_lift(solution, 0.0, 1));
+    report.opening_acceleration = acceleration_between(solution, motion.begin(), nose);
+    report.closing_acceleration = acceleration_between(solution, nose, motion.end());
+    report.nose_acceleration = acceleration_between(solution, motion.begin(), motion.end(), -1.0);
+    if (solution.cam) {
+        const CamPoints points(solution.cam->cam, drawn_motion(solution), motion_scale(solution.scene));
+        const double radius = points.at(nose).cam_radius;
+        if (std::isfinite(radius)) report.nose_radius = radius;
+        if (const auto& offset = solution.cam->summary.contact_offset) report.contact_offset = offset->value;
+    }
+    add_margins(report, solution);
+    return report;
+}
+
+ValvePair valve_pair(const Solution& intake, const Solution& exhaust, const std::optional<ValveGap>& gap) {
+    require_lobe(intake, "intake");
+    require_lobe(exhaust, "exhaust");
+    ValvePair pair;
+    const double nose_in = 2.0 * *spec_of(intake).centerline, nose_out = 2.0 * *spec_of(exhaust).centerline;
+    pair.lobe_separation = 0.5 * std::abs(in_cycle(nose_in - nose_out));
+    const ValveReport opening = valve_report(intake), closing = valve_report(exhaust);
+    for (const ValveEvent& event : opening.events) {
+        const ValveEvent& other = closing.at(event.height);
+        if (std::abs(other.height - event.height) < same_height)
+            pair.overlaps.push_back(
+                {event.height, in_cycle(nose_in + event.opens), in_cycle(nose_out + other.closes)});
+    }
+    pair.intake_at_tdc = lift_at_crank(intake, 0.0);
+    pair.exhaust_at_tdc = lift_at_crank(exhaust, 0.0);
+    const Extremum common = largest_over_cycle(
+        [&](double crank) { return std::min(lift_at_crank(intake, crank), lift_at_crank(exhaust, crank)); });
+    pair.common_lift = common.value;
+    pair.common_at = common.at;
+    if (!gap) return pair;
+    const Extremum closest = largest_over_cycle([&](double crank) {
+        const double one = lift_at_crank(intake, crank), other = lift_at_crank(exhaust, crank);
+        const double across = gap->gap - (one + other) * std::sin(0.5 * gap->included);
+        return across < 0.0 ? -across : -std::hypot(across, (one - other) * std::cos(0.5 * gap->included));
+    });
+    pair.clearance = -closest.value;
+    pair.clearance_at = closest.at;
+    return pair;
+}
+
+}  // namespace camopt

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// Valve lobes: duration met exactly, events and areas against sums, proof, explanation, two lobes of one
+// shaft.
+#include "core/units.hpp"
+#include "input/loading/load_scene.hpp"
+#include "input/scene_reader.hpp"
+#include "scene/written_limits.hpp"
+#include "studies/solve/solve.hpp"
+#include "studies/valve/valve_report.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace camopt {
+namespace valve_lobe_test {
+
+using units::degree;
+using units::millimetre;
+
+const std::string lobe =
+    "[motion]\ntype = \"valve\"\nlift_mm = 9.5\nlash_mm = 0.2\nduration_crank_deg = 248\n"
+    "checking_height_mm = 0.15\nopening_ramp = { height_mm = 0.30, velocity_mm_deg = 0.012 }\n"
+    "closing_ramp = { height_mm = 0.30, velocity_mm_deg = 0.010 }\nengine_speed_rpm = 6500\n";
+const std::string rest =
+    "[spline]\nsegments = 16\n[objective]\narea = 1\n[limits]\n"
+    "acceleration_mm_deg2 = { min = -0.0085, max = 0.020 }\njerk_mm_deg3 = 0.005\n";
+
+Scene scene_of(const std::string& toml) {
+    return input::read_scene(toml, "s.toml", known_names(), {});
+}
+
+Solution optimum_of(const std::string& toml) {
+    Solution solution = solve(scene_of(toml));
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << name_of(solution.certificate.reason);
+    if (!solution.motion) throw InputError("no motion");
+    return solution;
+}
+
+TEST(ValveLobe, DurationIsMetExactly) {
+    const ValveReport report = valve_report(optimum_of(lobe + rest));
+    ASSERT_EQ(report.events.size(), 5U);
+    const ValveEvent& checking = report.at(0.15 * millimetre);
+    EXPECT_NEAR(checking.duration() / degree, 248.0, 1e-9);
+    EXPECT_NEAR(checking.opens / degree, -124.0, 1e-9);
+}
+
+TEST(ValveLobe, RampsHaveTheirHeightsAndVelocities) {
+    const Solution solution = optimum_of(lobe + rest);
+    const ValveSpec& valve = *solution.scene.motion.valve;
+    const MotionSpec& motion = solution.scene.motion;
+    // Lash is taken up on the ramps: 0.2 of 0.3 mm.
+    const ValveReport report = valve_report(solution);
+    EXPECT_NEAR(report.opening_velocity * degree / millimetre, 0.012, 1e-12);
+    EXPECT_NEAR(report.closing_velocity * degree / millimetre, 0.010, 1e-12);
+    const double end = motion.segments[0].angle + motion.segments[1].angle;
+    const MotionPoint there = solution.motion->at(end / motion.unit_angle());
+    EXPECT_NEAR(there.derivative[0] * motion.lift / millimetre, 0.30, 1e-12);
+    // From the ramp's end to the checking point, 0.05 mm at 1.5 times 0.012 mm/deg.
+    EXPECT_NEAR((nose_angle(valve) - end) / degree, 62.0 + 0.05 / 0.018, 1e-12);
+    EXPECT_NEAR(valve_lift_at(solution, nose_angle(valve) / motion.unit_angle()) / millimetre, 9.5, 1e-12);
+}
+
+TEST(ValveLobe, CheckingPointMayLieOnRamp) {
+    std::string text = lobe + rest;
+    text.replace(text.find("lash_mm = 0.2"), 13, "lash_mm = 0.0");
+    const Solution solution = optimum_of(text);
+    EXPECT_TRUE(solution.scene.motion.segments[2].via.empty());
+    EXPECT_NEAR(valve_report(solution).at(0.15 * millimetre).duration() / degree, 248.0, 1e-9);
+}
+
+TEST(ValveLobe, AreaIsThatOfMidpoints) {
+    const Solution solution = optimum_of(lobe + rest);
+    for (const ValveEvent& event : valve_report(solution).events) {
+        constexpr int steps = 200000;
+        double sum = 0.0;
+        for (int i = 0; i < steps; ++i)
+            sum += valve_lift_at(
+                solution, x_of_crank_angle(solution, event.opens + event.duration() * (i + 0.5) / steps));
+        EXPECT_NEAR(sum * event.duration() / steps / event.area, 1.0, 1e-9);
+        EXPECT_NEAR(valve_lift_at(solution, x_of_crank_angle(solution, event.opens)), event.height, 1e-15);
+    }
+}
+
+TEST(ValveLobe, AccelerationsStayWithinTheirSides) {
+    const ValveReport report = valve_report(optimum_of(lobe + rest));
+    const double unit = millimetre / (degree * degree);
+    EXPECT_NEAR(report.opening_acceleration / unit, 0.020, 1e-8);
+    EXPECT_NEAR(report.nose_acceleration / unit, -0.0085, 1e-8);
+    EXPECT_LE(report.closing_acceleration / unit, 0.020 + 1e-8);
+}
+
+TEST(ValveLobe, LimitsByAngleAndInTime) {
+    // 3250 rpm of the cam: 19500 deg/s.
+    const Solution by_angle = optimum_of(lobe + rest);
+    const Solution in_time =
+        optimum_of(lobe +
+                   "[spline]\nsegments = 16\n[objective]\narea = 1\n[limits]\n"
+                   "acceleration_mm_s2 = { min = -3232125, max = 7605000 }\njerk_mm_s3 = 37074375000\n");
+    EXPECT_NEAR(by_angle.certificate.objective, in_time.certificate.objective, 1e-9);
+}
+
+TEST(ValveLobe, RockerRatioScalesTheFollower) {
+    std::string text = lobe + rest;
+    text.insert(text.find("lash_mm"), "rocker_ratio = 1.6\n");
+    const Solution solution = optimum_of(text);
+    EXPECT_NEAR(solution.scene.motion.lift, 9.7 * millimetre / 1.6, 1e-15);
+    EXPECT_NEAR(valve_report(solution).at(0.15 * millimetre).duration() / degree, 248.0, 1e-9);
+}
+
+TEST(ValveLobe, FingerFollowerSwings) {
+    const Solution solution = optimum_of(
+        "[motion]\ntype = \"valve\"\nlift_mm = 9.5\nvalve_arm_mm = 40\nduration_crank_deg = 248\n"
+        "checking_height_mm = 1\nopening_ramp = { height_deg = 0.4, velocity_deg_deg = 0.02 }\n"
+        "[spline]\nsegments = 12\n[objective]\nacceleration = 1\n"
+        "[cam]\ntype = \"disk\"\nfollower = \"oscillating_roller\"\nbase_radius_mm = 18\nroller_radius_mm = "
+        "9\n"
+        "arm_length_mm = 32\ncenter_distance_mm = 44\n");
+    EXPECT_TRUE(solution.scene.motion.lift_is_angle);
+    EXPECT_NEAR(solution.scene.motion.lift, 9.5 / 40.0, 1e-15);
+    EXPECT_NEAR(valve_report(solution).at(millimetre).duration() / degree, 248.0, 1e-9);
+}
+
+TEST(ValveLobe, WithoutMotionExplanationNamesDuration) {
+    std::string text = lobe + rest;
+    text.replace(text.find("max = 0.020"), 11, "max = 0.006");
+    text += "[solver]\nexplain_seconds = 20\nexplain_changes = 10\n";
+    const Solution solution = solve(scene_of(text));
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    const auto longer = std::ranges::find(solution.relaxation, "motion.duration_crank_deg", &Relaxation::key);
+    ASSERT_NE(longer, solution.relaxation.end());
+    ASSERT_TRUE(longer->solved);
+    const auto number = fmt::format("duration_crank_deg = {}", *longer->solved);
+    text.replace(text.find("duration_crank_deg = 248"), 24, number);
+    EXPECT_EQ(solve(scene_of(text)).certificate.verdict, Verdict::optimal) << number;
+    for (const Relaxation& change : solution.relaxation)
+        EXPECT_EQ(change.key.find("segments["), std::string::npos) << change.key;
+}
+
+TEST(ValveLobe, LiftOffSpeedLeavesNoForce) {
+    const Solution solution = optimum_of(lobe + rest +
+                                         "[cam]\ntype = \"disk\"\nfollower = \"translating_flat\"\n"
+                                         "base_radius_mm = 17\n[forces]\nmass_kg = 0.11\n"
+                                         "spring_rate_n_mm = 28\npreload_n = 260\n");
+    const ValveReport report = valve_report(solution);
+    ASSERT_EQ(report.margins.size(), 5U);
+    for (std::size_t i = 1; i < report.margins.size(); ++i)
+        EXPECT_LT(report.margins[i].least_force, report.margins[i - 1].least_force);
+    ASSERT_TRUE(report.lift_off_speed);
+    // F = m ω² s'' + c s + F0 over samples: never below 0 at that speed, but for the sampling.
+    const double speed = 0.5 * *report.lift_off_speed;
+    const MotionSpec& motion = solution.scene.motion;
+    double least = infinity;
+    for (int i = 0; i <= 20000; ++i) {
+        const MotionPoint point = solution.motion->at(
+            solution.motion->begin() + (solution.motion->end() - solution.motion->begin()) * i / 20000);
+        const double s = motion.lift * point.derivative[0];
+        const double a = motion.lift * point.derivative[2] / std::pow(motion.unit_angle(), 2);
+        least = std::min(least, 0.11 * speed * speed * a + 28000.0 * s + 260.0);
+    }
+    EXPECT_NEAR(least, 0.0, 0.05);
+    ASSERT_TRUE(report.nose_radius);
+    // Flat face: base radius + lift + acceleration at the nose.
+    EXPECT_NEAR(*report.nose_radius, (17.0 + 9.7) * millimetre + report.nose_acceleration, 1e-6);
+}
+
+TEST(ValveLobe, OverlapOfIntakeAndExhaust) {
+    const auto with_centerline = [](const std::string& number) {
+        std::string text = lobe + rest;
+        text.insert(text.find("lash_mm"), "centerline_crank_deg = " + number + "\n");
+        return optimum_of(text);
+    };
+    const Solution intake = with_centerline("108"), exhaust = with_centerline("-112");
+    const ValvePair pair = valve_pair(intake, exhaust, ValveGap{4.0 * millimetre, 30.0 * degree});
+    EXPECT_NEAR(pair.lobe_separation / degree, 110.0, 1e-9);
+    const auto checking = std::ranges::find_if(
+        pair.overlaps, [](const auto& one) { return std::abs(one.height - 0.15 * millimetre) < 1e-9; });
+    ASSERT_NE(checking, pair.overlaps.end());
+    // Opens 108 − 124, closes −112 + 124.
+    EXPECT_NEAR(checking->opens / degree, -16.0, 1e-9);
+    EXPECT_NEAR(checking->closes / degree, 12.0, 1e-9);
+    EXPECT_NEAR(checking->duration() / degree, 28.0, 1e-9);
+    // Symmetric but for the ramps: both are open alike about 2 degrees before top dead centre.
+    EXPECT_NEAR(pair.common_at / degree, -2.0, 2.0);
+    EXPECT_GT(pair.common_lift, 0.15 * millimetre);
+    ASSERT_TRUE(pair.clearance);
+    const double both = 2.0 * pair.common_lift * std::sin(15.0 * degree);
+    EXPECT_NEAR(*pair.clearance, 4.0 * millimetre - both, 0.1 * millimetre);
+    EXPECT_THROW(static_cast<void>(valve_pair(intake, optimum_of(lobe + rest))), InputError);
+}
+
+TEST(ValveLobe, IsWrittenInCppToo) {
+    ValveSpec valve;
+    valve.lift = 9.5 * millimetre;
+    valve.lash = 0.2 * millimetre;
+    valve.checking_height = 0.15 * millimetre;
+    valve.duration = 124.0 * degree;
+    valve.opening = 62.0 * degree;
+    valve.opening_ramp = {0.30 * millimetre, 0.012 * millimetre / degree, {}};
+    valve.closing_ramp = {0.30 * millimetre, 0.010 * millimetre / degree, {}};
+    Scene scene;
+    make_valve_lobe(scene.motion, valve);
+    scene.spline.segments = 16;
+    scene.objective.area = 1.0;
+    scene.limits.acceleration_min = millimetres_per_degree_squared(-0.0085);
+    scene.limits.acceleration_max = millimetres_per_degree_squared(0.020);
+    scene.limits.jerk = millimetres_per_degree_cubed(0.005);
+    EXPECT_NEAR(solve(scene).certificate.objective, optimum_of(lobe + rest).certificate.objective, 1e-9);
+    valve.checking_height = 0.0;
+    EXPECT_THROW(make_valve_lobe(scene.motion, valve), InputError);
+}
+
+}  // namespace valve_lobe_test
+}  // namespace camopt
