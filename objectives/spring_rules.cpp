@@ -2,7 +2,7 @@
 #include "objectives/spring_rules.hpp"
 
 #include "core/numbers/polynomial.hpp"
-#include "objectives/rules/energy_rule.hpp"
+#include "core/units.hpp"
 
 #include <fmt/format.h>
 
@@ -14,47 +14,97 @@ namespace {
 // segment is a whole stroke.
 constexpr int least_parts = 8, parts_of_radian = 2;
 
-/// kθ at x = 1.
-double wave_number(const MotionSpec& spec, int order) {
-    return order * spec.unit_angle();
-}
-
-/// Calls visit(x, c, s): ∫ f cos(wave x) dx = Σ c f(x), ∫ f sin(wave x) dx = Σ s f(x).
+/// Calls visit(x, c, s): (1/π) ∫ f cos kθ dθ = Σ c f(x), and s with sin.
 template <class Visit>
-void visit_harmonic(const std::vector<double>& breakpoints, double wave, Visit&& visit) {
+void visit_harmonic(const std::vector<double>& breakpoints, const MotionSpec& spec, int order,
+                    Visit&& visit) {
+    const double unit = spec.unit_angle(), wave = order * unit;
     for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-        const double begin = breakpoints[i], end = breakpoints[i + 1];
-        const int parts =
-            std::max(least_parts, static_cast<int>(std::ceil(parts_of_radian * wave * (end - begin))));
-        visit_quadrature(begin, end, parts, [&](double x, double weight) {
-            visit(x, weight * std::cos(wave * x), weight * std::sin(wave * x));
+        const double width = breakpoints[i + 1] - breakpoints[i];
+        const int parts = std::max(least_parts, static_cast<int>(std::ceil(parts_of_radian * wave * width)));
+        visit_quadrature(breakpoints[i], breakpoints[i + 1], parts, [&](double x, double weight) {
+            const double factor = unit / std::numbers::pi * weight;
+            visit(x, factor * std::cos(wave * x), factor * std::sin(wave * x));
         });
     }
 }
 
-/// c_k² / level².
-QuadraticForm harmonic_form(const MotionSpec& spec, const MotionFamily& family, int order, double level) {
+/// a_k and b_k.
+std::array<double, 2> harmonic_of(const MotionSpec& spec, const Motion& motion, int order) {
+    std::array<double, 2> parts{};
+    visit_harmonic(motion.breakpoints(), spec, order, [&](double x, double cosine, double sine) {
+        const double y = motion.at(x).derivative[0];
+        parts[0] += cosine * y;
+        parts[1] += sine * y;
+    });
+    return parts;
+}
+
+/// The same by the entries of the family.
+std::array<AffineRow, 2> harmonic_rows(const MotionSpec& spec, const MotionFamily& family, int order) {
     std::vector<double> breakpoints;
     for (const MotionFamily::Piece& piece : family.pieces()) breakpoints.push_back(piece.begin);
     breakpoints.push_back(family.end());
-    AffineRow whole;
-    for (int j = 0; j < family.size(); ++j) whole.columns.push_back(j);
-    whole.weights.assign(whole.columns.size(), 0.0);
-    std::array<AffineRow, 2> rows = {whole, whole};
-    const double unit = spec.unit_angle() / (std::numbers::pi * level);
-    visit_harmonic(breakpoints, wave_number(spec, order), [&](double x, double cosine, double sine) {
+    AffineRow none{0.0, {}, std::vector<double>(static_cast<std::size_t>(family.size()), 0.0)};
+    for (int j = 0; j < family.size(); ++j) none.columns.push_back(j);
+    std::array<AffineRow, 2> rows = {none, none};
+    visit_harmonic(breakpoints, spec, order, [&](double x, double cosine, double sine) {
         const AffineRow y = family.functional(x, 0);
-        for (const std::size_t part : {0U, 1U}) {
-            const double factor = unit * (part == 0 ? cosine : sine);
+        for (std::size_t part = 0; part < 2; ++part) {
+            const double factor = part == 0 ? cosine : sine;
             rows[part].offset += factor * y.offset;
             for (std::size_t k = 0; k < y.columns.size(); ++k)
                 rows[part].weights[static_cast<std::size_t>(y.columns[k])] += factor * y.weights[k];
         }
     });
-    EnergySum sum(family.size());
-    for (const AffineRow& row : rows) sum.add(row, 1.0);
-    return sum.form(1.0);
+    return rows;
 }
+
+constexpr int first_directions = 8;
+
+/// (a_k cos φ + b_k sin φ) / level − 1 <= 0. setting: φ.
+class HarmonicRule final : public WholeMotionRule {
+ public:
+    /// For the motions of this family.
+    HarmonicRule(const Scene& scene, const MotionFamily& family, int order)
+        : key_(scene.limits.spring_harmonic->key),
+          spec_(scene.motion),
+          order_(order),
+          level_(scene.limits.spring_harmonic->value / scene.motion.lift),
+          rows_(harmonic_rows(spec_, family, order)) {}
+    [[nodiscard]] std::string name() const override { return key_; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return none_; }
+    [[nodiscard]] int highest_order() const override { return 0; }
+    [[nodiscard]] bool limit() const override { return true; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd&) const override {
+        const auto [cosine, sine] = harmonic_of(spec_, motion, order_);
+        const double value = std::hypot(cosine, sine) / level_ - 1.0;
+        return {{{value, motion.begin()}, {std::atan2(sine, cosine)}}};
+    }
+    [[nodiscard]] AffineRow row(const MotionFamily&, double, Side,
+                                std::span<const double> setting) const override {
+        const AffineRow row = combined({-1.0, {}, {}}, std::cos(setting[0]) / level_, rows_[0]);
+        return combined(row, std::sin(setting[0]) / level_, rows_[1]);
+    }
+    [[nodiscard]] std::vector<Place> first() const override {
+        std::vector<Place> all;
+        for (int k = 0; k < first_directions; ++k)
+            all.push_back({{0.0, 0.0}, {units::turn * k / first_directions}});
+        return all;
+    }
+    [[nodiscard]] std::string remark(std::span<const double>) const override {
+        return fmt::format("harmonic {}", order_);
+    }
+
+ private:
+    std::string key_;
+    MotionSpec spec_;
+    int order_;
+    double level_;
+    std::array<AffineRow, 2> rows_;
+    std::vector<int> none_;
+};
 
 }  // namespace
 
@@ -65,30 +115,15 @@ std::array<int, 2> limited_harmonics(const Scene& scene) {
 }
 
 double harmonic_amplitude(const MotionSpec& spec, const Motion& motion, int order) {
-    double cosine = 0.0, sine = 0.0;
-    visit_harmonic(motion.breakpoints(), wave_number(spec, order), [&](double x, double c, double s) {
-        const double y = motion.at(x).derivative[0];
-        cosine += c * y;
-        sine += s * y;
-    });
-    return spec.unit_angle() / std::numbers::pi * std::hypot(cosine, sine);
+    const auto [cosine, sine] = harmonic_of(spec, motion, order);
+    return std::hypot(cosine, sine);
 }
 
 void add_spring_rules(CamModel& model, const Scene& scene) {
-    const std::optional<WrittenLimit>& limit = scene.limits.spring_harmonic;
-    if (!limit) return;
+    if (!scene.limits.spring_harmonic) return;
     const auto [first, last] = limited_harmonics(scene);
-    for (int order = first; order <= last; ++order) {
-        EnergyRule::Energy energy{[spec = scene.motion, order](const Motion& motion) {
-                                      return harmonic_amplitude(spec, motion, order);
-                                  },
-                                  [spec = scene.motion, order](const MotionFamily& family, double level) {
-                                      return harmonic_form(spec, family, order, level);
-                                  }};
-        model.rules.emplace_back(std::make_shared<const EnergyRule>(limit->key, std::move(energy),
-                                                                    limit->value / scene.motion.lift, -1,
-                                                                    fmt::format("harmonic {}", order)));
-    }
+    for (int order = first; order <= last; ++order)
+        model.rules.emplace_back(std::make_shared<const HarmonicRule>(scene, model.design, order));
 }
 
 }  // namespace camopt

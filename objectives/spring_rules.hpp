@@ -7,8 +7,10 @@
 // y in lifts; θ in rad from the start of the motion, which c_k does not depend on; from the end of an RR
 // motion to the end of the revolution y is 0. At the cam speed ω harmonic k excites the spring with kω: it
 // meets its natural frequency (rad/s) at ω = frequency / k. a_k and b_k are affine in the free entries,
-// dwells and laws being their constants, so c_k <= level is one convex quadratic row. Source: A. M. Wahl,
-// Mechanical Springs, 2nd ed., 1963 (surge of valve springs).
+// dwells and laws being constants, so c_k <= level is a convex cone: linear rows a_k cos φ + b_k sin φ <=
+// level for every φ, of which the exchange adds those of the φ that a motion has.
+//
+// Source: A. M. Wahl, Mechanical Springs, 2nd ed., 1963 (surge of valve springs).
 #pragma once
 
 #include "objectives/rules/model.hpp"
@@ -23,7 +25,7 @@ namespace camopt {
 /// c_k in lifts, of a motion that returns to 0 within a revolution.
 [[nodiscard]] double harmonic_amplitude(const MotionSpec& spec, const Motion& motion, int order);
 
-/// One row a harmonic; none without the limit.
+/// One linear rule a harmonic; none without the limit.
 void add_spring_rules(CamModel& model, const Scene& scene);
 
 }  // namespace camopt

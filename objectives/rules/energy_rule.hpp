@@ -15,9 +15,9 @@ class EnergyRule final : public WholeMotionRule {
         std::function<QuadraticForm(const MotionFamily&, double)> form;  ///< m / level², of the level
     };
 
-    /// `term`: its parameter; −1: a limit. `remark`: which of several rules of one name it is.
-    EnergyRule(std::string name, Energy energy, double level, int term, std::string remark = {})
-        : name_(std::move(name)), remark_(std::move(remark)), energy_(std::move(energy)), level_(level) {
+    /// `term`: its parameter; −1: a limit.
+    EnergyRule(std::string name, Energy energy, double level, int term)
+        : name_(std::move(name)), energy_(std::move(energy)), level_(level) {
         if (term >= 0) parameters_.push_back(term);
     }
     [[nodiscard]] std::string name() const override { return name_; }
@@ -41,10 +41,9 @@ class EnergyRule final : public WholeMotionRule {
         return energy_.form(family, level_);
     }
     [[nodiscard]] std::vector<Place> first() const override { return {{{0.0, 0.0}, {0.0}}}; }
-    [[nodiscard]] std::string remark(std::span<const double>) const override { return remark_; }
 
  private:
-    std::string name_, remark_;
+    std::string name_;
     Energy energy_;
     std::vector<int> parameters_;
     double level_;

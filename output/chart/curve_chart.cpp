@@ -254,16 +254,13 @@ std::string surge_svg(const View& view) {
     const auto& written = view.solution.scene.limits.spring_harmonic;
     const double nothing = 1e-9 * view.solution.scene.motion.lift;  // it would stretch the axis
     for (const SurgeReport::Harmonic& one : surge.harmonics) {
-        const auto order = static_cast<double>(one.order);
         if (one.amplitude > nothing)
-            (one.near ? near : others).points.push_back({order, unit.of(one.amplitude)});
-        if (one.limited)
-            for (const double end : {-0.5, 0.5})
-                limit.points.push_back({order + end, unit.of(written->value)});
+            (one.near ? near : others).points.push_back({1.0 * one.order, unit.of(one.amplitude)});
+        for (const double end : {-0.5, 0.5})
+            if (one.limited) limit.points.push_back({one.order + end, unit.of(written->value)});
     }
     if (!limit.points.empty()) limit.points.front().label = "limit " + unit.text(written->value);
-    const double height =
-        near.points.empty() ? unit.of(view.solution.scene.motion.lift) : near.points.front().y;
+    const double height = near.points.empty() ? 1.0 : near.points.front().y;
     ChartSeries spring{
         Look::rule, "segment", {{surge.frequency_ratio, height}}, 4.0, "natural frequency of the spring"};
     panel.series = {std::move(spring), std::move(others), std::move(near), std::move(limit)};

@@ -291,7 +291,7 @@ Json drive_json(const Solution& solution) {
 Json surge_json(const Solution& solution) {
     const Scene& scene = solution.scene;
     const bool angle = scene.motion.lift_is_angle;
-    const ShownUnit unit = angle ? degrees_shown : millimetres_shown;
+    const ShownUnit& unit = angle ? degrees_shown : millimetres_shown;
     Json harmonics = Json::array();
     for (const SurgeReport::Harmonic& one : solution.surge->harmonics)
         harmonics.push_back({{"order", one.order},

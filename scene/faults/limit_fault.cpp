@@ -58,6 +58,8 @@ Fault follower_fault(const Scene& scene) {
     return std::nullopt;
 }
 
+constexpr int most_at_once = 50;  // each is some ten rows of all entries
+
 /// There are forces, and with them a speed.
 Fault spring_fault(const Scene& scene) {
     const MotionSpec& motion = scene.motion;
@@ -69,30 +71,25 @@ Fault spring_fault(const Scene& scene) {
         return SceneFault{"forces.spring_frequency",
                           "a natural frequency with a motion that is no closed revolution",
                           "motion type \"RR\" from rest to rest, or a closed program"};
-    if (const int nearest = scene.nearest_harmonic(); nearest > most_harmonic)
-        return SceneFault{"forces.spring_frequency", "a natural frequency far above the speed of the cam",
-                          fmt::format("at most {} times the speed", most_harmonic)};
-    return std::nullopt;
+    if (scene.nearest_harmonic() <= most_harmonic) return std::nullopt;
+    return SceneFault{"forces.spring_frequency", "a natural frequency far above the speed of the cam",
+                      fmt::format("at most {} times the speed", most_harmonic)};
 }
-
-constexpr int most_limited_harmonics = 50;  // each is a row of all entries
 
 Fault harmonic_fault(const Scene& scene) {
     const std::optional<WrittenLimit>& limit = scene.limits.spring_harmonic;
-    const bool has_frequency = scene.forces && scene.forces->spring_frequency;
-    if (has_frequency)
+    if (scene.forces && scene.forces->spring_frequency) {
         if (Fault fault = spring_fault(scene)) return fault;
-    const auto [first, last] = scene.limits.spring_harmonics;
-    const bool chosen = first != 0 || last != 0;
-    if (chosen &&
-        (first < 1 || last < first || last > most_harmonic || last - first >= most_limited_harmonics))
-        return SceneFault{
-            "limits.spring_harmonics", fmt::format("harmonics from {} to {}", first, last),
-            fmt::format("at most {} harmonics from 1 to {}", most_limited_harmonics, most_harmonic)};
-    if (!limit) return std::nullopt;
-    if (!has_frequency)
+    } else if (limit) {
         return SceneFault{"limits.spring_harmonic", "a limit on harmonics without a natural frequency",
                           "only where forces.spring_frequency is given"};
+    }
+    const auto [first, last] = scene.limits.spring_harmonics;
+    const bool given = first != 0 || last != 0;
+    if (given && (first < 1 || last < first || last > most_harmonic || last - first >= most_at_once))
+        return SceneFault{"limits.spring_harmonics", fmt::format("harmonics from {} to {}", first, last),
+                          fmt::format("at most {} harmonics from 1 to {}", most_at_once, most_harmonic)};
+    if (!limit) return std::nullopt;
     if (!limit->unit.empty() && is_angle_unit(limit->unit) != scene.motion.lift_is_angle)
         return SceneFault{"limits.spring_harmonic", fmt::format("an amplitude in {}", limit->unit),
                           scene.motion.lift_is_angle ? "an angle, as the lift" : "a length, as the lift"};

@@ -165,7 +165,7 @@ std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& mo
         double largest = 0.0;
         for (int order = first; order <= last; ++order)
             largest = std::max(largest, harmonic_amplitude(scene.motion, motion, order));
-        all.push_back({limit_row(LimitedFigure::spring_harmonic).name, limit->key, limit->given(),
+        all.push_back({"spring_harmonic", limit->key, limit->given(),
                        largest * scene.motion.lift / limit->unit_value, limit->unit, motion.begin(), false,
                        true});
     }

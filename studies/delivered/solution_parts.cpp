@@ -158,7 +158,7 @@ SurgeReport surge_report(const Scene& scene, const Motion& motion) {
     const int nearest = scene.nearest_harmonic();
     const auto [first, last] = limited_harmonics(scene);
     SurgeReport report{frequency / scene.motion.speed.value(), {}};
-    for (int order = 1; order <= std::max(most, std::max(nearest + 1, last)); ++order) {
+    for (int order = 1; order <= std::max({most, nearest + 1, last}); ++order) {
         const bool near = std::abs(order - nearest) <= 1;
         const bool limited = scene.limits.spring_harmonic && order >= first && order <= last;
         if (!near && !limited && order > std::clamp(nearest + beyond, fewest, most)) continue;

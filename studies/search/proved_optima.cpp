@@ -193,7 +193,6 @@ void ProvedOptima::settle(const Solution& solution, int number) {
     const std::shared_ptr<ProvedOptimum> optimum = std::exchange(proposed_, nullptr);
     const bool useful = optimum && solution.certificate.verdict == Verdict::optimal && solution.motion &&
                         !solution.measured && !solution.scene.drive &&
-                        !solution.scene.limits.spring_harmonic &&
                         !weighs_any(solution.scene.objective, CostTerm::Kind::rms);
     if (!useful) return;
     std::erase_if(known_, [&](const auto& other) {
