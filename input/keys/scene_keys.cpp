@@ -301,7 +301,7 @@ Rows limits() {
                     "magnitude of the torque there in N m. Linear between them, concave and never rising; the last "
                     "speed is the largest.", Availability::needs_drive});
     rows.push_back({"limits", "spring_harmonics", number_or_range, plain, Range::between(1, most_harmonic), {},
-                    "the nearest 3", "The harmonics that `spring_harmonic` holds for: one, or the first and the last. "
+                    "the nearest 3", "The harmonics that `spring_harmonic` holds for: one, or a range `{ min, max }`. "
                     "Default: the nearest to `forces.spring_frequency`, and one to either side.",
                     Availability::needs_forces});
     return rows;
