@@ -74,7 +74,7 @@ void expect_sampled_amplitudes(const Solution& solution) {
 
 // A cycloidal rise over half a revolution and its mirror image: c_k = 16 / (π² k² |4 − k²|) for odd k, else
 // 0.
-TEST(SpringSurge, HarmonicsOfCycloidalLawInClosedForm) {
+TEST(SpringSurge, CycloidalLawHasKnownHarmonics) {
     const Solution solution = optimum_of(
         "[motion]\ntype = \"program\"\nlift_mm = 10\nspeed_rpm = 600\nsegments = [\n"
         "{ kind = \"law\", law = \"cycloidal\", angle_deg = 180, to = 1 },\n"
@@ -99,7 +99,7 @@ TEST(SpringSurge, HarmonicsAreThoseOfSamples) {
 }
 
 // Reference numbers: the same model with one quadratic row a² + b² <= level² a harmonic.
-TEST(SpringSurge, LimitOfValveIsActiveAndProved) {
+TEST(SpringSurge, LimitIsActiveAndProved) {
     const Solution free = optimum_of(valve);
     EXPECT_NEAR(free.certificate.objective, 0.790388172, 1e-8);
     EXPECT_GT(free.surge->harmonics[6].amplitude, 61e-6);
