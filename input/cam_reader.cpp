@@ -89,6 +89,7 @@ std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& sce
             source.fail(load->value().place, joined_key("forces", load->member->name),
                         "found angles over more than 360 deg; allowed: those of one revolution");
     }
+    forces.spring_frequency = source.number("forces", "spring_frequency");
     forces.contact_width = source.number("forces", "contact_width");
     source.read_number("forces", "cam_modulus", forces.cam_modulus);
     source.read_number("forces", "follower_modulus", forces.follower_modulus);
@@ -150,6 +151,14 @@ void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& l
         for (const Node& pair : curve->value().items)
             limits.motor_curve.push_back(
                 {pair.items[0].as_number() * units::revolution_per_minute, pair.items[1].as_number()});
+    if (const auto harmonics = source.find("limits", "spring_harmonics")) {
+        const Dimension range = harmonics->dimension();
+        for (const double order : {range.low, range.high})
+            if (order != std::round(order))
+                source.fail(harmonics->value().place, "limits.spring_harmonics",
+                            fmt::format("found {}; allowed: integers from 1 to {}", order, most_harmonic));
+        limits.spring_harmonics = {static_cast<int>(range.low), static_cast<int>(range.high)};
+    }
 }
 
 }  // namespace camopt::input

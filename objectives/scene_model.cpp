@@ -10,6 +10,7 @@
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/peak_rule.hpp"
+#include "objectives/spring_rules.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
@@ -390,6 +391,7 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_own_rules(model, scene);
     add_response_rules(model, scene);
     add_drive_rules(model, scene);
+    add_spring_rules(model, scene);
     add_deviation_terms(model, scene);
     return model;
 }

@@ -108,6 +108,7 @@ struct ForceSpec {
     std::optional<double> contact_width;                   ///< m; with the moduli it gives the Hertz pressure
     double cam_modulus = 210e9, follower_modulus = 210e9;  ///< Pa
     double cam_poisson = 0.3, follower_poisson = 0.3;
+    std::optional<double> spring_frequency = {};  ///< rad/s, > 0: natural, of the spring between fixed ends
 
     /// The outer force at a cam angle, and its derivative by it: linear on the stretch that `side` sees.
     struct Load {

@@ -211,6 +211,15 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .range = positive,
      .needs_drive = true,
      .meaning = "Cap on the speed of the motor."},
+    {.figure = Figure::spring_harmonic,
+     .name = "spring_harmonic",
+     .limit = &LimitSpec::spring_harmonic,
+     .spellings = spellings::vibration,
+     .sense = Sense::most,
+     .range = positive,
+     .needs_forces = true,
+     .meaning = "Cap on the amplitude of the harmonics of the lift that excite the spring; needs "
+                "`forces.spring_frequency`."},
 }};
 
 constexpr bool limits_in_order() {

@@ -51,6 +51,12 @@ double MotionSpec::length() const {
     return total / unit_angle();
 }
 
+int Scene::nearest_harmonic() const {
+    const double ratio = forces.value().spring_frequency.value() / motion.speed.value();
+    constexpr double beyond = 2.0 * most_harmonic;  // find_fault() refuses it
+    return static_cast<int>(std::round(std::clamp(ratio, 1.0, beyond)));
+}
+
 const char* name_of(EndJerk value) {
     return value == EndJerk::free ? "free" : "zero";
 }

@@ -238,9 +238,13 @@ enum class LimitedFigure {
     motor_torque_min,       ///< τ, of one side
     motor_torque_max,
     motor_torque_rms,  ///< over the cycle
-    motor_speed        ///< |n|
+    motor_speed,       ///< |n|
+    spring_harmonic    ///< largest amplitude of the harmonics of the lift near the spring's frequency
 };
-inline constexpr int limited_figure_count = 16;
+inline constexpr int limited_figure_count = 17;
+
+/// The highest harmonic of the lift that a limit may name, or a spring be near to.
+inline constexpr int most_harmonic = 1000;
 
 struct LimitSpec {
     std::optional<PeakLimit> velocity, acceleration, jerk;
@@ -266,6 +270,10 @@ struct LimitSpec {
     std::optional<WrittenLimit> motor_torque, motor_torque_min, motor_torque_max;  ///< |τ|, or one side, N m
     std::optional<WrittenLimit> motor_torque_rms;                                  ///< over the cycle, N m
     std::optional<WrittenLimit> motor_speed;                                       ///< rad/s
+    /// Amplitude of the harmonics of the lift, m or rad; needs forces.spring_frequency.
+    std::optional<WrittenLimit> spring_harmonic;
+    /// The first and the last of them; {0, 0}: the nearest to the spring's frequency, and one to either side.
+    std::array<int, 2> spring_harmonics{};
     MotorCurve motor_curve;  ///< |τ| at |n|, from n = 0 to the largest speed; empty: none
     friend bool operator==(const LimitSpec&, const LimitSpec&) = default;
 };
@@ -307,6 +315,10 @@ struct Scene {
     std::vector<OwnTerm> own_terms;      ///< beside those of `objective`
     std::vector<OwnLimit> own_limits;    ///< beside `limits`
     SolverSpec solver;
+
+    /// k >= 1 of the harmonic of the cam's speed that is nearest to the natural frequency of the spring. The
+    /// scene has both.
+    [[nodiscard]] int nearest_harmonic() const;
 };
 
 /// The first thing wrong with a scene: the member ("spline.breakpoints[3]"), what was found, what is allowed.

@@ -41,6 +41,9 @@ std::vector<KeyRow> force_rows() {
          "A further force (translating) or moment (oscillating), positive where it presses the follower "
          "on the cam: a number, or pairs of a cam angle in deg from the start of the motion and the force there, "
          "linear between them; after the last one it goes on to the first of the next revolution."},
+        {"forces", "spring_frequency", number, frequency, positive, {}, "none",
+         "Natural frequency of the return spring between fixed ends (surge): harmonics of the lift near it are "
+         "reported, and may be limited. For an RR motion or a closed program."},
         {"forces", "contact_width", number, length, positive, {}, "none",
          "Width of the line of contact; the Hertz pressure needs it."},
         {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam."},

@@ -336,6 +336,10 @@ Rows limits() {
                     "The torque-speed curve of the motor: pairs of a speed in rpm, from 0 on, and the largest "
                     "magnitude of the torque there in N m. Linear between them, concave and never rising; the last "
                     "speed is the largest.", Availability::needs_drive});
+    rows.push_back({"limits", "spring_harmonics", number_or_range, plain, Range::between(1, most_harmonic), {},
+                    "the nearest 3", "The harmonics that `spring_harmonic` holds for: one, or a range `{ min, max }`. "
+                    "Default: the nearest to `forces.spring_frequency`, and one to either side.",
+                    Availability::needs_forces});
     return rows;
 }
 

@@ -241,4 +241,31 @@ std::string drive_svg(const View& view) {
     return chart_svg(std::move(chart));
 }
 
+std::string surge_svg(const View& view) {
+    const SurgeReport& surge = *view.solution.surge;
+    const ShownUnit& unit = view.units.vibration;
+    ChartPanel panel{.width = panel_width, .height = 1.6 * panel_height};
+    panel.frame.horizontal_title = "harmonic of the speed of the cam";
+    panel.frame.vertical_title = fmt::format("amplitude ({})", unit.name);
+    panel.frame.vertical.logarithmic = true;
+    ChartSeries others{Look::dot, "measured-point", {}, 3.5, "harmonics of the lift"},
+        near{Look::dot, "peak", {}, 4.5, "those near the spring's frequency"},
+        limit{Look::line, "limit", {}, 4.0, "", "limit-label", LabelSide::above};
+    const auto& written = view.solution.scene.limits.spring_harmonic;
+    const double nothing = 1e-9 * view.solution.scene.motion.lift;  // it would stretch the axis
+    for (const SurgeReport::Harmonic& one : surge.harmonics) {
+        if (one.amplitude > nothing)
+            (one.near ? near : others).points.push_back({1.0 * one.order, unit.of(one.amplitude)});
+        for (const double end : {-0.5, 0.5})
+            if (one.limited) limit.points.push_back({one.order + end, unit.of(written->value)});
+    }
+    if (!limit.points.empty()) limit.points.front().label = "limit " + unit.text(written->value);
+    const double height = near.points.empty() ? 1.0 : near.points.front().y;
+    ChartSeries spring{
+        Look::rule, "segment", {{surge.frequency_ratio, height}}, 4.0, "natural frequency of the spring"};
+    panel.series = {std::move(spring), std::move(others), std::move(near), std::move(limit)};
+    const std::string& title = view.solution.scene.title;
+    return chart_svg({title.empty() ? "Spring surge" : title + ": spring surge", {}, {std::move(panel)}});
+}
+
 }  // namespace camopt

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Curves of a view over the cam angle: one panel each, stacked, with limits dotted, the reference law dashed,
 // the measured motion, extremes and set points marked: motion.svg, profile_diagrams.svg, pressure_angle.svg,
-// curvature.svg, forces.svg and drive.svg.
+// curvature.svg, forces.svg and drive.svg. Amplitudes of harmonics: surge.svg.
 #pragma once
 
 #include "output/view/view.hpp"
@@ -23,5 +23,9 @@ namespace camopt {
 /// drive.svg: torque and speed of the motor over the angle, and torque over speed with the curve of the
 /// motor. The solution has a motor.
 [[nodiscard]] std::string drive_svg(const View& view);
+
+/// surge.svg: amplitude over harmonic of the lift, logarithmic, with the natural frequency of the spring and
+/// the limit. The solution has them.
+[[nodiscard]] std::string surge_svg(const View& view);
 
 }  // namespace camopt

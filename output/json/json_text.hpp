@@ -48,6 +48,8 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json valve_json(const Solution& solution);
 /// What the motion asks of the motor. The solution has one.
 [[nodiscard]] Json drive_json(const Solution& solution);
+/// Harmonics of the lift and the spring. The solution has them.
+[[nodiscard]] Json surge_json(const Solution& solution);
 
 // The entries of result.json that only a scene with a cam has. Private to output/.
 

@@ -228,6 +228,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     if (solution.train) json["dynamics"] = train_json(solution);
     if (solution.drive) json["drive"] = drive_json(solution);
     if (solution.motion && solution.scene.motion.valve) json["valve"] = valve_json(solution);
+    if (solution.surge) json["surge"] = surge_json(solution);
     json["constraints"] = constraints_json(solution);
     if (solution.motion && !placed_points(solution.scene.motion).empty())
         json["set_points"] = set_points_json(solution);

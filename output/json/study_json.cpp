@@ -288,6 +288,22 @@ Json drive_json(const Solution& solution) {
     return json;
 }
 
+Json surge_json(const Solution& solution) {
+    const Scene& scene = solution.scene;
+    const bool angle = scene.motion.lift_is_angle;
+    const ShownUnit& unit = angle ? degrees_shown : millimetres_shown;
+    Json harmonics = Json::array();
+    for (const SurgeReport::Harmonic& one : solution.surge->harmonics)
+        harmonics.push_back({{"order", one.order},
+                             {angle ? "amplitude_deg" : "amplitude_mm", number_json(unit.of(one.amplitude))},
+                             {"resonant_speed_rpm", number_json(rpm_shown.of(one.resonant_speed))},
+                             {"near", one.near},
+                             {"limited", one.limited}});
+    return {{"spring_frequency_hz", number_json(hertz_shown.of(*scene.forces->spring_frequency))},
+            {"frequency_ratio", number_json(solution.surge->frequency_ratio)},
+            {"harmonics", std::move(harmonics)}};
+}
+
 std::string comparison_json(const Comparison& comparison, const RunOrigin& origin) {
     const Solution& solution = comparison.optimum;
     const Certificate& certificate = solution.certificate;

@@ -172,6 +172,8 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     text += own_terms_section(solution) + dynamics_section(solution);
     if (solution.motion && solution.constraints.empty()) text += "\n## Limits\n\nNone was set.\n";
     text += section("limits") + section("set_points");
+    text += section("surge");
+    if (solution.surge) text += "\n![Harmonics of the lift](surge.svg)\n";
     text += section("measured");
     if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
     if (solution.cam) text += section("dimensions") + section("cam") + cam_section(solution);

@@ -29,8 +29,8 @@ namespace camopt {
 namespace {
 
 /// The files that not every result has, beside those of its cam.
-constexpr std::array optional_files = {"motion.csv",  "motion.svg", "drive.svg",    "scene.toml",
-                                       "report.html", "drum.svg",   "developed.svg"};
+constexpr std::array optional_files = {"motion.csv", "motion.svg",  "drive.svg", "surge.svg",
+                                       "scene.toml", "report.html", "drum.svg",  "developed.svg"};
 
 // The first difference between two JSON documents that should say the same.
 
@@ -125,6 +125,7 @@ void write_for_people(FolderUpdate& writer, const View& view, const RunOrigin& o
         writer.write("motion.csv", motion_csv(view));
         writer.write("motion.svg", motion_svg(view));
         if (view.solution.drive) writer.write("drive.svg", drive_svg(view));
+        if (view.solution.surge) writer.write("surge.svg", surge_svg(view));
     }
     for (const CamFile& file : cam_files(view, {.points = options.points, .drawing = options.dxf}))
         writer.write(file.name, file.text);

@@ -279,7 +279,40 @@ TextTable measured_table(const Solution& solution) {
              {"rms error", unit.normalised_text(measured.rms_error, 3)}}};
 }
 
+TextTable surge_table(const Solution& solution) {
+    const ShownUnits shown = shown_units(solution.scene);
+    TextTable table{{{"harmonic"},
+                     {fmt::format("amplitude {}", shown.vibration.name)},
+                     {"meets the spring at rpm"},
+                     {"", true}},
+                    {}};
+    for (const SurgeReport::Harmonic& one : solution.surge->harmonics) {
+        const bool none = one.amplitude < nothing * solution.scene.motion.lift;
+        const std::string mark = one.limited ? (one.near ? ", limited" : "limited") : "";
+        table.rows.push_back({fmt::format("{}", one.order),
+                              short_text(none ? 0.0 : shown.vibration.of(one.amplitude), 4),
+                              short_text(rpm_shown.of(one.resonant_speed)),
+                              (one.near ? "near the spring's frequency" : "") + mark});
+    }
+    return table;
+}
+
 }  // namespace
+
+std::string surge_sentence(const Solution& solution) {
+    const Scene& scene = solution.scene;
+    const ShownUnits shown = shown_units(scene);
+    std::string amplitudes;
+    for (const SurgeReport::Harmonic& one : solution.surge->harmonics)
+        if (one.near)
+            amplitudes += fmt::format("{}{} ({})", amplitudes.empty() ? "" : ", ",
+                                      shown.vibration.text(one.amplitude, 4), one.order);
+    return fmt::format(
+        "natural frequency of the spring {}, {} times the speed of the cam ({}); amplitudes of the harmonics "
+        "of the lift near it: {}",
+        hertz_shown.text(*scene.forces->spring_frequency), short_text(solution.surge->frequency_ratio, 4),
+        rpm_shown.text(*scene.motion.speed), amplitudes);
+}
 
 std::vector<ViewTable> result_tables(const Solution& solution) {
     std::vector<ViewTable> all;
@@ -297,6 +330,9 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
     add("segments", "Segments", segment_table(solution), segment_table_note());
     add("limits", "Limits", limit_table(solution), verification_words(solution.constraints));
     add("set_points", "Set points", set_point_table(solution));
+    if (solution.surge)
+        add("surge", "Spring surge", surge_table(solution),
+            surge_sentence(solution) + ". Harmonic k excites the spring at k times the speed of the cam.");
     if (!solution.cam) return all;
     add("dimensions", "Dimensions", dimension_table(solution), cam_text(solution.scene.cam.value()) + ".");
     add("cam", "The cam", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}}));

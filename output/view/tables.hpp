@@ -28,9 +28,13 @@ struct ViewTable {
     std::string note = {};
 };
 
-/// changes, measured, peaks, valve, valve_figures, segments, limits, set_points, dimensions, cam,
+/// changes, measured, peaks, valve, valve_figures, segments, limits, set_points, surge, dimensions, cam,
 /// title_block: those that have rows, in this order.
 [[nodiscard]] std::vector<ViewTable> result_tables(const Solution& solution);
+
+/// "natural frequency of the spring 400 Hz, 8 times the speed of the cam (3000 rpm); amplitudes of the
+/// harmonics of the lift near it: 12 µm (7), …". The solution has a spring with a natural frequency.
+[[nodiscard]] std::string surge_sentence(const Solution& solution);
 
 /// Labels and words of the fields of the title block that are given.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> title_block_words(const Scene& scene);

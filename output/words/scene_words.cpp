@@ -229,6 +229,8 @@ std::string force_line(const Scene& scene) {
                                          : fmt::format("load {} to {} over the cam angle",
                                                        shown.load.text(least[1]), shown.load.text(most[1])));
     }
+    if (forces.spring_frequency)
+        append(text, "natural frequency of the spring " + hertz_shown.text(*forces.spring_frequency));
     if (!forces.contact_width) return text;
     append(text, fmt::format("contact width {}", shown.length.text(*forces.contact_width)));
     append(text, material_text("cam", shown.modulus.text(forces.cam_modulus), forces.cam_poisson));

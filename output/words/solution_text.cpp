@@ -313,6 +313,8 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
         text += fmt::format("  term: {}\n", own_term_sentence(term));
     for (const std::string& sentence : train_sentences(solution)) text += fmt::format("  {}\n", sentence);
     for (const std::string& sentence : drive_sentences(solution)) text += fmt::format("  {}\n", sentence);
+    if (solution.surge)
+        text += wrapped_text("spring surge: " + surge_sentence(solution), "  ", solution_line_width);
     if (solution.motion)
         for (const ConstraintReport& row : solution.constraints)
             text += fmt::format("  limit: {}\n", constraint_sentence(row));

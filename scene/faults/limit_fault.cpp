@@ -58,11 +58,53 @@ Fault follower_fault(const Scene& scene) {
     return std::nullopt;
 }
 
+constexpr int most_at_once = 50;  // each is some ten rows of all entries
+
+/// There are forces, and with them a speed.
+Fault spring_fault(const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    if (!(scene.forces->spring_rate > 0.0))
+        return SceneFault{"forces.spring_frequency", "a natural frequency without a spring",
+                          "only where forces.spring_rate is above 0"};
+    const bool returns = motion.type == MotionType::rr && !motion.start && !motion.end;
+    if (!returns && !(motion.type == MotionType::program && motion.closed && !motion.relative))
+        return SceneFault{"forces.spring_frequency",
+                          "a natural frequency with a motion that is no closed revolution",
+                          "motion type \"RR\" from rest to rest, or a closed program"};
+    if (scene.nearest_harmonic() <= most_harmonic) return std::nullopt;
+    return SceneFault{"forces.spring_frequency", "a natural frequency far above the speed of the cam",
+                      fmt::format("at most {} times the speed", most_harmonic)};
+}
+
+Fault harmonic_fault(const Scene& scene) {
+    const std::optional<WrittenLimit>& limit = scene.limits.spring_harmonic;
+    if (scene.forces && scene.forces->spring_frequency) {
+        if (Fault fault = spring_fault(scene)) return fault;
+    } else if (limit) {
+        return SceneFault{"limits.spring_harmonic", "a limit on harmonics without a natural frequency",
+                          "only where forces.spring_frequency is given"};
+    }
+    const auto [first, last] = scene.limits.spring_harmonics;
+    const bool given = first != 0 || last != 0;
+    if (given && (first < 1 || last < first || last > most_harmonic || last - first >= most_at_once))
+        return SceneFault{"limits.spring_harmonics", fmt::format("harmonics from {} to {}", first, last),
+                          fmt::format("at most {} harmonics from 1 to {}", most_at_once, most_harmonic)};
+    if (!limit) return std::nullopt;
+    if (!limit->unit.empty() && is_angle_unit(limit->unit) != scene.motion.lift_is_angle)
+        return SceneFault{"limits.spring_harmonic", fmt::format("an amplitude in {}", limit->unit),
+                          scene.motion.lift_is_angle ? "an angle, as the lift" : "a length, as the lift"};
+    if (scene.spline.free_knots)
+        return SceneFault{"limits.spring_harmonic", "a limit on harmonics with spline.knots = \"free\"",
+                          "fixed knots"};
+    return std::nullopt;
+}
+
 }  // namespace
 
 Fault limit_fault(const Scene& scene) {
     if (Fault fault = time_fault(scene)) return fault;
     if (Fault fault = missing_table_fault(scene)) return fault;
+    if (Fault fault = harmonic_fault(scene)) return fault;
     return scene.cam ? follower_fault(scene) : std::nullopt;
 }
 

@@ -48,6 +48,8 @@ const std::array force_numbers = {
     NumberRule{"forces.damping", [](const Scene& s) { return of_forces(s, &ForceSpec::damping); },
                not_negative},
     NumberRule{"forces.preload", [](const Scene& s) { return of_forces(s, &ForceSpec::preload); }, Range{}},
+    NumberRule{"forces.spring_frequency",
+               [](const Scene& s) { return s.forces ? s.forces->spring_frequency : std::nullopt; }, positive},
     NumberRule{"forces.contact_width",
                [](const Scene& s) { return s.forces ? s.forces->contact_width : std::nullopt; }, positive},
     NumberRule{"forces.cam_modulus", [](const Scene& s) { return of_forces(s, &ForceSpec::cam_modulus); },

@@ -222,6 +222,7 @@ void withdraw_motion(Solution& solution) {
     solution.peaks = solution.motion_peaks = {};
     solution.own_terms.clear();
     solution.drive.reset();
+    solution.surge.reset();
     solution.constraints.clear();
     solution.certificate.objective = infinity;
 }

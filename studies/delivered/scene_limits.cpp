@@ -3,6 +3,7 @@
 
 #include "objectives/drive_rules.hpp"
 #include "objectives/motion_bounds.hpp"
+#include "objectives/spring_rules.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"
 
@@ -159,6 +160,15 @@ std::vector<ConstraintReport> bound_reports(const Scene& scene, const Motion& mo
         all.push_back({limit_row(LimitedFigure::motor_torque_rms).name, limit->key, limit->given(),
                        drive_figures(scene, motion).rms_torque / limit->unit_value, limit->unit,
                        motion.begin(), false, true});
+    if (const auto& limit = scene.limits.spring_harmonic) {
+        const auto [first, last] = limited_harmonics(scene);
+        double largest = 0.0;
+        for (int order = first; order <= last; ++order)
+            largest = std::max(largest, harmonic_amplitude(scene.motion, motion, order));
+        all.push_back({"spring_harmonic", limit->key, limit->given(),
+                       largest * scene.motion.lift / limit->unit_value, limit->unit, motion.begin(), false,
+                       true});
+    }
     return all;
 }
 

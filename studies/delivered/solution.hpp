@@ -68,6 +68,20 @@ struct TrainReport {
     std::vector<ResponseTermReport> terms;      ///< those with a weight
 };
 
+/// Harmonics of the lift over one revolution, and the speeds at which they meet the natural frequency of the
+/// return spring (objectives/spring_rules.hpp).
+struct SurgeReport {
+    struct Harmonic {
+        int order = 0;                ///< k >= 1
+        double amplitude = 0.0;       ///< m or rad
+        double resonant_speed = 0.0;  ///< rad/s of the cam
+        bool near = false;            ///< at the scene's speed the nearest to the frequency, or next to it
+        bool limited = false;
+    };
+    double frequency_ratio = 0.0;  ///< natural frequency by the speed of the cam
+    std::vector<Harmonic> harmonics;
+};
+
 /// A number that changes along with another one: the dwell that a longer segment is taken from.
 struct CompanionChange {
     std::string key;
@@ -263,6 +277,7 @@ struct Solution {
     std::vector<OwnTermReport> own_terms;
     std::optional<TrainReport> train;   ///< where the scene has dynamics and there is a motion
     std::optional<DriveFigures> drive;  ///< where the scene has a motor and there is a motion
+    std::optional<SurgeReport> surge;   ///< where the spring's frequency is given and there is a motion
     std::vector<ConstraintReport> constraints;
     std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
     std::optional<Explanation> explanation;

@@ -8,6 +8,7 @@
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/scene_model.hpp"
+#include "objectives/spring_rules.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 
@@ -148,6 +149,23 @@ void report_responses(Solution& solution) {
     solution.train = train_report(scene, *solution.motion);
     const std::vector<ConstraintReport> limits = response_constraints(scene, *solution.train);
     solution.constraints.insert(solution.constraints.end(), limits.begin(), limits.end());
+}
+
+SurgeReport surge_report(const Scene& scene, const Motion& motion) {
+    // Up to the resonance and beyond it, but no page of rows for a slow cam.
+    constexpr int fewest = 20, most = 60, beyond = 2;
+    const double frequency = scene.forces.value().spring_frequency.value();
+    const int nearest = scene.nearest_harmonic();
+    const auto [first, last] = limited_harmonics(scene);
+    SurgeReport report{frequency / scene.motion.speed.value(), {}};
+    for (int order = 1; order <= std::max({most, nearest + 1, last}); ++order) {
+        const bool near = std::abs(order - nearest) <= 1;
+        const bool limited = scene.limits.spring_harmonic && order >= first && order <= last;
+        if (!near && !limited && order > std::clamp(nearest + beyond, fewest, most)) continue;
+        const double amplitude = scene.motion.lift * harmonic_amplitude(scene.motion, motion, order);
+        report.harmonics.push_back({order, amplitude, frequency / order, near, limited});
+    }
+    return report;
 }
 
 std::vector<OwnTermReport> own_term_reports(const Scene& scene, const Motion& motion) {

@@ -41,6 +41,9 @@ void report_responses(Solution& solution);
 [[nodiscard]] std::vector<ConstraintReport> response_constraints(const Scene& scene,
                                                                  const TrainReport& train);
 
+/// Harmonics of a motion of the scene, whose spring has a natural frequency.
+[[nodiscard]] SurgeReport surge_report(const Scene& scene, const Motion& motion);
+
 // What a motion makes of the terms and limits that the program brought (scene/own_rule.hpp).
 
 /// In the order of the scene.

@@ -169,6 +169,8 @@ void report_delivered(Solution& solution, MotionAndCam delivered) {
     solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
     report_responses(solution);
     if (solution.scene.drive) solution.drive = drive_figures(solution.scene, *solution.motion);
+    if (solution.scene.forces && solution.scene.forces->spring_frequency)
+        solution.surge = surge_report(solution.scene, *solution.motion);
     judge_activity(solution);
 }
 

@@ -318,7 +318,9 @@ std::vector<Adjustment> peak_adjustments(const Scene& scene) {
 
 std::vector<Adjustment> operating_adjustments(const Scene& scene) {
     std::vector<Adjustment> all;
-    if (scene.forces && limits_forces(scene.limits)) {
+    LimitSpec of_contact = scene.limits;
+    of_contact.spring_harmonic.reset();  // of the motion: no spring and no width changes it
+    if (scene.forces && limits_forces(of_contact)) {
         add_springs(all, scene);
         add_contact_width(all, scene);
     }

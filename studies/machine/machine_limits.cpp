@@ -31,8 +31,8 @@ std::optional<WrittenNumber> written_number(const Scene& scene, std::string_view
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits); limit && limit->key == key)
             return WrittenNumber{limit->given, limit->unit, row.side};
-    for (const LimitedFigure figure :
-         {LimitedFigure::motor_torque, LimitedFigure::motor_torque_rms, LimitedFigure::motor_speed})
+    for (const LimitedFigure figure : {LimitedFigure::motor_torque, LimitedFigure::motor_torque_rms,
+                                       LimitedFigure::motor_speed, LimitedFigure::spring_harmonic})
         if (const auto& limit = limit_on(scene.limits, figure); limit && limit->key == key)
             return WrittenNumber{limit->given(), limit->unit, 0, figure == LimitedFigure::motor_torque_rms};
     return {};

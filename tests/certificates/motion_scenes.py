@@ -168,5 +168,6 @@ UNKNOWN = [
     ("drive_no", "[drive]\n", "[drive]\nbacklash_deg = 1\n", "drive.backlash_deg"), ("drive_no", "[drive]\n", "[brake]\n[drive]\n", "[brake]"),
     ("drive_no", "motor_torque_nm", "motor_power_w", "limits.motor_power_w"), ("drive_no", "motor_torque_rms", "motor_heat", "motor_heat"),
     ("drive_no", "[limits]\n", "[limits]\npressure_angle_deg = 30\n", "limits.pressure_angle_deg"),
+    ("drive_no", "[limits]\n", "[limits]\nspring_harmonic_um = 20\n", "limits.spring_harmonic_um"),
     ("drive_no", "[spline]\n", "[spline]\ntension = 1\n", "spline.tension"),
 ]

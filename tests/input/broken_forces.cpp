@@ -45,6 +45,22 @@ const std::string moments =
     "arm_length_mm = 70\n"
     "[forces]\n";
 
+/// Eleven lines: forces of a spring on a cam that turns at 300 rpm.
+const std::string spring =
+    "objective.jerk = 1\n"
+    "motion.type = \"RR\"\n"
+    "motion.lift_mm = 10\n"
+    "motion.speed_rpm = 300\n"
+    "[cam]\n"
+    "type = \"disk\"\n"
+    "follower = \"translating_roller\"\n"
+    "base_radius_mm = 40\n"
+    "roller_radius_mm = 10\n"
+    "[forces]\n"
+    "spring_rate_n_mm = 10\n";
+/// Thirteen lines.
+const std::string limited = spring + "spring_frequency_hz = 50\n[limits]\n";
+
 }  // namespace broken_forces_parts
 
 std::vector<BrokenScene> broken_forces() {
@@ -72,7 +88,8 @@ std::vector<BrokenScene> broken_forces() {
          "s.toml:11:1: forces.mass_g: found an unknown key; allowed: mass_kg, mass_lb, inertia_kg_m2, "
          "spring_rate_n_mm, spring_rate_n_m, spring_rate_lbf_in, spring_rate_nm_rad, spring_rate_nm_deg, "
          "preload_n, preload_nm, preload_lbf, preload_lbf_in, damping_n_s_m, damping_nm_s_rad, load_n, "
-         "load_nm, load_lbf, load_lbf_in, contact_width_mm, contact_width_in, contact_width_m, "
+         "load_nm, load_lbf, load_lbf_in, spring_frequency_hz, spring_frequency_rad_s, contact_width_mm, "
+         "contact_width_in, contact_width_m, "
          "cam_modulus_gpa, cam_modulus_mpa, cam_modulus_pa, cam_modulus_ksi, follower_modulus_gpa, "
          "follower_modulus_mpa, follower_modulus_pa, follower_modulus_ksi, cam_poisson, follower_poisson; "
          "did you mean 'mass_kg'?"},
@@ -80,7 +97,8 @@ std::vector<BrokenScene> broken_forces() {
          "s.toml:11:1: forces.spring_rate: found an unknown key; allowed: mass_kg, mass_lb, inertia_kg_m2, "
          "spring_rate_n_mm, spring_rate_n_m, spring_rate_lbf_in, spring_rate_nm_rad, spring_rate_nm_deg, "
          "preload_n, preload_nm, preload_lbf, preload_lbf_in, damping_n_s_m, damping_nm_s_rad, load_n, "
-         "load_nm, load_lbf, load_lbf_in, contact_width_mm, contact_width_in, contact_width_m, "
+         "load_nm, load_lbf, load_lbf_in, spring_frequency_hz, spring_frequency_rad_s, contact_width_mm, "
+         "contact_width_in, contact_width_m, "
          "cam_modulus_gpa, cam_modulus_mpa, cam_modulus_pa, cam_modulus_ksi, follower_modulus_gpa, "
          "follower_modulus_mpa, follower_modulus_pa, follower_modulus_ksi, cam_poisson, follower_poisson; "
          "did you mean 'spring_rate_n_mm'?"},
@@ -244,6 +262,44 @@ std::vector<BrokenScene> broken_forces() {
                   "[limits]\n"
                   "hertz_pressure_max_pa = 0\n",
          "s.toml:13:25: limits.hertz_pressure_max_pa: found 0; allowed: a number > 0"},
+        {"spring_frequency_zero", forces + "spring_frequency_hz = 0\n",
+         "s.toml:11:23: forces.spring_frequency_hz: found 0; allowed: a number > 0"},
+        {"spring_frequency_without_spring",
+         "objective.jerk = 1\nmotion.type = \"RR\"\nmotion.lift_mm = 10\nmotion.speed_rpm = 300\n[cam]\n"
+         "type = \"disk\"\nfollower = \"translating_flat\"\nbase_radius_mm = 40\n[forces]\n"
+         "spring_frequency_hz = 50\n",
+         "s.toml:10:23: forces.spring_frequency_hz: found a natural frequency without a spring; allowed: "
+         "only "
+         "where forces.spring_rate is above 0"},
+        {"spring_frequency_of_rise_alone", forces + "spring_rate_n_mm = 10\nspring_frequency_hz = 50\n",
+         "s.toml:12:23: forces.spring_frequency_hz: found a natural frequency with a motion that is no "
+         "closed "
+         "revolution; allowed: motion type \"RR\" from rest to rest, or a closed program"},
+        {"spring_frequency_far_above_speed", spring + "spring_frequency_hz = 9000\n",
+         "s.toml:12:23: forces.spring_frequency_hz: found a natural frequency far above the speed of the "
+         "cam; "
+         "allowed: at most 1000 times the speed"},
+        {"limit_harmonic_without_forces", no_forces + "spring_harmonic_um = 20\n",
+         "s.toml:10:22: limits.spring_harmonic_um: found a limit of a force without forces; allowed: only "
+         "together with a [forces] table"},
+        {"limit_harmonic_without_frequency", spring + "[limits]\nspring_harmonic_um = 20\n",
+         "s.toml:13:22: limits.spring_harmonic_um: found a limit on harmonics without a natural frequency; "
+         "allowed: only where forces.spring_frequency is given"},
+        {"limit_harmonic_of_other_unit", limited + "spring_harmonic_deg = 1\n",
+         "s.toml:14:23: limits.spring_harmonic_deg: found an amplitude in deg; allowed: a length, as the "
+         "lift"},
+        {"limit_harmonic_zero", limited + "spring_harmonic_mm = 0\n",
+         "s.toml:14:22: limits.spring_harmonic_mm: found 0; allowed: a number > 0"},
+        {"limit_harmonic_with_free_knots", limited + "spring_harmonic_um = 20\n[spline]\nknots = \"free\"\n",
+         "s.toml:14:22: limits.spring_harmonic_um: found a limit on harmonics with spline.knots = \"free\"; "
+         "allowed: fixed knots"},
+        {"limit_harmonics_fraction", limited + "spring_harmonics = 2.5\n",
+         "s.toml:14:20: limits.spring_harmonics: found 2.5; allowed: integers from 1 to 1000"},
+        {"limit_harmonics_reversed", limited + "spring_harmonics = { min = 9, max = 8 }\n",
+         "s.toml:14:20: limits.spring_harmonics: found a range from 9 to 8; allowed: min below max"},
+        {"limit_harmonics_too_many", limited + "spring_harmonics = { min = 1, max = 90 }\n",
+         "s.toml:14:20: limits.spring_harmonics: found harmonics from 1 to 90; allowed: at most 50 harmonics "
+         "from 1 to 1000"},
     };
 }
 

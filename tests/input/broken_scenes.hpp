@@ -24,7 +24,9 @@ inline const std::string known_limit_keys =
     "hertz_pressure_max_gpa, hertz_pressure_max_pa, hertz_pressure_max_ksi, residual_um, residual_mm, "
     "residual_in, residual_deg, residual_rad, dynamic_contact_force_min_n, dynamic_contact_force_min_nm, "
     "dynamic_contact_force_min_lbf, dynamic_contact_force_min_lbf_in, motor_torque_nm, motor_torque_lbf_in, "
-    "motor_torque_rms_nm, motor_torque_rms_lbf_in, motor_speed_rpm, motor_speed_rad_s, motor_curve";
+    "motor_torque_rms_nm, motor_torque_rms_lbf_in, motor_speed_rpm, motor_speed_rad_s, spring_harmonic_um, "
+    "spring_harmonic_mm, spring_harmonic_in, spring_harmonic_deg, spring_harmonic_rad, motor_curve, "
+    "spring_harmonics";
 
 struct BrokenScene {
     std::string name;

@@ -192,6 +192,13 @@ std::vector<KeyCase> force_cases() {
     using namespace cam_key_cases;
     const auto width = [](const Scene& s) { return s.forces.value().contact_width.value(); };
     const auto load = [](const Scene& s) { return s.forces.value().load.back()[1]; };
+    const auto frequency = [](const Scene& s) { return s.forces.value().spring_frequency.value(); };
+    const auto harmonic = of_limit(&LimitSpec::spring_harmonic);
+    const std::string rr = "motion.type = \"RR\"\n";
+    const std::string spring = rr + forces(roller) + "forces.spring_rate_n_mm = 12\n",
+                      turned = rr + forces(arm) + "forces.spring_rate_nm_rad = 12\n";
+    const std::string surge = spring + "forces.spring_frequency_hz = 40\n",
+                      surge_of_arm = turned + "forces.spring_frequency_hz = 40\n";
     return {
         {"forces.mass_kg", "1.5", 1.5, of_forces(&ForceSpec::mass), forces(roller)},
         {"forces.mass_lb", "2", 0.90718474, of_forces(&ForceSpec::mass), forces(roller)},
@@ -228,6 +235,17 @@ std::vector<KeyCase> force_cases() {
         {"forces.follower_modulus_pa", "1e11", 1e11, of_forces(&ForceSpec::follower_modulus), forces(roller)},
         {"forces.cam_poisson", "0.25", 0.25, of_forces(&ForceSpec::cam_poisson), forces(roller)},
         {"forces.follower_poisson", "0", 0, of_forces(&ForceSpec::follower_poisson), forces(roller)},
+        {"forces.spring_frequency_hz", "40", 80 * pi, frequency, spring},
+        {"forces.spring_frequency_rad_s", "250", 250, frequency, turned},
+        {"limits.spring_harmonic_um", "20", 2e-5, harmonic, surge},
+        {"limits.spring_harmonic_mm", "0.02", 2e-5, harmonic, surge},
+        {"limits.spring_harmonic_in", "0.001", 2.54e-5, harmonic, surge},
+        {"limits.spring_harmonic_deg", "0.9", pi / 200, harmonic, surge_of_arm},
+        {"limits.spring_harmonic_rad", "0.01", 0.01, harmonic, surge_of_arm},
+        {"limits.spring_harmonics", "7", 7, [](const Scene& s) { return s.limits.spring_harmonics[1]; },
+         surge},
+        {"limits.spring_harmonics", "{ min = 7, max = 9 }", 9,
+         [](const Scene& s) { return s.limits.spring_harmonics[1]; }, surge},
     };
 }
 

@@ -51,7 +51,7 @@ TEST(LimitTable, CoversEveryMemberOfLimitSpec) {
     // Members cannot be counted, but their size can.
     EXPECT_EQ(sizeof(LimitSpec), peak_limit_rows().size() * sizeof(std::optional<PeakLimit>) +
                                      limit_rows().size() * sizeof(std::optional<WrittenLimit>) +
-                                     sizeof(MotorCurve));
+                                     sizeof(MotorCurve) + sizeof(LimitSpec::spring_harmonics));
     LimitSpec limits;
     std::set<const void*> members;
     std::set<std::string> names;

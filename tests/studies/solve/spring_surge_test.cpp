@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Harmonics of the lift that excite the return spring: as figures, and as a limit.
+#include "core/units.hpp"
+#include "input/loading/load_scene.hpp"
+#include "input/scene_reader.hpp"
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/scene_model.hpp"
+#include "output/chart/curve_chart.hpp"
+#include "output/json/result_json.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/words/solution_text.hpp"
+#include "studies/solve/solve.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace camopt {
+namespace spring_surge_test {
+
+constexpr double pi = std::numbers::pi;
+
+Scene scene_of(const std::string& toml) {
+    return input::read_scene(toml, "s.toml", known_names(), {});
+}
+
+const std::string cam_and_spring =
+    "[cam]\ntype = \"disk\"\nfollower = \"translating_flat\"\nbase_radius_mm = 30\n[forces]\nmass_kg = 0.1\n"
+    "spring_rate_n_mm = 30\npreload_n = 250\n";
+/// The spring is 8 times as fast as the cam.
+const std::string valve =
+    "[motion]\ntype = \"RR\"\nlift_mm = 9\nrise_deg = 65\nspeed_rpm = 3000\n[spline]\nsegments = 16\n"
+    "[objective]\nacceleration = 0.8\njerk = 0.2\n" +
+    cam_and_spring + "spring_frequency_hz = 400\n";
+/// A law, dwells and a spline; 4 times as fast.
+const std::string program =
+    "[motion]\ntype = \"program\"\nlift_mm = 10\nspeed_rpm = 600\nsegments = [\n"
+    "{ kind = \"law\", law = \"cycloidal\", angle_deg = 90, to = 1 },\n{ kind = \"dwell\", angle_deg = 60 "
+    "},\n"
+    "{ kind = \"spline\", angle_deg = 120, to = 0 },\n{ kind = \"dwell\", angle_deg = 90 },\n]\n"
+    "[spline]\nsegments = 12\n[objective]\njerk = 1\n" +
+    cam_and_spring + "spring_frequency_hz = 40\n";
+
+Solution optimum_of(const std::string& toml) {
+    Solution solution = solve(scene_of(toml));
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    if (!solution.motion || !solution.surge) throw InputError("no motion, or no spring");
+    return solution;
+}
+
+/// m, by the trapezoidal rule over the revolution: exact up to harmonics around the number of samples.
+double sampled_amplitude(const Solution& solution, int order) {
+    const MotionChain turn = solution.whole_turn();
+    constexpr int samples = 8192;
+    double cosine = 0.0, sine = 0.0;
+    for (int i = 0; i < samples; ++i) {
+        const double angle = 2.0 * pi * i / samples;
+        const double y = turn.at(angle / solution.scene.motion.unit_angle()).derivative[0];
+        cosine += y * std::cos(order * angle);
+        sine += y * std::sin(order * angle);
+    }
+    return solution.scene.motion.lift * 2.0 / samples * std::hypot(cosine, sine);
+}
+
+void expect_sampled_amplitudes(const Solution& solution) {
+    for (const SurgeReport::Harmonic& one : solution.surge->harmonics)
+        EXPECT_NEAR(one.amplitude, sampled_amplitude(solution, one.order), 1e-9 * solution.scene.motion.lift)
+            << one.order;
+}
+
+// A cycloidal rise over half a revolution and its mirror image: c_k = 16 / (π² k² |4 − k²|) for odd k, else
+// 0.
+TEST(SpringSurge, CycloidalLawHasKnownHarmonics) {
+    const Solution solution = optimum_of(
+        "[motion]\ntype = \"program\"\nlift_mm = 10\nspeed_rpm = 600\nsegments = [\n"
+        "{ kind = \"law\", law = \"cycloidal\", angle_deg = 180, to = 1 },\n"
+        "{ kind = \"law\", law = \"cycloidal\", angle_deg = 180, to = 0 },\n]\n" +
+        cam_and_spring + "spring_frequency_hz = 72\n");
+    const SurgeReport& surge = *solution.surge;
+    EXPECT_NEAR(surge.frequency_ratio, 7.2, 1e-12);
+    ASSERT_EQ(surge.harmonics.size(), 20U);
+    for (const SurgeReport::Harmonic& one : surge.harmonics) {
+        const double k = one.order;
+        const double exact = one.order % 2 == 0 ? 0.0 : 16.0 / (pi * pi * k * k * std::abs(4.0 - k * k));
+        EXPECT_NEAR(one.amplitude, 0.01 * exact, 1e-14) << one.order;
+        EXPECT_NEAR(one.resonant_speed, 2.0 * pi * 72.0 / k, 1e-10);
+        EXPECT_EQ(one.near, one.order >= 6 && one.order <= 8);
+        EXPECT_FALSE(one.limited);
+    }
+}
+
+TEST(SpringSurge, HarmonicsAreThoseOfSamples) {
+    expect_sampled_amplitudes(optimum_of(valve));
+    expect_sampled_amplitudes(optimum_of(program));
+}
+
+// Reference numbers: the same model with one quadratic row a² + b² <= level² a harmonic.
+TEST(SpringSurge, LimitIsActiveAndProved) {
+    const Solution free = optimum_of(valve);
+    EXPECT_NEAR(free.certificate.objective, 0.790388172, 1e-8);
+    EXPECT_GT(free.surge->harmonics[6].amplitude, 61e-6);
+    const Solution limited = optimum_of(valve + "[limits]\nspring_harmonic_um = 60\n");
+    EXPECT_NEAR(limited.certificate.objective, 0.87434991, 1e-7);
+    ASSERT_EQ(limited.constraints.size(), 1U);
+    const ConstraintReport& reached = limited.constraints.front();
+    EXPECT_EQ(reached.key, "limits.spring_harmonic_um");
+    EXPECT_NEAR(reached.worst, 60.0, 60.0 * 1e-6);  // the tie-break may leave so much
+    EXPECT_TRUE(reached.active);
+    EXPECT_EQ(limited.certificate.verified, std::vector<std::string>{"limits.spring_harmonic_um"});
+    for (const SurgeReport::Harmonic& one : limited.surge->harmonics) {
+        EXPECT_EQ(one.limited, one.order >= 7 && one.order <= 9);
+        if (one.limited) {
+            EXPECT_LE(sampled_amplitude(limited, one.order), 60e-6 * (1.0 + 1e-8));
+        }
+    }
+}
+
+TEST(SpringSurge, LimitIncludesLawAndDwells) {
+    const Solution free = optimum_of(program);
+    EXPECT_GT(free.surge->harmonics[2].amplitude, 1.01e-3);
+    const Solution limited = optimum_of(program + "[limits]\nspring_harmonic_mm = 1\n");
+    EXPECT_NEAR(limited.certificate.objective, 0.8015956976, 1e-6);
+    EXPECT_NEAR(sampled_amplitude(limited, 3), 1e-3, 1e-9);
+    expect_sampled_amplitudes(limited);
+}
+
+TEST(SpringSurge, ImpossibleLimitIsProvedInfeasible) {
+    const Solution none = solve(scene_of(valve + "[limits]\nspring_harmonics = 1\nspring_harmonic_um = 10\n"
+                                                 "[solver]\nexplain_seconds = 0\n"));
+    EXPECT_EQ(none.certificate.verdict, Verdict::infeasible);
+    EXPECT_FALSE(none.surge);
+    EXPECT_TRUE(std::ranges::any_of(none.conflict, [](const ConflictReport& one) {
+        return one.key == "limits.spring_harmonic_um" && one.remark == "harmonic 1";
+    }));
+}
+
+TEST(SpringSurge, PrescribedMotionIsHeldAgainstLimit) {
+    const std::string laws =
+        "[motion]\ntype = \"program\"\nlift_mm = 10\nspeed_rpm = 600\nsegments = [\n"
+        "{ kind = \"law\", law = \"cycloidal\", angle_deg = 180, to = 1 },\n"
+        "{ kind = \"law\", law = \"cycloidal\", angle_deg = 180, to = 0 },\n]\n" +
+        cam_and_spring + "spring_frequency_hz = 50\n[limits]\nspring_harmonics = { min = 5, max = 6 }\n";
+    // c_5 = 16 / (525 π²) of 10 mm: 30.878 µm.
+    EXPECT_EQ(solve(scene_of(laws + "spring_harmonic_um = 31\n")).certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(solve(scene_of(laws + "spring_harmonic_um = 30\n")).certificate.verdict, Verdict::infeasible);
+}
+
+TEST(SpringSurge, OneRuleForEveryLimitedHarmonic) {
+    const auto model_of = [](const std::string& toml) {
+        const Scene scene = scene_of(toml);
+        return scene_model(scene, DesignKind::states, reference_peaks(scene));
+    };
+    const std::size_t free = model_of(program).rules.size();
+    const CamModel model =
+        model_of(program + "[limits]\nspring_harmonic_um = 900\nspring_harmonics = { min = 2, max = 6 }\n");
+    ASSERT_EQ(model.rules.size(), free + 5);
+    // Its row in the direction of a motion is what the motion gives.
+    const CamProblem problem(model);
+    const Eigen::VectorXd x = problem.start(), design = problem.design_values(x);
+    for (std::size_t r = free; r < model.rules.size(); ++r) {
+        const WholeMotionRule& rule = *model.rules[r]->whole();
+        EXPECT_TRUE(rule.linear());
+        const WholeMotionRule::Place place = rule.maxima(problem.motion(x), {}).front();
+        const AffineRow row = rule.row(model.design, 0.0, Side::right, place.setting);
+        double value = row.offset;
+        for (std::size_t k = 0; k < row.columns.size(); ++k) value += row.weights[k] * design[row.columns[k]];
+        EXPECT_NEAR(value, place.where.value, 1e-12) << rule.remark(place.setting);
+    }
+    EXPECT_EQ(model_of(valve).rules.size() + 3,
+              model_of(valve + "[limits]\nspring_harmonic_in = 0.002\n").rules.size());
+}
+
+TEST(SpringSurge, AppearsInEveryOutput) {
+    const Solution solution = optimum_of(valve + "[limits]\nspring_harmonic_um = 60\n");
+    const auto json = nlohmann::json::parse(result_json(solution))["surge"];
+    EXPECT_NEAR(json["spring_frequency_hz"].get<double>(), 400.0, 1e-9);
+    EXPECT_NEAR(json["frequency_ratio"].get<double>(), 8.0, 1e-12);
+    ASSERT_EQ(json["harmonics"].size(), 20U);
+    const auto& seventh = json["harmonics"][6];
+    EXPECT_EQ(seventh["order"], 7);
+    EXPECT_NEAR(seventh["amplitude_mm"].get<double>(), 0.06, 1e-7);
+    EXPECT_NEAR(seventh["resonant_speed_rpm"].get<double>(), 24000.0 / 7.0, 1e-8);
+    EXPECT_EQ(seventh["near"], true);
+    EXPECT_EQ(seventh["limited"], true);
+    EXPECT_NE(report_markdown(solution).find("## Spring surge"), std::string::npos);
+    EXPECT_NE(summary_text(solution, {}).find("spring surge: natural frequency of the spring 400 Hz"),
+              std::string::npos);
+    const std::string picture = surge_svg(View(solution));
+    EXPECT_NE(picture.find("limit 60"), std::string::npos);
+}
+
+TEST(SpringSurge, SceneWithoutFrequencyHasNone) {
+    std::string toml = valve;
+    toml.erase(toml.find("spring_frequency_hz"));
+    const Solution solution = solve(scene_of(toml));
+    EXPECT_FALSE(solution.surge);
+    EXPECT_EQ(result_json(solution).find("\"surge\""), std::string::npos);
+    EXPECT_EQ(report_markdown(solution).find("Spring surge"), std::string::npos);
+}
+
+}  // namespace spring_surge_test
+}  // namespace camopt
