@@ -14,7 +14,6 @@ namespace camopt {
 namespace {
 
 using Eigen::Vector3d;
-using enum SpatialDimension;
 
 constexpr int refinements = 60;      // to neighbouring doubles
 constexpr int search_steps = 64;     // of the centre distance, until g < 0 is met
@@ -65,6 +64,7 @@ class Chain {
  private:
     /// `place`: 1 for points, 0 for directions.
     [[nodiscard]] Moving mapped(const Vector3d& own, double place) const {
+        using enum SpatialDimension;
         Moving v{along_theta(own.x(), 0.0), along_theta(own.y(), 0.0), along_theta(own.z(), 0.0)};
         const double arm = place * cam_[arm_length];
         const double lateral = place * cam_[lateral_offset], distance = place * cam_[center_distance];
@@ -110,6 +110,7 @@ spatial_formulas::AxisMotion<double> motion_at(const SpatialCam& cam, const Foll
 
 /// Of −g over the cam angle.
 Extremum worst_undercut(const SpatialCam& cam, const FollowerMotion& motion, const RollerStation& station) {
+    using enum SpatialDimension;
     return largest_over(motion, [&](double theta) {
         return -spatial_formulas::undercut(motion_at(cam, motion, theta, station.height), cam[roller_radius],
                                            station.flank);
@@ -120,6 +121,7 @@ Extremum worst_undercut(const SpatialCam& cam, const FollowerMotion& motion, con
 
 Vector3d envelope_contact(const SpatialCam& cam, double theta, const FollowerState& state,
                           const RollerStation& station) {
+    using enum SpatialDimension;
     const Chain chain(cam, theta, state);
     const double r = cam[roller_radius];
     const auto on_roller = [&](double cosine, double sine) {
@@ -135,6 +137,7 @@ Vector3d envelope_contact(const SpatialCam& cam, double theta, const FollowerSta
 
 Vector3d relative_velocity_contact(const SpatialCam& cam, double theta, const FollowerState& state,
                                    const RollerStation& station) {
+    using enum SpatialDimension;
     const double sense = sense_of(cam.rotation);
     // Everything at this moment, cam not rotated: the fixed frame.
     const RollerAxis axis = roller_axis(cam, 0.0, state.s);
@@ -171,6 +174,7 @@ std::optional<SpatialExtreme> critical_roller_radius(const SpatialCam& cam, cons
 
 std::optional<SpatialExtreme> critical_center_distance(const SpatialCam& cam, const FollowerMotion& motion,
                                                        const RollerStation& station) {
+    using enum SpatialDimension;
     const auto worst = [&](double distance) {
         SpatialCam moved = cam;
         moved[center_distance] = distance;
