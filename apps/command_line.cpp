@@ -67,21 +67,17 @@ struct Words {
 };
 
 void add_scene(CLI::App& command, std::string& scene) {
-    command.add_option("SCENE", scene, "Scene file (TOML)")->type_name("");
+    add_option(command, "SCENE", scene, "", "Scene file (TOML)");
 }
 
 CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
     CLI::App& command = *program.add_subcommand("solve", "Find the best motion of a scene, with its proof");
     add_scene(command, request.scene);
-    CLI::Option* const out =
-        command.add_option("--out", request.out, "Write the result folder here")->type_name("DIR");
+    CLI::Option* const out = add_option(command, "--out", request.out, "DIR", "Write the result folder here");
     command.add_flag("--dxf", request.dxf, "Write the cam as profile.dxf too; with --out")->needs(out);
-    command
-        .add_option(
-            "--points", request.points,
-            "Points of profile.csv, evenly by cam angle; default: as many as keep the chords within 1 "
-            "micrometre of the cam; with --out")
-        ->type_name("N")
+    add_option(command, "--points", request.points, "N",
+               "Points of profile.csv, evenly by cam angle; default: as many as keep the chords within 1 "
+               "micrometre of the cam; with --out")
         ->check(CLI::Range(least_points, most_points))
         ->needs(out);
     add_solving(command, request);
@@ -93,11 +89,10 @@ CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
 CLI::App& add_studio(CLI::App& program, StudioRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "studio", "A scene in a browser of this machine, with sliders and results to download");
-    command.add_option("SCENE", request.scene, "Scene file (TOML); default: a rise between two dwells")
-        ->type_name("");
+    add_option(command, "SCENE", request.scene, "", "Scene file (TOML); default: a rise between two dwells");
     constexpr int first_free_port = 1024, last_port = 65535;
-    command.add_option("--port", request.port, "Port of 127.0.0.1 to serve it on; default: any free one")
-        ->type_name("N")
+    add_option(command, "--port", request.port, "N",
+               "Port of 127.0.0.1 to serve it on; default: any free one")
         ->check(CLI::Range(first_free_port, last_port));
     add_settings(command, request.settings);
     return command;
@@ -108,7 +103,7 @@ CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
         "compare",
         "Every classical law on the same scene, compared with its optimum: losses and violated limits");
     add_scene(command, request.scene);
-    command.add_option("--out", request.out, "Write comparison.csv, .json and .svg here")->type_name("DIR");
+    add_option(command, "--out", request.out, "DIR", "Write comparison.csv, .json and .svg here");
     add_solving(command, request);
     add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the comparison as JSON and nothing else");
@@ -118,11 +113,11 @@ CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
 CLI::App& add_dynamics(CLI::App& program, DynamicsRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "dynamics", "The elastic follower train over speed, under the optimum and under every classical law");
-    command.add_option("SCENE", request.scene, "Scene file (TOML) with a [dynamics] table")->type_name("");
-    command.add_option("--speeds", request.speeds, "FROM:TO:COUNT in rpm; default: about the scene's speeds")
-        ->type_name("RANGE");
-    command.add_option("--out", request.out, "Write dynamics.csv, .json, history.csv and pictures here")
-        ->type_name("DIR");
+    add_option(command, "SCENE", request.scene, "", "Scene file (TOML) with a [dynamics] table");
+    add_option(command, "--speeds", request.speeds, "RANGE",
+               "FROM:TO:COUNT in rpm; default: about the scene's speeds");
+    add_option(command, "--out", request.out, "DIR",
+               "Write dynamics.csv, .json, history.csv and pictures here");
     add_solving(command, request);
     command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
     return command;
@@ -131,16 +126,14 @@ CLI::App& add_dynamics(CLI::App& program, DynamicsRequest& request) {
 CLI::App& add_machine(CLI::App& program, MachineRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "machine", "Several axes on one master: the largest speed at which motions exist, with its proof");
-    command.add_option("FILE", request.scene, "Machine file (TOML)")->type_name("");
-    CLI::Option* const out =
-        command.add_option("--out", request.out, "Write machine.json and a result folder for each axis here")
-            ->type_name("DIR");
+    add_option(command, "FILE", request.scene, "", "Machine file (TOML)");
+    CLI::Option* const out = add_option(command, "--out", request.out, "DIR",
+                                        "Write machine.json and a result folder for each axis here");
     add_plc(command, request.plc)->needs(out);
-    command.add_option("--speed-gap", request.speed_gap, "Relative gap of the largest speed; default: 0.001")
-        ->type_name("G")
+    add_option(command, "--speed-gap", request.speed_gap, "G",
+               "Relative gap of the largest speed; default: 0.001")
         ->check(CLI::Range(1e-7, 0.5));
-    command.add_option("--max-seconds", request.max_seconds, "Time for everything; default: 60")
-        ->type_name("S");
+    add_option(command, "--max-seconds", request.max_seconds, "S", "Time for everything; default: 60");
     add_settings(command, request.settings);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     return command;
@@ -158,23 +151,18 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
 CLI::App& add_inspect(CLI::App& program, InspectRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "inspect", "Compare a measured cam with its nominal one: deviations, best alignment, tolerance");
-    command.add_option("NOMINAL", request.scene, "Scene file (TOML) or result folder")->type_name("");
-    command
-        .add_option(
-            "TABLE", request.table,
-            "CSV file: theta_deg and s_mm of the follower; of a disk cam also x_mm and y_mm or r_mm and "
-            "theta_deg")
-        ->type_name("")
+    add_option(command, "NOMINAL", request.scene, "", "Scene file (TOML) or result folder");
+    add_option(command, "TABLE", request.table, "",
+               "CSV file: theta_deg and s_mm of the follower; of a disk cam also x_mm and y_mm or r_mm and "
+               "theta_deg")
         ->required();
-    command.add_option("--tolerance-um", request.tolerance_um, "Largest deviation allowed after alignment")
-        ->type_name("T")
+    add_option(command, "--tolerance-um", request.tolerance_um, "T",
+               "Largest deviation allowed after alignment")
         ->check(CLI::PositiveNumber);
-    command
-        .add_option("--probe-radius-mm", request.probe_radius_mm, "Points are centres of a ball; default: 0")
-        ->type_name("R")
+    add_option(command, "--probe-radius-mm", request.probe_radius_mm, "R",
+               "Points are centres of a ball; default: 0")
         ->check(CLI::NonNegativeNumber);
-    command.add_option("--out", request.out, "Write inspection.json, .csv, .svg and .html here")
-        ->type_name("DIR");
+    add_option(command, "--out", request.out, "DIR", "Write inspection.json, .csv, .svg and .html here");
     add_settings(command, request.settings);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     command.footer("Exit codes: 0 in tolerance, or none given; 1 out of tolerance; 2 wrong input.\n");
@@ -185,17 +173,15 @@ CLI::App& add_valves(CLI::App& program, ValvesRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "valves", "Intake and exhaust lobe on one crankshaft: overlap, lobe separation, clearance");
     for (const auto& [name, target] : {std::pair{"INTAKE", &request.intake}, {"EXHAUST", &request.exhaust}})
-        command.add_option(name, *target, "Result folder, or scene file of a valve lobe with its centerline")
-            ->type_name("")
+        add_option(command, name, *target, "",
+                   "Result folder, or scene file of a valve lobe with its centerline")
             ->required();
     CLI::Option* const gap =
-        command
-            .add_option("--gap-mm", request.gap_mm,
-                        "Distance of the nearest edges of the shut valves: say the least clearance")
-            ->type_name("G")
+        add_option(command, "--gap-mm", request.gap_mm, "G",
+                   "Distance of the nearest edges of the shut valves: say the least clearance")
             ->check(CLI::PositiveNumber);
-    command.add_option("--included-deg", request.included_deg, "Angle between the valves' axes; default: 0")
-        ->type_name("A")
+    add_option(command, "--included-deg", request.included_deg, "A",
+               "Angle between the valves' axes; default: 0")
         ->check(CLI::Range(0.0, 179.0))
         ->needs(gap);
     add_units(command, request.units);
@@ -207,8 +193,7 @@ CLI::App& add_valves(CLI::App& program, ValvesRequest& request) {
 CLI::App& add_report(CLI::App& program, ReportRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "report", "Write report.html and report.md of a result folder again; nothing is solved");
-    command.add_option("DIR", request.folder, "The folder that `camopt solve SCENE --out DIR` wrote")
-        ->type_name("")
+    add_option(command, "DIR", request.folder, "", "The folder that `camopt solve SCENE --out DIR` wrote")
         ->required();
     return command;
 }
@@ -216,11 +201,9 @@ CLI::App& add_report(CLI::App& program, ReportRequest& request) {
 CLI::App& add_list(CLI::App& program, ListRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "list", "List laws, followers, solvers, keys of a scene, columns of a table or controllers");
-    command
-        .add_option("WHAT", request.what,
-                    "The classical laws, the kinds of followers, the solvers, every key of a scene file, the "
-                    "columns of a uniform table, or the controllers of electronic cams")
-        ->type_name("")
+    add_option(command, "WHAT", request.what, "",
+               "The classical laws, the kinds of followers, the solvers, every key of a scene file, the "
+               "columns of a uniform table, or the controllers of electronic cams")
         ->required()
         ->check(one_of(list_topics()));
     command.add_flag("--json", request.json, "Print the list as JSON and nothing else");
@@ -230,12 +213,10 @@ CLI::App& add_list(CLI::App& program, ListRequest& request) {
 CLI::App& add_table(CLI::App& program, TableRequest& request) {
     CLI::App& command =
         *program.add_subcommand("table", "Compute a published table again and prove every optimum");
-    command.add_option("WHAT", request.what, "spline-vs-modified-sine")
-        ->type_name("")
+    add_option(command, "WHAT", request.what, "", "spline-vs-modified-sine")
         ->required()
         ->check(one_of({"spline-vs-modified-sine"}));
-    command.add_option("--out", request.out, "Write JSON, CSV, Markdown and the pictures here")
-        ->type_name("DIR");
+    add_option(command, "--out", request.out, "DIR", "Write JSON, CSV, Markdown and the pictures here");
     command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
     return command;
 }
@@ -260,19 +241,15 @@ constexpr const char* sweep_examples =
 
 void add_sweep_work(CLI::App& command, SweepRequest& request) {
     constexpr int most_workers = 1024;
-    command
-        .add_option("--workers", request.workers,
-                    "Processes that solve at the same time; default: one per core, under mpirun one per rank")
-        ->type_name("N")
+    add_option(command, "--workers", request.workers, "N",
+               "Processes that solve at the same time; default: one per core, under mpirun one per rank")
         ->check(CLI::Range(1, most_workers));
-    command
-        .add_option("--chunk", request.chunk,
-                    "Rows solved in sequence, each started from the previous result; the unit of --resume; "
-                    "default: 25, up to 500 where weights of a convex scene move fastest, fewer where that "
-                    "makes fewer than 16 chunks")
-        ->type_name("N")
+    add_option(command, "--chunk", request.chunk, "N",
+               "Rows solved in sequence, each started from the previous result; the unit of --resume; "
+               "default: 25, up to 500 where weights of a convex scene move fastest, fewer where that "
+               "makes fewer than 16 chunks")
         ->check(CLI::Range(1, most_sweep_rows));
-    command.add_option("--shard", request.shard, "Only every N-th chunk, from the i-th on")->type_name("i/N");
+    add_option(command, "--shard", request.shard, "i/N", "Only every N-th chunk, from the i-th on");
     command.add_flag("--resume", request.resume, "Continue the sweep in the folder, or start a new one");
     command.add_flag(
         "--results", request.results,
@@ -289,29 +266,19 @@ std::vector<std::string> traded_names() {
 
 void add_pareto(CLI::App& command, ParetoWords& words) {
     CLI::Option* const pareto =
-        command
-            .add_option(
-                "--pareto", words.goals,
-                fmt::format("Trace the front of two goals by limits instead of weights: {}, or a variable "
-                            "dimension",
-                            fmt::join(traded_names(), ", ")))
-            ->type_name("FIRST,SECOND");
-    CLI::Option* const points =
-        command
-            .add_option("--points", words.points, "Points of the front, evenly spaced along it; default: 21")
-            ->type_name("N")
-            ->needs(pareto);
-    command
-        .add_option(
-            "--spacing", words.spacing,
-            "As many points as keep neighbours this close, in parts of the front's box, for example 0.05")
-        ->type_name("PART")
+        add_option(command, "--pareto", words.goals, "FIRST,SECOND",
+                   fmt::format("Trace the front of two goals by limits instead of weights: {}, or a variable "
+                               "dimension",
+                               fmt::join(traded_names(), ", ")));
+    CLI::Option* const points = add_option(command, "--points", words.points, "N",
+                                           "Points of the front, evenly spaced along it; default: 21")
+                                    ->needs(pareto);
+    add_option(command, "--spacing", words.spacing, "PART",
+               "As many points as keep neighbours this close, in parts of the front's box, for example 0.05")
         ->needs(pareto)
         ->excludes(points);
-    command
-        .add_option("--cut-off", words.cut_off,
-                    "End the front where one goal is this many times its minimum; default: 10")
-        ->type_name("TIMES")
+    add_option(command, "--cut-off", words.cut_off, "TIMES",
+               "End the front where one goal is this many times its minimum; default: 10")
         ->needs(pareto);
     command
         .add_flag("--keep-weights", words.keep_weights,
@@ -321,18 +288,13 @@ void add_pareto(CLI::App& command, ParetoWords& words) {
 
 void add_surface(CLI::App& command, SurfaceWords& words) {
     CLI::Option* const surface =
-        command
-            .add_option("--surface", words.error,
-                        "All weights of velocity, acceleration and jerk: solve until the least "
-                        "objective is proved to this error for all of them, for example 1e-4")
-            ->type_name("ERROR");
-    command.add_option("--most", words.most, "Solves of the surface at most; default: 5000")
-        ->type_name("N")
+        add_option(command, "--surface", words.error, "ERROR",
+                   "All weights of velocity, acceleration and jerk: solve until the least "
+                   "objective is proved to this error for all of them, for example 1e-4");
+    add_option(command, "--most", words.most, "N", "Solves of the surface at most; default: 5000")
         ->needs(surface);
-    command
-        .add_option("--at", words.at,
-                    "SCENE is a folder of --surface: the objective at these weights, without a solve")
-        ->type_name("V,A,J")
+    add_option(command, "--at", words.at, "V,A,J",
+               "SCENE is a folder of --surface: the objective at these weights, without a solve")
         ->excludes(surface);
 }
 
@@ -347,18 +309,14 @@ CLI::App& add_sweep(CLI::App& program, SweepRequest& request) {
         "sweep",
         "Many solves of one scene: weights, or any keys of it; into sweep.csv, with the Pareto front");
     add_scene(command, request.scene);
-    command
-        .add_option("--weights", request.weights,
-                    "simplex:N, all weights i/N, j/N, k/N of velocity, acceleration and jerk; or a CSV file "
-                    "whose first line names the weights")
-        ->type_name("WEIGHTS");
-    command
-        .add_option("--vary", request.vary,
-                    "Vary a key of the scene: KEY=a:b:count, KEY=a:b:count:log or KEY=v1,v2,…; several give "
-                    "the full grid")
-        ->type_name("KEY=VALUES")
+    add_option(command, "--weights", request.weights, "WEIGHTS",
+               "simplex:N, all weights i/N, j/N, k/N of velocity, acceleration and jerk; or a CSV file "
+               "whose first line names the weights");
+    add_option(command, "--vary", request.vary, "KEY=VALUES",
+               "Vary a key of the scene: KEY=a:b:count, KEY=a:b:count:log or KEY=v1,v2,…; several give "
+               "the full grid")
         ->allow_extra_args(false);
-    command.add_option("--out", request.out, "The folder of the sweep")->type_name("DIR");
+    add_option(command, "--out", request.out, "DIR", "The folder of the sweep");
     add_solving(command, request);
     add_units(command, request.units);
     add_sweep_work(command, request);
@@ -370,8 +328,8 @@ CLI::App& add_sweep(CLI::App& program, SweepRequest& request) {
 
 CLI::App& add_sweep_merge(CLI::App& sweep, SweepMergeRequest& request) {
     CLI::App& command = *sweep.add_subcommand("merge", "Join the folders of all shards of a sweep");
-    command.add_option("DIRS", request.parts, "Folders of the shards")->type_name("")->required();
-    command.add_option("--out", request.out, "The folder of the whole sweep")->type_name("DIR");
+    add_option(command, "DIRS", request.parts, "", "Folders of the shards")->required();
+    add_option(command, "--out", request.out, "DIR", "The folder of the whole sweep");
     return command;
 }
 

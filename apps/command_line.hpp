@@ -25,6 +25,13 @@ void refuse_empty_values(const CLI::App& program);
 /// For CLI::Option::check: one of these words, else an error with what was probably meant.
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
 
+/// `type`: what stands for the value in the help; "": nothing.
+template <class Value>
+CLI::Option* add_option(CLI::App& command, const char* name, Value& target, const char* type,
+                        const std::string& help) {
+    return command.add_option(name, target, help)->type_name(type);
+}
+
 // Options that several commands share.
 
 void add_settings(CLI::App& command, std::vector<std::string>& settings);
@@ -34,8 +41,7 @@ void add_units(CLI::App& command, std::string& units);
 /// How a command that solves may depart from the scene.
 template <class Request>
 void add_solving(CLI::App& command, Request& request) {
-    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
-        ->type_name("NAME");
+    add_option(command, "--solver", request.solver, "NAME", "Backend to use instead of the scene's");
     add_settings(command, request.settings);
 }
 

@@ -12,14 +12,14 @@ namespace {
 /// Roughing, direction, ways in and out, words for the control.
 void add_milling(CLI::App& command, CLI::Option& nc, ExportRequest& request) {
     const auto optional_number = [&](const char* name, std::optional<double>& target, const char* what) {
-        command.add_option(name, target, what)->type_name("NUMBER")->needs(&nc);
+        add_option(command, name, target, "NUMBER", what)->needs(&nc);
     };
     const auto whole = [&](const char* name, std::optional<int>& target, const char* what) {
-        command.add_option(name, target, what)->type_name("N")->needs(&nc);
+        add_option(command, name, target, "N", what)->needs(&nc);
     };
     const auto choice = [&](const char* name, std::string& target, const std::vector<std::string>& allowed,
                             const char* what) {
-        command.add_option(name, target, what)->type_name("NAME")->needs(&nc)->check(CLI::IsMember(allowed));
+        add_option(command, name, target, "NAME", what)->needs(&nc)->check(CLI::IsMember(allowed));
     };
     optional_number("--rough-step-over-mm", request.rough_step_over_mm,
                     "Largest distance between two roughing passes; default: half the cutter's diameter");
@@ -49,10 +49,8 @@ void add_milling(CLI::App& command, CLI::Option& nc, ExportRequest& request) {
         "--lead-mm", request.lead_mm,
         "Radius of the quarter circles into and out of a plane cam's contour; of a closed groove the "
         "length of the move to its flank; default: the cutter's radius");
-    command
-        .add_option("--ramp-deg", request.ramp_deg,
-                    "Ramp angle of the cutter along a drum's groove; 90: straight")
-        ->type_name("NUMBER")
+    add_option(command, "--ramp-deg", request.ramp_deg, "NUMBER",
+               "Ramp angle of the cutter along a drum's groove; 90: straight")
         ->needs(&nc)
         ->capture_default_str();
 }
@@ -62,19 +60,17 @@ void add_nc(CLI::App& command, ExportRequest& request) {
         command.add_flag("--nc", request.nc,
                          "Write the NC program, cam.nc, and what its check found; a program that "
                          "fails the check is not written, exit code 1");
-    command.add_option("--post", request.post, "Post-processor (TOML, docs/nc.md); default: a generic one")
-        ->type_name("FILE")
+    add_option(command, "--post", request.post, "FILE",
+               "Post-processor (TOML, docs/nc.md); default: a generic one")
         ->needs(nc);
     const auto number = [&](const char* name, double& target, const char* what) {
-        command.add_option(name, target, what)->type_name("NUMBER")->needs(nc)->capture_default_str();
+        add_option(command, name, target, "NUMBER", what)->needs(nc)->capture_default_str();
     };
-    command
-        .add_option("--cutter-mm", request.cutter_mm,
-                    "Diameter of the cutter; default: the roller's, for plane cams 16")
-        ->type_name("NUMBER")
+    add_option(command, "--cutter-mm", request.cutter_mm, "NUMBER",
+               "Diameter of the cutter; default: the roller's, for plane cams 16")
         ->needs(nc);
     const auto optional_number = [&](const char* name, std::optional<double>& target, const char* what) {
-        command.add_option(name, target, what)->type_name("NUMBER")->needs(nc);
+        add_option(command, name, target, "NUMBER", what)->needs(nc);
     };
     optional_number("--blank-diameter-mm", request.blank_diameter_mm,
                     "Diameter of the blank; default: the cam's and the allowance on either side");
@@ -104,18 +100,14 @@ void add_nc(CLI::App& command, ExportRequest& request) {
 }  // namespace
 
 void add_settings(CLI::App& command, std::vector<std::string>& settings) {
-    command
-        .add_option("--set", settings,
-                    "Replace one key of the scene: KEY=VALUE, for example spline.segments=24")
-        ->type_name("KEY=VALUE");
+    add_option(command, "--set", settings, "KEY=VALUE",
+               "Replace one key of the scene: KEY=VALUE, for example spline.segments=24");
 }
 
 void add_units(CLI::App& command, std::string& units) {
-    command
-        .add_option("--units", units,
-                    "Lengths in reports: mm or in; default: as the scene is written. Data files keep "
-                    "the units in their columns")
-        ->type_name("UNIT")
+    add_option(command, "--units", units, "UNIT",
+               "Lengths in reports: mm or in; default: as the scene is written. Data files keep "
+               "the units in their columns")
         ->check(one_of({name_of(LengthUnit::millimetre), name_of(LengthUnit::inch)}));
 }
 
@@ -123,47 +115,35 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
     CLI::App& command = *program.add_subcommand("export",
                                                 "Write the cam of a scene, which is solved, or of a result "
                                                 "folder, which is used as it is, for CAD, CAM and machine");
-    command
-        .add_option("WHAT", request.scene,
-                    "Scene file (TOML), or the folder that `camopt solve SCENE --out DIR` wrote: nothing is "
-                    "solved again")
-        ->type_name("");
-    command.add_option("--out", request.out, "Write the files here")->type_name("DIR")->required();
+    add_option(command, "WHAT", request.scene, "",
+               "Scene file (TOML), or the folder that `camopt solve SCENE --out DIR` wrote: nothing is "
+               "solved again");
+    add_option(command, "--out", request.out, "DIR", "Write the files here")->required();
     CLI::Option* const csv =
         command.add_flag("--csv", request.csv,
                          "table.csv: the motion evenly by cam angle, with or without a cam; and points of "
                          "the cam: profile.csv, "
                          "guide.csv, of three-dimensional cams flanks.csv, both flanks with normals");
-    command
-        .add_option("--lobe", request.lobe,
-                    "lobe.csv: a valve lobe by cam and crank angle from its nose, lifts in this unit")
-        ->type_name("UNIT")
+    add_option(command, "--lobe", request.lobe, "UNIT",
+               "lobe.csv: a valve lobe by cam and crank angle from its nose, lifts in this unit")
         ->check(CLI::IsMember({"mm", "in"}));
-    command
-        .add_option("--step-deg", request.step_deg,
-                    "Step of table.csv, where --points is for the rest then, and of lobe.csv (default: 1)")
-        ->type_name("NUMBER");
-    command
-        .add_option(
-            "--columns", request.columns,
-            "Columns of table.csv between commas, for example theta_deg,s_mm,v_mm_s,a_m_s2; default: angle, "
-            "displacement, velocity, acceleration, jerk and, of plane cams, the pressure angle")
-        ->type_name("COLUMNS")
+    add_option(command, "--step-deg", request.step_deg, "NUMBER",
+               "Step of table.csv, where --points is for the rest then, and of lobe.csv (default: 1)");
+    add_option(
+        command, "--columns", request.columns, "COLUMNS",
+        "Columns of table.csv between commas, for example theta_deg,s_mm,v_mm_s,a_m_s2; default: angle, "
+        "displacement, velocity, acceleration, jerk and, of plane cams, the pressure angle")
         ->needs(csv);
     constexpr int most_digits = 17;
-    command
-        .add_option(
-            "--digits", request.digits,
-            "Significant digits in table.csv and lobe.csv; default: as many as read back to the same number")
-        ->type_name("N")
+    add_option(
+        command, "--digits", request.digits, "N",
+        "Significant digits in table.csv and lobe.csv; default: as many as read back to the same number")
         ->check(CLI::Range(1, most_digits));
     add_plc(command, request.plc);
     command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
-    command
-        .add_option("--drawing", request.sheet,
-                    "drawing.svg, drawing.pdf, drawing.dxf: the workshop drawing of a plane cam, to scale "
-                    "on A4 or A3, with what [drawing] says")
-        ->type_name("FORMAT")
+    add_option(command, "--drawing", request.sheet, "FORMAT",
+               "drawing.svg, drawing.pdf, drawing.dxf: the workshop drawing of a plane cam, to scale "
+               "on A4 or A3, with what [drawing] says")
         ->check(one_of(drawing_formats()));
     command.add_flag("--step", request.step,
                      "Solid of a plane cam, cam.step; both flanks of a three-dimensional cam as B-spline "
@@ -174,24 +154,17 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
     command.add_flag("--picture", request.picture,
                      "cam.svg: a shaded picture; of plane cams profile.svg, mechanism.svg or guide.svg");
     constexpr int most_sections = 1000, most_angles = 100'000;
-    command.add_option("--sections", request.sections, "Points of a flank along the roller; default: 9")
-        ->type_name("N")
+    add_option(command, "--sections", request.sections, "N", "Points of a flank along the roller; default: 9")
         ->check(CLI::Range(2, most_sections));
-    command
-        .add_option("--points", request.points,
-                    "Points over one revolution: of table.csv (default 361), of a cam's points (as many as "
-                    "it needs), of an electronic cam (the joints of the motion)")
-        ->type_name("N")
+    add_option(command, "--points", request.points, "N",
+               "Points over one revolution: of table.csv (default 361), of a cam's points (as many as "
+               "it needs), of an electronic cam (the joints of the motion)")
         ->check(CLI::Range(least_points, most_angles));
-    command
-        .add_option("--thickness-mm", request.thickness_mm,
-                    "Thickness of a plane cam; default: drawing.thickness_mm, else 20")
-        ->type_name("NUMBER")
+    add_option(command, "--thickness-mm", request.thickness_mm, "NUMBER",
+               "Thickness of a plane cam; default: drawing.thickness_mm, else 20")
         ->check(CLI::PositiveNumber);
-    command
-        .add_option("--bore-mm", request.bore_mm,
-                    "Diameter of a plane cam's bore; default: drawing.bore_mm, else no bore")
-        ->type_name("NUMBER")
+    add_option(command, "--bore-mm", request.bore_mm, "NUMBER",
+               "Diameter of a plane cam's bore; default: drawing.bore_mm, else no bore")
         ->check(CLI::PositiveNumber);
     add_nc(command, request);
     add_solving(command, request);
@@ -200,13 +173,11 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
 }
 
 CLI::Option* add_plc(CLI::App& command, std::vector<std::string>& formats) {
-    return command
-        .add_option(
-            "--plc", formats,
-            fmt::format("Electronic cam for a controller, read back and judged, and plc.json: {}; several "
-                        "between commas",
-                        fmt::join(plc_format_keys(), ", ")))
-        ->type_name("FORMAT")
+    return add_option(
+               command, "--plc", formats, "FORMAT",
+               fmt::format("Electronic cam for a controller, read back and judged, and plc.json: {}; several "
+                           "between commas",
+                           fmt::join(plc_format_keys(), ", ")))
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(one_of(plc_format_keys()));

@@ -98,10 +98,9 @@ origin. m, rad.]]
   studies/check/forward_check.hpp
   studies/checked/checked_cam.hpp)
 camopt_promise(inverse_cam [[
-Inverse cams: the guide that makes a feeder move as wished, and the check that pushes a roller through the
-finished guide. m, rad, s.]]
-  profiles/inverse/guide.hpp
-  profiles/inverse/wished_guide.hpp
+Inverse cams: scene.cam = inverse_spec() with its numbers puts one into a scene, whose guide makes the
+feeder move as its motion says; and the check that pushes a roller through the finished guide. m, rad, s.]]
+  profiles/inverse/inverse_mechanism.hpp
   studies/inverse/inverse_forward.hpp)
 camopt_promise(law_losses [[
 Where each classical law lies above the trade-off of V, A and J of a scene: its least loss over all

@@ -70,11 +70,4 @@ QuadraticForm EnergySum::form(double factor) const {
     return form;
 }
 
-QuadraticForm mean_square_form(const DesignVector& design, int order) {
-    const SplineSpace& space = design.space();
-    EnergySum sum(design.size());
-    for (int i = 0; i < space.segments(); ++i) sum.add(design.local_map(i), order, space.width(i), 1.0);
-    return sum.form(1.0 / (space.end() - space.begin()));
-}
-
 }  // namespace camopt

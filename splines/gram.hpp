@@ -48,7 +48,4 @@ class EnergySum {
     std::vector<double> offset_;
 };
 
-/// Mean square of the derivative of `order` (0 … degree) over the whole spline.
-[[nodiscard]] QuadraticForm mean_square_form(const DesignVector& design, int order);
-
 }  // namespace camopt

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/papers/guide.hpp"
 #include "benchmarks/papers/paper_000_parts.hpp"
 #include "benchmarks/papers/paper_guide.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
-#include "profiles/inverse/guide.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 
 #include <fmt/format.h>

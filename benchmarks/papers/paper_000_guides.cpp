@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/papers/guide.hpp"
 #include "benchmarks/papers/paper_000_parts.hpp"
+#include "benchmarks/papers/wished_guide.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/inverse/guide.hpp"
-#include "profiles/inverse/wished_guide.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>

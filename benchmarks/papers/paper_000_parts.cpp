@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/papers/paper_000_parts.hpp"
 
+#include "benchmarks/papers/guide.hpp"
 #include "benchmarks/papers/paper_guide.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
-#include "profiles/inverse/guide.hpp"
 
 namespace camopt::feeding_paper {
 

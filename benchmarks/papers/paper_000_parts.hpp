@@ -2,6 +2,7 @@
 // Private to benchmarks/papers/: the parts of the report on paper 000, one source each.
 #pragma once
 
+#include "benchmarks/papers/guided_feeder.hpp"
 #include "benchmarks/papers/paper_guide.hpp"
 #include "benchmarks/papers/papers.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"

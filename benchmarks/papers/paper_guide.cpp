@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/papers/paper_guide.hpp"
 
+#include "benchmarks/papers/guided_feeder.hpp"
 #include "core/errors.hpp"
 
 #include <fmt/format.h>

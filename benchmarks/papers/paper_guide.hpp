@@ -2,7 +2,7 @@
 // Of the paper on inverse cams alone: its guide of lines and arcs, and its approximate method.
 #pragma once
 
-#include "profiles/inverse/guide.hpp"
+#include "benchmarks/papers/guide.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 namespace camopt {

@@ -2,10 +2,10 @@
 // reproduce PAPER [--json] [--out DIR]: a paper's tables and figures computed again, next to the printed
 // ones. Exit codes: 0 everything was computed and proved, 1 something was not, 2 wrong input
 // (benchmarks/README.md).
+#include "benchmarks/papers/paper_json.hpp"
 #include "benchmarks/papers/papers.hpp"
 #include "core/errors.hpp"
 #include "output/chart/studies/study_svg.hpp"
-#include "output/json/study_json.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/study_text.hpp"
 

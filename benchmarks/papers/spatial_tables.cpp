@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/papers/spatial_tables.hpp"
 
+#include "benchmarks/papers/spatial_methods.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/spatial/spatial_analysis.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>

@@ -83,7 +83,6 @@ void check_own_law(const Law& law) {
 using std::numbers::pi;
 
 constexpr const char* kHandbook = "Norton, Cam Design and Manufacturing Handbook";
-constexpr const char* kRamps = "Quartic with y'' = 0 at both ends";
 constexpr const char* kFreudenstein = "Freudenstein, Int. J. Mech. Sci. 1 (1960)";
 
 LawInfo make_info(const char* key, std::string title, const char* source, int continuity) {
@@ -139,154 +138,102 @@ std::unique_ptr<Law> odd_harmonics(LawInfo info, const std::vector<double>& ampl
     return harmonic(std::move(info), {piece});
 }
 
-std::unique_ptr<Law> parabolic() {
-    return harmonic(make_info("parabolic", "Parabolic (constant acceleration)", kHandbook, 1),
-                    {constant_piece(0.0, 0.5, 1.0), constant_piece(0.5, 1.0, -1.0)});
-}
-
-std::unique_ptr<Law> simple_harmonic() {
-    return harmonic(make_info("simple_harmonic", "Simple harmonic", kHandbook, 1),
-                    {half_cosine(0.0, 1.0, 1.0)});
-}
-
-std::unique_ptr<Law> cycloidal() {
-    return odd_harmonics(make_info("cycloidal", "Cycloidal", kHandbook, 2), {1.0 / (2.0 * pi)});
-}
-
-std::unique_ptr<Law> polynomial_345() {
-    return polynomial(make_info("polynomial_345", "3-4-5 polynomial", kHandbook, 2), {0, 0, 0, 10, -15, 6});
-}
-
-std::unique_ptr<Law> polynomial_4567() {
-    return polynomial(make_info("polynomial_4567", "4-5-6-7 polynomial", kHandbook, 3),
-                      {0, 0, 0, 0, 35, -84, 70, -20});
-}
-
-std::unique_ptr<Law> polynomial_56789() {
-    return polynomial(make_info("polynomial_56789", "5-6-7-8-9 polynomial", kHandbook, 4),
-                      {0, 0, 0, 0, 0, 126, -420, 540, -315, 70});
-}
-
 std::unique_ptr<Law> mcv(LawInfo info, double a, double b) {
     info.parameters = {{"a", a}, {"b", b}};
     return harmonic(std::move(info), antisymmetric({quarter_sine_up(0.0, a, 1.0),
                                                     quarter_cosine_down(a, b, 1.0), zero_piece(b, 0.5)}));
 }
 
-std::unique_ptr<Law> mcv_50() {
-    return mcv(make_info("mcv_50", "Modified constant velocity, 50 %", kHandbook, 2), 1.0 / 16.0, 0.25);
+/// The classical laws, a row a law; parameters Ta have their customary value 1/8.
+std::vector<LawMaker> classical_laws() {
+    const auto info = [](const char* key, const char* title, int continuity) {
+        return make_info(key, title, kHandbook, continuity);
+    };
+    const auto pieces = [](const LawInfo& law, const std::vector<AccelerationPiece>& all) -> LawMaker {
+        return [=] { return harmonic(law, all); };
+    };
+    const auto coefficients = [](const LawInfo& law, const std::vector<double>& all) -> LawMaker {
+        return [=] { return polynomial(law, all); };
+    };
+    const auto sines = [](const LawInfo& law, const std::vector<double>& amplitudes) -> LawMaker {
+        return [=] { return odd_harmonics(law, amplitudes); };
+    };
+    const auto constant_velocity = [](const LawInfo& law, double a, double b) -> LawMaker {
+        return [=] { return mcv(law, a, b); };
+    };
+    const auto of_an_eighth = [](const auto& make) -> LawMaker { return [=] { return make(0.125); }; };
+    const auto asymmetric = [](const LawMaker& make) -> LawMaker {
+        return [=] { return make_asymmetric(make(), kCatalogueSplit); };
+    };
+    // y = (1 - cos πx) / 2 - (1 - cos 2πx) / 8: a dwell at x = 0, a turning point with y'' = -π² at x = 1.
+    LawInfo double_harmonic =
+        make_info("double_harmonic", "Double harmonic (one dwell)", "Rothbart, Cams (1956)", 3);
+    double_harmonic.top = TopEnd::turning_point;
+    // y = x. Its ends do not rest: it occurs only in programs, between splines that take its velocity.
+    LawInfo moving = info("constant_velocity", "Constant velocity (programs only: its ends move)", 0);
+    moving.rests = false;
+    // y = 2x³ − x⁴, y'(1) = 2, and backwards y = 2x − 2x³ + x⁴: to and from a constant velocity.
+    const auto run = [](const char* key, const char* title, const std::vector<double>& from_below,
+                        const std::vector<double>& from_top) -> LawMaker {
+        LawInfo law = make_info(key, title, "Quartic with y'' = 0 at both ends", 0);
+        law.rests = false;
+        return [=] { return std::make_unique<PolynomialLaw>(law, from_below, from_top); };
+    };
+    const double first = 1125.0 / (2384.0 * pi);  // of Freudenstein 1-3-5
+    const LawMaker parabolic = pieces(info("parabolic", "Parabolic (constant acceleration)", 1),
+                                      {constant_piece(0.0, 0.5, 1.0), constant_piece(0.5, 1.0, -1.0)}),
+                   cycloidal = sines(info("cycloidal", "Cycloidal", 2), {1.0 / (2.0 * pi)}),
+                   polynomial_345 =
+                       coefficients(info("polynomial_345", "3-4-5 polynomial", 2), {0, 0, 0, 10, -15, 6}),
+                   modified_sine = of_an_eighth(make_modified_sine),
+                   modified_trapezoid = of_an_eighth(make_modified_trapezoid);
+    return {
+        parabolic,
+        pieces(info("simple_harmonic", "Simple harmonic", 1), {half_cosine(0.0, 1.0, 1.0)}),
+        cycloidal,
+        polynomial_345,
+        coefficients(info("polynomial_4567", "4-5-6-7 polynomial", 3), {0, 0, 0, 0, 35, -84, 70, -20}),
+        coefficients(info("polynomial_56789", "5-6-7-8-9 polynomial", 4),
+                     {0, 0, 0, 0, 0, 126, -420, 540, -315, 70}),
+        modified_sine,
+        modified_trapezoid,
+        constant_velocity(info("mcv_50", "Modified constant velocity, 50 %", 2), 1.0 / 16.0, 0.25),
+        constant_velocity(info("mcv_33", "Modified constant velocity, 33 %", 2), 1.0 / 12.0, 1.0 / 3.0),
+        constant_velocity(info("mcv_20", "Modified constant velocity, 20 %", 2), 0.1, 0.4),
+        pieces(info("cycloidal_cv50", "Cycloidal with 50 % constant velocity", 2),
+               antisymmetric({half_sine(0.0, 0.25, 1.0), zero_piece(0.25, 0.5)})),
+        sines(make_info("gutman_13", "Gutman 1-3", "Gutman, Product Engineering 32 (1961)", 2),
+              {15.0 / (32.0 * pi), 1.0 / (96.0 * pi)}),
+        sines(make_info("freudenstein_13", "Freudenstein 1-3", kFreudenstein, 2),
+              {27.0 / (56.0 * pi), 1.0 / (168.0 * pi)}),
+        sines(make_info("freudenstein_135", "Freudenstein 1-3-5", kFreudenstein, 2),
+              {first, first / 54.0, first / 1250.0}),
+        pieces(double_harmonic, {{0.0, 1.0, 0.0, {{pi, 0.0, 1.0}, {2.0 * pi, 0.0, -1.0}}}}),
+        asymmetric(parabolic),
+        asymmetric(cycloidal),
+        asymmetric(polynomial_345),
+        asymmetric(modified_sine),
+        asymmetric(modified_trapezoid),
+        of_an_eighth(make_one_dwell_modified_sine),
+        of_an_eighth(make_one_dwell_modified_trapezoid),
+        make_one_dwell_cycloidal,
+        make_one_dwell_polynomial_345,
+        make_one_dwell_polynomial_3456,
+        run("run_in", "Run-in from rest to constant velocity (programs only)", {0, 0, 0, 2, -1},
+            {1, -2, 0, 2, -1}),
+        run("run_out", "Run-out from constant velocity to rest (programs only)", {0, 2, 0, -2, 1},
+            {1, 0, 0, -2, 1}),
+        coefficients(moving, {0, 1}),
+    };
 }
-
-std::unique_ptr<Law> mcv_33() {
-    return mcv(make_info("mcv_33", "Modified constant velocity, 33 %", kHandbook, 2), 1.0 / 12.0, 1.0 / 3.0);
-}
-
-std::unique_ptr<Law> mcv_20() {
-    return mcv(make_info("mcv_20", "Modified constant velocity, 20 %", kHandbook, 2), 0.1, 0.4);
-}
-
-std::unique_ptr<Law> cycloidal_cv50() {
-    return harmonic(make_info("cycloidal_cv50", "Cycloidal with 50 % constant velocity", kHandbook, 2),
-                    antisymmetric({half_sine(0.0, 0.25, 1.0), zero_piece(0.25, 0.5)}));
-}
-
-std::unique_ptr<Law> gutman_13() {
-    return odd_harmonics(make_info("gutman_13", "Gutman 1-3", "Gutman, Product Engineering 32 (1961)", 2),
-                         {15.0 / (32.0 * pi), 1.0 / (96.0 * pi)});
-}
-
-std::unique_ptr<Law> freudenstein_13() {
-    return odd_harmonics(make_info("freudenstein_13", "Freudenstein 1-3", kFreudenstein, 2),
-                         {27.0 / (56.0 * pi), 1.0 / (168.0 * pi)});
-}
-
-std::unique_ptr<Law> freudenstein_135() {
-    const double first = 1125.0 / (2384.0 * pi);
-    return odd_harmonics(make_info("freudenstein_135", "Freudenstein 1-3-5", kFreudenstein, 2),
-                         {first, first / 54.0, first / 1250.0});
-}
-
-/// y = (1 - cos πx) / 2 - (1 - cos 2πx) / 8: a dwell at x = 0, a turning point with y'' = -π² at x = 1.
-std::unique_ptr<Law> double_harmonic() {
-    LawInfo info = make_info("double_harmonic", "Double harmonic (one dwell)", "Rothbart, Cams (1956)", 3);
-    info.top = TopEnd::turning_point;
-    return harmonic(std::move(info), {{0.0, 1.0, 0.0, {{pi, 0.0, 1.0}, {2.0 * pi, 0.0, -1.0}}}});
-}
-
-/// y = x. Its ends do not rest: it occurs only in programs, between splines that take its velocity.
-std::unique_ptr<Law> constant_velocity() {
-    LawInfo info =
-        make_info("constant_velocity", "Constant velocity (programs only: its ends move)", kHandbook, 0);
-    info.rests = false;
-    return polynomial(std::move(info), {0, 1});
-}
-
-/// y = 2x³ − x⁴: from rest to a constant velocity, y'(1) = 2, without a jump of the acceleration.
-std::unique_ptr<Law> run_in() {
-    LawInfo info = make_info("run_in", "Run-in from rest to constant velocity (programs only)", kRamps, 0);
-    info.rests = false;
-    return std::make_unique<PolynomialLaw>(std::move(info), std::vector<double>{0, 0, 0, 2, -1},
-                                           std::vector<double>{1, -2, 0, 2, -1});
-}
-
-/// y = 2x − 2x³ + x⁴, the run-in backwards.
-std::unique_ptr<Law> run_out() {
-    LawInfo info = make_info("run_out", "Run-out from constant velocity to rest (programs only)", kRamps, 0);
-    info.rests = false;
-    return std::make_unique<PolynomialLaw>(std::move(info), std::vector<double>{0, 2, 0, -2, 1},
-                                           std::vector<double>{1, 0, 0, -2, 1});
-}
-
-/// The customary Ta.
-template <auto Maker>
-std::unique_ptr<Law> of_an_eighth() {
-    return Maker(0.125);
-}
-
-template <auto Maker>
-std::unique_ptr<Law> asymmetric() {
-    return make_asymmetric(Maker(), kCatalogueSplit);
-}
-
-constexpr std::array kMakers{&parabolic,
-                             &simple_harmonic,
-                             &cycloidal,
-                             &polynomial_345,
-                             &polynomial_4567,
-                             &polynomial_56789,
-                             &of_an_eighth<&make_modified_sine>,
-                             &of_an_eighth<&make_modified_trapezoid>,
-                             &mcv_50,
-                             &mcv_33,
-                             &mcv_20,
-                             &cycloidal_cv50,
-                             &gutman_13,
-                             &freudenstein_13,
-                             &freudenstein_135,
-                             &double_harmonic,
-                             &asymmetric<&parabolic>,
-                             &asymmetric<&cycloidal>,
-                             &asymmetric<&polynomial_345>,
-                             &asymmetric<&of_an_eighth<&make_modified_sine>>,
-                             &asymmetric<&of_an_eighth<&make_modified_trapezoid>>,
-                             &of_an_eighth<&make_one_dwell_modified_sine>,
-                             &of_an_eighth<&make_one_dwell_modified_trapezoid>,
-                             &make_one_dwell_cycloidal,
-                             &make_one_dwell_polynomial_345,
-                             &make_one_dwell_polynomial_3456,
-                             &run_in,
-                             &run_out,
-                             &constant_velocity};
 
 using Laws = OpenRegistry<LawInfo, LawMaker>;
 
 Laws& laws() {
     static Laws all(&LawInfo::key, [] {
         Laws::Lists classical;
-        for (const auto maker : kMakers) {
-            classical.descriptions.push_back(maker()->info());
-            classical.makers.emplace_back(maker);
-        }
+        classical.makers = classical_laws();
+        for (const LawMaker& make : classical.makers) classical.descriptions.push_back(make()->info());
         return classical;
     }());
     return all;

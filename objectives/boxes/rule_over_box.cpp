@@ -49,12 +49,6 @@ double RuleOverBox::secant_error(int i) const {
     return added_[at] == 0.0 ? 0.0 : 0.5 * added_[at] * half_[at] * half_[at];
 }
 
-double RuleOverBox::secant_error() const {
-    double sum = 0.0;
-    for (int i = 0; i < static_cast<int>(box_.size()); ++i) sum += secant_error(i);
-    return sum;
-}
-
 std::optional<RulePlane> RuleOverBox::plane(const Eigen::VectorXd& at) const {
     const std::size_t size = box_.size();
     std::vector<Interval> point(size);

@@ -36,8 +36,7 @@ class RuleOverBox {
     [[nodiscard]] const std::vector<Interval>& box() const { return box_; }
     /// An upper bound of h in the box: below 0 every point satisfies the rule.
     [[nodiscard]] double most() const { return most_; }
-    /// ½ Σ a_i w_i², and the term of variable i.
-    [[nodiscard]] double secant_error() const;
+    /// The term of variable i in ½ Σ a_i w_i².
     [[nodiscard]] double secant_error(int i) const;
     /// The rule is curved in variable i.
     [[nodiscard]] bool is_curved(int i) const { return curved_[static_cast<std::size_t>(i)] != 0; }

@@ -47,6 +47,12 @@ std::string dimension_column(DimensionIndex index) {
     return fmt::format("{}_mm", name_of(index));
 }
 
+/// "solved", or "proved from row 17" (SweepRow::proved_from).
+std::string proof_cell(const SweepRow& row) {
+    return row.proved_from ? fmt::format("{}{}", proved_from_row, *row.proved_from)
+                           : std::string(solved_word);
+}
+
 std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
     CsvLine line;
     line.count(row.number);
@@ -249,11 +255,6 @@ void add_row(CsvLine& line, const SweepRow& row, const std::vector<DimensionInde
 }
 
 }  // namespace
-
-std::string proof_cell(const SweepRow& row) {
-    return row.proved_from ? fmt::format("{}{}", proved_from_row, *row.proved_from)
-                           : std::string(solved_word);
-}
 
 std::span<const SweepCamColumn> sweep_cam_columns() {
     return cam_columns;

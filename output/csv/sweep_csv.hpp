@@ -24,9 +24,6 @@ struct SweepCamColumn {
 };
 [[nodiscard]] std::span<const SweepCamColumn> sweep_cam_columns();
 
-/// "solved", or "proved from row 17" (SweepRow::proved_from).
-[[nodiscard]] std::string proof_cell(const SweepRow& row);
-
 /// The first line.
 [[nodiscard]] std::vector<std::string> sweep_csv_columns(const SweepColumns& columns);
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
-#include "core/units.hpp"
-#include "output/chart/svg_canvas.hpp"
 #include "output/drawing/cam_svg.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/view/cam_words.hpp"
@@ -16,12 +14,11 @@ namespace camopt {
 namespace {
 
 using Eigen::Vector2d;
-using units::degree;
 
 constexpr int profile_points = 1440;
 constexpr int motion_samples = 720;
 constexpr double same_end = 1e-9;  // of the largest radius
-constexpr double arrow_part = 0.45, arrow_begin = 35 * degree, arrow_end = 145 * degree, arrow_head = 9;
+constexpr double arrow_part = 0.45;
 constexpr double label_font = 12;
 
 const char* const mechanism_style =
@@ -72,18 +69,11 @@ class MechanismPage {
                   (cam_.front() - cam_.back()).norm() < same_end * radius_;
         for (const double s : {least_, most_, start_})
             for (const MechanismShape& shape : shapes_at(s))
-                for (const Vector2d& point : shape.points) {
-                    box_.add(point - Vector2d::Constant(shape.radius));
-                    box_.add(point + Vector2d::Constant(shape.radius));
-                }
+                for (const Vector2d& point : shape.points) box_.add(point, shape.radius);
     }
 
     [[nodiscard]] std::string drawn() const {
-        const std::string title = view_.title("Cam and linkage");
-        SvgCanvas canvas(picture_width, picture_height, mechanism_style + std::string(picture_style()),
-                         title);
-        canvas.rectangle(0, 0, picture_width, picture_height, "page");
-        canvas.text(picture_left, 38, title, "title");
+        SvgCanvas canvas = new_picture(mechanism_style, view_.title("Cam and linkage"));
         const ProfileCanvas on = fitted_canvas(canvas, box_.with_room());
         const ShownUnit& length = view_.units.length;
         draw_length_frame(on, length, "x, y in " + length.name + " (fixed frame)");
@@ -128,25 +118,10 @@ class MechanismPage {
     [[nodiscard]] std::vector<MechanismShape> shapes_at(double s) const {
         return mechanism_.formulas->shapes({mechanism_.dimensions, {s, 0.0, 0.0}});
     }
-    /// The sense in which the cam turns, about its centre.
     void draw_turning(const ProfileCanvas& on) const {
-        const double arm = on.px(9.0), sense = sense_of(mechanism_.formulas->rotation());
         double least = radius_;
         for (const Vector2d& point : cam_) least = std::min(least, (point - center_).norm());
-        on.line(center_ - Vector2d(arm, 0.0), center_ + Vector2d(arm, 0.0), "center");
-        on.line(center_ - Vector2d(0.0, arm), center_ + Vector2d(0.0, arm), "center");
-        const auto at = [&](double angle) -> Vector2d {
-            return center_ + arrow_part * least * Vector2d(std::cos(angle), std::sin(angle));
-        };
-        std::vector<Vector2d> arc;
-        for (int i = 0; i <= 40; ++i) arc.push_back(at(arrow_begin + (arrow_end - arrow_begin) * i / 40));
-        if (sense < 0.0) std::ranges::reverse(arc);
-        on.polyline(arc, false, "arrow");
-        const Vector2d out = (arc.back() - center_).normalized(), ahead = sense * Vector2d(-out.y(), out.x());
-        const Vector2d side = 0.45 * on.px(arrow_head) * out;
-        on.polyline(std::array<Vector2d, 3>{arc.back() + on.px(arrow_head) * ahead, arc.back() + side,
-                                            arc.back() - side},
-                    true, "arrow-head");
+        draw_rotation(on, center_, arrow_part * least, mechanism_.formulas->rotation());
     }
     void draw_ghost(const ProfileCanvas& on, double s) const {
         for (const MechanismShape& shape : shapes_at(s)) {
@@ -216,8 +191,7 @@ class MechanismPage {
 
     void draw_legend(SvgCanvas& canvas, const ShownUnit& length) const {
         const int lines = 8, words = 6;
-        LegendColumn column(canvas, length,
-                            lines + words + dimension_entries(solution_) + figure_entries(solution_));
+        LegendColumn column(canvas, length, lines + words + figure_entries(solution_));
         column.sample(closed_ ? "cam" : "sector", "cam");
         column.sample("pitch", "pitch curve (roller centre)");
         column.sample("roller", "roller");
@@ -226,11 +200,7 @@ class MechanismPage {
         if (std::ranges::any_of(
                 now_, [](const MechanismShape& s) { return s.kind == MechanismShape::Kind::guide; }))
             column.sample("guide", "path of the slider");
-        column.heading("dimensions");
-        add_dimensions(column, solution_);
-        column.words(fmt::format("turns {}", name_of(mechanism_.formulas->rotation())));
-        column.heading("figures");
-        add_figures(column, solution_);
+        add_figures(column, solution_, fmt::format("turns {}", name_of(mechanism_.formulas->rotation())));
         if (!closed_) add_opening(column, solution_);
     }
 };
@@ -246,7 +216,6 @@ std::string mechanism_svg(const View& view) {
 std::string guide_svg(const View& view, const std::vector<DeliveredRow>& left_wall,
                       const std::vector<DeliveredRow>& right_wall) {
     const Solution& solution = view.solution;
-    const std::string title = view.title("Guide");
     const std::vector<Vector2d> left = line_of(left_wall, &MechanismPoint::contact),
                                 right = line_of(right_wall, &MechanismPoint::contact),
                                 middle = line_of(left_wall, &MechanismPoint::pitch);
@@ -255,13 +224,8 @@ std::string guide_svg(const View& view, const std::vector<DeliveredRow>& left_wa
     const double radius = (left.front() - middle.front()).norm();
     for (const std::vector<Vector2d>* line : {&left, &right, &middle})
         for (const Vector2d& point : *line) box.add(point);
-    for (const Vector2d& point : {middle.front(), middle.back()}) {
-        box.add(point - Vector2d::Constant(radius));
-        box.add(point + Vector2d::Constant(radius));
-    }
-    SvgCanvas canvas(picture_width, picture_height, guide_style + std::string(picture_style()), title);
-    canvas.rectangle(0, 0, picture_width, picture_height, "page");
-    canvas.text(picture_left, 38, title, "title");
+    for (const Vector2d& point : {middle.front(), middle.back()}) box.add(point, radius);
+    SvgCanvas canvas = new_picture(guide_style, view.title("Guide"));
     const ProfileCanvas on = fitted_canvas(canvas, box.with_room());
     const ShownUnit& length = view.units.length;
     draw_length_frame(on, length, "x, y in " + length.name + " (frame of the body)");
@@ -289,14 +253,11 @@ std::string guide_svg(const View& view, const std::vector<DeliveredRow>& left_wa
     }
     on.circle({0.0, 0.0}, on.px(5), "pivot");
     label({0.0, 0.0}, 6, "body's pivot");
-    LegendColumn column(canvas, length, 8 + dimension_entries(solution) + figure_entries(solution));
+    LegendColumn column(canvas, length, 8 + figure_entries(solution));
     column.sample("wall-left", "left wall");
     column.sample("wall-right", "right wall");
     column.sample("pitch", "path of the roller's centre");
     column.sample("roller", "roller at both ends");
-    column.heading("dimensions");
-    add_dimensions(column, solution);
-    column.heading("figures");
     add_figures(column, solution);
     return canvas.finish();
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/picture_page.hpp"
 
-#include "output/chart/svg_canvas.hpp"
+#include "core/units.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +16,12 @@ using Eigen::Vector2d;
 
 constexpr double picture_margin = 0.05;                  // of the picture's size, on each side
 constexpr double entry_height = 21, least_entry = 15.5;  // px
+constexpr double arrow_begin = 35 * units::degree, arrow_end = 145 * units::degree, arrow_head = 9;
 constexpr double heading_room = 8, sample_length = 30, sample_words = 40, number_right = 215;
+
+/// CSS rules of the column.
+constexpr const char* column_style =
+    ".heading{font-size:13px;font-weight:600}.number{text-anchor:end}.warning{fill:#d00000;font-weight:600}";
 
 void add_lines(LegendColumn& column, const ProfileShape& shape, bool undercut) {
     const CamMechanism& cam = shape.formulas();
@@ -111,12 +115,12 @@ void LegendColumn::words(std::string_view text, const char* css_class) {
     y_ += step_;
 }
 
-void add_dimensions(LegendColumn& column, const Solution& solution) {
+void add_figures(LegendColumn& column, const Solution& solution, std::string_view between) {
+    column.heading("dimensions");
     for (const DimensionValue& dimension : cam_dimensions(solution))
         column.value(words_of(dimension.name), std::string_view(dimension.text));
-}
-
-void add_figures(LegendColumn& column, const Solution& solution) {
+    if (!between.empty()) column.words(between);
+    column.heading("figures");
     for (const CamFigure& figure : cam_figures(solution)) {
         column.words(figure.name);
         column.value("", std::string_view(figure.degrees.empty()
@@ -125,23 +129,38 @@ void add_figures(LegendColumn& column, const Solution& solution) {
     }
 }
 
+int figure_entries(const Solution& solution) {
+    return static_cast<int>(cam_dimensions(solution).size() + 2 * cam_figures(solution).size());
+}
+
 void add_opening(LegendColumn& column, const Solution& solution) {
     const std::string why = open_because(solution);
     column.words("OPEN: the cam is not closed", "warning");
     column.words(why.substr(0, why.find(": ")));
 }
 
-int dimension_entries(const Solution& solution) {
-    return static_cast<int>(cam_dimensions(solution).size());
+SvgCanvas new_picture(std::string_view style, std::string_view title) {
+    SvgCanvas canvas(picture_width, picture_height, std::string(style) + column_style, title);
+    canvas.rectangle(0, 0, picture_width, picture_height, "page");
+    canvas.text(picture_left, 38, title, "title");
+    return canvas;
 }
 
-int figure_entries(const Solution& solution) {
-    return 2 * static_cast<int>(cam_figures(solution).size());
-}
-
-std::string_view picture_style() {
-    return ".heading{font-size:13px;font-weight:600}.number{text-anchor:end}.warning{fill:#d00000;font-"
-           "weight:600}";
+void draw_rotation(const ProfileCanvas& drawing, const Vector2d& center, double radius, Rotation rotation) {
+    const double arm = drawing.px(9.0), sense = sense_of(rotation);
+    for (const Vector2d& reach : {Vector2d(arm, 0.0), Vector2d(0.0, arm)})
+        drawing.line(center - reach, center + reach, "center");
+    std::vector<Vector2d> arc;
+    for (int i = 0; i <= 40; ++i) {
+        const double angle = arrow_begin + (arrow_end - arrow_begin) * i / 40;
+        arc.emplace_back(center + radius * Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    if (sense < 0.0) std::ranges::reverse(arc);
+    drawing.polyline(arc, false, "arrow");
+    const Vector2d tip = arc.back(), out = (tip - center).normalized();
+    const Vector2d head = sense * drawing.px(arrow_head) * Vector2d(-out.y(), out.x()),
+                   side = 0.45 * drawing.px(arrow_head) * out;
+    drawing.polyline(std::array<Vector2d, 3>{tip + head, tip + side, tip - side}, true, "arrow-head");
 }
 
 void ProfileCanvas::line(const Vector2d& from, const Vector2d& to, std::string_view css_class) const {

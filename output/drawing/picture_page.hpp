@@ -47,6 +47,11 @@ struct PictureBox {
         least = least.cwiseMin(point);
         most = most.cwiseMax(point);
     }
+    /// A square about a point.
+    void add(const Eigen::Vector2d& middle, double half) {
+        add(middle - Eigen::Vector2d::Constant(half));
+        add(middle + Eigen::Vector2d::Constant(half));
+    }
     /// With a margin around it.
     [[nodiscard]] PictureBox with_room() const;
 };
@@ -75,16 +80,18 @@ class LegendColumn {
     ShownUnit length_;
 };
 
-/// The dimensions of the solution's cam, and its figures with their cam angles.
-void add_dimensions(LegendColumn& column, const Solution& solution);
-void add_figures(LegendColumn& column, const Solution& solution);
+/// The dimensions of the solution's cam, `between`, and its figures with their cam angles.
+void add_figures(LegendColumn& column, const Solution& solution, std::string_view between = {});
+/// Entries that they take, without the headings.
+[[nodiscard]] int figure_entries(const Solution& solution);
 /// That the cam is open, and why.
 void add_opening(LegendColumn& column, const Solution& solution);
-/// Entries that both take.
-[[nodiscard]] int dimension_entries(const Solution& solution);
-[[nodiscard]] int figure_entries(const Solution& solution);
 
-/// CSS rules of the column: heading, number, warning.
-[[nodiscard]] std::string_view picture_style();
+/// The page with its title; `style`: CSS rules besides those of the column.
+[[nodiscard]] SvgCanvas new_picture(std::string_view style, std::string_view title);
+
+/// A cross at the centre, and an arrow of this radius in the sense in which the cam turns.
+void draw_rotation(const ProfileCanvas& drawing, const Eigen::Vector2d& center, double radius,
+                   Rotation rotation);
 
 }  // namespace camopt

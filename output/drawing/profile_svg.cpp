@@ -168,9 +168,8 @@ constexpr int steps = 1440;  // a quarter of a degree
 constexpr double mark_step = 30 * degree, ghost_step = 60 * degree;
 constexpr double mark_length = 8, mark_distance = 19, mark_room = 9;  // px
 constexpr double label_width = 28, label_height = 12;                 // px
-constexpr double arrow_radius = 0.42, arrow_head = 9, arrow_begin = 35 * degree, arrow_end = 145 * degree;
-
-constexpr double undercut_ring = 14;  // px
+constexpr double arrow_radius = 0.42;                                 // of the base circle's
+constexpr double undercut_ring = 14;                                  // px
 
 const char* page_style =
     ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}.groove{fill:#"
@@ -199,32 +198,31 @@ void for_each_angle(const ProfileShape& shape, double step, Use use) {
         use(std::clamp(k * step, shape.begin(), shape.end()));
 }
 
-PictureBox extent_of(const ProfileShape& shape, const Pieces& pieces, const FollowerDrawing& follower) {
-    PictureBox extent;
-    const Vector2d prime = Vector2d::Constant(shape.prime_radius());
-    extent.add(prime);
-    extent.add(-prime);
+/// The points of all pieces, of the cam and of its pitch curve.
+struct Outlines {
+    std::vector<Vector2d> contact, pitch;
+};
+
+Outlines outlines_of(const Pieces& pieces) {
+    Outlines lines;
     for (const std::vector<MechanismPoint>& piece : pieces)
         for (const MechanismPoint& point : piece) {
-            extent.add(in_plane(point.contact));
-            extent.add(in_plane(point.pitch));
+            lines.contact.push_back(in_plane(point.contact));
+            lines.pitch.push_back(in_plane(point.pitch));
         }
-    if (shape.other)
-        for (const std::vector<MechanismPoint>& piece : profile_pieces(other_side(shape), steps))
-            for (const MechanismPoint& point : piece) {
-                extent.add(in_plane(point.contact));
-                extent.add(in_plane(point.pitch));
-            }
-    if (const std::optional<double> rim = rim_radius(shape)) {
-        extent.add(Vector2d::Constant(*rim));
-        extent.add(-Vector2d::Constant(*rim));
-    }
-    if (shape.has_two_disks()) {
-        const Vector2d second = in_plane(shape.other(shape.start).pitch),
-                       around = Vector2d::Constant(shape.roller_radius(1));
-        extent.add(second - around);
-        extent.add(second + around);
-    }
+    return lines;
+}
+
+PictureBox extent_of(const ProfileShape& shape, const Pieces& pieces, const FollowerDrawing& follower) {
+    PictureBox extent;
+    extent.add({0.0, 0.0}, shape.prime_radius());
+    std::vector<Outlines> sides = {outlines_of(pieces)};
+    if (shape.other) sides.push_back(outlines_of(profile_pieces(other_side(shape), steps)));
+    for (const Outlines& side : sides)
+        for (const std::vector<Vector2d>* line : {&side.contact, &side.pitch})
+            for (const Vector2d& point : *line) extent.add(point);
+    if (const std::optional<double> rim = rim_radius(shape)) extent.add({0.0, 0.0}, *rim);
+    if (shape.has_two_disks()) extent.add(in_plane(shape.other(shape.start).pitch), shape.roller_radius(1));
     for (const Vector2d& point : follower.reach()) extent.add(point);
     for_each_angle(shape, ghost_step, [&](double theta) {
         for (const Vector2d& point : follower.ghost_reach(theta)) extent.add(point);
@@ -245,12 +243,7 @@ FollowerDrawing follower_drawing(const ProfileShape& shape, const Pieces& pieces
 /// What lies below the first side: the disk that a groove is cut into, or the second disk.
 void draw_other_side(const ProfileCanvas& drawing, const ProfileShape& shape) {
     if (!shape.other) return;
-    std::vector<Vector2d> outline, pitch;
-    for (const std::vector<MechanismPoint>& piece : profile_pieces(other_side(shape), steps))
-        for (const MechanismPoint& point : piece) {
-            outline.push_back(in_plane(point.contact));
-            pitch.push_back(in_plane(point.pitch));
-        }
+    const auto [outline, pitch] = outlines_of(profile_pieces(other_side(shape), steps));
     if (const std::optional<double> rim = rim_radius(shape)) {
         if (shape.closed) drawing.circle({0.0, 0.0}, *rim, "cam");
         drawing.polyline(outline, shape.closed, shape.closed ? "groove" : "sector");
@@ -272,12 +265,7 @@ void draw_second_roller(const ProfileCanvas& drawing, const ProfileShape& shape)
 }
 
 void draw_cam(const ProfileCanvas& drawing, const ProfileShape& shape, const Pieces& pieces) {
-    std::vector<Vector2d> outline, pitch;
-    for (const std::vector<MechanismPoint>& piece : pieces)
-        for (const MechanismPoint& point : piece) {
-            outline.push_back(in_plane(point.contact));
-            pitch.push_back(in_plane(point.pitch));
-        }
+    const auto [outline, pitch] = outlines_of(pieces);
     drawing.polyline(outline, shape.closed, shape.closed ? "cam" : "sector");
     if (!shape.closed && !shape.open_because.empty())
         drawing.line(in_plane(shape.at(shape.begin()).contact), in_plane(shape.at(shape.end()).contact),
@@ -339,34 +327,12 @@ void draw_marks(const ProfileCanvas& drawing, const ProfileShape& shape) {
     });
 }
 
-void draw_center(const ProfileCanvas& drawing, const ProfileShape& shape) {
-    const double arm = drawing.px(9.0), radius = arrow_radius * shape.base_radius();
-    drawing.line({-arm, 0.0}, {arm, 0.0}, "center");
-    drawing.line({0.0, -arm}, {0.0, arm}, "center");
-    const bool left_turn = shape.formulas().rotation() == Rotation::counterclockwise;
-    const auto at = [&](double angle) -> Vector2d {
-        return radius * Vector2d(std::cos(angle), std::sin(angle));
-    };
-    std::vector<Vector2d> arc;
-    for (int i = 0; i <= 40; ++i) arc.push_back(at(arrow_begin + (arrow_end - arrow_begin) * i / 40));
-    if (!left_turn) std::reverse(arc.begin(), arc.end());
-    drawing.polyline(arc, false, "arrow");
-    const Vector2d tip = arc.back(), out = tip.normalized();
-    const Vector2d ahead = (left_turn ? 1.0 : -1.0) * Vector2d(-out.y(), out.x()),
-                   head = drawing.px(arrow_head) * ahead;
-    const Vector2d side = 0.45 * drawing.px(arrow_head) * out;
-    drawing.polyline(std::array<Vector2d, 3>{tip + head, tip + side, tip - side}, true, "arrow-head");
-}
-
 }  // namespace
 
 std::string profile_svg(const ProfileShape& shape, std::string_view title) {
     const Pieces pieces = profile_pieces(shape, steps);
     const FollowerDrawing follower = follower_drawing(shape, pieces);
-    SvgCanvas canvas(picture_width, picture_height,
-                     page_style + std::string(follower_style) + std::string(picture_style()), title);
-    canvas.rectangle(0, 0, picture_width, picture_height, "page");
-    canvas.text(picture_left, 38, title, "title");
+    SvgCanvas canvas = new_picture(page_style + std::string(follower_style), title);
     const ProfileCanvas drawing = fitted_canvas(canvas, extent_of(shape, pieces, follower));
     draw_length_frame(drawing, shape.length, "x, y in " + shape.length.name + " (cam frame)");
     draw_other_side(drawing, shape);
@@ -377,7 +343,7 @@ std::string profile_svg(const ProfileShape& shape, std::string_view title) {
     bool undercut = draw_undercut(drawing, pieces);
     if (shape.other) undercut = draw_undercut(drawing, profile_pieces(other_side(shape), steps)) || undercut;
     draw_marks(drawing, shape);
-    draw_center(drawing, shape);
+    draw_rotation(drawing, {0.0, 0.0}, arrow_radius * shape.base_radius(), shape.formulas().rotation());
     draw_second_roller(drawing, shape);
     follower.draw_whole(drawing);
     draw_profile_legend(canvas, shape, undercut);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Studies beside a solve as JSON: elastic follower trains, comparisons, papers.
+// Studies beside a solve as JSON: elastic follower trains, comparisons, the reference table.
 #pragma once
 
 #include "output/json/result_json.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/paper_report.hpp"
 #include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 
@@ -19,10 +18,6 @@ namespace camopt {
 // A comparison for programs: one object a row. What is infinite or absent is null, never NaN; numbers read
 // back as the same double. Nothing throws.
 [[nodiscard]] std::string comparison_json(const Comparison& comparison, const RunOrigin& origin = {});
-
-// A paper's report for programs: tables as columns and rows of objects by column key, figures as series.
-// Numbers read back as the same double; null where there is none.
-[[nodiscard]] std::string paper_report_json(const PaperReport& report);
 
 // The reference table for programs: everything in it, as one JSON document.
 //

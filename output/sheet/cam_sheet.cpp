@@ -477,12 +477,4 @@ std::vector<Sheet> cam_sheets(const View& view, const CamSheetOptions& options) 
     return sheets;
 }
 
-Sheet cam_sheet(const View& view, const CamSheetOptions& options) {
-    std::vector<Sheet> sheets = cam_sheets(view, options);
-    if (sheets.size() > 1)
-        throw InputError(
-            "a workshop drawing: found two disks, which have a drawing each; allowed: cam_sheets");
-    return std::move(sheets.front());
-}
-
 }  // namespace camopt

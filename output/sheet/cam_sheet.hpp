@@ -32,9 +32,6 @@ struct CamSheetOptions {
 /// solution without a disk cam, and for a cam too large for any sheet.
 [[nodiscard]] std::vector<Sheet> cam_sheets(const View& view, const CamSheetOptions& options = {});
 
-/// Of a cam of one piece. Throws as cam_sheets, and for a conjugate cam.
-[[nodiscard]] Sheet cam_sheet(const View& view, const CamSheetOptions& options = {});
-
 /// Unit vector of the cam frame that points along +y when the cam has turned by this cam angle.
 [[nodiscard]] Eigen::Vector2d ray_at(Rotation rotation, double cam_angle);
 

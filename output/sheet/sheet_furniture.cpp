@@ -137,10 +137,6 @@ double SheetTable::width() const {
     return blocks() * (block + block_gap) - block_gap;
 }
 
-double SheetTable::height() const {
-    return row_height * (1 + std::min(static_cast<int>(rows.size()), rows_a_block));
-}
-
 void add_table(Sheet& sheet, const SheetTable& table, const Vector2d& top_left) {
     const double block_width = angle_column + radius_column * static_cast<double>(table.head.size() - 1);
     const auto add_row = [&](const std::vector<std::string>& row, double left, double top) {

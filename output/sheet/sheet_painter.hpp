@@ -74,7 +74,6 @@ struct SheetTable {
 
     [[nodiscard]] int blocks() const;
     [[nodiscard]] double width() const;
-    [[nodiscard]] double height() const;
 };
 /// `top_left`: of its box.
 void add_table(Sheet& sheet, const SheetTable& table, const Eigen::Vector2d& top_left);

@@ -222,11 +222,8 @@ MeshView drum_view(const CamFlanks& cam) {
 }
 
 std::string drum_svg(const Drum& drum) {
-    const std::string title = title_of_drum(drum);
     const ShownUnit length = shown_units(drum.solution.scene).length;
-    SvgCanvas canvas(picture_width, picture_height, drum_style + std::string(picture_style()), title);
-    canvas.rectangle(0, 0, picture_width, picture_height, "page");
-    canvas.text(picture_left, 38, title, "title");
+    SvgCanvas canvas = new_picture(drum_style, title_of_drum(drum));
     canvas.rectangle(picture_left, picture_top, picture_frame_width, picture_frame_height, "frame");
     MeshView view = drum_view(drum.cam);
     view.width = picture_frame_width - 40;
@@ -239,21 +236,16 @@ std::string drum_svg(const Drum& drum) {
     canvas.text(picture_left + picture_frame_width - 10, picture_top + picture_frame_height - 12,
                 "parallel projection, cam angle 0", "end");
     const bool ribs = indexes(drum.cam, drum.motion);
-    LegendColumn column(canvas, length, 8 + dimension_entries(drum.solution) + figure_entries(drum.solution));
+    LegendColumn column(canvas, length, 8 + figure_entries(drum.solution));
     if (!ribs) column.sample("hub", "core");
     column.sample("rib", ribs ? "cam" : "both flanks of the groove");
     if (ribs) column.sample("rollers", "rollers that hold its rib");
-    column.heading("dimensions");
-    add_dimensions(column, drum.solution);
-    column.words(fmt::format("turns {}", name_of(drum.cam.rotation)));
-    column.heading("figures");
-    add_figures(column, drum.solution);
+    add_figures(column, drum.solution, fmt::format("turns {}", name_of(drum.cam.rotation)));
     if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();
 }
 
 std::string developed_svg(const Drum& drum) {
-    const std::string title = title_of_drum(drum);
     const ShownUnit length = shown_units(drum.solution.scene).length;
     const FlankGrid grid = drum_grid(drum.cam, drum.motion, 2);
     const std::size_t count = grid.angles.size();
@@ -293,9 +285,7 @@ std::string developed_svg(const Drum& drum) {
     box.add({0.0, box.least.y()});
     box.add({radius * units::turn, box.most.y()});
 
-    SvgCanvas canvas(picture_width, picture_height, drum_style + std::string(picture_style()), title);
-    canvas.rectangle(0, 0, picture_width, picture_height, "page");
-    canvas.text(picture_left, 38, title, "title");
+    SvgCanvas canvas = new_picture(drum_style, title_of_drum(drum));
     const ProfileCanvas on = fitted_canvas(canvas, box.with_room());
     draw_length_frame(on, length,
                       fmt::format("around the drum at a radius of {}, along its axis: {}",
@@ -323,15 +313,12 @@ std::string developed_svg(const Drum& drum) {
                 fmt::format("φ = {}° at {}°", short_text(degrees_shown.of(largest.value), 4),
                             short_text(degrees_shown.of(theta), 5)),
                 places, "peak-label", 12, true);
-    LegendColumn column(canvas, length, 9 + dimension_entries(drum.solution) + figure_entries(drum.solution));
+    LegendColumn column(canvas, length, 9 + figure_entries(drum.solution));
     column.sample("plus", "one flank, outer end");
     column.sample("plus deep", "at the inner end");
     column.sample("minus", "other flank, outer end");
     column.sample("minus deep", "at the inner end");
     column.sample("axis", "way of the roller's axis");
-    column.heading("dimensions");
-    add_dimensions(column, drum.solution);
-    column.heading("figures");
     add_figures(column, drum.solution);
     if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();

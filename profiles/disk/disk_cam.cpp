@@ -135,9 +135,6 @@ double rest_position(const DiskCam& cam) {
     throw ModelError("a follower of no known type");
 }
 
-}  // namespace camopt
-
-namespace camopt {
 namespace {
 
 // Whether one cam can be built: at rest, and over the whole range of its motion. Every distance below grows

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The machine of an inverse cam: the motion of its roller, the linkage from the swinging body to the feeder,
-// and both together with a guide.
+// and the guide that both ask for.
+//
+// The guide is the path of the roller's centre, fixed to the swinging body. The body turns about the origin;
+// the roller's centre moves along the +x axis of the fixed frame at (L, 0). In the body's frame the guide is
+// psi(L), the polar angle of its point at the distance L from the pivot, so the body is at theta = -psi(L).
+// Source: J.-H. Shin, Y.-H. Choi, C.-S. Rho, Kinematic Analysis and Simulation of an Automatic Feeding
+// Mechanism Subjected by a Curvilinear Inverse Cam (I), corrected (docs/papers/000.md).
 #pragma once
 
 #include "core/motion.hpp"
 #include "core/numbers/extremum.hpp"
-#include "profiles/inverse/guide.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/cam_spec.hpp"
 
@@ -13,11 +18,11 @@
 
 namespace camopt {
 
-// The roller's motion along its axis: strokes of constant acceleration, one after the other.
+// The roller's motion along its axis: a stroke of constant acceleration.
 //
 //   L(t) = position + velocity · (t - reference) + acceleration · (t - reference)² / 2   for begin <= t <=
 //   end
-// m, s. Errors: InputError where strokes do not follow one another in time or the roller jumps between them.
+// m, s.
 
 struct RollerStroke {
     double begin = 0.0, end = 0.0, reference = 0.0;             ///< s
@@ -26,20 +31,6 @@ struct RollerStroke {
 
 struct RollerState {
     double distance = 0.0, velocity = 0.0, acceleration = 0.0;  ///< L, dL/dt, d²L/dt²
-};
-
-class RollerLaw {
- public:
-    explicit RollerLaw(std::vector<RollerStroke> strokes);
-
-    [[nodiscard]] double begin() const { return strokes_.front().begin; }
-    [[nodiscard]] double end() const { return strokes_.back().end; }
-    [[nodiscard]] const std::vector<RollerStroke>& strokes() const { return strokes_; }
-    /// Where strokes meet, the one on `side`. Throws InputError outside [begin, end].
-    [[nodiscard]] RollerState at(double time, Side side = Side::right) const;
-
- private:
-    std::vector<RollerStroke> strokes_;
 };
 
 [[nodiscard]] RollerState state_of(const RollerStroke& stroke, double time);
@@ -57,7 +48,7 @@ class RollerLaw {
 //   feeder  Y = Yc + Lx tan phi,  Y' = Lx phi' / cos² phi,  Y'' = Lx (phi'' + 2 phi'² tan phi) / cos² phi
 // ' is d/dt. Lengths m, angles rad counterclockwise, time s. The feeder slides along the fixed y axis at
 // x = Xc + Lx. Numerical failure is a named fault, never NaN.
-// Source: the paper of guide.hpp, eqs. 13 to 23, corrected (docs/papers/000.md).
+// Source: the paper's eqs. 13 to 23, corrected.
 
 struct FeederLinkage {
     double pin_distance = 0.0;               ///< L1 > 0: pin from the body's pivot
@@ -103,29 +94,15 @@ struct BodyResult {
 };
 [[nodiscard]] BodyResult body_motion(const FeederLinkage& linkage, const FollowerState& feeder);
 
-// The whole machine: the roller pushes, the guide swings the body, the rocker moves the feeder; and the guide
-// required for a given motion of the feeder.
+// The guide required for a given motion of the feeder.
 //
-//   theta = -psi(L),  theta' = -psi' L',  theta'' = -(psi'' L'² + psi' L'')    (psi by L, the rest by time)
-//   inverse: psi = -theta,  psi' = -theta'/L',  psi'' = -(theta'' + psi' L'') / L'²
+//   psi = -theta,  psi' = -theta'/L',  psi'' = -(theta'' + psi' L'') / L'²    (psi by L, the rest by time)
 // Lengths m, angles rad, time s.
 
-struct InverseState {
-    InverseFault fault = InverseFault::none;
-    RollerState roller;
-    double pressure_angle = 0.0;  ///< mu, of the guide on the roller
-    double curvature = 0.0;       ///< of the guide
-    BodyMotion body;
-    FeederMotion feeder;
+/// psi at a distance, with its derivatives by the distance.
+struct PolarNode {
+    double distance = 0.0, angle = 0.0, slope = 0.0, bend = 0.0;  ///< L, psi, psi', psi''
 };
-
-/// At a joint of the guide the piece on `guide_side`, in the sense of growing L.
-[[nodiscard]] InverseState inverse_state(const Guide& guide, const FeederLinkage& linkage,
-                                         const RollerState& roller, Side guide_side = Side::right);
-
-/// The body alone; the roller must be within the guide's reach (InputError).
-[[nodiscard]] BodyMotion body_on_guide(const Guide& guide, const RollerState& roller,
-                                       Side guide_side = Side::right);
 
 /// The node of the guide for this motion of the feeder and that of the roller.
 struct GuideNode {
@@ -145,8 +122,8 @@ struct GuideNode {
 // and guide:
 //   pressure_numerator   −L θ_body'    pressure_denominator  L'        ' by the cam angle θ
 //   pitch_curvature      ±κ of the guide, regularity 1 ∓ r κ
-// Stations: the left and the right wall of the slot, seen along the guide outwards. Frame of the cam: that of
-// profiles/inverse/guide.hpp. Not drawn by the pictures of disk cams (planar() is false).
+// Stations: the left and the right wall of the slot, seen along the guide outwards. Frame of the cam: the
+// body's. Not drawn by the pictures of disk cams (planar() is false).
 // Exact partials by automatic differentiation, by all numbers. Out of reach: NaN.
 
 /// CamSpec::make of such a cam. Throws InputError for a spec of another type.

@@ -109,8 +109,6 @@ SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerSt
 
 namespace {
 
-using enum SpatialDimension;
-
 std::string length_text(double value) {
     return fmt::format("{:.6g} mm", value / 1e-3);
 }

@@ -51,7 +51,6 @@ SpatialFollower spatial_follower(const CamSpec& spec) {
 namespace {
 
 using enum KeyType;
-using enum SpatialFollower;
 using namespace spellings;
 
 // A row is read as a row.

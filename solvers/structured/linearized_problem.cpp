@@ -184,8 +184,6 @@ StepModel projection_model(const Nlp& problem, const NlpPoint& start) {
 
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
 /// Largest sum of absolute values of a row: a bound of every eigenvalue (Gershgorin).

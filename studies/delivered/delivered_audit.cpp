@@ -227,10 +227,6 @@ void withdraw_motion(Solution& solution) {
     solution.certificate.objective = infinity;
 }
 
-}  // namespace
-
-namespace {
-
 // Of the motion's peaks: a curve that moves less than this is measured by the motion, not by its own
 // rounding.
 constexpr double standstill = 1e-3;

@@ -165,10 +165,6 @@ void report_conflict_at(Solution& solution, const RestConflict& conflict, Reason
 
 constexpr double most_violation = 1e9;  // of a figure that is infinite
 
-}  // namespace
-
-namespace {
-
 /// A limit on a derivative that a law has infinite where it joins.
 std::optional<RestConflict> impulse_conflict(const Scene& scene, const MotionFamily& family,
                                              const MotionChain& motion) {

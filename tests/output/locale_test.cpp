@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A program that embeds camopt may have set a locale in which 1234.5 is written 1.234,5: what camopt reads,
 // solves and writes is the same to the last byte.
+#include "benchmarks/papers/paper_json.hpp"
 #include "benchmarks/papers/papers.hpp"
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
@@ -8,7 +9,6 @@
 #include "input/scene_reader.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/certificate_json.hpp"
-#include "output/json/study_json.hpp"
 #include "output/nc/post_processor.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/result_folder.hpp"

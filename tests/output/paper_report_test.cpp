@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A paper's report as text, Markdown, JSON, CSV and picture, against a small one made by hand.
+#include "benchmarks/papers/paper_json.hpp"
 #include "output/chart/studies/study_svg.hpp"
 #include "output/csv/study_csv.hpp"
-#include "output/json/study_json.hpp"
 #include "output/words/study_text.hpp"
 #include "tests/output/well_formed.hpp"
 

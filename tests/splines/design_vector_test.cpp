@@ -326,6 +326,14 @@ TEST(DesignVector, RefusesFormsNotSpanningSpace) {
               "symmetry: the breakpoints are not symmetric about the middle");
 }
 
+/// Mean square of the derivative of `order` over the whole spline.
+QuadraticForm mean_square_form(const DesignVector& design, int order) {
+    const SplineSpace& space = design.space();
+    EnergySum sum(design.size());
+    for (int i = 0; i < space.segments(); ++i) sum.add(design.local_map(i), order, space.width(i), 1.0);
+    return sum.form(1.0 / (space.end() - space.begin()));
+}
+
 TEST(Gram, IsTheIntegralOfTheSquare) {
     for (const DesignKind kind : kinds) {
         for (const int degree : {3, 5}) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sweeps from Python: the rows of the command line's sweep, solved by threads of this process.
 #include "bindings/python/source/parts.hpp"
+#include "core/text/parsing.hpp"
+#include "output/csv/csv_line.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/words/study_text.hpp"
 #include "studies/pareto/sweep_front.hpp"
@@ -11,7 +13,6 @@
 #include <algorithm>
 #include <camopt/errors.hpp>
 #include <camopt/sweep.hpp>
-#include <camopt/units.hpp>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -20,6 +21,7 @@
 #include <optional>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -169,94 +171,41 @@ SweepAxis axis_of(const Axis& given) {
     return {keys, std::vector<double>(values.data(), values.data() + values.size())};
 }
 
-/// Rows as columns: name by name, in the order of sweep.csv.
-class Columns {
- public:
-    explicit Columns(const SweepTable& table) : table_(&table) {}
+/// A column of sweep.csv; an empty cell is NaN.
+template <class Number>
+py::array_t<Number> numbers_of(std::span<const CsvRecord> rows, std::size_t column) {
+    py::array_t<Number> numbers(static_cast<py::ssize_t>(rows.size()));
+    std::ranges::transform(rows, numbers.mutable_data(), [column](const CsvRecord& row) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        return static_cast<Number>(number_in(row.cells[column]).value_or(none));
+    });
+    return numbers;
+}
 
-    py::dict dictionary() const {
-        py::dict columns;
-        numbers(columns, "row", [](const SweepRow& row) { return static_cast<py::ssize_t>(row.number); });
-        for (std::size_t i = 0; i < table_->columns.keys.size(); ++i)
-            numbers(columns, table_->columns.keys[i], [i](const SweepRow& row) { return row.settings[i]; });
-        words(columns, "verdict", [](const SweepRow& row) { return std::string(name_of(row.verdict)); });
-        words(columns, "reason", [](const SweepRow& row) { return row.reason; });
-        numbers(columns, "pareto_front", [](const SweepRow& row) { return row.on_front; });
-        optional(columns, "objective", [](const SweepRow& row) { return row.objective; });
-        optional(columns, "lower_bound", [](const SweepRow& row) { return row.lower_bound; });
-        optional(columns, "gap", [](const SweepRow& row) { return row.gap; });
-        optional(columns, "any_curve_limit", [](const SweepRow& row) { return row.any_curve_limit; });
-        for (int i = 0; i < sweep_figure_count; ++i)
-            optional(columns, name_of(static_cast<SweepFigure>(i)),
-                     [i](const SweepRow& row) { return row.figures[static_cast<std::size_t>(i)]; });
-        for (const DimensionIndex index : table_->columns.dimensions)
-            optional(columns, fmt::format("{}_mm", name_of(index)), [index](const SweepRow& row) {
-                const std::optional<double>& value = row.dimension(index);
-                return value ? std::optional(*value / units::millimetre) : std::nullopt;
-            });
-        if (table_->columns.cam())
-            for (const SweepCamColumn& column : sweep_cam_columns())
-                optional(columns, column.name, [&column](const SweepRow& row) {
-                    const std::optional<double>& si = row.cam.*column.value;
-                    return si ? std::optional(column.file_unit().of(*si)) : std::nullopt;
-                });
-        if (table_->columns.train) {
-            optional(columns, "residual", [](const SweepRow& row) { return row.train.residual; });
-            optional(columns, "dynamic_acceleration",
-                     [](const SweepRow& row) { return row.train.dynamic_acceleration; });
-            optional(columns, "dynamic_contact_force",
-                     [](const SweepRow& row) { return row.train.contact_force; });
-        }
-        words(columns, "active_limits",
-              [](const SweepRow& row) { return fmt::format("{}", fmt::join(row.active_limits, "; ")); });
-        words(columns, "proof", [](const SweepRow& row) { return proof_cell(row); });
-        numbers(columns, "iterations",
-                [](const SweepRow& row) { return static_cast<py::ssize_t>(row.iterations); });
-        numbers(columns, "exchange_rounds",
-                [](const SweepRow& row) { return static_cast<py::ssize_t>(row.exchange_rounds); });
-        counts(columns);
-        numbers(columns, "seconds_solve", [](const SweepRow& row) { return row.seconds_solve; });
-        numbers(columns, "seconds_total", [](const SweepRow& row) { return row.seconds_total; });
-        return columns;
-    }
+py::object words_of(std::span<const CsvRecord> rows, std::size_t column) {
+    py::list words;
+    for (const CsvRecord& row : rows) words.append(row.cells[column]);
+    return py::module_::import("numpy").attr("array")(words, py::arg("dtype") = "str");
+}
 
- private:
-    void counts(py::dict& columns) const {
-        const std::pair<const char*, long EvaluationCounts::*> all[] = {
-            {"cost_evaluations", &EvaluationCounts::cost},
-            {"gradient_evaluations", &EvaluationCounts::gradient},
-            {"constraint_evaluations", &EvaluationCounts::constraints},
-            {"jacobian_evaluations", &EvaluationCounts::jacobian},
-            {"hessian_evaluations", &EvaluationCounts::hessian},
-            {"profile_points", &EvaluationCounts::profile_points}};
-        for (const auto& [name, count] : all)
-            numbers(columns, name, [member = count](const SweepRow& row) {
-                return static_cast<py::ssize_t>(row.evaluations.*member);
-            });
+/// The columns of sweep.csv, name by name.
+py::dict dictionary(const SweepTable& table) {
+    static const std::set<std::string_view> words = {"verdict", "reason", "active_limits", "proof"},
+                                            counts = {"row", "iterations", "exchange_rounds",
+                                                      "profile_points"};
+    const std::vector<CsvRecord> records = csv_records(sweep_csv(table), "sweep.csv");
+    const std::span rows = std::span(records).subspan(1);
+    py::dict columns;
+    for (std::size_t i = 0; i < records.front().cells.size(); ++i) {
+        const std::string& name = records.front().cells[i];
+        const bool counted = counts.contains(name) || name.ends_with("_evaluations");
+        columns[name.c_str()] = words.contains(name)     ? words_of(rows, i)
+                                : name == "pareto_front" ? numbers_of<bool>(rows, i)
+                                : counted                ? numbers_of<py::ssize_t>(rows, i)
+                                                         : py::object(numbers_of<double>(rows, i));
     }
-    template <typename Of>
-    void numbers(py::dict& columns, const std::string& name, const Of& of) const {
-        using Number = decltype(of(std::declval<const SweepRow&>()));
-        py::array_t<Number> column(static_cast<py::ssize_t>(table_->rows.size()));
-        Number* place = column.mutable_data();
-        for (const SweepRow& row : table_->rows) *place++ = of(row);
-        columns[name.c_str()] = column;
-    }
-    template <typename Of>
-    void optional(py::dict& columns, const std::string& name, const Of& of) const {
-        numbers(columns, name, [&](const SweepRow& row) {
-            return of(row).value_or(std::numeric_limits<double>::quiet_NaN());
-        });
-    }
-    template <typename Of>
-    void words(py::dict& columns, const std::string& name, const Of& of) const {
-        py::list column;
-        for (const SweepRow& row : table_->rows) column.append(of(row));
-        columns[name.c_str()] = py::module_::import("numpy").attr("array")(column, py::arg("dtype") = "str");
-    }
-
-    const SweepTable* table_;
-};
+    return columns;
+}
 
 SweepTable swept(const ReadScene& given, const std::vector<Axis>& axes, std::optional<int> chunk, int workers,
                  py::object progress) {
@@ -295,7 +244,7 @@ void add_sweeps(py::module_& module) {
         .def_property_readonly(
             "keys", [](const SweepTable& table) { return table.columns.keys; }, "The keys that vary.")
         .def(
-            "to_dict", [](const SweepTable& table) { return Columns(table).dictionary(); },
+            "to_dict", [](const SweepTable& table) { return dictionary(table); },
             "The columns {name: array}, those of sweep.csv: pandas.DataFrame(table.to_dict()) is the "
             "table.\n\n"
             "A number that does not exist (the peaks of an infeasible row) is NaN.")

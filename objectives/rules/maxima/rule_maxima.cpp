@@ -183,10 +183,6 @@ std::vector<SmoothPiece> pieces_of(const ChainPart& part) {
     return pieces;
 }
 
-}  // namespace
-
-namespace {
-
 /// The displacement that is the origin of y for a placed rule.
 double datum_of(const PlacedRule& rule, const MotionFamily& family, const MotionChain& motion) {
     if (rule.datum == PlacedRule::Datum::zero) return 0.0;
@@ -198,7 +194,7 @@ double datum_of(const PlacedRule& rule, const MotionFamily& family, const Motion
 /// Of a rule that holds on a part of the motion: its ends replace what lies outside.
 std::vector<Extremum> inside(const std::array<double, 2>& range, const Subject& subject,
                              std::vector<Extremum> all) {
-    const auto [from, until] = range;
+    const double from = range[0], until = range[1];
     if (from == -infinity && until == infinity) return all;
     std::erase_if(all, [&](const Extremum& one) {
         return one.at < from || one.at > until || (one.at == from && one.side == Side::left) ||

@@ -317,10 +317,6 @@ class Iteration {
     Direction affine_, direction_, trial_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Converts the result of the smaller model to the given one.
 InteriorPointResult restored(InteriorPointResult result, const PathReduction& reduction) {
     const auto restore = [&](PrimalDualPoint& point) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Guides: the reference shapes, psi and its derivatives against differences and against the paper's own
 // formulas of lines and circles, pieces that do not make a guide.
-#include "profiles/inverse/guide.hpp"
+#include "benchmarks/papers/guide.hpp"
 
 #include "core/errors.hpp"
 #include "reference_machine.hpp"

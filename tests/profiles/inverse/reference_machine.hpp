@@ -3,6 +3,7 @@
 // printed in it), and its roller.
 #pragma once
 
+#include "benchmarks/papers/guided_feeder.hpp"
 #include "benchmarks/papers/paper_guide.hpp"
 #include "core/units.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"

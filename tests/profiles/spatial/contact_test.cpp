@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The flanks by envelope and by relative velocity, the pressure angle by its definition, contact lines,
 // grids.
+#include "benchmarks/papers/spatial_methods.hpp"
 #include "core/errors.hpp"
-#include "profiles/spatial/spatial_analysis.hpp"
 #include "reference_cams.hpp"
 #include "scene/cam_flanks.hpp"
 #include "situations.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference numbers of the barrel cam (paper 002) and of the cylindrical cam with a rotating follower
 // (paper 001), recomputed elsewhere in 60 digits from positions alone; to the digits they were given.
-#include "profiles/spatial/spatial_analysis.hpp"
+#include "benchmarks/papers/spatial_methods.hpp"
 #include "reference_cams.hpp"
 
 #include <Eigen/Geometry>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The undercut function by its four definitions, and what it says: below the critical radius the flank's
 // normal never flips and the cutter takes nothing away, above it both happen.
+#include "benchmarks/papers/spatial_methods.hpp"
 #include "core/errors.hpp"
-#include "profiles/spatial/spatial_analysis.hpp"
 #include "situations.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The example of docs/papers/000.md: from the weights of a motion to the points of a slot's walls.
+#include "benchmarks/papers/guide.hpp"
+#include "benchmarks/papers/wished_guide.hpp"
 #include "core/units.hpp"
-#include "profiles/inverse/guide.hpp"
-#include "profiles/inverse/wished_guide.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>

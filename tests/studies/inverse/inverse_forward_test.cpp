@@ -3,8 +3,8 @@
 // roller far below 1e-6 rad, a wrong wall is found out.
 #include "studies/inverse/inverse_forward.hpp"
 
+#include "benchmarks/papers/guide.hpp"
 #include "core/errors.hpp"
-#include "profiles/inverse/guide.hpp"
 #include "profiles/inverse/reference_machine.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Guides made for a wished motion of the feeder: the feeder follows, both strokes are one motion, the figures
 // agree with the motion's own peaks.
+#include "benchmarks/papers/wished_guide.hpp"
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/inverse/reference_machine.hpp"
-#include "profiles/inverse/wished_guide.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

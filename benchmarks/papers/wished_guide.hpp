@@ -12,8 +12,8 @@
 // both. Lengths m, angles rad, time s.
 #pragma once
 
+#include "benchmarks/papers/guided_feeder.hpp"
 #include "core/motion.hpp"
-#include "profiles/inverse/inverse_mechanism.hpp"
 
 namespace camopt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/inverse/guide.hpp"
+#include "benchmarks/papers/guide.hpp"
 
 #include "core/errors.hpp"
 

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/numbers/extremum.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
 
 #include <Eigen/Core>
 
@@ -28,11 +29,6 @@ struct GuideLine {
 
 struct GuideArc {
     Eigen::Vector2d begin, end, center;  ///< the shorter of both arcs
-};
-
-/// psi at a distance, with its derivatives by the distance.
-struct PolarNode {
-    double distance = 0.0, angle = 0.0, slope = 0.0, bend = 0.0;  ///< L, psi, psi', psi''
 };
 
 /// Quintic between neighbouring nodes, taking over psi, psi', psi'' of both: C2. Nodes by growing distance,

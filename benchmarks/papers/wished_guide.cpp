@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/inverse/wished_guide.hpp"
+#include "benchmarks/papers/wished_guide.hpp"
 
 #include "core/errors.hpp"
 
@@ -9,7 +9,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int grid = 2000;  // places between two joints where peaks are searched
+constexpr int peak_places = 2000;  // places between two joints where peaks are searched
 
 double rise_begin(const FeederWish& wish) {
     return time_at(wish.stroke, wish.from);
@@ -67,8 +67,8 @@ void take_peaks(const Guide& guide, const FeederLinkage& linkage, const RollerSt
                      to = std::min(guide.joints()[i + 1], reached_end);
         if (!(from < to)) continue;
         double before = 0.0, time_before = 0.0;
-        for (int k = 0; k <= grid; ++k) {
-            const double distance = k == grid ? to : from + (to - from) * k / grid;
+        for (int k = 0; k <= peak_places; ++k) {
+            const double distance = k == peak_places ? to : from + (to - from) * k / peak_places;
             const double time = time_at(stroke, distance);
             RollerState roller = state_of(stroke, time);
             roller.distance = distance;  // to the bit, so that the side of the joint is the one meant
@@ -93,9 +93,9 @@ void take_shape(const Guide& guide, GuideFigures& figures) {
     double sharpest = 0.0;
     for (std::size_t i = 0; i + 1 < guide.joints().size(); ++i) {
         const double from = guide.joints()[i], to = guide.joints()[i + 1];
-        for (int k = 0; k <= grid; ++k) {
-            const GuidePoint point =
-                guide.at(k == grid ? to : from + (to - from) * k / grid, k == 0 ? Side::right : Side::left);
+        for (int k = 0; k <= peak_places; ++k) {
+            const GuidePoint point = guide.at(k == peak_places ? to : from + (to - from) * k / peak_places,
+                                              k == 0 ? Side::right : Side::left);
             if (std::abs(point.pressure_angle) > figures.pressure_angle) {
                 figures.pressure_angle = std::abs(point.pressure_angle);
                 figures.pressure_angle_at = point.distance;
@@ -173,8 +173,8 @@ GuideFigures guide_figures(const Guide& guide, const FeederLinkage& linkage, con
 double feeder_deviation(const Guide& guide, const FeederWish& wish, const Motion& motion) {
     double largest = 0.0;
     const double begin = rise_begin(wish), duration = wish.rise_time();
-    for (int i = 0; i <= grid; ++i) {
-        const double time = begin + duration * i / grid;
+    for (int i = 0; i <= peak_places; ++i) {
+        const double time = begin + duration * i / peak_places;
         RollerState roller = state_of(wish.stroke, time);
         roller.distance = std::clamp(roller.distance, guide.begin(), guide.end());
         const double found = reached(guide, wish.linkage, roller, Side::right).feeder.feeder.s;
