@@ -53,6 +53,12 @@ class Motors(unittest.TestCase):
         self.assertAlmostEqual(solution.drive["peak_torque_nm"], 4.2, delta=1e-6)
         self.assertIsNone(camopt.solve(lift_mm=10, rise_deg=120, segments=8, weights=dict(a=1)).drive)
 
+    def test_valve_lobes_have_their_events(self):
+        solution = camopt.solve(camopt.Scene.from_file(program.scene_path("valve_intake.toml")))
+        at_checking = next(event for event in solution.valve["events"] if abs(event["height_mm"] - 0.15) < 1e-9)
+        self.assertAlmostEqual(at_checking["duration_crank_deg"], 248, delta=1e-9)
+        self.assertIsNone(camopt.solve(lift_mm=10, rise_deg=120, segments=8, weights=dict(a=1)).valve)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)
