@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "dynamics/linear_train.hpp"
 #include "scene/dynamics_spec.hpp"
-#include "scene/scene.hpp"
 
 #include <Eigen/SVD>
 #include <fmt/format.h>

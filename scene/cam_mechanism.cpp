@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "scene/cam_flanks.hpp"
-#include "scene/cam_spec.hpp"
 
 #include <fmt/format.h>
 

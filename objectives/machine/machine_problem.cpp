@@ -2,7 +2,6 @@
 #include "objectives/machine/machine_problem.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 #include "objectives/machine/machine_grid.hpp"
 #include "objectives/nlp_parts.hpp"
 

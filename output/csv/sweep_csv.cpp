@@ -5,7 +5,6 @@
 #include "core/text/parsing.hpp"
 #include "core/word_of.hpp"
 #include "output/csv/csv_line.hpp"
-#include "output/view/shown_units.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/ranges.h>

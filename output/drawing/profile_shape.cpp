@@ -2,7 +2,6 @@
 #include "output/drawing/profile_shape.hpp"
 
 #include "core/numbers/extremum.hpp"
-#include "core/units.hpp"
 #include "studies/delivered/delivered.hpp"
 
 namespace camopt {

@@ -12,7 +12,6 @@
 #include "output/page/page_html.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/cam_files.hpp"
-#include "output/report/result_folder.hpp"
 #include "output/sheet/sheet_files.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/surface/triangle_mesh.hpp"
@@ -217,7 +216,7 @@ class Exports {
             {"flanks.step", &CamExportOptions::step},
             {"groove.stl", &CamExportOptions::stl}};
         for (const auto& [name, kind] : kinds)
-            add(name, [this, name, kind] { return flank_bytes(solution_, name, kind); });
+            add(name, [this, name = name, kind = kind] { return flank_bytes(solution_, name, kind); });
         add_program("cam", 0);
     }
     void add_program(const std::string& name, std::size_t piece) {

@@ -2,7 +2,6 @@
 #include "output/nc/blank.hpp"
 
 #include "core/units.hpp"
-#include "output/nc/machine.hpp"
 #include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>

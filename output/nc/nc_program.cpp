@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/nc/cutter_compensation.hpp"
-#include "output/nc/machine.hpp"
 #include "output/nc/nc_writer.hpp"
 #include "output/nc/requirement.hpp"
 

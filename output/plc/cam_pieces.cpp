@@ -2,7 +2,6 @@
 #include "output/plc/cam_pieces.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
 #include "core/numbers/polynomial.hpp"
 #include "core/units.hpp"
 #include "output/view/shown_units.hpp"

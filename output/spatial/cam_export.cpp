@@ -8,7 +8,6 @@
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/surface/step/step_file.hpp"
-#include "output/surface/triangle_mesh.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 

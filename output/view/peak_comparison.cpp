@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/peak_comparison.hpp"
 
-#include "core/motion.hpp"
 #include "core/numbers/extremum.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"

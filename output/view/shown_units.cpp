@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/shown_units.hpp"
 
-#include "core/units.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 

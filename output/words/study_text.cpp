@@ -2,7 +2,6 @@
 #include "output/words/study_text.hpp"
 
 #include "core/text/printable.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/sweep/sweep_axis.hpp"

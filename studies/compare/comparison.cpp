@@ -2,7 +2,6 @@
 #include "studies/compare/comparison.hpp"
 
 #include "core/errors.hpp"
-#include "core/motion.hpp"
 #include "core/numbers/interval.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/drive_rules.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/cam_summary.hpp"
 
-#include "core/numbers/extremum.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 

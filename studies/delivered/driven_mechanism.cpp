@@ -4,7 +4,6 @@
 #include "core/numbers/extremum.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/solution.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/laws/law_motion.hpp"
 
-#include "motions/laws/law.hpp"
 #include "motions/laws/law_catalogue.hpp"
 
 #include <fmt/format.h>

@@ -8,7 +8,6 @@
 #include "objectives/response/train_figures.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 #include "studies/search/free_knot_descent.hpp"
 
 #include "core/nlp.hpp"
-#include "solvers/exchange/exchange.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/start_search.hpp"
 
-#include "objectives/grid/cam_problem.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/bound/box_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"

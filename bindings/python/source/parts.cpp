@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <camopt/errors.hpp>
 #include <camopt/scene_file.hpp>
-#include <optional>
 
 namespace camopt::python {
 
