@@ -80,6 +80,7 @@ struct MeasuredMotion {
     std::vector<double> displacement;  ///< m; rad where the lift is an angle
     bool start = false;                ///< searches begin from it too; else it is only compared
     std::string name = {};             ///< of the table, for people
+    int untouched = 0;                 ///< points of the cam that its follower does not touch: left out
     friend bool operator==(const MeasuredMotion&, const MeasuredMotion&) = default;
 };
 
