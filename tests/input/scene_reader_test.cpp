@@ -122,6 +122,10 @@ class ReachingMechanism final : public CamMechanism {
     [[nodiscard]] int roller_radius() const override { return cam_->roller_radius(); }
     [[nodiscard]] bool planar() const override { return cam_->planar(); }
     [[nodiscard]] bool is_direct() const override { return cam_->is_direct(); }
+    [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> numbers,
+                                                           int station) const override {
+        return cam_->follower(numbers, station);
+    }
     [[nodiscard]] double length(std::span<const double> numbers) const override {
         return cam_->length(numbers);
     }
