@@ -10,6 +10,9 @@ namespace camopt::input {
 
 namespace {
 
+/// Of the form of a file.
+constexpr std::array<std::string_view, 3> file_keys = {"columns", "decimal", "skip_lines"};
+
 /// As written in the scene.
 std::vector<double> numbers_of(const Given& given) {
     std::vector<double> numbers;
@@ -54,6 +57,7 @@ TableForm table_form(const Node& measured) {
     if (const auto columns = find("columns"))
         for (const Node& item : columns->value().items) form.columns.push_back(item.text);
     if (const auto decimal = find("decimal")) form.decimal = decimal->value().text.front();
+    if (const auto skipped = find("skip_lines")) form.skipped = static_cast<int>(skipped->value().integer);
     form.by_step = find("step").has_value();
     form.points = true;
     if (const auto angles = find("angles")) form.crank = angles->value().text == "crank";
@@ -166,7 +170,7 @@ MeasuredTable rows_of_scene(const SceneSource& source, const Node& measured) {
                     : s              ? "measured.theta_deg"
                                      : "measured.table",
                     "missing; allowed: table, or s_mm with theta_deg or step_deg");
-    for (const char* const name : {"columns", "decimal"})
+    for (const std::string_view name : file_keys)
         if (const auto given = source.find("measured", name))
             source.fail(given->member->place, joined_key("measured", name),
                         "found without a file; allowed: only with measured.table");
@@ -287,7 +291,7 @@ void write_out_tables(Node& root, const std::filesystem::path& folder) {
     const Place place = written->place;
     const MeasuredTable table = read_measured_table(folder / file, table_form(measured->value));
     std::erase_if(members, [](const Member& member) {
-        return member.name == "table" || member.name == "columns" || member.name == "decimal";
+        return member.name == "table" || std::ranges::find(file_keys, member.name) != file_keys.end();
     });
     if (!measured->value.find("name")) {
         Node name;

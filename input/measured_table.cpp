@@ -79,6 +79,7 @@ class TableReader {
     }
 
     MeasuredTable read() {
+        while (line_ < form_.skipped && !text_.empty()) take_line();
         if (!find_head()) start_at_first_line();
         for (std::optional<std::string_view> line = next_line(); line; line = next_line()) add_line(*line);
         return std::move(table_);
@@ -100,13 +101,18 @@ class TableReader {
             fmt::format("{}:{}: found {}; allowed: {}", table_.file, std::max(line_, 1), found, allowed));
     }
 
+    std::string_view take_line() {
+        const std::size_t end = text_.find('\n');
+        const std::string_view line = text_.substr(0, end);
+        text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
+        ++line_;
+        return line;
+    }
+
     /// The next line with content.
     std::optional<std::string_view> next_line() {
         while (!text_.empty()) {
-            const std::size_t end = text_.find('\n');
-            const std::string_view line = text_.substr(0, end);
-            text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
-            ++line_;
+            const std::string_view line = take_line();
             const std::string_view said = trimmed(line, cell_ends);
             if (!said.empty() && !said.starts_with('#') && !said.starts_with('!') && !said.starts_with('%') &&
                 !said.starts_with("//"))
@@ -218,7 +224,7 @@ class TableReader {
         if (const std::optional<double> found = value(cell)) return *found;
         const bool other = cell.find(form_.decimal == ',' ? '.' : ',') != std::string_view::npos;
         fail(fmt::format("\"{}\" in the column {}", printable(cell), column.key),
-             !other                 ? "a finite number"
+             !other                 ? "a finite number, or # before the line"
              : form_.decimal == ',' ? "a finite number, written with a decimal comma"
                                     : "a finite number, written with a decimal point; with a comma where "
                                       "[measured] has decimal = \",\"");

@@ -87,6 +87,7 @@ struct TableForm {
     char decimal = '.';
     bool points = false;       ///< (x, y) or (theta, r) too
     bool any_decimal = false;  ///< read_inspected_table's: finds the decimal comma
+    int skipped = 0;           ///< lines at the beginning
     bool crank = false;        ///< angles in cam units are crank angles
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/robust_fit.hpp"
 
-#include "core/units.hpp"
-
 #include <Eigen/Cholesky>
 
 namespace camopt {
@@ -10,8 +8,8 @@ namespace camopt {
 namespace {
 
 constexpr double normal_mad = 1.4826;  // standard deviation over median of magnitudes, normal errors
-constexpr double local_width = 6.0 * units::degree;  // rad: a cubic follows every law of the catalogue there
-constexpr std::ptrdiff_t least_side = 4;             // rows on either side
+constexpr double local_width = std::numbers::pi / 30.0;  // rad: there a cubic follows every law
+constexpr std::ptrdiff_t least_side = 4;                 // rows on either side
 constexpr std::size_t most_side = 80;
 constexpr int absolute_steps = 4, reweightings = 8;  // first least |off|, then the biweight
 

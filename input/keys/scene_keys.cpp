@@ -181,6 +181,9 @@ Rows measured() {
          "Names of the columns, in the order of the file: of a file without such a line, or in place of it."},
         {"measured", "decimal", text, plain, any, {".", ","}, "\".\"",
          "Decimal point or comma of the file; with a comma, columns are separated by semicolons or tabs."},
+        {"measured", "skip_lines", integer, plain, Range::between(0, 10000), {}, "0",
+         "Lines at the beginning of the file that are not read. Needed only where they hold numbers: text above the "
+         "names, or with `columns` above the first row, is passed over."},
         {"measured", "theta", numbers, cam_angle, any, {}, "none",
          "The angles themselves, ascending or descending.", Availability::now, "table"},
         {"measured", "s", numbers, lift, any, {}, "none", "The displacements at these angles.",

@@ -61,7 +61,7 @@ TEST(MeasuredTable, SaysWhatIsWrongAndWhere) {
         "m.csv:3: found 1 cells; allowed: 2, as the first line names columns, or # before a line that is no "
         "row");
     EXPECT_EQ(refusal("theta_deg,s_mm\n0,0\n\n1,nan\n"),
-              "m.csv:4: found \"nan\" in the column s_mm; allowed: a finite number");
+              "m.csv:4: found \"nan\" in the column s_mm; allowed: a finite number, or # before the line");
     EXPECT_EQ(
         refusal("theta_deg;s_mm\n0;0\n1;0,5\n"),
         "m.csv:3: found \"0,5\" in the column s_mm; allowed: a finite number, written with a decimal point; "
@@ -319,7 +319,7 @@ TEST(InspectedTable, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(inspected_refusal("x_mm,z_mm\n0,1\n"),
               "m.csv:1: found the columns \"x_mm\", \"z_mm\"; allowed: " + allowed);
     EXPECT_EQ(inspected_refusal("x_mm,y_mm\n0,1\n0,one\n"),
-              "m.csv:3: found \"one\" in the column y_mm; allowed: a finite number");
+              "m.csv:3: found \"one\" in the column y_mm; allowed: a finite number, or # before the line");
     EXPECT_EQ(inspected_refusal("theta_deg,s_mm\n0,1\n1,1\n"), "m.csv: found 2 rows; allowed: at least 8");
     EXPECT_NE(testing_support::refusal([] {
                   (void)read_inspected_table("/nowhere/m.csv");
