@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
+#include "core/numbers/robust_fit.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "input/scene_parts.hpp"
@@ -186,6 +187,14 @@ MeasuredTable rows_of_scene(const SceneSource& source, const Node& measured) {
     return rows;
 }
 
+RegisterRequest asked_for(const SceneSource& source) {
+    RegisterRequest request;
+    if (const auto asked = source.find("measured", "register"))
+        for (const Node& item : asked->value().items)
+            (item.text == "angle" ? request.angle : request.radius) = true;
+    return request;
+}
+
 /// Points → the motion of the scene's follower.
 void roll(const SceneSource& source, const Scene& scene, const MeasuredTable& table, MeasuredInput& input) {
     const Place place = source.table("measured")->place;
@@ -193,13 +202,16 @@ void roll(const SceneSource& source, const Scene& scene, const MeasuredTable& ta
         source.fail(place, "measured",
                     "found points of a cam where the scene has no cam; allowed: s_mm, or [cam]");
     for (const CamDimension& dimension : scene.cam->dimensions)
-        if (dimension.value.is_variable())
-            source.fail_member("cam." + dimension.name,
-                               "found a range with points of the cam in [measured]; allowed: a number");
+        if (dimension.value.is_variable() && !(dimension.name == "base_radius" && asked_for(source).radius))
+            source.fail_member(
+                "cam." + dimension.name,
+                "found a range with points of the cam in [measured]; allowed: a number; for the "
+                "base radius also register = [\"radius\"] in [measured]");
     for (const char* const name : {"zero", "angles"})
         if (const auto given = source.find("measured", name))
             source.fail(given->member->place, joined_key("measured", name),
-                        "found with points of the cam; allowed: with displacements");
+                        "found with points of the cam; allowed: with displacements; register = [\"angle\"] "
+                        "finds the angle of points");
     if (table.theta.size() != table.s.size())
         source.fail(place, "measured",
                     fmt::format("found {} numbers in {} and {} in {}; allowed: as many", table.theta.size(),
@@ -230,6 +242,47 @@ void place_rows(const SceneSource& source, const MotionSpec& motion, const Measu
     for (const double lift : table.s) input.motion.displacement.push_back(lift * table.s_unit.factor);
 }
 
+void register_table(const SceneSource& source, const Scene& scene, const KnownNames& known, bool points,
+                    MeasuredMotion& measured) {
+    const RegisterRequest request = asked_for(source);
+    if (!request.angle && !request.radius) return;
+    if (const auto zero = source.find("measured", "zero"); zero && request.angle)
+        source.fail(zero->member->place, "measured.zero",
+                    "found together with register = [\"angle\"], which searches it; allowed: one of the two");
+    MeasuredPlace place = register_rows(scene.motion, known, request, measured);
+    if (points && place.zero) {
+        const FollowerGeometry follower = surface_probe(*scene.cam, 0.0).follower;
+        const double up = follower.falls ? -1.0 : 1.0;
+        place.base_radius =
+            follower.distance_at(follower.rest_position() + up * place.zero->value) - follower.roller_radius;
+    }
+    measured.place = std::move(place);
+}
+
+constexpr std::size_t least_judged = 16;  // rows: fewer have no neighbourhood to judge them by
+
+/// Rows far from their neighbours: named, or left out as well.
+void judge_rows(const SceneSource& source, MeasuredInput& input) {
+    std::vector<double>&angle = input.motion.angle, &displacement = input.motion.displacement;
+    if (angle.size() != displacement.size() || angle.size() < least_judged || !std::ranges::is_sorted(angle))
+        return;
+    const auto rule = source.find("measured", "outliers");
+    input.motion.excluded = rule && rule->value().text == "exclude";
+    const double span = angle.back() - angle.front(), step = span / static_cast<double>(angle.size() - 1);
+    const bool closed = span + 2.0 * step > units::turn && span < units::turn + same_angle;
+    const std::vector<LocalFit> fits = local_fits(angle, displacement, closed ? units::turn : 0.0);
+    std::vector<std::size_t> found = outliers_of(displacement, fits);
+    for (const std::size_t i : found)
+        input.motion.outliers.push_back({static_cast<int>(input.rows[i]) + 1, angle[i], fits[i].off});
+    if (!input.motion.excluded) return;
+    for (auto i = found.rbegin(); i != found.rend(); ++i) {
+        const auto at = static_cast<std::ptrdiff_t>(*i);
+        angle.erase(angle.begin() + at);
+        displacement.erase(displacement.begin() + at);
+        input.rows.erase(input.rows.begin() + at);
+    }
+}
+
 }  // namespace
 
 std::optional<MeasuredInput> read_measured(const SceneSource& source, const Scene& scene,
@@ -251,10 +304,12 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, const Scen
             roll(source, scene, table, input);
         else
             place_rows(source, scene.motion, table, input);
+        register_table(source, scene, known, table.is_points(), input.motion);
     } catch (const SceneError& error) {
         fail_in_measured(source, input, error.fault());
     }
     arrange(input, scene.motion);
+    judge_rows(source, input);
     if (const auto name = source.find("measured", "name")) input.motion.name = name->value().text;
     return input;
 }

@@ -124,6 +124,17 @@ struct SurfaceMotion {
 [[nodiscard]] SurfaceMotion motion_on_surface(std::span<const Eigen::Vector2d> points,
                                               const SurfaceProbe& probe);
 
+/// What measured.register asks for.
+struct RegisterRequest {
+    bool angle = false, radius = false;
+};
+/// Moves the rows to where the motion is, by a robust fit (input/table_alignment.hpp) of the scene's motion
+/// with the law of the catalogue in its spline strokes that is nearest to the rows; laws and dwells of the
+/// scene stay. Throws SceneError "measured.register" where a displacement is searched, and for a table of a
+/// whole revolution where the motion is a part of one.
+[[nodiscard]] MeasuredPlace register_rows(const MotionSpec& motion, const KnownNames& known,
+                                          RegisterRequest request, MeasuredMotion& measured);
+
 struct MeasuredInput {
     MeasuredMotion motion;
     std::optional<MeasuredTable> table;  ///< if from a file: its lines, for messages

@@ -206,6 +206,11 @@ Rows measured() {
         {"measured", "angles", text, plain, any, {"cam", "crank"}, "\"cam\"",
          "`\"crank\"`: `theta` and `step` are crank angles, two for one of the cam."},
         {"measured.zero", "deg", number, degrees, any, {}, "required", "Cam angle from the start of the motion."},
+        {"measured", "register", texts, plain, any, {"angle", "radius"}, "nothing",
+         "What is not known of the table and searched: `\"angle\"`, the angle where the motion starts (instead of "
+         "`zero`); `\"radius\"`, the displacement, or the base radius of points, where the motion has 0."},
+        {"measured", "outliers", text, plain, any, {"keep", "exclude"}, "\"keep\"",
+         "Rows far from their neighbours are named in reports. `\"exclude\"`: they are not used."},
         {"measured", "use", text, plain, any, {"compare", "start", "nearest"}, "\"compare\"",
          "`\"compare\"`: what the optimum gains over it. `\"start\"`: searches begin from it, too. `\"nearest\"`: the "
          "optimum is the motion nearest to its rows (objective.deviation, or deviation_rms by `norm`)."},

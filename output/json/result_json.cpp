@@ -75,6 +75,24 @@ Json measured_json(const Solution& solution) {
              {"to_deg", number_json(match.end * units.degrees_per_x)},
              {"largest_deviation_" + output.name, number_json(match.largest * output.per_normalised)},
              {"rms_deviation_" + output.name, number_json(match.rms * output.per_normalised)}});
+    const MeasuredMotion& table = *solution.scene.measured;
+    const double per_displacement = output.per_normalised / solution.scene.motion.lift;
+    Json outliers = Json::array(), place;
+    for (const MeasuredOutlier& outlier : table.outliers)
+        outliers.push_back({{"row", outlier.row},
+                            {"at_deg", number_json(outlier.angle / units::degree)},
+                            {"from_neighbours_" + output.name, number_json(outlier.off * per_displacement)}});
+    const auto placed = [&](const std::string& name, const auto& number, double shown) {
+        place[name] = number ? number_json(number->value * shown) : Json();
+        place[name + "_standard_error"] = number ? number_json(number->error * shown) : Json();
+    };
+    if (table.place) {
+        place["law"] = words_json(table.place->law);
+        placed("start_deg", table.place->angle, 1.0 / units::degree);
+        placed("zero_" + output.name, table.place->zero, per_displacement);
+        place["base_radius_mm"] =
+            table.place->base_radius ? number_json(*table.place->base_radius / units::millimetre) : Json();
+    }
     return {{"name", words_json(measured.name)},
             {"rows", measured.rows},
             {"free_numbers", measured.freedom},
@@ -86,6 +104,10 @@ Json measured_json(const Solution& solution) {
             {"objective", number_json(measured.objective)},
             {"gain_percent", number_json(gain_percent(solution))},
             {"nearest_laws", laws},
+            {"outliers", outliers},
+            {"outliers_excluded", table.excluded},
+            {"untouched_points", table.untouched},
+            {"register", place},
             {"started", measured.started}};
 }
 

@@ -51,7 +51,7 @@ struct TableFile {
 
 class TableFiles : public ::testing::TestWithParam<TableFile> {};
 
-TEST_P(TableFiles, IsReadOrSaysWhatToWrite) {
+TEST_P(TableFiles, IsReadOrSaysWhy) {
     const TableFile& one = GetParam();
     const test::TemporaryFolder folder;
     const std::filesystem::path file = std::filesystem::path(folder.path()) / "s.toml";
