@@ -264,10 +264,10 @@ constexpr std::size_t least_judged = 16;  // rows: fewer have no neighbourhood t
 /// Rows far from their neighbours: named, or left out as well.
 void judge_rows(const SceneSource& source, MeasuredInput& input) {
     std::vector<double>&angle = input.motion.angle, &displacement = input.motion.displacement;
-    if (angle.size() != displacement.size() || angle.size() < least_judged || !std::ranges::is_sorted(angle))
-        return;
     const auto rule = source.find("measured", "outliers");
     input.motion.excluded = rule && rule->value().text == "exclude";
+    if (angle.size() != displacement.size() || angle.size() < least_judged || !std::ranges::is_sorted(angle))
+        return;
     const double span = angle.back() - angle.front(), step = span / static_cast<double>(angle.size() - 1);
     const bool closed = span + 2.0 * step > units::turn && span < units::turn + same_angle;
     const std::vector<LocalFit> fits = local_fits(angle, displacement, closed ? units::turn : 0.0);

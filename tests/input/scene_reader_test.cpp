@@ -22,7 +22,12 @@ namespace scene_reader_test {
 constexpr double pi = std::numbers::pi;
 const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
                           .solvers = {"ipopt", "nlopt.slsqp", "structured"},
-                          .cam_formulas = cam_formulas};
+                          .cam_formulas = cam_formulas,
+                          .law_shape = [](const std::string&) {
+                              return [](double t) {
+                                  return std::array{t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t)};
+                              };
+                          }};
 const std::string drd = "motion.type = \"DRD\"\n";
 const std::string jerk_only = "objective.jerk = 1\n";
 
