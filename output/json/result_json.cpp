@@ -76,22 +76,22 @@ Json measured_json(const Solution& solution) {
              {"largest_deviation_" + output.name, number_json(match.largest * output.per_normalised)},
              {"rms_deviation_" + output.name, number_json(match.rms * output.per_normalised)}});
     const MeasuredMotion& table = *solution.scene.measured;
-    const double per_displacement = output.per_normalised / solution.scene.motion.lift;
+    const ShownUnit displacement{output.name, solution.scene.motion.lift / output.per_normalised};
     Json outliers = Json::array(), place;
     for (const MeasuredOutlier& outlier : table.outliers)
         outliers.push_back({{"row", outlier.row},
-                            {"at_deg", number_json(outlier.angle / units::degree)},
-                            {"from_neighbours_" + output.name, number_json(outlier.off * per_displacement)}});
-    const auto placed = [&](const std::string& name, const auto& number, double shown) {
-        place[name] = number ? number_json(number->value * shown) : Json();
-        place[name + "_standard_error"] = number ? number_json(number->error * shown) : Json();
+                            {"at_deg", number_json(degrees_shown.of(outlier.angle))},
+                            {"from_neighbours_" + output.name, number_json(displacement.of(outlier.off))}});
+    const auto placed = [&](const std::string& name, const auto& number, const ShownUnit& unit) {
+        place[name] = number ? number_json(unit.of(number->value)) : Json();
+        place[name + "_standard_error"] = number ? number_json(unit.of(number->error)) : Json();
     };
     if (table.place) {
         place["law"] = words_json(table.place->law);
-        placed("start_deg", table.place->angle, 1.0 / units::degree);
-        placed("zero_" + output.name, table.place->zero, per_displacement);
+        placed("start_deg", table.place->angle, degrees_shown);
+        placed("zero_" + output.name, table.place->zero, displacement);
         place["base_radius_mm"] =
-            table.place->base_radius ? number_json(*table.place->base_radius / units::millimetre) : Json();
+            table.place->base_radius ? number_json(millimetres_shown.of(*table.place->base_radius)) : Json();
     }
     return {{"name", words_json(measured.name)},
             {"rows", measured.rows},

@@ -191,8 +191,8 @@ std::string table_words(const Solution& solution) {
     const MeasuredPlace& place = *table.place;
     if (place.angle)
         text += fmt::format("; the motion starts at {} ± {} deg of the table",
-                            short_text(place.angle->value / units::degree),
-                            short_text(place.angle->error / units::degree, 2));
+                            short_text(degrees_shown.of(place.angle->value)),
+                            short_text(degrees_shown.of(place.angle->error), 2));
     if (place.zero)
         text += fmt::format("; its displacement 0 is at {} ± {} of the table", shown(place.zero->value),
                             shown(place.zero->error));

@@ -166,9 +166,9 @@ TEST(WornCam, LiftsAreFoundByAngleAlone) {
     EXPECT_NE(refused(head, "register = [\"angle\"]\nzero = \"nose\"\n")
                   .find("measured.zero: found together with register = [\"angle\"]"),
               std::string::npos);
-    EXPECT_NE(
-        refused(head, "register = [\"size\"]\n").find("found \"size\" in the array; allowed: angle or radius"),
-        std::string::npos);
+    EXPECT_NE(refused(head, "register = [\"size\"]\n")
+                  .find("found \"size\" in the array; allowed: angle or radius"),
+              std::string::npos);
     EXPECT_NE(
         refused("motion = { type = \"DRD\", lift_mm = 10, rise_deg = 80 }\n", "register = [\"angle\"]\n")
             .find("found a table of a whole revolution where the motion is a part of one"),
