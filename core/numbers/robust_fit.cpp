@@ -8,10 +8,9 @@ namespace camopt {
 namespace {
 
 constexpr double normal_mad = 1.4826;  // standard deviation over median of magnitudes, normal errors
-constexpr double local_width = std::numbers::pi / 30.0;  // rad: there a cubic follows every law
-constexpr std::ptrdiff_t least_side = 4;                 // rows on either side
-constexpr std::size_t most_side = 80;
-constexpr int absolute_steps = 4, reweightings = 8;  // first least |off|, then the biweight
+constexpr double local_width = std::numbers::pi / 30.0;   // rad: there a cubic follows every law
+constexpr std::ptrdiff_t least_side = 4, most_side = 80;  // rows on either side
+constexpr int absolute_steps = 4, reweightings = 8;       // first least |off|, then the biweight
 
 /// The neighbours of one row, in units of their width.
 class Neighbours {
@@ -19,13 +18,6 @@ class Neighbours {
     Neighbours(std::span<const double> at, std::span<const double> values, double period, std::size_t row)
         : at_(at), values_(values), period_(period), row_(row) {
         for (const int side : {-1, 1}) add(side);
-        const std::size_t stride = 1 + x_.size() / (2 * most_side);
-        for (std::size_t k = 1; k * stride < x_.size(); ++k) {
-            x_[k] = x_[k * stride];
-            y_[k] = y_[k * stride];
-        }
-        x_.resize((x_.size() + stride - 1) / stride);
-        y_.resize(x_.size());
         for (const double x : x_) width_ = std::max(width_, std::abs(x));
     }
 
@@ -71,7 +63,9 @@ class Neighbours {
         const bool closed = period_ > 0.0;
         const std::ptrdiff_t beyond =
             closed ? least_side : std::min(least_side, side < 0 ? count - 1 - row : row);
-        const std::ptrdiff_t most = closed ? (count - 1) / 2 : side < 0 ? row : count - 1 - row;
+        const std::ptrdiff_t most = std::min(most_side, closed     ? (count - 1) / 2
+                                                        : side < 0 ? row
+                                                                   : count - 1 - row);
         for (std::ptrdiff_t k = 1; k <= most; ++k) {
             const std::ptrdiff_t i = row + side * k, turns = i < 0 ? -1 : i < count ? 0 : 1;
             const auto from = static_cast<std::size_t>(i - turns * count);

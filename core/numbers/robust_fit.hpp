@@ -23,8 +23,9 @@ struct LocalFit {
     double error = 1.0;  ///< standard deviation of `off` where that of the rows is 1; at ends it is larger
 };
 
-/// `at`: ascending, rad. Neighbours are the rows within 6° on either side, at least 4 on either side.
-/// period > 0: after the last row the first one follows. Fewer than 8 other rows: value = the row.
+/// `at`: ascending, rad. Neighbours are the rows within 6° on either side, at least 4 and at most 80 on
+/// either side. period > 0: after the last row the first one follows. Fewer than 8 other rows: value = the
+/// row.
 [[nodiscard]] std::vector<LocalFit> local_fits(std::span<const double> at, std::span<const double> values,
                                                double period = 0.0);
 
