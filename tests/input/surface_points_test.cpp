@@ -208,8 +208,10 @@ TEST_F(SurfaceScene, PointsBecomeMotionOfItsFollower) {
 
 TEST_F(SurfaceScene, NamesWhatPointsNeed) {
     const std::string points = table("x_mm,y_mm", false);
-    EXPECT_EQ(refused(points, "table = \"m.csv\"\nzero = \"nose\"\n"),
-              "s.toml:17:1: measured.zero: found with points of the cam; allowed: with displacements");
+    EXPECT_EQ(
+        refused(points, "table = \"m.csv\"\nzero = \"nose\"\n"),
+        "s.toml:17:1: measured.zero: found with points of the cam; allowed: with displacements; register = "
+        "[\"angle\"] finds the angle of points");
     EXPECT_EQ(
         refused("theta_deg,s_mm\n0,0\n", "table = \"m.csv\"\nprobe_radius_mm = 1\n"),
         "s.toml:17:1: measured.probe_radius_mm: found with displacements; allowed: with points of the cam");
