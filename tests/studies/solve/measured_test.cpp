@@ -161,7 +161,7 @@ TEST(Measured, OwnTablesGiveTheSameMotion) {
 TEST(Measured, ExportsOfExampleScenesReadBack) {
     const test::TemporaryFolder folder;
     const std::filesystem::path file = std::filesystem::path(folder.path()) / "s.toml";
-    for (const char* const name : {"drd_cubic_12", "drd_quintic_12", "rr_unequal_return", "pusher_set_points",
+    for (const char* const name : {"drd_cubic_12", "drd_quintic_12", "rr_unequal_return", "drd_symmetric",
                                    "cam_drdrd", "cam_flat", "swing_limits", "servo_drd"}) {
         const std::string text = read_text_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml");
         const Solution solution = solve(scene_of_toml(text, std::vector<std::string>{"solver.starts=1"}));
