@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
+#include "core/numbers/robust_fit.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "input/scene_parts.hpp"
@@ -9,6 +10,9 @@
 namespace camopt::input {
 
 namespace {
+
+/// Of the form of a file.
+constexpr std::array<std::string_view, 3> file_keys = {"columns", "decimal", "skip_lines"};
 
 /// As written in the scene.
 std::vector<double> numbers_of(const Given& given) {
@@ -54,7 +58,10 @@ TableForm table_form(const Node& measured) {
     if (const auto columns = find("columns"))
         for (const Node& item : columns->value().items) form.columns.push_back(item.text);
     if (const auto decimal = find("decimal")) form.decimal = decimal->value().text.front();
+    if (const auto skipped = find("skip_lines")) form.skipped = static_cast<int>(skipped->value().integer);
     form.by_step = find("step").has_value();
+    form.points = true;
+    if (const auto angles = find("angles")) form.crank = angles->value().text == "crank";
     return form;
 }
 
@@ -112,7 +119,7 @@ bool wrap(std::vector<double>& angle, const MotionSpec& motion) {
 void arrange(MeasuredInput& input, const MotionSpec& motion) {
     std::vector<double>&angle = input.motion.angle, &displacement = input.motion.displacement;
     std::vector<std::size_t>& rows = input.rows;
-    for (std::size_t i = 0; i < angle.size(); ++i) rows.push_back(i);
+    for (std::size_t i = rows.size(); i < angle.size(); ++i) rows.push_back(i);
     if (angle.size() != displacement.size() || angle.empty()) return;
     if (angle.front() > angle.back()) {
         std::ranges::reverse(angle);
@@ -137,14 +144,8 @@ void arrange(MeasuredInput& input, const MotionSpec& motion) {
     reorder(rows, before.rows);
 }
 
-/// Angles and displacements as written, with their units.
-struct WrittenRows {
-    std::vector<double> theta, s;
-    Spelling theta_unit, s_unit;
-};
-
-WrittenRows rows_of_table(const SceneSource& source, const Given& table, const KnownNames& known,
-                          MeasuredInput& input) {
+MeasuredTable rows_of_table(const SceneSource& source, const Given& table, const KnownNames& known,
+                            MeasuredInput& input) {
     if (!known.folder)
         source.fail(table.value().place, "measured.table",
                     "found a file name in a scene that was not read from a file; allowed: the numbers, "
@@ -152,53 +153,163 @@ WrittenRows rows_of_table(const SceneSource& source, const Given& table, const K
     input.table =
         read_measured_table(*known.folder / table.value().text, table_form(*source.table("measured")));
     input.motion.name = std::filesystem::path(table.value().text).filename().string();
-    return {input.table->theta, input.table->s, input.table->theta_unit, input.table->s_unit};
+    return *input.table;
 }
 
-WrittenRows rows_of_scene(const SceneSource& source, const Node& measured) {
-    const auto theta = source.find("measured", "theta"), s = source.find("measured", "s");
+/// The arrays as a table without a file.
+MeasuredTable rows_of_scene(const SceneSource& source, const Node& measured) {
+    const auto x = source.find("measured", "x"), y = source.find("measured", "y"),
+               r = source.find("measured", "r"), s = r ? r : source.find("measured", "s"),
+               theta = source.find("measured", "theta");
     const bool by_step = source.find("measured", "step").has_value();
-    if (!s || (!theta && !by_step))
+    if (x.has_value() != y.has_value())
+        source.fail(measured.place, x ? "measured.y_mm" : "measured.x_mm",
+                    "missing; allowed: x_mm with y_mm");
+    if (!x && (!s || (!theta && !by_step)))
         source.fail(measured.place,
                     theta || by_step ? "measured.s_mm"
                     : s              ? "measured.theta_deg"
                                      : "measured.table",
                     "missing; allowed: table, or s_mm with theta_deg or step_deg");
-    for (const char* const name : {"columns", "decimal"})
+    for (const std::string_view name : file_keys)
         if (const auto given = source.find("measured", name))
             source.fail(given->member->place, joined_key("measured", name),
                         "found without a file; allowed: only with measured.table");
-    WrittenRows rows{{}, numbers_of(*s), {}, *s->spelling};
-    if (!theta) return rows;
-    rows.theta = numbers_of(*theta);
-    rows.theta_unit = *theta->spelling;
+    const auto &first = x ? x : theta, &second = x ? y : s;
+    MeasuredTable rows;
+    rows.s = numbers_of(*second);
+    rows.s_key = second->member->name;
+    rows.s_unit = *second->spelling;
+    if (!first) return rows;
+    rows.theta = numbers_of(*first);
+    rows.theta_key = first->member->name;
+    rows.theta_unit = *first->spelling;
     return rows;
+}
+
+RegisterRequest asked_for(const SceneSource& source) {
+    RegisterRequest request;
+    if (const auto asked = source.find("measured", "register"))
+        for (const Node& item : asked->value().items)
+            (item.text == "angle" ? request.angle : request.radius) = true;
+    return request;
+}
+
+/// Points → the motion of the scene's follower.
+void roll(const SceneSource& source, const Scene& scene, const MeasuredTable& table, MeasuredInput& input) {
+    const Place place = source.table("measured")->place;
+    if (!scene.cam)
+        source.fail(place, "measured",
+                    "found points of a cam where the scene has no cam; allowed: s_mm, or [cam]");
+    for (const CamDimension& dimension : scene.cam->dimensions)
+        if (dimension.value.is_variable() && !(dimension.name == "base_radius" && asked_for(source).radius))
+            source.fail_member(
+                "cam." + dimension.name,
+                "found a range with points of the cam in [measured]; allowed: a number; for the "
+                "base radius also register = [\"radius\"] in [measured]");
+    for (const char* const name : {"zero", "angles"})
+        if (const auto given = source.find("measured", name))
+            source.fail(given->member->place, joined_key("measured", name),
+                        "found with points of the cam; allowed: with displacements; register = [\"angle\"] "
+                        "finds the angle of points");
+    if (table.theta.size() != table.s.size())
+        source.fail(place, "measured",
+                    fmt::format("found {} numbers in {} and {} in {}; allowed: as many", table.theta.size(),
+                                table.theta_key, table.s.size(), table.s_key));
+    const SurfaceProbe probe =
+        surface_probe(*scene.cam, source.number("measured", "probe_radius").value_or(0.0));
+    SurfaceMotion motion = motion_on_surface(points_of(table), probe);
+    input.motion.angle = std::move(motion.angle);
+    input.motion.displacement = std::move(motion.displacement);
+    input.motion.untouched = motion.untouched;
+    input.rows = std::move(motion.rows);
+}
+
+/// Displacements over the angle from the start of the motion.
+void place_rows(const SceneSource& source, const MotionSpec& motion, const MeasuredTable& table,
+                MeasuredInput& input) {
+    const auto written = source.find("measured", "table"), s = source.find("measured", "s");
+    require_unit_of_lift(source, written ? written->value().place : s->member->place,
+                         joined_key("measured", written ? written->member->name : s->member->name),
+                         table.s_unit, motion);
+    if (const auto given = source.find("measured", "probe_radius"))
+        source.fail(given->member->place, "measured." + given->member->name,
+                    "found with displacements; allowed: with points of the cam");
+    const auto angles = source.find("measured", "angles");
+    const bool halved = angles && angles->value().text == "crank" && table.theta_unit.unit != "crank deg";
+    const double zero = zero_angle(source, motion), factor = table.theta_unit.factor * (halved ? 0.5 : 1.0);
+    for (const double theta : table.theta) input.motion.angle.push_back(zero + theta * factor);
+    for (const double lift : table.s) input.motion.displacement.push_back(lift * table.s_unit.factor);
+}
+
+void register_table(const SceneSource& source, const Scene& scene, const KnownNames& known, bool points,
+                    MeasuredMotion& measured) {
+    const RegisterRequest request = asked_for(source);
+    if (!request.angle && !request.radius) return;
+    if (const auto zero = source.find("measured", "zero"); zero && request.angle)
+        source.fail(zero->member->place, "measured.zero",
+                    "found together with register = [\"angle\"], which searches it; allowed: one of the two");
+    MeasuredPlace place = register_rows(scene.motion, known, request, measured);
+    if (points && place.zero) {
+        const FollowerGeometry follower = surface_probe(*scene.cam, 0.0).follower;
+        const double up = follower.falls ? -1.0 : 1.0;
+        place.base_radius =
+            follower.distance_at(follower.rest_position() + up * place.zero->value) - follower.roller_radius;
+    }
+    measured.place = std::move(place);
+}
+
+constexpr std::size_t least_judged = 16;  // rows: fewer have no neighbourhood to judge them by
+
+/// Rows far from their neighbours: named, or left out as well.
+void judge_rows(const SceneSource& source, MeasuredInput& input) {
+    std::vector<double>&angle = input.motion.angle, &displacement = input.motion.displacement;
+    const auto rule = source.find("measured", "outliers");
+    input.motion.excluded = rule && rule->value().text == "exclude";
+    if (angle.size() != displacement.size() || angle.size() < least_judged || !std::ranges::is_sorted(angle))
+        return;
+    const double span = angle.back() - angle.front(), step = span / static_cast<double>(angle.size() - 1);
+    const bool closed = span + 2.0 * step > units::turn && span < units::turn + same_angle;
+    const std::vector<LocalFit> fits = local_fits(angle, displacement, closed ? units::turn : 0.0);
+    std::vector<std::size_t> found = outliers_of(displacement, fits);
+    for (const std::size_t i : found)
+        input.motion.outliers.push_back({static_cast<int>(input.rows[i]) + 1, angle[i], fits[i].off});
+    if (!input.motion.excluded) return;
+    for (auto i = found.rbegin(); i != found.rend(); ++i) {
+        const auto at = static_cast<std::ptrdiff_t>(*i);
+        angle.erase(angle.begin() + at);
+        displacement.erase(displacement.begin() + at);
+        input.rows.erase(input.rows.begin() + at);
+    }
 }
 
 }  // namespace
 
-std::optional<MeasuredInput> read_measured(const SceneSource& source, const MotionSpec& motion,
+std::optional<MeasuredInput> read_measured(const SceneSource& source, const Scene& scene,
                                            const KnownNames& known) {
     const Node* const node = source.table("measured");
     if (!node) return std::nullopt;
     MeasuredInput input;
     if (const auto use = source.find("measured", "use")) input.motion.start = use->value().text == "start";
-    const auto table = source.find("measured", "table"), s = source.find("measured", "s");
-    WrittenRows rows = table ? rows_of_table(source, *table, known, input) : rows_of_scene(source, *node);
-    require_unit_of_lift(source, table ? table->value().place : s->member->place,
-                         joined_key("measured", table ? table->member->name : s->member->name), rows.s_unit,
-                         motion);
+    const auto written = source.find("measured", "table");
+    MeasuredTable table =
+        written ? rows_of_table(source, *written, known, input) : rows_of_scene(source, *node);
     if (const auto step = source.find("measured", "step")) {
-        for (std::size_t i = 0; i < rows.s.size(); ++i)
-            rows.theta.push_back(static_cast<double>(i) * step->value().as_number());
-        rows.theta_unit = *step->spelling;
+        for (std::size_t i = 0; i < table.s.size(); ++i)
+            table.theta.push_back(static_cast<double>(i) * step->value().as_number());
+        table.theta_unit = *step->spelling;
     }
-    const auto angles = source.find("measured", "angles");
-    const bool halved = angles && angles->value().text == "crank" && rows.theta_unit.unit != "crank deg";
-    const double zero = zero_angle(source, motion), factor = rows.theta_unit.factor * (halved ? 0.5 : 1.0);
-    for (const double theta : rows.theta) input.motion.angle.push_back(zero + theta * factor);
-    for (const double written : rows.s) input.motion.displacement.push_back(written * rows.s_unit.factor);
-    arrange(input, motion);
+    try {
+        if (table.is_points())
+            roll(source, scene, table, input);
+        else
+            place_rows(source, scene.motion, table, input);
+        register_table(source, scene, known, table.is_points(), input.motion);
+    } catch (const SceneError& error) {
+        fail_in_measured(source, input, error.fault());
+    }
+    arrange(input, scene.motion);
+    judge_rows(source, input);
     if (const auto name = source.find("measured", "name")) input.motion.name = name->value().text;
     return input;
 }
@@ -207,13 +318,18 @@ void fail_in_measured(const SceneSource& source, const MeasuredInput& measured, 
     const bool theta = fault.member.starts_with("measured.theta");
     if (!theta && !fault.member.starts_with("measured.s")) source.fail_member(fault.member, words_of(fault));
     std::optional<std::size_t> row = row_of(fault.member);
-    if (row) row = measured.rows.at(*row);
-    if (!measured.table)
-        source.fail_member(row ? fmt::format("measured.{}[{}]", theta ? "theta" : "s", *row) : fault.member,
-                           words_of(fault));
+    if (row && !measured.rows.empty()) row = measured.rows.at(*row);
+    if (!measured.table) {
+        const char* const first = source.find("measured", "x") ? "x" : "theta";
+        const char* const second = first[0] == 'x' ? "y" : source.find("measured", "r") ? "r" : "s";
+        const char* const name = theta ? first : second;
+        source.fail_member(
+            row ? fmt::format("measured.{}[{}]", name, *row) : fmt::format("measured.{}", name),
+            words_of(fault));
+    }
     const MeasuredTable& table = *measured.table;
     const std::string line = row ? fmt::format(":{}", table.lines.at(*row)) : std::string();
-    const std::string& key = theta ? table.theta_key : table.s_key;
+    const std::string key = table.is_points() ? "points" : theta ? table.theta_key : table.s_key;
     throw PlacedError(
         source.find("measured", "table")->value().place,
         fmt::format("{}{}: {}: {}", table.file, line, key.empty() ? "measured.step" : key, words_of(fault)));
@@ -230,7 +346,7 @@ void write_out_tables(Node& root, const std::filesystem::path& folder) {
     const Place place = written->place;
     const MeasuredTable table = read_measured_table(folder / file, table_form(measured->value));
     std::erase_if(members, [](const Member& member) {
-        return member.name == "table" || member.name == "columns" || member.name == "decimal";
+        return member.name == "table" || std::ranges::find(file_keys, member.name) != file_keys.end();
     });
     if (!measured->value.find("name")) {
         Node name;

@@ -31,10 +31,43 @@ struct Column {
 
 constexpr std::size_t least_inspected = 8;  // rows: twice the parameters of an alignment
 
+constexpr int most_head_lines = 200;  // of other text above the rows
+
 constexpr const char* inspected_columns =
     "theta_deg and s_mm of the follower, or x_mm and y_mm, or r_mm and theta_deg of the cam";
 constexpr const char *angle_columns = "theta_deg, theta_rad or crank_deg",
                      *lift_columns = "s_mm, s_in, s_m, s_deg or s_rad";
+constexpr const char* or_columns =
+    "or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the order of the file";
+
+using Cells = std::vector<std::string_view>;
+
+std::optional<Column> column_in(const Cells& names, std::string_view name, std::span<const Spelling> units) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (const Spelling& unit : units)
+            if (const std::string key = fmt::format("{}{}", name, unit.suffix); names[i] == key)
+                return Column{i, key, unit};
+    return std::nullopt;
+}
+
+/// The angle and the displacement; of points x and y, or the angle and r.
+struct Columns {
+    std::optional<Column> theta, s;
+
+    Columns() = default;
+    Columns(const Cells& names, const TableForm& form)
+        : theta(column_in(names, "theta", spellings::cam_angle)), s(column_in(names, "s", spellings::lift)) {
+        for (std::size_t i = 0; i < names.size() && !theta; ++i)
+            if (names[i] == "crank_deg") theta = Column{i, "theta_crank_deg", spellings::cam_angle[2]};
+        if (!form.points || (s && (theta || form.by_step))) return;
+        const std::optional<Column> x = column_in(names, "x", spellings::length);
+        const std::optional<Column> value = column_in(names, x ? "y" : "r", spellings::length);
+        if (!value) return;
+        s = value;
+        if (x) theta = x;
+    }
+    [[nodiscard]] bool complete(const TableForm& form) const { return s && (theta || form.by_step); }
+};
 
 class TableReader {
  public:
@@ -46,22 +79,9 @@ class TableReader {
     }
 
     MeasuredTable read() {
-        std::optional<std::string_view> first = next_line();
-        if (!first)
-            fail("no line at all", "a line that names the columns, theta_deg and s_mm, and rows of numbers");
-        separator_ = form_.decimal == ',' ? ';' : ',';
-        for (const char other : {';', '\t'})
-            if (first->find(separator_) == std::string_view::npos &&
-                first->find(other) != std::string_view::npos)
-                separator_ = other;
-        if (form_.points && separator_ != ',' && text_.find(',') != std::string_view::npos)
-            form_.decimal = ',';
-        const std::vector<std::string_view> cells = split_text(*first, separator_, cell_ends);
-        const bool named =
-            std::ranges::none_of(cells, [&](std::string_view cell) { return value(cell).has_value(); });
-        find_columns(cells, named);
-        if (named) first = next_line();
-        for (; first; first = next_line()) add_row(*first);
+        while (line_ < form_.skipped && !text_.empty()) take_line();
+        if (!find_head()) start_at_first_line();
+        for (std::optional<std::string_view> line = next_line(); line; line = next_line()) add_line(*line);
         return std::move(table_);
     }
 
@@ -72,79 +92,124 @@ class TableReader {
     int line_ = 0;
     char separator_ = ',';
     std::size_t columns_ = 0;
-    std::optional<Column> theta_;
-    Column s_;
-    double direction_ = 0.0;  ///< of the angles
+    Columns of_;
+    double direction_ = 0.0, turns_ = 0.0;                    ///< of the angles
+    std::optional<std::pair<int, std::string_view>> no_row_;  ///< below the rows: its number, text
 
     [[noreturn]] void fail(const std::string& found, const std::string& allowed) const {
         throw InputError(
             fmt::format("{}:{}: found {}; allowed: {}", table_.file, std::max(line_, 1), found, allowed));
     }
 
+    std::string_view take_line() {
+        const std::size_t end = text_.find('\n');
+        const std::string_view line = text_.substr(0, end);
+        text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
+        ++line_;
+        return line;
+    }
+
     /// The next line with content.
     std::optional<std::string_view> next_line() {
         while (!text_.empty()) {
-            const std::size_t end = text_.find('\n');
-            const std::string_view line = text_.substr(0, end);
-            text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
-            ++line_;
+            const std::string_view line = take_line();
             const std::string_view said = trimmed(line, cell_ends);
-            if (!said.empty() && !said.starts_with('#')) return line;
+            if (!said.empty() && !said.starts_with('#') && !said.starts_with('!') && !said.starts_with('%') &&
+                !said.starts_with("//"))
+                return line;
         }
         return std::nullopt;
     }
 
-    void find_columns(const std::vector<std::string_view>& cells, bool named) {
-        std::vector<std::string_view> names = cells;
-        if (!form_.columns.empty())
-            names.assign(form_.columns.begin(), form_.columns.end());
-        else if (!named && !form_.points)
+    /// Between blanks if the separator is one.
+    [[nodiscard]] Cells cells_of(std::string_view line) const {
+        Cells cells = split_text(line, separator_, cell_ends);
+        if (separator_ == ' ') std::erase(cells, std::string_view());
+        while (cells.size() > std::max<std::size_t>(columns_, 1) && cells.back().empty()) cells.pop_back();
+        return cells;
+    }
+
+    /// The line that names the columns, or with measured.columns what precedes the first row, below lines of
+    /// other text. False, at the beginning of the text: there is none.
+    bool find_head() {
+        const std::string_view text = text_;
+        const int line_before = line_;
+        if (!form_.columns.empty()) take_columns(Cells(form_.columns.begin(), form_.columns.end()));
+        for (int tried = 0; tried < most_head_lines; ++tried) {
+            const auto before = std::pair(text_, line_);
+            const std::optional<std::string_view> line = next_line();
+            if (!line) break;
+            for (const char separator : {',', ';', '\t', ' '}) {
+                if (separator == form_.decimal) continue;
+                separator_ = separator;
+                const Cells cells = cells_of(*line);
+                if (form_.columns.empty() ? !Columns(cells, form_).complete(form_) : !is_row(cells)) continue;
+                if (form_.any_decimal && separator != ',' && text_.find(',') != std::string_view::npos)
+                    form_.decimal = ',';
+                if (form_.columns.empty())
+                    take_columns(cells);
+                else
+                    std::tie(text_, line_) = before;
+                return true;
+            }
+        }
+        text_ = text;
+        line_ = line_before;
+        return false;
+    }
+
+    /// As many cells as columns, and a number where one is read.
+    [[nodiscard]] bool is_row(const Cells& cells) const {
+        return cells.size() == columns_ &&
+               (value(cells[of_.s->index]) || (of_.theta && value(cells[of_.theta->index])));
+    }
+
+    /// What the first line has in place of the names is refused; of measured.columns the rows follow.
+    void start_at_first_line() {
+        const auto before = std::pair(text_, line_);
+        const std::optional<std::string_view> first = next_line();
+        if (!first)
+            fail("no line at all", "a line that names the columns, theta_deg and s_mm, and rows of numbers");
+        separator_ = form_.decimal == ',' ? ';' : ',';
+        for (const char other : {';', '\t'})
+            if (first->find(separator_) == std::string_view::npos &&
+                first->find(other) != std::string_view::npos)
+                separator_ = other;
+        const Cells cells = cells_of(*first);
+        const bool named = std::ranges::none_of(cells, [&](auto cell) { return value(cell).has_value(); });
+        if (form_.columns.empty() && !named && !form_.any_decimal)
             fail("numbers where the columns are named",
                  "a line such as theta_deg,s_mm, or columns = [\"theta_deg\", \"s_mm\"] in [measured]");
+        if (form_.columns.empty()) take_columns(cells);
+        if (!named) std::tie(text_, line_) = before;
+    }
+
+    void take_columns(const Cells& names) {
         columns_ = names.size();
-        theta_ = column(names, "theta", spellings::cam_angle);
-        for (std::size_t i = 0; i < names.size() && !theta_; ++i)
-            if (names[i] == "crank_deg") theta_ = Column{i, "theta_crank_deg", spellings::cam_angle[2]};
-        if (theta_ && form_.by_step)
-            fail(fmt::format("the column {} together with measured.step", theta_->key), "one of the two");
-        std::optional<Column> lift = column(names, "s", spellings::lift);
-        if (form_.points && !(theta_ && lift)) find_points(names, lift);
-        if (!theta_ && !form_.by_step) refuse_columns(names, angle_columns, ", or step_deg in [measured]");
-        if (!lift) refuse_columns(names, lift_columns);
-        s_ = *lift;
-        if (theta_) {
-            table_.theta_key = theta_->key;
-            table_.theta_unit = theta_->unit;
+        of_ = Columns(names, form_);
+        if (of_.theta && form_.by_step)
+            fail(fmt::format("the column {} together with measured.step", of_.theta->key), "one of the two");
+        if (form_.any_decimal && !of_.complete(form_)) refuse_columns(names, inspected_columns);
+        if (!of_.theta && !form_.by_step)
+            refuse_columns(names, fmt::format("one of them named {}, or step_deg in [measured], {}",
+                                              angle_columns, or_columns));
+        if (!of_.s)
+            refuse_columns(names, fmt::format("one of them named {}{}, {}", lift_columns,
+                                              form_.points ? ", or x_mm and y_mm, or r_mm, of the cam" : "",
+                                              or_columns));
+        if (of_.theta) {
+            table_.theta_key = of_.theta->key;
+            table_.theta_unit = of_.theta->unit;
         }
-        table_.s_key = s_.key;
-        table_.s_unit = s_.unit;
+        table_.s_key = of_.s->key;
+        table_.s_unit = of_.s->unit;
     }
 
-    /// x in place of the angle and y, or r, in place of the displacement.
-    void find_points(const std::vector<std::string_view>& names, std::optional<Column>& value) {
-        const std::optional<Column> x = column(names, "x", spellings::length);
-        value = column(names, x ? "y" : "r", spellings::length);
-        if (x) theta_ = x;
-        if (!theta_ || !value) refuse_columns(names, inspected_columns);
-    }
-
-    [[nodiscard]] static std::optional<Column> column(const std::vector<std::string_view>& names,
-                                                      std::string_view name,
-                                                      std::span<const Spelling> units) {
-        for (std::size_t i = 0; i < names.size(); ++i)
-            for (const Spelling& unit : units)
-                if (const std::string key = fmt::format("{}{}", name, unit.suffix); names[i] == key)
-                    return Column{i, key, unit};
-        return std::nullopt;
-    }
-
-    [[noreturn]] void refuse_columns(const std::vector<std::string_view>& names, const char* allowed,
-                                     const char* or_else = "") const {
+    [[noreturn]] void refuse_columns(const Cells& names, const std::string& allowed) const {
         std::string list;
         for (const std::string_view name : names)
             list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", printable(name));
-        fail(fmt::format("the columns {}", list),
-             fmt::format("{}{}{}", form_.points ? "" : "one of them named ", allowed, or_else));
+        fail(fmt::format("the columns {}", list), allowed);
     }
 
     [[nodiscard]] std::optional<double> value(std::string_view cell) const {
@@ -159,33 +224,54 @@ class TableReader {
         if (const std::optional<double> found = value(cell)) return *found;
         const bool other = cell.find(form_.decimal == ',' ? '.' : ',') != std::string_view::npos;
         fail(fmt::format("\"{}\" in the column {}", printable(cell), column.key),
-             !other                 ? "a finite number"
+             !other                 ? "a finite number, or # before the line"
              : form_.decimal == ',' ? "a finite number, written with a decimal comma"
                                     : "a finite number, written with a decimal point; with a comma where "
                                       "[measured] has decimal = \",\"");
     }
 
-    void add_row(std::string_view line) {
-        const std::vector<std::string_view> cells = split_text(line, separator_, cell_ends);
+    /// Lines without any number: units below the names, and what follows the last row.
+    void add_line(std::string_view line) {
+        const Cells cells = cells_of(line);
+        if (std::ranges::none_of(cells, [&](std::string_view cell) { return value(cell).has_value(); })) {
+            if (!table_.s.empty() && !no_row_) no_row_ = {line_, line};
+            if (!table_.s.empty() || form_.columns.empty()) return;
+        }
+        if (no_row_) {
+            line_ = no_row_->first;
+            add_row(cells_of(no_row_->second));
+        }
+        add_row(cells);
+    }
+
+    void add_row(const Cells& cells) {
         if (cells.size() != columns_)
             fail(fmt::format("{} cells", cells.size()),
-                 fmt::format("{}, as {} columns", columns_,
+                 fmt::format("{}, as {} columns, or # before a line that is no row", columns_,
                              form_.columns.empty() ? "the first line names" : "measured.columns names"));
-        const double s = number(cells[s_.index], s_);
-        if (theta_ && !add_angle(number(cells[theta_->index], *theta_), s)) return;
+        const double s = number(cells[of_.s->index], *of_.s);
+        if (of_.theta && !add_angle(number(cells[of_.theta->index], *of_.theta), s)) return;
         table_.s.push_back(s);
         table_.lines.push_back(line_);
     }
 
-    /// False for a row that repeats the one before.
+    /// False for a row that repeats the one before. From the end of the revolution to its begin once.
     [[nodiscard]] bool add_angle(double theta, double s) {
-        if (!table_.theta.empty() && !theta_->key.starts_with('x')) {
-            const double step = theta - table_.theta.back();
+        const std::string& key = of_.theta->key;
+        if (!table_.theta.empty() && !key.starts_with('x')) {
+            const double turn = units::turn / (of_.theta->unit.factor * (form_.crank ? 0.5 : 1.0));
+            theta += turns_ * turn;
+            double step = theta - table_.theta.back();
             const double change = std::abs(s - table_.s.back());
             if (step == 0.0 && change <= same_row * std::max(1.0, std::abs(s))) return false;
+            if (turns_ == 0.0 && step * direction_ < 0.0 && std::abs(step) > 0.5 * turn) {
+                turns_ = direction_ > 0.0 ? 1.0 : -1.0;
+                theta += turns_ * turn;
+                step += turns_ * turn;
+            }
             if (direction_ == 0.0) direction_ = step;
             if (!(step * direction_ > 0.0))
-                fail(fmt::format("{} = {} after {}", theta_->key, theta, table_.theta.back()),
+                fail(fmt::format("{} = {} after {}", key, theta, table_.theta.back()),
                      "angles that ascend, or descend, all along the table");
         }
         table_.theta.push_back(theta);
@@ -208,21 +294,26 @@ MeasuredTable read_measured_table(const std::filesystem::path& file, const Table
     return measured_table_of(read.bytes, printable(file.string()), form);
 }
 
+std::vector<Eigen::Vector2d> points_of(const MeasuredTable& table) {
+    const bool polar = table.is_polar();
+    std::vector<Eigen::Vector2d> points;
+    for (std::size_t i = 0; i < table.s.size(); ++i) {
+        const double first = table.theta_unit.factor * table.theta[i],
+                     second = table.s_unit.factor * table.s[i];
+        points.emplace_back(polar ? second * std::cos(first) : first,
+                            polar ? second * std::sin(first) : second);
+    }
+    return points;
+}
+
 InspectedTable inspected_table_of(std::string_view text, const std::string& name) {
     TableForm form;
-    form.points = true;
+    form.points = form.any_decimal = true;
     const MeasuredTable read = measured_table_of(text, name, form);
     if (read.s.size() < least_inspected)
         throw InputError(
             fmt::format("{}: found {} rows; allowed: at least {}", name, read.s.size(), least_inspected));
-    const bool plane = read.theta_key.starts_with('x'), polar = read.s_key.starts_with('r');
-    InspectedTable table{name, plane || polar, is_angle_unit(read.s_unit.unit), {}, read.lines};
-    for (std::size_t i = 0; i < read.s.size(); ++i) {
-        const double first = read.theta_unit.factor * read.theta[i], second = read.s_unit.factor * read.s[i];
-        table.rows.emplace_back(polar ? second * std::cos(first) : first,
-                                polar ? second * std::sin(first) : second);
-    }
-    return table;
+    return {name, read.is_points(), is_angle_unit(read.s_unit.unit), points_of(read), read.lines};
 }
 
 InspectedTable read_inspected_table(const std::filesystem::path& file) {

@@ -60,22 +60,35 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
 // A CSV file of a measured motion: a line that names the columns, then rows of numbers.
 //
 // Columns are found by their names, in any order; others are ignored, and of two for one quantity the first
-// counts. They are separated by commas, semicolons or tabs, as in the first line. Empty lines, lines that
-// begin with #, and rows that repeat the one before (both sides of a joint) are skipped. Internal to input/.
+// counts. They are separated by commas, semicolons, tabs or blanks. Skipped are empty lines, lines that begin
+// with #, !, % or //, text above the names (with measured.columns above the first row), a line of units below
+// them, text below the last row, and rows that repeat the one before (both sides of a joint). Angles may pass
+// the end of the revolution once. Internal to input/.
 struct MeasuredTable {
     std::string file;              ///< its name in messages
-    std::string theta_key, s_key;  ///< "theta_deg", "s_mm"; of rows at a given step the first is empty
+    std::string theta_key, s_key;  ///< "theta_deg", "s_mm"; of rows at a given step the first is empty; of
+                                   ///< points "x_mm", "y_mm" or "theta_deg", "r_mm"
     Spelling theta_unit, s_unit;
     std::vector<double> theta, s;  ///< as written
     std::vector<int> lines;        ///< of each row, from 1
+
+    [[nodiscard]] bool is_polar() const { return s_key.starts_with('r'); }
+    /// Of the cam; else displacements of the follower.
+    [[nodiscard]] bool is_points() const { return is_polar() || theta_key.starts_with('x'); }
 };
+
+/// x and y, m; of displacements the angle and the displacement, SI.
+[[nodiscard]] std::vector<Eigen::Vector2d> points_of(const MeasuredTable& table);
 
 /// What the scene says about the table.
 struct TableForm {
     std::vector<std::string> columns = {};  ///< their names; empty: in the first line
     bool by_step = false;                   ///< the rows have no angles
     char decimal = '.';
-    bool points = false;  ///< read_inspected_table's: (x, y) or (theta, r) too; finds the decimal comma
+    bool points = false;       ///< (x, y) or (theta, r) too
+    bool any_decimal = false;  ///< read_inspected_table's: finds the decimal comma
+    int skipped = 0;           ///< lines at the beginning
+    bool crank = false;        ///< angles in cam units are crank angles
 };
 
 /// Throws InputError "FILE:LINE: …" for columns that are missing or in other units, cells that are not finite
@@ -85,6 +98,43 @@ struct TableForm {
 [[nodiscard]] MeasuredTable measured_table_of(std::string_view text, const std::string& name,
                                               const TableForm& form = {});
 
+// Points of a disk cam's surface → the motion of the follower that rolls or slides on it.
+//
+// Each point becomes one row. Its normal n comes from the cubic through its neighbours (core/numbers/
+// robust_fit.hpp) in polar coordinates: outliers do not turn it. A roller of radius R that touches the point
+// p there has its centre at p + R n, a face its distance p · n; the cam angle is that at which this is on the
+// follower's guide. An error δ of the normal moves the row along the motion and off it by R δ²/2 (roller) or
+// ϱ δ²/2 (face; ϱ radius of curvature): second order, while the noise of the points stays that of the rows.
+// The follower lies on the largest displacement at which it touches the surface: points at which it would cut
+// into the smoothed surface elsewhere are left out.
+struct SurfaceProbe {
+    FollowerGeometry follower;
+    double radius = 0.0;         ///< m; points are the centres of a ball that touches the surface; 0: on it
+    double roller_radius = 0.0;  ///< of the follower, m; 0: an edge or a face
+    double sense = 1.0;          ///< of the cam's rotation, seen in the follower's frame
+};
+struct SurfaceMotion {
+    std::vector<double> angle, displacement;  ///< rad in [0, 2π), ascending; m or rad
+    std::vector<std::size_t> rows;            ///< of each row its point
+    int untouched = 0;                        ///< points that the follower does not touch
+};
+/// Its dimensions: of ranges the middle. Throws SceneError for a cam that is not a disk.
+[[nodiscard]] SurfaceProbe surface_probe(const CamSpec& cam, double probe_radius);
+/// Points in the cam's frame, m. Throws SceneError "measured.theta[point]" where they leave a gap.
+[[nodiscard]] SurfaceMotion motion_on_surface(std::span<const Eigen::Vector2d> points,
+                                              const SurfaceProbe& probe);
+
+/// What measured.register asks for.
+struct RegisterRequest {
+    bool angle = false, radius = false;
+};
+/// Moves the rows to where the motion is, by a robust fit (input/table_alignment.hpp) of the scene's motion
+/// with the law of the catalogue in its spline strokes that is nearest to the rows; laws and dwells of the
+/// scene stay. Throws SceneError "measured.register" where a displacement is searched, and for a table of a
+/// whole revolution where the motion is a part of one.
+[[nodiscard]] MeasuredPlace register_rows(const MotionSpec& motion, const KnownNames& known,
+                                          RegisterRequest request, MeasuredMotion& measured);
+
 struct MeasuredInput {
     MeasuredMotion motion;
     std::optional<MeasuredTable> table;  ///< if from a file: its lines, for messages
@@ -92,7 +142,7 @@ struct MeasuredInput {
 };
 
 /// Throws InputError for a missing key, a file that cannot be read, units that do not fit the lift.
-[[nodiscard]] std::optional<MeasuredInput> read_measured(const SceneSource& source, const MotionSpec& motion,
+[[nodiscard]] std::optional<MeasuredInput> read_measured(const SceneSource& source, const Scene& scene,
                                                          const KnownNames& known);
 
 /// Throws for a fault of the scene: one of the measured motion at its row as written, in its file if it has

@@ -90,7 +90,7 @@ class SceneReader {
         scene.dynamics = read_dynamics(source_, scene.motion);
         scene.drive = read_drive(source_, scene.motion);
         scene.solver = read_solver();
-        const std::optional<MeasuredInput> measured = read_measured(source_, scene.motion, known_);
+        const std::optional<MeasuredInput> measured = read_measured(source_, scene, known_);
         if (measured) scene.measured = measured->motion;
         weigh_deviation(scene);
         if (const std::optional<SceneFault> fault = find_fault(scene)) {

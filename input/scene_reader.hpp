@@ -23,6 +23,9 @@ struct KnownNames {
     /// Makes the formulas of a cam (CamSpec::make) of a kind without its own; none: such a cam is refused.
     /// profiles/factory knows every kind.
     std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> cam_formulas = {};
+    /// Of a law: share of the displacement and its slope at t in [0, 1]. For measured.register.
+    std::function<std::function<std::array<double, 2>(double t)>(const std::string& law)> law_shape = {};
+    std::vector<std::string> turning_laws = {};  ///< of `laws`: they turn back at the top
 };
 
 /// `overrides`: "KEY=VALUE" with a dotted key and a TOML value (a bare word is a string), applied before

@@ -64,6 +64,22 @@ double FollowerGeometry::arm_angle(double psi) const {
     return turn + (mirrored ? -1.0 : 1.0) * (std::numbers::pi - psi);
 }
 
+double FollowerGeometry::position_at(double distance) const {
+    const bool flat = contact == ContactKind::flat;
+    if (!swings) return flat ? distance : std::sqrt(distance * distance - offset * offset);
+    if (flat) return std::asin((distance + face_offset) / pivot_distance);
+    return std::acos((pivot_distance * pivot_distance + arm * arm - distance * distance) /
+                     (2.0 * pivot_distance * arm));
+}
+
+double FollowerGeometry::distance_at(double position) const {
+    const bool flat = contact == ContactKind::flat;
+    if (!swings) return flat ? position : std::hypot(position, offset);
+    if (flat) return pivot_distance * std::sin(position) - face_offset;
+    return std::sqrt(pivot_distance * pivot_distance + arm * arm -
+                     2.0 * pivot_distance * arm * std::cos(position));
+}
+
 FollowerGeometry follower_on_lever(const RollerLever& lever) {
     FollowerGeometry follower;
     follower.swings = true;

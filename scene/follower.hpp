@@ -128,6 +128,11 @@ struct FollowerGeometry {
     /// the follower itself is the output.
     std::function<double(double arm_angle)> linkage = {};
 
+    /// y0 or ψ0: the position at output 0.
+    [[nodiscard]] double rest_position() const { return position_at(rest_distance); }
+    /// The position at this distance from the cam's centre, and the reverse.
+    [[nodiscard]] double position_at(double distance) const;
+    [[nodiscard]] double distance_at(double position) const;
     /// A point of the mechanism's own frame, with the cam's centre as the origin, in this frame.
     [[nodiscard]] Eigen::Vector2d seen(const Eigen::Vector2d& own) const;
     /// The angle of the arm from +x in the mechanism's own frame where it is at ψ in this one.

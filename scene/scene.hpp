@@ -75,12 +75,37 @@ struct ProgramSegment {
     friend bool operator==(const ProgramSegment&, const ProgramSegment&) = default;
 };
 
+/// A row of a measured table that lies apart from its neighbours.
+struct MeasuredOutlier {
+    int row = 0;         ///< of the table's rows of numbers, from 1
+    double angle = 0.0;  ///< rad, from the start of the motion
+    double off = 0.0;    ///< from its neighbours, m or rad
+    friend bool operator==(const MeasuredOutlier&, const MeasuredOutlier&) = default;
+};
+
+/// What measured.register found: by the law (empty: the scene prescribes all strokes) nearest to the table.
+struct MeasuredPlace {
+    struct Number {
+        double value = 0.0, error = 0.0;  ///< standard error
+        friend bool operator==(const Number&, const Number&) = default;
+    };
+    std::string law;
+    std::optional<Number> angle;        ///< rad: the table's angle at the start of the motion
+    std::optional<Number> zero;         ///< m or rad: the table's displacement where the motion has 0
+    std::optional<double> base_radius;  ///< m, of points of a cam: what the zero makes it
+    friend bool operator==(const MeasuredPlace&, const MeasuredPlace&) = default;
+};
+
 /// A motion that was measured, or comes from elsewhere: displacement over cam angle, counted from the start.
 struct MeasuredMotion {
     std::vector<double> angle;         ///< rad, ascending, over the whole motion
     std::vector<double> displacement;  ///< m; rad where the lift is an angle
     bool start = false;                ///< searches begin from it too; else it is only compared
     std::string name = {};             ///< of the table, for people
+    int untouched = 0;                 ///< points of the cam that its follower does not touch: left out
+    std::vector<MeasuredOutlier> outliers = {};
+    bool excluded = false;                    ///< the outliers are not among the rows
+    std::optional<MeasuredPlace> place = {};  ///< only where it was searched
     friend bool operator==(const MeasuredMotion&, const MeasuredMotion&) = default;
 };
 

@@ -243,10 +243,13 @@ class KeyCheck {
 
     void check_texts(const Given& given, const std::string& key) const {
         refuse_unless(given.value().kind == NodeKind::array, given, key);
+        const auto& choices = given.row->choices;
         for (const Node& item : given.value().items)
-            if (item.kind != NodeKind::text)
+            if (item.kind != NodeKind::text ||
+                (!choices.empty() && std::ranges::find(choices, item.text) == choices.end()))
                 source_.fail(item.place, key,
-                             fmt::format("found {} in the array; allowed: texts in quotes", item.shown()));
+                             fmt::format("found {} in the array; allowed: {}", item.shown(),
+                                         choices.empty() ? "texts in quotes" : given.row->choices_text()));
     }
 
     /// Pairs of a place and a number, the places ascending.

@@ -211,15 +211,28 @@ Rows measured() {
         {"measured", "table", text, plain, any, {}, "none",
          "A CSV file in the scene's folder (or a path from there), also one that camopt wrote. Its first line names "
          "the columns, in any order: `theta_deg`, `theta_rad` or `crank_deg`, the angle, and `s_mm`, `s_in`, `s_m`, "
-         "`s_deg` or `s_rad`; others are ignored."},
+         "`s_deg` or `s_rad`, or of points of a disk cam `x_mm` and `y_mm`, or `r_mm` (`_in`, `_m`) and the angle; "
+         "others are ignored."},
         {"measured", "columns", texts, plain, any, {}, "the file's first line",
          "Names of the columns, in the order of the file: of a file without such a line, or in place of it."},
         {"measured", "decimal", text, plain, any, {".", ","}, "\".\"",
          "Decimal point or comma of the file; with a comma, columns are separated by semicolons or tabs."},
+        {"measured", "skip_lines", integer, plain, Range::between(0, 10000), {}, "0",
+         "Lines at the beginning of the file that are not read. Needed only where they hold numbers: text above the "
+         "names, or with `columns` above the first row, is passed over."},
         {"measured", "theta", numbers, cam_angle, any, {}, "none",
          "The angles themselves, ascending or descending.", Availability::now, "table"},
         {"measured", "s", numbers, lift, any, {}, "none", "The displacements at these angles.",
          Availability::now, "table"},
+        {"measured", "x", numbers, length, any, {}, "none",
+         "With `y`: points of the surface of the disk cam of `[cam]`, which become the motion of its follower. In the "
+         "cam's frame: at cam angle 0 a pushed follower rises along +y, the pivot of a swinging one lies on +x.",
+         Availability::needs_cam, "table"},
+        {"measured", "y", numbers, length, any, {}, "none", "With `x`.", Availability::needs_cam, "table"},
+        {"measured", "r", numbers, length, positive, {}, "none",
+         "Such points in polar coordinates, with `theta` from +x counterclockwise.", Availability::needs_cam, "table"},
+        {"measured", "probe_radius", number, length, not_negative, {}, "0",
+         "Points are the centres of a ball of this radius that touches the cam.", Availability::needs_cam},
         {"measured", "step", number, cam_angle, positive, {}, "none",
          "The angle from row to row, from 0 on, of displacements without angles.", Availability::now, "theta"},
         {"measured", "zero", text_or_table, plain, any, {"start", "nose"}, "\"start\"",
@@ -229,6 +242,11 @@ Rows measured() {
         {"measured", "angles", text, plain, any, {"cam", "crank"}, "\"cam\"",
          "`\"crank\"`: `theta` and `step` are crank angles, two for one of the cam."},
         {"measured.zero", "deg", number, degrees, any, {}, "required", "Cam angle from the start of the motion."},
+        {"measured", "register", texts, plain, any, {"angle", "radius"}, "nothing",
+         "What is not known of the table and searched: `\"angle\"`, the angle where the motion starts (instead of "
+         "`zero`); `\"radius\"`, the displacement, or the base radius of points, where the motion has 0."},
+        {"measured", "outliers", text, plain, any, {"keep", "exclude"}, "\"keep\"",
+         "Rows far from their neighbours are named in reports. `\"exclude\"`: they are not used."},
         {"measured", "use", text, plain, any, {"compare", "start", "nearest"}, "\"compare\"",
          "`\"compare\"`: what the optimum gains over it. `\"start\"`: searches begin from it, too. `\"nearest\"`: the "
          "optimum is the motion nearest to its rows (objective.deviation, or deviation_rms by `norm`)."},

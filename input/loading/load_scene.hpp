@@ -22,7 +22,14 @@ namespace camopt {
     for (const LawInfo& law : law_catalogue()) {
         known.laws.push_back(law.key);
         if (!law.rests) known.moving_laws.push_back(law.key);
+        if (law.top == TopEnd::turning_point) known.turning_laws.push_back(law.key);
     }
+    known.law_shape = [](const std::string& key) {
+        return [law = std::shared_ptr<const Law>(make_law(key))](double t) {
+            const auto share = law->at(t).derivative;
+            return std::array<double, 2>{share[0], share[1]};
+        };
+    };
     for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
     return known;
 }

@@ -75,6 +75,24 @@ Json measured_json(const Solution& solution) {
              {"to_deg", number_json(match.end * units.degrees_per_x)},
              {"largest_deviation_" + output.name, number_json(match.largest * output.per_normalised)},
              {"rms_deviation_" + output.name, number_json(match.rms * output.per_normalised)}});
+    const MeasuredMotion& table = *solution.scene.measured;
+    const ShownUnit displacement{output.name, solution.scene.motion.lift / output.per_normalised};
+    Json outliers = Json::array(), place;
+    for (const MeasuredOutlier& outlier : table.outliers)
+        outliers.push_back({{"row", outlier.row},
+                            {"at_deg", number_json(degrees_shown.of(outlier.angle))},
+                            {"from_neighbours_" + output.name, number_json(displacement.of(outlier.off))}});
+    const auto placed = [&](const std::string& name, const auto& number, const ShownUnit& unit) {
+        place[name] = number ? number_json(unit.of(number->value)) : Json();
+        place[name + "_standard_error"] = number ? number_json(unit.of(number->error)) : Json();
+    };
+    if (table.place) {
+        place["law"] = words_json(table.place->law);
+        placed("start_deg", table.place->angle, degrees_shown);
+        placed("zero_" + output.name, table.place->zero, displacement);
+        place["base_radius_mm"] =
+            table.place->base_radius ? number_json(millimetres_shown.of(*table.place->base_radius)) : Json();
+    }
     return {{"name", words_json(measured.name)},
             {"rows", measured.rows},
             {"free_numbers", measured.freedom},
@@ -86,6 +104,10 @@ Json measured_json(const Solution& solution) {
             {"objective", number_json(measured.objective)},
             {"gain_percent", number_json(gain_percent(solution))},
             {"nearest_laws", laws},
+            {"outliers", outliers},
+            {"outliers_excluded", table.excluded},
+            {"untouched_points", table.untouched},
+            {"register", place},
             {"started", measured.started}};
 }
 

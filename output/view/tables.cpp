@@ -160,6 +160,50 @@ std::optional<double> gain_percent(const Solution& solution) {
     return 100.0 * (1.0 - solution.certificate.objective / *measured.objective);
 }
 
+namespace {
+
+constexpr std::size_t most_named = 6;  // outliers; result.json has all
+
+/// Of a table: rows far from their neighbours, points that are not used, and where it was placed.
+std::string table_words(const Solution& solution) {
+    const Scene& scene = solution.scene;
+    const MeasuredMotion& table = *scene.measured;
+    const MotionUnit& unit = shown_units(scene).motion[0].first;
+    const auto shown = [&](double displacement) {
+        return unit.normalised_text(displacement / scene.motion.lift, 3);
+    };
+    std::string text, list;
+    if (table.untouched > 0)
+        text += fmt::format("; its follower does not touch {} of the points, which are left out",
+                            table.untouched);
+    for (std::size_t i = 0; i < std::min(table.outliers.size(), most_named); ++i) {
+        const MeasuredOutlier& outlier = table.outliers[i];
+        list +=
+            fmt::format("{}row {} at {} deg by {}", i == 0 ? "" : ", ", outlier.row,
+                        degrees_at(solution, outlier.angle / scene.motion.unit_angle()), shown(outlier.off));
+    }
+    if (table.outliers.size() > most_named)
+        list += fmt::format(" and {} more", table.outliers.size() - most_named);
+    if (!list.empty())
+        text +=
+            fmt::format("; outliers ({}): {}",
+                        table.excluded ? "excluded" : "kept; outliers = \"exclude\" leaves them out", list);
+    if (!table.place) return text;
+    const MeasuredPlace& place = *table.place;
+    if (place.angle)
+        text += fmt::format("; the motion starts at {} ± {} deg of the table",
+                            short_text(degrees_shown.of(place.angle->value)),
+                            short_text(degrees_shown.of(place.angle->error), 2));
+    if (place.zero)
+        text += fmt::format("; its displacement 0 is at {} ± {} of the table", shown(place.zero->value),
+                            shown(place.zero->error));
+    if (place.base_radius)
+        text += fmt::format(", a base radius of {}", shown_units(scene).length.text(*place.base_radius));
+    return text + (place.law.empty() ? "" : fmt::format(" (placed by {})", words_of(place.law)));
+}
+
+}  // namespace
+
 std::string measured_sentence(const Solution& solution) {
     const MeasuredReport& measured = *solution.measured;
     const MotionUnit& unit = shown_units(solution.scene).motion[0].first;
@@ -195,7 +239,7 @@ std::string measured_sentence(const Solution& solution) {
                             degrees_at(solution, match.begin), degrees_at(solution, match.end),
                             unit.normalised_text(match.largest, 3), unit.normalised_text(match.rms, 3));
     if (measured.started) text += "; the search began from it, too";
-    return text;
+    return text + table_words(solution);
 }
 
 std::string limit_text(const ConstraintReport& row) {

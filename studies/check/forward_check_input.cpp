@@ -22,7 +22,7 @@ Rotation opposite(Rotation rotation) {
 /// From the follower's lift to the output; empty: they are the same.
 std::function<double(double)> output_of(const FollowerGeometry& follower) {
     if (follower.linkage)
-        return [follower, start = TouchingFollower(follower).start()](double lift) {
+        return [follower, start = follower.rest_position()](double lift) {
             return follower.linkage(follower.arm_angle(start + lift));
         };
     if (follower.falls) return [](double lift) { return -lift; };
@@ -64,15 +64,6 @@ FollowerGeometry checked_follower(const DrivenMechanism& mechanism, int station)
     return *std::move(found);
 }
 
-/// The lift at which it is as far from the cam's centre as at output 0.
-double start_of(const FollowerGeometry& follower) {
-    const double rest = follower.rest_distance, distance = follower.pivot_distance, arm = follower.arm;
-    const bool flat = follower.contact == ContactKind::flat;
-    if (!follower.swings) return flat ? rest : std::sqrt(rest * rest - follower.offset * follower.offset);
-    if (flat) return std::asin((rest + follower.face_offset) / distance);
-    return std::acos((distance * distance + arm * arm - rest * rest) / (2.0 * distance * arm));
-}
-
 }  // namespace
 
 ForwardCheckInput forward_check_input(const DrivenMechanism& mechanism, const Motion& motion,
@@ -100,7 +91,7 @@ TouchingFollower::TouchingFollower(const FollowerGeometry& follower)
       distance_(follower.pivot_distance),
       arm_(follower.arm),
       face_(follower.face_offset),
-      start_(start_of(follower)) {}
+      start_(follower.rest_position()) {}
 
 double TouchingFollower::lift_on(const Vector2d& point) const {
     if (!swings_ && flat_) return point.y();

@@ -48,14 +48,20 @@ TEST(MeasuredTable, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(
         refusal("angle,s_mm\n"),
         "m.csv:1: found the columns \"angle\", \"s_mm\"; allowed: one of them named theta_deg, theta_rad or "
-        "crank_deg, or step_deg in [measured]");
-    EXPECT_EQ(refusal("theta_deg,s_cm\n"),
-              "m.csv:1: found the columns \"theta_deg\", \"s_cm\"; allowed: one of them "
-              "named s_mm, s_in, s_m, s_deg or s_rad");
-    EXPECT_EQ(refusal("theta_deg,s_mm\n0,0\n1\n"),
-              "m.csv:3: found 1 cells; allowed: 2, as the first line names columns");
+        "crank_deg, or step_deg in [measured], or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the "
+        "order "
+        "of the file");
+    EXPECT_EQ(
+        refusal("theta_deg,s_cm\n"),
+        "m.csv:1: found the columns \"theta_deg\", \"s_cm\"; allowed: one of them "
+        "named s_mm, s_in, s_m, s_deg or s_rad, or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the "
+        "order of the file");
+    EXPECT_EQ(
+        refusal("theta_deg,s_mm\n0,0\n1\n"),
+        "m.csv:3: found 1 cells; allowed: 2, as the first line names columns, or # before a line that is no "
+        "row");
     EXPECT_EQ(refusal("theta_deg,s_mm\n0,0\n\n1,nan\n"),
-              "m.csv:4: found \"nan\" in the column s_mm; allowed: a finite number");
+              "m.csv:4: found \"nan\" in the column s_mm; allowed: a finite number, or # before the line");
     EXPECT_EQ(
         refusal("theta_deg;s_mm\n0;0\n1;0,5\n"),
         "m.csv:3: found \"0,5\" in the column s_mm; allowed: a finite number, written with a decimal point; "
@@ -98,8 +104,10 @@ TEST(MeasuredTable, ReadsOtherForms) {
         "m.csv:1: found \"0.5\" in the column s_mm; allowed: a finite number, written with a decimal comma");
     EXPECT_EQ(refused("theta_deg,s_mm\n", {{}, true}),
               "m.csv:1: found the column theta_deg together with measured.step; allowed: one of the two");
-    EXPECT_EQ(refused("1,2\n", {{"s_mm"}, true}),
-              "m.csv:1: found 2 cells; allowed: 1, as measured.columns names columns");
+    EXPECT_EQ(
+        refused("1,2\n", {{"s_mm"}, true}),
+        "m.csv:1: found 2 cells; allowed: 1, as measured.columns names columns, or # before a line that is "
+        "no row");
 }
 
 class MeasuredScene : public ::testing::Test {
@@ -311,7 +319,7 @@ TEST(InspectedTable, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(inspected_refusal("x_mm,z_mm\n0,1\n"),
               "m.csv:1: found the columns \"x_mm\", \"z_mm\"; allowed: " + allowed);
     EXPECT_EQ(inspected_refusal("x_mm,y_mm\n0,1\n0,one\n"),
-              "m.csv:3: found \"one\" in the column y_mm; allowed: a finite number");
+              "m.csv:3: found \"one\" in the column y_mm; allowed: a finite number, or # before the line");
     EXPECT_EQ(inspected_refusal("theta_deg,s_mm\n0,1\n1,1\n"), "m.csv: found 2 rows; allowed: at least 8");
     EXPECT_NE(testing_support::refusal([] {
                   (void)read_inspected_table("/nowhere/m.csv");

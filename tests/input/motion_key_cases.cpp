@@ -2,6 +2,9 @@
 // Set points of the whole motion and of segments, and measured motions: every key in every unit.
 #include "tests/input/scene_key_cases.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <numbers>
 
 namespace camopt::input {
@@ -140,6 +143,19 @@ std::vector<KeyCase> point_cases(const std::string& table, const std::string& re
     return all;
 }
 
+/// Of a cam under a knife edge, every 5 deg: 20 mm over 2 rad, dwell, return. In the unit.
+std::string cam_points(const std::function<double(double radius, double angle)>& of) {
+    std::string text;
+    for (int i = 0; i < 72; ++i) {
+        const double theta = i * pi / 36.0;
+        const double lift = theta < 2.0   ? theta / 2.0
+                            : theta < 4.5 ? 1.0
+                                          : (2.0 * pi - theta) / (2.0 * pi - 4.5);
+        text += fmt::format("{}{:.17g}", i == 0 ? "[" : ", ", of(0.04 + 0.02 * lift, pi / 2.0 - theta));
+    }
+    return text + "]";
+}
+
 }  // namespace motion_key_cases
 
 std::vector<KeyCase> set_point_cases() {
@@ -176,7 +192,29 @@ std::vector<KeyCase> measured_cases() {
     const auto angle = [](const Scene& scene) { return scene.measured.value().angle.at(3); };
     const auto displacement = [](const Scene& scene) { return scene.measured.value().displacement.at(3); };
     const std::string both = motion + theta + s;
-    return {
+    const std::string knife =
+        motion +
+        "cam = { type = \"disk\", follower = \"translating_knife\", base_radius_mm = 40, "
+        "rotation = \"counterclockwise\" }\n";
+    const auto x = [](double unit) {
+        return cam_points([unit](double r, double at) { return r * std::cos(at) / unit; });
+    };
+    const auto y = [](double unit) {
+        return cam_points([unit](double r, double at) { return r * std::sin(at) / unit; });
+    };
+    const auto r = [](double unit) {
+        return cam_points([unit](double radius, double) { return radius / unit; });
+    };
+    const std::string around =
+        "measured.theta_rad = " + cam_points([](double, double at) { return at; }) + "\n";
+    const auto on_cam = [](const Scene& scene) {
+        const MeasuredMotion& measured = scene.measured.value();
+        const auto from = [](double at) { return std::abs(at - 20.0 * pi / 36.0); };
+        const auto row = std::ranges::min_element(measured.angle, {}, from) - measured.angle.begin();
+        return measured.displacement.at(static_cast<std::size_t>(row));
+    };
+    const double there = 0.02 * 20.0 * pi / 36.0 / 2.0;
+    std::vector<KeyCase> all = {
         {"measured.table", "\"measured.csv\"", 8,
          [](const Scene& scene) { return double(scene.measured.value().angle.size()); }, motion},
         {"measured.theta_rad", "[0, 0.2, 0.5, 0.8, 1.1, 1.4, 1.7, 2]", 0.8, angle, motion + s},
@@ -204,6 +242,13 @@ std::vector<KeyCase> measured_cases() {
         {"measured.decimal", "\".\"", 8,
          [](const Scene& scene) { return double(scene.measured.value().angle.size()); },
          motion + "measured.table = \"measured.csv\"\n"},
+        {"measured.skip_lines", "0", 8,
+         [](const Scene& scene) { return double(scene.measured.value().angle.size()); },
+         motion + "measured.table = \"measured.csv\"\n"},
+        {"measured.register", "[\"radius\"]", 1,
+         [](const Scene& scene) { return scene.measured.value().place.value().zero ? 1.0 : 0.0; }, both},
+        {"measured.outliers", "\"exclude\"", 1,
+         [](const Scene& scene) { return scene.measured.value().excluded ? 1.0 : 0.0; }, both},
         {"measured.use", "\"start\"", 1,
          [](const Scene& scene) { return scene.measured.value().start ? 1.0 : 0.0; }, both},
         {"measured.norm", "\"rms\"", 1, [](const Scene& scene) { return scene.objective.deviation_rms; },
@@ -211,6 +256,16 @@ std::vector<KeyCase> measured_cases() {
         {"measured.name", "\"old cam\"", 1,
          [](const Scene& scene) { return scene.measured.value().name == "old cam" ? 1.0 : 0.0; }, both},
     };
+    for (const auto& [unit, size] : {std::pair("mm", 1e-3), std::pair("in", 0.0254), std::pair("m", 1.0)}) {
+        all.push_back({fmt::format("measured.x_{}", unit), x(size), there, on_cam,
+                       knife + "measured.y_m = " + y(1.0) + "\n"});
+        all.push_back({fmt::format("measured.y_{}", unit), y(size), there, on_cam,
+                       knife + "measured.x_m = " + x(1.0) + "\n"});
+        all.push_back({fmt::format("measured.r_{}", unit), r(size), there, on_cam, knife + around});
+        all.push_back({fmt::format("measured.probe_radius_{}", unit), "0", there, on_cam,
+                       knife + around + "measured.r_m = " + r(1.0) + "\n"});
+    }
+    return all;
 }
 
 }  // namespace camopt::input

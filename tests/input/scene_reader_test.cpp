@@ -22,7 +22,12 @@ namespace scene_reader_test {
 constexpr double pi = std::numbers::pi;
 const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
                           .solvers = {"ipopt", "nlopt.slsqp", "structured"},
-                          .cam_formulas = cam_formulas};
+                          .cam_formulas = cam_formulas,
+                          .law_shape = [](const std::string&) {
+                              return [](double t) {
+                                  return std::array{t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t)};
+                              };
+                          }};
 const std::string drd = "motion.type = \"DRD\"\n";
 const std::string jerk_only = "objective.jerk = 1\n";
 
@@ -122,6 +127,10 @@ class ReachingMechanism final : public CamMechanism {
     [[nodiscard]] int roller_radius() const override { return cam_->roller_radius(); }
     [[nodiscard]] bool planar() const override { return cam_->planar(); }
     [[nodiscard]] bool is_direct() const override { return cam_->is_direct(); }
+    [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> numbers,
+                                                           int station) const override {
+        return cam_->follower(numbers, station);
+    }
     [[nodiscard]] double length(std::span<const double> numbers) const override {
         return cam_->length(numbers);
     }

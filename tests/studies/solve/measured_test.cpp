@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Measured motions: fitted by least squares in the scene's own space, with a true error.
 #include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
@@ -12,6 +13,7 @@
 #include "studies/delivered/delivered.hpp"
 #include "studies/measured/measured_fit.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/output/temporary_folder.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 
@@ -153,6 +155,26 @@ TEST(Measured, OwnTablesGiveTheSameMotion) {
         EXPECT_LT(report.largest_error, 1e-8) << table.substr(0, 60);
     }
     std::filesystem::remove_all(folder);
+}
+
+/// To the digits of the table, whatever moves: its deviation from its own scene is 0.
+TEST(Measured, ExportsOfExampleScenesReadBack) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = std::filesystem::path(folder.path()) / "s.toml";
+    for (const char* const name : {"drd_cubic_12", "drd_quintic_12", "rr_unequal_return", "drd_symmetric",
+                                   "cam_drdrd", "cam_flat", "swing_limits", "servo_drd"}) {
+        const std::string text = read_text_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml");
+        const Solution solution = solve(scene_of_toml(text, std::vector<std::string>{"solver.starts=1"}));
+        ASSERT_TRUE(solution.motion) << name;
+        std::ofstream(file.parent_path() / "t.csv", std::ios::binary)
+            << uniform_table(View(solution), {}).text;
+        std::ofstream(file, std::ios::binary) << text << "\n[measured]\ntable = \"t.csv\"\n";
+        const Scene scene = input::read_scene_file(file, known_names());
+        const MeasuredReport report = measured_report(scene, solution.reference_peaks);
+        EXPECT_GT(report.rows, 100) << name;
+        EXPECT_LT(report.largest_error, 1e-8) << name;
+        EXPECT_TRUE(scene.measured->outliers.empty()) << name;
+    }
 }
 
 TEST(Measured, FitKeepsEndsAndReportsError) {
