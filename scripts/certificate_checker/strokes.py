@@ -27,17 +27,17 @@ def stroke_of(problem, stretch, at):
     else:
         i = problem.stretches.index(stretch)
         found = Stroke(stretch.begin, stretch.end, stretch.start, stretch.to)
-        slopes = [slope_beside(problem, i - 1), slope_beside(problem, i + 1)]
+        slopes = [slope_beside(problem, i - 1, 0), slope_beside(problem, i + 1, 1)]
         via, width, begin = problem.motion["segments"][i].get("via", []), stretch.end - stretch.begin, stretch.begin
     passed = [p for point in via for p in passed_points(problem, point, begin, width, found)]
     return found if set_range(found, passed, slopes) else None
 
 
-def slope_beside(problem, neighbour):
+def slope_beside(problem, neighbour, after):
     if 0 <= neighbour < len(problem.stretches) or problem.wraps:
         if problem.stretches[neighbour % len(problem.stretches)].kind == "spline":
             return Fraction(0)
-    return problem.state_beside(neighbour)[0]
+    return problem.state_beside(neighbour, after)[0]
 
 
 def passed_points(problem, point, begin, width, stroke):
