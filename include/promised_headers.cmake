@@ -249,7 +249,6 @@ registry is constant.]]
 camopt_promise(spatial_cam [[
 Barrel and cylindrical cams with a cylindrical roller: the roller's axis, contact on both flanks, pressure
 angle, undercut, and the flanks as grids of points. m, rad.]]
-  profiles/spatial/spatial_analysis.hpp
   scene/cam_flanks.hpp
   profiles/spatial/spatial_cam.hpp)
 camopt_promise(spline_curve [[
