@@ -76,7 +76,7 @@ struct ExportRequest {
     std::string lobe;                   ///< "mm" or "in": lobe.csv of a valve lobe; empty: none
     std::string columns;                ///< of table.csv, between commas; empty: the usual ones
     std::optional<int> digits;          ///< of table.csv, lobe.csv; none: all
-    bool csv = false, stl = false, obj = false, step = false, picture = false, dxf = false, nc = false;
+    bool csv = false, stl = false, step = false, picture = false, dxf = false, nc = false;
     std::string units;                            ///< as of solve
     std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
     int sections = 9;                             ///< of a flank along the roller

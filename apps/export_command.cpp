@@ -45,8 +45,8 @@ struct Exported {
 
 /// What needs no cam.
 bool wants_only_motion(const ExportRequest& request) {
-    const bool cam = request.stl || request.obj || request.step || request.picture || request.dxf ||
-                     request.nc || !request.sheet.empty();
+    const bool cam =
+        request.stl || request.step || request.picture || request.dxf || request.nc || !request.sheet.empty();
     return !cam && (request.csv || !request.lobe.empty() || !request.plc.empty());
 }
 
@@ -85,13 +85,8 @@ void check_wishes(const ExportRequest& request, const Scene& scene) {
                                      request.scene, cam->type));
     }
     const bool direct = cam->formulas()->is_direct();
-    if (direct && request.obj)
-        throw InputError(fmt::format(
-            "{}: of a cam of type \"{}\" export writes --csv, --dxf, --drawing, --picture, --stl, --step and "
-            "--nc",
-            request.scene, cam->type));
     if (!direct && !request.sheet.empty()) refuse_drawing(request, cam->type);
-    if (!direct && (request.step || request.obj || request.stl || request.nc))
+    if (!direct && (request.step || request.stl || request.nc))
         throw InputError(fmt::format("{}: of a cam of type \"{}\" export writes --csv, --dxf and --picture",
                                      request.scene, cam->type));
 }
@@ -174,7 +169,6 @@ void export_flanks(const ExportRequest& request, const Solution& solution, Folde
     CamExportOptions options;
     options.csv = request.csv;
     options.stl = request.stl;
-    options.obj = request.obj;
     options.step = request.step;
     options.picture = request.picture;
     options.sampling = {request.sections, request.points.value_or(flank_points), 0.0, 0.0};

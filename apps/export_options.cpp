@@ -150,7 +150,6 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
                      "surfaces, flanks.step");
     command.add_flag("--stl", request.stl,
                      "Solids: cam.stl of a plane cam; groove.stl and, of an indexing cam, cam.stl");
-    command.add_flag("--obj", request.obj, "cam.obj: three-dimensional cams for viewing");
     command.add_flag("--picture", request.picture,
                      "cam.svg: a shaded picture; of plane cams profile.svg, mechanism.svg or guide.svg");
     constexpr int most_sections = 1000, most_angles = 100'000;

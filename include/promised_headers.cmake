@@ -249,7 +249,6 @@ registry is constant.]]
 camopt_promise(spatial_cam [[
 Barrel and cylindrical cams with a cylindrical roller: the roller's axis, contact on both flanks, pressure
 angle, undercut, and the flanks as grids of points. m, rad.]]
-  profiles/spatial/spatial_analysis.hpp
   scene/cam_flanks.hpp
   profiles/spatial/spatial_cam.hpp)
 camopt_promise(spline_curve [[
@@ -258,7 +257,7 @@ a_{i,m} t^m. SplineCurve takes the coefficients as a matrix, one column a segmen
 out its clamped B-spline form. No units. Outside the breakpoints: InputError.]]
   splines/curve.hpp)
 camopt_promise(surfaces [[
-Flanks and solids of cams as STL, OBJ and (where this build has Open CASCADE: step_available()) STEP. m
+Flanks and solids of cams as STL and (where this build has Open CASCADE: step_available()) STEP. m
 inside, mm in files. Errors: UnavailableError for STEP in a build without it.]]
   output/spatial/cam_export.hpp
   output/surface/triangle_mesh.hpp

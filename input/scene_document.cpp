@@ -53,27 +53,6 @@ class KeyCollector {
     }
 };
 
-}  // namespace
-
-std::vector<WrittenKey> keys_written_in(std::string_view toml, std::string_view source_name) {
-    KeyCollector collector;
-    collector.add_table(parse_document(toml, source_name), "", "");
-    return collector.take();
-}
-
-struct SceneDocument::State {
-    SceneSource source;
-    KnownNames known;
-    std::string given;  ///< the text it was made from
-    int settings = 0;   ///< number of settings made, retained or not
-
-    [[nodiscard]] Place next_place() {
-        return {.line = 1, .column = 1, .override_text = {}, .setting = ++settings};
-    }
-};
-
-namespace {
-
 Node scalar_node(double value) {
     // Larger integers may not be exact doubles.
     constexpr double exact_integers = 9007199254740992.0;
@@ -139,6 +118,23 @@ bool is_known(std::string_view key) {
 }
 
 }  // namespace
+
+std::vector<WrittenKey> keys_written_in(std::string_view toml, std::string_view source_name) {
+    KeyCollector collector;
+    collector.add_table(parse_document(toml, source_name), "", "");
+    return collector.take();
+}
+
+struct SceneDocument::State {
+    SceneSource source;
+    KnownNames known;
+    std::string given;  ///< the text it was made from
+    int settings = 0;   ///< number of settings made, retained or not
+
+    [[nodiscard]] Place next_place() {
+        return {.line = 1, .column = 1, .override_text = {}, .setting = ++settings};
+    }
+};
 
 SceneDocument::SceneDocument(std::string_view toml, std::string_view name, KnownNames known)
     : state_(std::make_unique<State>(State{{.name = std::string(name), .root = parse_document(toml, name)},

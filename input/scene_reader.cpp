@@ -235,15 +235,6 @@ void add_key(FollowerKind& kind, const CamNumber& number) {
     if (std::ranges::find(kind.keys, written) == kind.keys.end()) kind.keys.push_back(written);
 }
 
-}  // namespace
-
-Scene read_document(const SceneSource& source, const KnownNames& known) {
-    check_keys(source);
-    return SceneReader(source, known).read();
-}
-
-namespace {
-
 SceneSource source_of(std::string_view toml, std::string_view name, std::span<const std::string> overrides) {
     SceneSource source{.name = std::string(name), .root = parse_document(toml, name)};
     apply_overrides(source.root, overrides);
@@ -251,6 +242,11 @@ SceneSource source_of(std::string_view toml, std::string_view name, std::span<co
 }
 
 }  // namespace
+
+Scene read_document(const SceneSource& source, const KnownNames& known) {
+    check_keys(source);
+    return SceneReader(source, known).read();
+}
 
 Scene read_scene(std::string_view toml, std::string_view source_name, const KnownNames& known,
                  std::span<const std::string> overrides) {

@@ -15,49 +15,6 @@ bool is_known(const AffineRow& row) {
     return known_displacement(row).has_value();
 }
 
-}  // namespace
-
-std::array<double, 2> known_range(const MotionFamily& family) {
-    std::array<double, 2> range{};
-    for (const MotionFamily::Stretch& stretch : family.own_stretches()) {
-        const std::optional<double> to = known_displacement(stretch.to);
-        if (!to) continue;
-        range[0] = std::min(range[0], *to);
-        range[1] = std::max(range[1], *to);
-    }
-    return range;
-}
-
-FreeDisplacements free_displacements(const Scene& scene, const MotionFamily& family) {
-    FreeDisplacements free;
-    if (scene.motion.type != MotionType::program) return free;
-    const std::span<const MotionFamily::Stretch> stretches = family.own_stretches();
-    const int count = static_cast<int>(stretches.size());
-    std::vector<bool> open(stretches.size() + 1,
-                           false);  // levels next to a spline whose displacement is free
-    for (int i = 0; i < count; ++i) {
-        const MotionFamily::Stretch& stretch = stretches[static_cast<std::size_t>(i)];
-        if (stretch.kind != Kind::spline || (is_known(stretch.from) && is_known(stretch.to))) continue;
-        open[static_cast<std::size_t>(i)] = open[static_cast<std::size_t>(i) + 1] = true;
-    }
-    for (int i = count - 1; i >= 0; --i)  // a dwell passes its level back to the segment before it
-        if (stretches[static_cast<std::size_t>(i)].kind == Kind::dwell &&
-            open[static_cast<std::size_t>(i) + 1])
-            open[static_cast<std::size_t>(i)] = true;
-    for (int i = 0; i < count; ++i) {
-        const MotionFamily::Stretch& stretch = stretches[static_cast<std::size_t>(i)];
-        if (stretch.kind != Kind::dwell && open[static_cast<std::size_t>(i) + 1] && !is_known(stretch.to))
-            free.joints.push_back(i + 1);
-    }
-    const auto [least, most] = known_range(family);
-    const double span = std::max(1.0, most - least);
-    free.least = least - span;
-    free.most = most + span;
-    return free;
-}
-
-namespace {
-
 // Of a uniform segment: a breakpoint this close to a region would leave a very short segment between them.
 constexpr double sliver = 0.25;
 // x: a breakpoint of the scene this close to the end of a region coincides with it.
@@ -76,57 +33,6 @@ void add_region(std::vector<PointCondition>& all, const PlacedPoint& region, int
     add(region.end, 1, Side::left, velocity);
     add(0.5 * (region.begin + region.end), 1, Side::right, velocity);
 }
-
-}  // namespace
-
-std::vector<PointCondition> conditions_of(const MotionSpec& motion, const PlacedPoint& point, int degree,
-                                          double end) {
-    std::vector<PointCondition> conditions;
-    const Side side = point.begin < end ? Side::right : Side::left;
-    for (int order = 0; order < 3; ++order) {
-        const std::optional<double>& value = point.wanted[static_cast<std::size_t>(order)];
-        if (!value) continue;
-        const std::string name = words_of(motion, point, order);
-        if (point.is_region() && order == 1)
-            add_region(conditions, point, degree, name);
-        else
-            conditions.push_back({point.begin, order, side, *value, name});
-    }
-    return conditions;
-}
-
-std::vector<std::array<double, 2>> regions_of(const MotionSpec& motion,
-                                              const std::vector<PlacedPoint>& points, int segment) {
-    std::vector<std::array<double, 2>> regions;
-    const double length = motion.length();
-    for (const PlacedPoint& point : points) {
-        if (point.segment != segment || !point.is_region()) continue;
-        regions.push_back({point.begin, point.end});
-        if (motion.symmetric) regions.push_back({length - point.end, length - point.begin});
-    }
-    return regions;
-}
-
-std::vector<double> breakpoints_of(const SplineSpec& spline, double begin, double end,
-                                   const std::vector<std::array<double, 2>>& regions) {
-    std::vector<double> points;
-    const double width = end - begin;
-    if (spline.breakpoints.empty()) {
-        for (int i = 0; i <= spline.segments; ++i)
-            points.push_back(begin + width * static_cast<double>(i) / spline.segments);
-        points.front() = begin;
-        points.back() = end;
-        return with_regions(std::move(points), regions, sliver * width / spline.segments);
-    }
-    const double unit = width / (spline.breakpoints.back() - spline.breakpoints.front());
-    for (const double at : spline.breakpoints)
-        points.push_back(begin + unit * (at - spline.breakpoints.front()));
-    points.front() = begin;
-    points.back() = end;
-    return with_regions(std::move(points), regions, same_breakpoint);
-}
-
-namespace {
 
 constexpr double same_velocity = 1e-9;  // of two laws that join, relative
 
@@ -182,6 +88,92 @@ std::shared_ptr<const Motion> law_of_segment(const MotionSpec& motion, std::size
 }
 
 }  // namespace
+
+std::array<double, 2> known_range(const MotionFamily& family) {
+    std::array<double, 2> range{};
+    for (const MotionFamily::Stretch& stretch : family.own_stretches()) {
+        const std::optional<double> to = known_displacement(stretch.to);
+        if (!to) continue;
+        range[0] = std::min(range[0], *to);
+        range[1] = std::max(range[1], *to);
+    }
+    return range;
+}
+
+FreeDisplacements free_displacements(const Scene& scene, const MotionFamily& family) {
+    FreeDisplacements free;
+    if (scene.motion.type != MotionType::program) return free;
+    const std::span<const MotionFamily::Stretch> stretches = family.own_stretches();
+    const int count = static_cast<int>(stretches.size());
+    std::vector<bool> open(stretches.size() + 1,
+                           false);  // levels next to a spline whose displacement is free
+    for (int i = 0; i < count; ++i) {
+        const MotionFamily::Stretch& stretch = stretches[static_cast<std::size_t>(i)];
+        if (stretch.kind != Kind::spline || (is_known(stretch.from) && is_known(stretch.to))) continue;
+        open[static_cast<std::size_t>(i)] = open[static_cast<std::size_t>(i) + 1] = true;
+    }
+    for (int i = count - 1; i >= 0; --i)  // a dwell passes its level back to the segment before it
+        if (stretches[static_cast<std::size_t>(i)].kind == Kind::dwell &&
+            open[static_cast<std::size_t>(i) + 1])
+            open[static_cast<std::size_t>(i)] = true;
+    for (int i = 0; i < count; ++i) {
+        const MotionFamily::Stretch& stretch = stretches[static_cast<std::size_t>(i)];
+        if (stretch.kind != Kind::dwell && open[static_cast<std::size_t>(i) + 1] && !is_known(stretch.to))
+            free.joints.push_back(i + 1);
+    }
+    const auto [least, most] = known_range(family);
+    const double span = std::max(1.0, most - least);
+    free.least = least - span;
+    free.most = most + span;
+    return free;
+}
+
+std::vector<PointCondition> conditions_of(const MotionSpec& motion, const PlacedPoint& point, int degree,
+                                          double end) {
+    std::vector<PointCondition> conditions;
+    const Side side = point.begin < end ? Side::right : Side::left;
+    for (int order = 0; order < 3; ++order) {
+        const std::optional<double>& value = point.wanted[static_cast<std::size_t>(order)];
+        if (!value) continue;
+        const std::string name = words_of(motion, point, order);
+        if (point.is_region() && order == 1)
+            add_region(conditions, point, degree, name);
+        else
+            conditions.push_back({point.begin, order, side, *value, name});
+    }
+    return conditions;
+}
+
+std::vector<std::array<double, 2>> regions_of(const MotionSpec& motion,
+                                              const std::vector<PlacedPoint>& points, int segment) {
+    std::vector<std::array<double, 2>> regions;
+    const double length = motion.length();
+    for (const PlacedPoint& point : points) {
+        if (point.segment != segment || !point.is_region()) continue;
+        regions.push_back({point.begin, point.end});
+        if (motion.symmetric) regions.push_back({length - point.end, length - point.begin});
+    }
+    return regions;
+}
+
+std::vector<double> breakpoints_of(const SplineSpec& spline, double begin, double end,
+                                   const std::vector<std::array<double, 2>>& regions) {
+    std::vector<double> points;
+    const double width = end - begin;
+    if (spline.breakpoints.empty()) {
+        for (int i = 0; i <= spline.segments; ++i)
+            points.push_back(begin + width * static_cast<double>(i) / spline.segments);
+        points.front() = begin;
+        points.back() = end;
+        return with_regions(std::move(points), regions, sliver * width / spline.segments);
+    }
+    const double unit = width / (spline.breakpoints.back() - spline.breakpoints.front());
+    for (const double at : spline.breakpoints)
+        points.push_back(begin + unit * (at - spline.breakpoints.front()));
+    points.front() = begin;
+    points.back() = end;
+    return with_regions(std::move(points), regions, same_breakpoint);
+}
 
 /// Where two splines reverse the motion and both have to stay on their side of the joint, it is a turning
 /// point: y' = 0. Imposed as a condition, since inequalities around the joint would be degenerate. At the

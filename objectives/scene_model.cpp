@@ -109,23 +109,6 @@ std::unique_ptr<Law> reference_law(const std::string& key) {
     return law;
 }
 
-}  // namespace
-
-Peaks reference_peaks(const Scene& scene) {
-    const Reference& reference = scene.objective.reference;
-    Peaks peaks;
-    if (!reference.numeric) peaks = reference_law(reference.law)->peaks();
-    for (const CostTerm& term : cost_terms())
-        if (const std::optional<double>& number = reference.*term.reference)
-            term.measured.in(peaks) = *number;
-    const std::string law = reference.numeric ? "numbers" : reference.law;
-    for (const CostTerm& term : cost_terms())
-        require_finite(term, term.weight_in(scene.objective), term.measured.of(peaks), law);
-    return peaks;
-}
-
-namespace {
-
 /// Half of the segments for either stroke: the shorter of two unequal strokes determines the optimum, and
 /// uniform segments may leave it one or none.
 SplineSpec with_breakpoints_by_stroke(SplineSpec spline, const MotionSpec& motion) {
@@ -138,48 +121,6 @@ SplineSpec with_breakpoints_by_stroke(SplineSpec spline, const MotionSpec& motio
     spline.breakpoints.back() = length;
     return spline;
 }
-
-}  // namespace
-
-DesignRequest spline_request(const Scene& scene, DesignKind kind) {
-    const MotionSpec& motion = scene.motion;
-    const SplineSpec spline = with_breakpoints_by_stroke(scene.spline, motion);
-    const bool rise = motion.type == MotionType::drd;
-    const std::vector<std::array<double, 2>> regions = regions_of(motion, placed_points(motion), -1);
-    SplineSpace space =
-        spline.breakpoints.empty() && regions.empty()
-            ? SplineSpace::uniform(spline.degree, spline.smoothness(), spline.segments, motion.length())
-            : SplineSpace(spline.degree, spline.smoothness(),
-                          regions.empty() ? spline.breakpoints
-                                          : breakpoints_of(spline, 0.0, motion.length(), regions));
-    const Symmetry symmetry = !motion.symmetric ? Symmetry::none : rise ? Symmetry::odd : Symmetry::even;
-    const std::array<double, 2> start = end_velocities(motion, false), end = end_velocities(motion, true);
-    return {std::move(space),        kind,    {0.0, start[0], start[1]}, {rise ? 1.0 : 0.0, end[0], end[1]},
-            scene_conditions(scene), symmetry};
-}
-
-double dimension_unit(const Scene& scene) {
-    const CamSpec& cam = scene.cam.value();
-    const auto formulas = cam.formulas();
-    return formulas->swings() ? scene.motion.lift * formulas->length(cam.middle()) : scene.motion.lift;
-}
-
-double dimension_weight(const Scene& scene, const std::string& name) {
-    for (int d = 0; d < dimension_count; ++d) {
-        const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)];
-        // The unit requires the complete cam: computed only on demand.
-        if (weight > 0.0 && name == name_of(static_cast<DimensionIndex>(d)))
-            return weight / dimension_unit(scene);
-    }
-    return 0.0;
-}
-
-MotionFamily scene_family(const Scene& scene, DesignKind kind) {
-    if (scene.motion.type == MotionType::program) return program_family(scene, kind);
-    return DesignVector::make(spline_request(scene, kind));
-}
-
-namespace {
 
 constexpr double overshoot = 0.25;  // of the given displacements: how far a typical motion exceeds them
 
@@ -377,6 +318,57 @@ void add_cam(CamModel& model, const Scene& scene) {
 }
 
 }  // namespace
+
+Peaks reference_peaks(const Scene& scene) {
+    const Reference& reference = scene.objective.reference;
+    Peaks peaks;
+    if (!reference.numeric) peaks = reference_law(reference.law)->peaks();
+    for (const CostTerm& term : cost_terms())
+        if (const std::optional<double>& number = reference.*term.reference)
+            term.measured.in(peaks) = *number;
+    const std::string law = reference.numeric ? "numbers" : reference.law;
+    for (const CostTerm& term : cost_terms())
+        require_finite(term, term.weight_in(scene.objective), term.measured.of(peaks), law);
+    return peaks;
+}
+
+DesignRequest spline_request(const Scene& scene, DesignKind kind) {
+    const MotionSpec& motion = scene.motion;
+    const SplineSpec spline = with_breakpoints_by_stroke(scene.spline, motion);
+    const bool rise = motion.type == MotionType::drd;
+    const std::vector<std::array<double, 2>> regions = regions_of(motion, placed_points(motion), -1);
+    SplineSpace space =
+        spline.breakpoints.empty() && regions.empty()
+            ? SplineSpace::uniform(spline.degree, spline.smoothness(), spline.segments, motion.length())
+            : SplineSpace(spline.degree, spline.smoothness(),
+                          regions.empty() ? spline.breakpoints
+                                          : breakpoints_of(spline, 0.0, motion.length(), regions));
+    const Symmetry symmetry = !motion.symmetric ? Symmetry::none : rise ? Symmetry::odd : Symmetry::even;
+    const std::array<double, 2> start = end_velocities(motion, false), end = end_velocities(motion, true);
+    return {std::move(space),        kind,    {0.0, start[0], start[1]}, {rise ? 1.0 : 0.0, end[0], end[1]},
+            scene_conditions(scene), symmetry};
+}
+
+double dimension_unit(const Scene& scene) {
+    const CamSpec& cam = scene.cam.value();
+    const auto formulas = cam.formulas();
+    return formulas->swings() ? scene.motion.lift * formulas->length(cam.middle()) : scene.motion.lift;
+}
+
+double dimension_weight(const Scene& scene, const std::string& name) {
+    for (int d = 0; d < dimension_count; ++d) {
+        const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)];
+        // The unit requires the complete cam: computed only on demand.
+        if (weight > 0.0 && name == name_of(static_cast<DimensionIndex>(d)))
+            return weight / dimension_unit(scene);
+    }
+    return 0.0;
+}
+
+MotionFamily scene_family(const Scene& scene, DesignKind kind) {
+    if (scene.motion.type == MotionType::program) return program_family(scene, kind);
+    return DesignVector::make(spline_request(scene, kind));
+}
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
                      const HeldStrokes& strokes) {

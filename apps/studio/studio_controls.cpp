@@ -21,24 +21,6 @@ std::vector<std::string> law_words() {
     return words;
 }
 
-}  // namespace
-
-std::vector<std::string> solver_words() {
-    std::vector<std::string> words = {"auto"};
-    for (const SolverEntry& entry : solver_entries())
-        if (entry.available) words.emplace_back(entry.name);
-    return words;
-}
-
-std::vector<std::string> values_of_key(const KeyRow& row) {
-    if (row.type == KeyType::boolean) return {"true", "false"};
-    if (row.name == "law" || row.name == "reference") return law_words();
-    if (row.table == "solver" && row.name == "name") return solver_words();
-    return {row.choices.begin(), row.choices.end()};
-}
-
-namespace {
-
 using ControlJson = nlohmann::ordered_json;
 using input::KeyMatch;
 using input::KeyRow;
@@ -276,6 +258,20 @@ double far_end(double value) {
 }
 
 }  // namespace
+
+std::vector<std::string> solver_words() {
+    std::vector<std::string> words = {"auto"};
+    for (const SolverEntry& entry : solver_entries())
+        if (entry.available) words.emplace_back(entry.name);
+    return words;
+}
+
+std::vector<std::string> values_of_key(const KeyRow& row) {
+    if (row.type == KeyType::boolean) return {"true", "false"};
+    if (row.name == "law" || row.name == "reference") return law_words();
+    if (row.table == "solver" && row.name == "name") return solver_words();
+    return {row.choices.begin(), row.choices.end()};
+}
 
 ControlJson studio_controls(const std::string& text) {
     const Node root = input::parse_document(text, "scene"), nothing;

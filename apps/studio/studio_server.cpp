@@ -220,20 +220,6 @@ void fill(httplib::Response& response, StudioAnswer answer) {
     response.set_header("Content-Type", answer.type);
 }
 
-}  // namespace
-
-struct StudioServer::State {
-    State(StudioHandlers given, const StudioServerOptions& options)
-        : handlers(std::move(given)), server(options) {}
-
-    StudioHandlers handlers;
-    StudioPlace place;
-    LoopbackServer server;
-    std::thread listener;
-};
-
-namespace {
-
 void set_up(httplib::Server& server, const StudioServerOptions& options) {
     server.set_default_headers(fixed_headers());
     server.set_tcp_nodelay(true);
@@ -249,6 +235,16 @@ void set_up(httplib::Server& server, const StudioServerOptions& options) {
 }
 
 }  // namespace
+
+struct StudioServer::State {
+    State(StudioHandlers given, const StudioServerOptions& options)
+        : handlers(std::move(given)), server(options) {}
+
+    StudioHandlers handlers;
+    StudioPlace place;
+    LoopbackServer server;
+    std::thread listener;
+};
 
 StudioServer::StudioServer(StudioHandlers handlers, const StudioServerOptions& options)
     : state_(std::make_unique<State>(std::move(handlers), options)) {

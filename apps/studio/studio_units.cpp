@@ -119,25 +119,6 @@ bool rewrite(Node& table, const std::string& path, UnitSystem wanted) {
     return changed;
 }
 
-}  // namespace
-
-std::vector<UnitChoice> units_of_field(const KeyRow& row, const Spelling& written) {
-    std::vector<UnitChoice> choices;
-    const std::string dimension = nature_of(written.unit).dimension;
-    for (const Spelling& other : row.spellings)
-        if (!written.unit.empty() && nature_of(other.unit).dimension == dimension)
-            choices.push_back({std::string(other.unit), as_written(other.factor / written.factor)});
-    return choices;
-}
-
-std::string scene_in_units(const std::string& text, LengthUnit unit) {
-    Node root = input::parse_document(text, "scene");
-    const UnitSystem wanted = unit == LengthUnit::inch ? UnitSystem::imperial : UnitSystem::metric;
-    return rewrite(root, "", wanted) ? input::document_text(root) : text;
-}
-
-namespace {
-
 /// "motion.segments[1].via": the list, made where the scene has none.
 Node& list_of(Node& root, std::string_view path) {
     Node* node = &root;
@@ -161,6 +142,21 @@ Node& list_of(Node& root, std::string_view path) {
 }
 
 }  // namespace
+
+std::vector<UnitChoice> units_of_field(const KeyRow& row, const Spelling& written) {
+    std::vector<UnitChoice> choices;
+    const std::string dimension = nature_of(written.unit).dimension;
+    for (const Spelling& other : row.spellings)
+        if (!written.unit.empty() && nature_of(other.unit).dimension == dimension)
+            choices.push_back({std::string(other.unit), as_written(other.factor / written.factor)});
+    return choices;
+}
+
+std::string scene_in_units(const std::string& text, LengthUnit unit) {
+    Node root = input::parse_document(text, "scene");
+    const UnitSystem wanted = unit == LengthUnit::inch ? UnitSystem::imperial : UnitSystem::metric;
+    return rewrite(root, "", wanted) ? input::document_text(root) : text;
+}
 
 std::string scene_with_entry(const std::string& text, const std::string& path, const std::string& entry) {
     Node root = input::parse_document(text, "scene");

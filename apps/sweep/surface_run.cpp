@@ -6,6 +6,7 @@
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
 #include "core/text/parsing.hpp"
+#include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
@@ -13,7 +14,6 @@
 #include "output/json/sweep_json.hpp"
 #include "output/page/study_html.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/surface/triangle_mesh.hpp"
 #include "output/view/number_text.hpp"
 #include "studies/compare/law_losses.hpp"
 #include "studies/pareto/sweep_front.hpp"
@@ -54,15 +54,14 @@ std::vector<SweepRow> known_rows(const std::string& folder, const SurfaceIdentit
 
 /// One unit of the file is a reference peak.
 std::string surface_obj(const TradeOffSurface& surface, const std::string& title) {
-    constexpr double unit = 1e-3;  // lengths are written in mm
-    TriangleMesh mesh;
+    std::string text = fmt::format("# {}\n# lengths in mm\no trade-off_surface\n", printable(title));
     for (const SweepRow& row : surface.table.rows) {
         const PeakTriple point = surface.point(row);
-        mesh.vertices.emplace_back(unit * point[0], unit * point[1], unit * point[2]);
+        text += fmt::format("v {:.6f} {:.6f} {:.6f}\n", point[0], point[1], point[2]);
     }
-    mesh.triangles = surface.triangles;
-    const std::array<NamedMesh, 1> meshes = {{{"trade-off surface", std::move(mesh)}}};
-    return obj_text(meshes, title);
+    for (const auto& corner : surface.triangles)
+        text += fmt::format("f {} {} {}\n", corner[0] + 1, corner[1] + 1, corner[2] + 1);
+    return text;
 }
 
 std::string end_words(const TradeOffSurface& surface, double asked_for) {

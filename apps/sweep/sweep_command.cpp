@@ -62,42 +62,6 @@ ExitCode exit_code_of(const ParetoFront& front) {
     return verdict_is(Verdict::infeasible) ? proved_infeasible : failure;
 }
 
-}  // namespace
-
-ExitCode pareto_run(const SweepRequest& request) {
-    if (request.out.empty())
-        throw InputError(
-            "--out is missing: camopt sweep SCENE --pareto A,B --out DIR; see camopt sweep --help");
-    refuse_other_sweeps(request);
-    const LoadedScene loaded = load_scene_and_text(request.scene, sweep_settings(request));
-    Scene scene = loaded.scene;
-    show_in(scene, request.units);
-    const FrontRequest wanted = front_request(request.pareto, scene);
-    prepare_folder(request.out);
-    const InterruptWatch watch;
-    const auto progress = terminal_progress();
-    const ParetoFront front =
-        pareto_front(scene, wanted, {InterruptWatch::interrupted, {}}, [&](const FrontPoint& point) {
-            if (progress) progress(fmt::format("front: {} solves", point.number + 1));
-        });
-    end_progress();
-    const ExitCode code = exit_code_of(front);
-    const Comparison laws = laws_of(scene);
-    const ParetoPicture picture{front, scene, &laws};
-    FolderUpdate folder(request.out);
-    folder.write("pareto.csv", pareto_csv(front));
-    folder.write("pareto.svg", pareto_svg(picture));
-    folder.write("pareto.html", pareto_html(picture, {request.scene, "", loaded.text}));
-    const std::filesystem::path table = folder.finish().front();
-    print(fmt::format("Front of {}\n{}  wrote {}\n", request.scene, pareto_text(picture), table.string()));
-    if (code == interrupted) print_error("camopt: interrupted; the points that are finished are written\n");
-    return code;
-}
-
-// camopt sweep: many solves of one scene, by worker processes, into a folder that can be continued.
-
-namespace {
-
 int worker_count(const SweepRequest& request) {
     if (request.workers) return *request.workers;
     const unsigned cores = std::thread::hardware_concurrency();
@@ -146,6 +110,38 @@ std::map<int, const SweepFolder*> owners(const std::vector<SweepFolder>& parts) 
 }
 
 }  // namespace
+
+ExitCode pareto_run(const SweepRequest& request) {
+    if (request.out.empty())
+        throw InputError(
+            "--out is missing: camopt sweep SCENE --pareto A,B --out DIR; see camopt sweep --help");
+    refuse_other_sweeps(request);
+    const LoadedScene loaded = load_scene_and_text(request.scene, sweep_settings(request));
+    Scene scene = loaded.scene;
+    show_in(scene, request.units);
+    const FrontRequest wanted = front_request(request.pareto, scene);
+    prepare_folder(request.out);
+    const InterruptWatch watch;
+    const auto progress = terminal_progress();
+    const ParetoFront front =
+        pareto_front(scene, wanted, {InterruptWatch::interrupted, {}}, [&](const FrontPoint& point) {
+            if (progress) progress(fmt::format("front: {} solves", point.number + 1));
+        });
+    end_progress();
+    const ExitCode code = exit_code_of(front);
+    const Comparison laws = laws_of(scene);
+    const ParetoPicture picture{front, scene, &laws};
+    FolderUpdate folder(request.out);
+    folder.write("pareto.csv", pareto_csv(front));
+    folder.write("pareto.svg", pareto_svg(picture));
+    folder.write("pareto.html", pareto_html(picture, {request.scene, "", loaded.text}));
+    const std::filesystem::path table = folder.finish().front();
+    print(fmt::format("Front of {}\n{}  wrote {}\n", request.scene, pareto_text(picture), table.string()));
+    if (code == interrupted) print_error("camopt: interrupted; the points that are finished are written\n");
+    return code;
+}
+
+// camopt sweep: many solves of one scene, by worker processes, into a folder that can be continued.
 
 ExitCode sweep_command(const SweepRequest& request) {
     if (request.out.empty())

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/papers/spatial_methods.hpp"
 #include "benchmarks/papers/spatial_tables.hpp"
 #include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/spatial/spatial_analysis.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 #include "scene/cam_flanks.hpp"
 #include "studies/delivered/delivered.hpp"

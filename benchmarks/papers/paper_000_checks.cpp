@@ -2,9 +2,9 @@
 #include "benchmarks/papers/guide.hpp"
 #include "benchmarks/papers/paper_000_parts.hpp"
 #include "benchmarks/papers/paper_guide.hpp"
+#include "benchmarks/papers/polyline_check.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
-#include "studies/inverse/inverse_forward.hpp"
 
 #include <fmt/format.h>
 

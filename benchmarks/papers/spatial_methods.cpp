@@ -16,6 +16,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int refinements = 60;      // to neighbouring doubles
+constexpr int height_steps = 16;     // g is smooth over a roller
+constexpr int height_sections = 40;  // golden sections between two of them
 constexpr int search_steps = 64;     // of the centre distance, until g < 0 is met
 constexpr double end_share = 1e-12;  // of the motion: pieces are searched from this far inside their ends
 
@@ -118,6 +120,37 @@ Extremum worst_undercut(const SpatialCam& cam, const FollowerMotion& motion, con
 }
 
 }  // namespace
+
+SpatialExtreme largest_pressure_angle(const SpatialCam& cam, const FollowerMotion& motion, double height) {
+    const double sign = spatial_formulas::sign_of_b(cam);
+    const Extremum worst = largest_over(motion, [&](double theta) {
+        const auto axis = motion_at(cam, motion, theta, height);
+        return std::abs(std::atan2(axis.across_travel, sign * axis.along_b));
+    });
+    return {worst.value, worst.at, height};
+}
+
+SpatialExtreme least_undercut(const SpatialCam& cam, const FollowerMotion& motion, int flank,
+                              const HeightRange& heights) {
+    const auto worst = [&](double height) { return worst_undercut(cam, motion, {height, flank}); };
+    const double step = (heights.to - heights.from) / height_steps;
+    int highest = 0;
+    double value = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= height_steps; ++i)
+        if (const double now = worst(heights.from + i * step).value; now > value) {
+            value = now;
+            highest = i;
+        }
+    double height = heights.from + highest * step;
+    if (highest > 0 && highest < height_steps)
+        height = golden_maximum([&](double place) { return worst(place).value; }, height - step,
+                                height + step, height_sections)
+                     .place();
+    else if (highest == height_steps)
+        height = heights.to;
+    const Extremum found = worst(height);
+    return {-found.value, found.at, height};
+}
 
 Vector3d envelope_contact(const SpatialCam& cam, double theta, const FollowerState& state,
                           const RollerStation& station) {

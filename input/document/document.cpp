@@ -80,6 +80,12 @@ std::string list_text(const Node& node) {
     return "{" + text + "}";
 }
 
+void append(std::string& text, const std::vector<Member>& members, bool tables) {
+    for (const Member& member : members)
+        if (tables || member.value.kind != NodeKind::table)
+            text += key_text(member.name) + " = " + value_text(member.value) + "\n";
+}
+
 }  // namespace
 
 std::string Node::shown() const {
@@ -129,16 +135,6 @@ std::string value_text(const Node& node) {
     }
     throw InputError("a scene is written as TOML: found a date or time; allowed: the value types of a scene");
 }
-
-namespace {
-
-void append(std::string& text, const std::vector<Member>& members, bool tables) {
-    for (const Member& member : members)
-        if (tables || member.value.kind != NodeKind::table)
-            text += key_text(member.name) + " = " + value_text(member.value) + "\n";
-}
-
-}  // namespace
 
 std::string document_text(const Node& root) {
     std::string text;

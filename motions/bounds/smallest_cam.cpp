@@ -9,9 +9,6 @@ namespace camopt {
 
 namespace {
 
-/// How far s0 may lie below |e|/t by rounding of the division.
-constexpr double radius_rounding = 1e-14;
-
 void require_positive(const char* name, double found) {
     if (found > 0.0 && std::isfinite(found)) return;
     throw InputError(fmt::format("smallest cam: {} = {} found, allowed a number above 0", name, found));
@@ -77,30 +74,6 @@ SmallestCam smallest_cam(const CamStroke& stroke, double angle, double pressure_
     }
     cam.prime_radius = std::hypot(cam.prime_coordinate, stroke.offset);
     return cam;
-}
-
-double least_stroke_angle(const CamStroke& stroke, double prime_coordinate, double pressure_angle) {
-    require_stroke(stroke);
-    require_positive("prime coordinate", prime_coordinate);
-    const double tangent = tangent_of(pressure_angle);
-    if (tangent * prime_coordinate < std::abs(stroke.offset) * (1.0 - radius_rounding))
-        return std::numeric_limits<double>::infinity();
-    return steepest_angle(stroke, prime_coordinate, tangent);
-}
-
-double least_pressure_angle(const CamStroke& stroke, double prime_coordinate, double angle) {
-    require_stroke(stroke);
-    require_positive("prime coordinate", prime_coordinate);
-    require_positive("angle", angle);
-    const double centred = std::log1p(stroke.lift / prime_coordinate) / angle;
-    if (stroke.offset == 0.0) return std::atan(centred);
-    // The angle needed falls with the tangent, and the rest asks for `low`. There the answer lies or above;
-    // as σe + t (s0 + s) >= (t - low)(s0 + s), it lies below `high`.
-    double low = std::abs(stroke.offset) / prime_coordinate, high = low + centred;
-    if (steepest_angle(stroke, prime_coordinate, low) <= angle) return std::atan(low);
-    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-        (steepest_angle(stroke, prime_coordinate, middle) > angle ? low : high) = middle;
-    return std::atan(high);
 }
 
 }  // namespace camopt

@@ -12,7 +12,7 @@
 // s' = 0 at the lower end, where tan φ = -e/s0: so s0 >= |e|/t besides.
 //
 // SI units (one length unit throughout will do), radians. e as DiskSpec has it for a cam that turns
-// counterclockwise; for a clockwise one take -e. Errors: lift, angle or s0 not positive or not finite, e not
+// counterclockwise; for a clockwise one take -e. Errors: lift or angle not positive or not finite, e not
 // finite, φm outside (0, π/2): InputError. Source: derived here; for e = 0 the result is classical.
 #pragma once
 
@@ -55,13 +55,5 @@ struct SmallestCam {
 
 /// The infimum over all motions of the stroke with |φ| <= pressure_angle.
 [[nodiscard]] SmallestCam smallest_cam(const CamStroke& stroke, double angle, double pressure_angle);
-
-/// The least cam angle β for given s0; +infinity where the rest alone breaks the pressure angle (s0 < |e|/t)
-/// and where the stroke cannot begin (return with s0 = e/t, rise with s0 = -e/t).
-[[nodiscard]] double least_stroke_angle(const CamStroke& stroke, double prime_coordinate,
-                                        double pressure_angle);
-
-/// The least φm for given s0 and β: a closed form at e = 0, else the root of the formula above.
-[[nodiscard]] double least_pressure_angle(const CamStroke& stroke, double prime_coordinate, double angle);
 
 }  // namespace camopt

@@ -171,14 +171,6 @@ MotionPoint Law::at(double x, Side side) const {
     return {x, {value[0], value[1], value[2], value[3]}};
 }
 
-Peaks Law::peaks() const {
-    return find_peaks(*this);
-}
-
-JerkExtrema Law::jerk_extrema() const {
-    return find_jerk_extrema(*this);
-}
-
 Peaks find_peaks_without_impulses(const Law& law) {
     const std::vector<Piece> pieces = pieces_of(law);
     Peaks peaks;
@@ -196,16 +188,11 @@ Peaks find_peaks_without_impulses(const Law& law) {
     return peaks;
 }
 
-Peaks find_peaks(const Law& law) {
-    Peaks peaks = find_peaks_without_impulses(law);
-    peaks.jerk = magnitude(jerk_range(pieces_of(law), law));
+Peaks Law::peaks() const {
+    Peaks peaks = find_peaks_without_impulses(*this);
+    peaks.jerk = magnitude(jerk_range(pieces_of(*this), *this));
     if (std::isinf(peaks.jerk.value)) derivative_mean(peaks, 3) = peaks.jerk.value;
     return peaks;
-}
-
-JerkExtrema find_jerk_extrema(const Law& law) {
-    const Range jerk = jerk_range(pieces_of(law), law);
-    return {jerk.highest, jerk.lowest};
 }
 
 }  // namespace camopt

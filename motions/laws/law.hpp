@@ -8,11 +8,10 @@
 // (`TopEnd::turning_point`). What lies outside counts: a jump of y'' at x = 0 or at a dwell's end is an
 // impulse of the jerk.
 //
-// Impulses: `at` gives the finite one-sided values of y'''; `peaks` and `jerk_extrema` count an impulse as
-// +infinity (y'' jumps up) or -infinity (y'' jumps down), and then its mean square is +infinity.
-// Signs: Peaks hold magnitudes, JerkExtrema signed values. `at` of an extremum is the first place it is
-// reached. Errors: x outside [0, 1], an unknown key and a parameter out of range throw InputError. Source:
-// each LawInfo names its own; the peaks are those of the formulas, found to rounding error.
+// Impulses: `at` gives the finite one-sided values of y'''; `peaks` count an impulse as infinity, and then
+// the mean square of y''' is infinite. Peaks hold magnitudes; `at` of one is the first place it is reached.
+// Errors: x outside [0, 1], an unknown key and a parameter out of range throw InputError. Source: each
+// LawInfo names its own; the peaks are those of the formulas, found to rounding error.
 #pragma once
 
 #include "core/motion.hpp"
@@ -43,12 +42,6 @@ struct LawInfo {
 /// y, y', y'', y''', y'''' at one x.
 using LawDerivatives = std::array<double, 5>;
 
-/// The largest and the least jerk with their signs: J+ >= 0 and J- <= 0, infinite for an impulse.
-struct JerkExtrema {
-    Extremum positive;
-    Extremum negative;
-};
-
 class Law : public Motion {
  public:
     [[nodiscard]] double begin() const final { return 0.0; }
@@ -65,7 +58,6 @@ class Law : public Motion {
 
     /// Computed at each call, about 0.1 ms.
     [[nodiscard]] Peaks peaks() const;
-    [[nodiscard]] JerkExtrema jerk_extrema() const;
 
  protected:
     explicit Law(LawInfo info);
@@ -84,9 +76,7 @@ class Law : public Motion {
 // peak's value is then exact to round-off. Mean squares: five-point Gauss quadrature per cell, exact to
 // round-off for such analytic pieces. Normalised quantities, no units; signs and impulses as above.
 
-[[nodiscard]] Peaks find_peaks(const Law& law);
 /// Inside the law's pieces only: impulses at its ends are omitted.
 [[nodiscard]] Peaks find_peaks_without_impulses(const Law& law);
-[[nodiscard]] JerkExtrema find_jerk_extrema(const Law& law);
 
 }  // namespace camopt

@@ -91,6 +91,31 @@ LawInfo asymmetric_info(const std::unique_ptr<Law>& law, double split) {
     return info;
 }
 
+using std::numbers::pi;
+using std::numbers::sqrt2;
+
+constexpr double kWidestSine = 1.0 - 0.5 * sqrt2;
+constexpr double kWidestTrapezoid = pi / (3.0 * pi + 2.0);
+
+LawInfo one_dwell(const char* key, std::string title) {
+    LawInfo info;
+    info.key = key;
+    info.title = std::move(title);
+    info.source = "standard construction";
+    info.continuity = 2;
+    info.top = TopEnd::turning_point;
+    return info;
+}
+
+LawInfo one_dwell(const char* key, const char* title, double ta, double widest) {
+    if (!(ta >= kNarrowestPiece && ta <= widest))
+        throw InputError(
+            fmt::format("{}: Ta = {} found, allowed {} <= Ta <= {}", key, ta, kNarrowestPiece, widest));
+    LawInfo info = one_dwell(key, fmt::format("{} (one dwell, Ta = {})", title, ta));
+    info.parameters = {{"Ta", ta}};
+    return info;
+}
+
 }  // namespace
 
 AsymmetricLaw::AsymmetricLaw(std::unique_ptr<Law> base, double split)
@@ -152,35 +177,6 @@ std::array<T, 5> AsymmetricLaw::of_base(const Piece& piece, std::array<T, 5> y) 
 std::unique_ptr<Law> make_asymmetric(std::unique_ptr<Law> law, double split) {
     return std::make_unique<AsymmetricLaw>(std::move(law), split);
 }
-
-namespace {
-
-using std::numbers::pi;
-using std::numbers::sqrt2;
-
-constexpr double kWidestSine = 1.0 - 0.5 * sqrt2;
-constexpr double kWidestTrapezoid = pi / (3.0 * pi + 2.0);
-
-LawInfo one_dwell(const char* key, std::string title) {
-    LawInfo info;
-    info.key = key;
-    info.title = std::move(title);
-    info.source = "standard construction";
-    info.continuity = 2;
-    info.top = TopEnd::turning_point;
-    return info;
-}
-
-LawInfo one_dwell(const char* key, const char* title, double ta, double widest) {
-    if (!(ta >= kNarrowestPiece && ta <= widest))
-        throw InputError(
-            fmt::format("{}: Ta = {} found, allowed {} <= Ta <= {}", key, ta, kNarrowestPiece, widest));
-    LawInfo info = one_dwell(key, fmt::format("{} (one dwell, Ta = {})", title, ta));
-    info.parameters = {{"Ta", ta}};
-    return info;
-}
-
-}  // namespace
 
 std::unique_ptr<Law> make_one_dwell_modified_sine(double ta) {
     LawInfo info = one_dwell("one_dwell_modified_sine", "Modified sine", ta, kWidestSine);

@@ -29,6 +29,11 @@ double largest_move(const Motion& a, const Motion& b) {
     return largest;
 }
 
+bool has_kind(const CamModel& model, Parameter::Kind kind) {
+    return std::ranges::any_of(model.parameters,
+                               [kind](const Parameter& parameter) { return parameter.kind == kind; });
+}
+
 }  // namespace
 
 /// The entries of least mean square jerk under a load: one linear system, always smooth.
@@ -110,15 +115,6 @@ Eigen::VectorXd CamProblem::random_start(unsigned seed) const {
 }
 
 // Completion: from any x to one whose equalities hold and whose peaks are those of its motion.
-
-namespace {
-
-bool has_kind(const CamModel& model, Parameter::Kind kind) {
-    return std::ranges::any_of(model.parameters,
-                               [kind](const Parameter& parameter) { return parameter.kind == kind; });
-}
-
-}  // namespace
 
 /// The peaks of DRD and RR, whose normalised motion is the spline itself.
 void CamProblem::complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) const {

@@ -44,19 +44,6 @@ std::vector<MotionEvent> program_events(const MotionSpec& motion) {
     return events;
 }
 
-}  // namespace
-
-std::vector<MotionEvent> motion_events(const MotionSpec& motion) {
-    if (motion.type == MotionType::program) return program_events(motion);
-    return {event_before_dwell(motion.length(), units::turn / motion.unit_angle())};
-}
-
-MotionEvent single_rise(double unit_angle) {
-    return event_before_dwell(1.0, units::turn / unit_angle);
-}
-
-namespace {
-
 // Of x: tolerance on pieces that begin and end at the breakpoints of stretches.
 constexpr double same_x = 1e-9;
 // Samples of the speed: cycles of a mode over the motion between two, and bounds on their number.
@@ -85,6 +72,15 @@ void add_pieces(std::vector<SlopePiece>& found, const std::vector<SlopePiece>& a
 }
 
 }  // namespace
+
+std::vector<MotionEvent> motion_events(const MotionSpec& motion) {
+    if (motion.type == MotionType::program) return program_events(motion);
+    return {event_before_dwell(motion.length(), units::turn / motion.unit_angle())};
+}
+
+MotionEvent single_rise(double unit_angle) {
+    return event_before_dwell(1.0, units::turn / unit_angle);
+}
 
 EventPieces pieces_of_event(const std::vector<SlopePiece>& all, const MotionEvent& event) {
     EventPieces pieces;

@@ -144,25 +144,6 @@ const WrittenLimit* limit_of_contact(const Scene& scene) {
     return nullptr;
 }
 
-}  // namespace
-
-std::vector<std::shared_ptr<const CamRule>> cam_limits(const Scene& scene, const CamVariables& variables) {
-    Limits limits(scene, variables);
-    const CamMechanism& cam = limits.cam();
-    add_pressure(limits);
-    if (cam.planar() && !cam.has_pitch_curve()) add_flat_radius(limits);
-    for (int station = 0; cam.has_pitch_curve() && station < cam.stations(); ++station)
-        add_radii(limits, station);
-    if (const auto& limit = limit_on(scene.limits, LimitedFigure::regularity))
-        for (int station = 0; station < cam.stations(); ++station) add_regularity(limits, *limit, station);
-    if (const WrittenLimit* limit = limit_of_contact(scene)) add_face_turn(limits, limit->key);
-    add_face_width(limits);
-    if (cam.is_direct()) add_forces(limits);
-    return limits.taken();
-}
-
-namespace {
-
 // Relative to the longest dimension: a cam closer to the limit of its reach than this is ill-conditioned.
 constexpr double least_reach = 1e-6;
 
@@ -193,6 +174,21 @@ void add_inequality(CamModel& model, const CamSpec& spec,
 }
 
 }  // namespace
+
+std::vector<std::shared_ptr<const CamRule>> cam_limits(const Scene& scene, const CamVariables& variables) {
+    Limits limits(scene, variables);
+    const CamMechanism& cam = limits.cam();
+    add_pressure(limits);
+    if (cam.planar() && !cam.has_pitch_curve()) add_flat_radius(limits);
+    for (int station = 0; cam.has_pitch_curve() && station < cam.stations(); ++station)
+        add_radii(limits, station);
+    if (const auto& limit = limit_on(scene.limits, LimitedFigure::regularity))
+        for (int station = 0; station < cam.stations(); ++station) add_regularity(limits, *limit, station);
+    if (const WrittenLimit* limit = limit_of_contact(scene)) add_face_turn(limits, limit->key);
+    add_face_width(limits);
+    if (cam.is_direct()) add_forces(limits);
+    return limits.taken();
+}
 
 void add_reach_rows(CamModel& model, const CamSpec& spec) {
     for (const auto& inequality : spec.formulas()->reach()) add_inequality(model, spec, inequality);

@@ -163,33 +163,6 @@ std::vector<const Curve*> curves_of(const View& view, std::string_view group, st
     return found;
 }
 
-}  // namespace
-
-std::string motion_svg(const View& view) {
-    if (!view.solution.motion) throw InputError("motion.svg needs a motion, and this solution has none");
-    Chart chart = chart_of(view, view.title("Motion"), curves_of(view, "motion"), true);
-    chart.lines = {
-        verdict_sentence(view.solution), objective_line(view.solution, " · "),
-        fmt::format("Left axis: physical units. Right axis: normalised by lift and {}.",
-                    view.segments.empty()                     ? "rise"
-                    : view.solution.scene.motion.prescribed() ? "the angle of the first law"
-                                                              : "the angle of the first spline segment")};
-    return chart_svg(std::move(chart));
-}
-
-std::string cam_diagrams_svg(const View& view, std::string_view key) {
-    return chart_svg(chart_of(view, view.title("Cam"), curves_of(view, "cam", key), false));
-}
-
-std::string force_diagrams_svg(const View& view) {
-    const std::vector<const Curve*> curves = curves_of(view, "forces");
-    if (curves.empty()) throw InputError("forces.svg needs forces, and this solution has none");
-    const std::string& title = view.solution.scene.title;
-    return chart_svg(chart_of(view, title.empty() ? "Forces" : title + ": forces", curves, false));
-}
-
-namespace {
-
 /// Both signs of torque and speed: the motor drives and brakes.
 ChartPanel torque_over_speed(const View& view) {
     const std::vector<const Curve*> curves = curves_of(view, "motor");
@@ -233,6 +206,29 @@ ChartPanel torque_over_speed(const View& view) {
 }
 
 }  // namespace
+
+std::string motion_svg(const View& view) {
+    if (!view.solution.motion) throw InputError("motion.svg needs a motion, and this solution has none");
+    Chart chart = chart_of(view, view.title("Motion"), curves_of(view, "motion"), true);
+    chart.lines = {
+        verdict_sentence(view.solution), objective_line(view.solution, " · "),
+        fmt::format("Left axis: physical units. Right axis: normalised by lift and {}.",
+                    view.segments.empty()                     ? "rise"
+                    : view.solution.scene.motion.prescribed() ? "the angle of the first law"
+                                                              : "the angle of the first spline segment")};
+    return chart_svg(std::move(chart));
+}
+
+std::string cam_diagrams_svg(const View& view, std::string_view key) {
+    return chart_svg(chart_of(view, view.title("Cam"), curves_of(view, "cam", key), false));
+}
+
+std::string force_diagrams_svg(const View& view) {
+    const std::vector<const Curve*> curves = curves_of(view, "forces");
+    if (curves.empty()) throw InputError("forces.svg needs forces, and this solution has none");
+    const std::string& title = view.solution.scene.title;
+    return chart_svg(chart_of(view, title.empty() ? "Forces" : title + ": forces", curves, false));
+}
 
 std::string drive_svg(const View& view) {
     const std::string& title = view.solution.scene.title;

@@ -157,6 +157,17 @@ Json circles_of(const PlaneCourse& course) {
     return all;
 }
 
+Json mesh_json(const CamScene::Part& part, const ShownUnit& length) {
+    Json vertices = Json::array(), triangles = Json::array();
+    for (const Vector3d& vertex : part.mesh.vertices) append(vertices, length, vertex);
+    for (const std::array<int, 3>& triangle : part.mesh.triangles)
+        for (const int corner : triangle) triangles.push_back(corner);
+    return {{"name", part.name},
+            {"closed", part.closed},
+            {"vertices", std::move(vertices)},
+            {"triangles", std::move(triangles)}};
+}
+
 }  // namespace
 
 Json plane_drawing(const View& view) {
@@ -185,21 +196,6 @@ Json plane_drawing(const View& view) {
             {"contact", std::move(contact)},
             {"parts", parts_of(course)}};
 }
-
-namespace {
-
-Json mesh_json(const CamScene::Part& part, const ShownUnit& length) {
-    Json vertices = Json::array(), triangles = Json::array();
-    for (const Vector3d& vertex : part.mesh.vertices) append(vertices, length, vertex);
-    for (const std::array<int, 3>& triangle : part.mesh.triangles)
-        for (const int corner : triangle) triangles.push_back(corner);
-    return {{"name", part.name},
-            {"closed", part.closed},
-            {"vertices", std::move(vertices)},
-            {"triangles", std::move(triangles)}};
-}
-
-}  // namespace
 
 Json solid_drawing(const View& view) {
     const Solution& solution = view.solution;

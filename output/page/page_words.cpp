@@ -70,6 +70,26 @@ bool has_motion(const Solution& solution) {
     return solution.motion && solution.certificate.verdict != Verdict::infeasible;
 }
 
+/// "its peak acceleration is 12.3 % higher"
+std::string peak_changes(const Solution& solution, const ComparisonRow& law) {
+    std::vector<std::string> parts;
+    const auto add = [&](const char* name, const Extremum& own, const Extremum& other) {
+        if (!(own.value > 0.0)) return;
+        if (std::isinf(other.value)) {
+            parts.push_back(fmt::format("infinite {}", name));
+            return;
+        }
+        const double change = 100.0 * (other.value / own.value - 1.0);
+        if (std::abs(change) < noticed) return;
+        parts.push_back(fmt::format("{} {} % {}", name, short_text(std::abs(change), 3),
+                                    change > 0.0 ? "higher" : "lower"));
+    };
+    add("peak velocity", solution.peaks.velocity, law.peaks.velocity);
+    add("peak acceleration", solution.peaks.acceleration, law.peaks.acceleration);
+    add("peak jerk", solution.peaks.jerk, law.peaks.jerk);
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 }  // namespace
 
 Json table_json(std::string_view key, std::string_view title, const TextTable& table, std::string_view note) {
@@ -132,30 +152,6 @@ Json figures_part(const Solution& solution) {
             cam.forces->hertz_pressure->at);
     return all;
 }
-
-namespace {
-
-/// "its peak acceleration is 12.3 % higher"
-std::string peak_changes(const Solution& solution, const ComparisonRow& law) {
-    std::vector<std::string> parts;
-    const auto add = [&](const char* name, const Extremum& own, const Extremum& other) {
-        if (!(own.value > 0.0)) return;
-        if (std::isinf(other.value)) {
-            parts.push_back(fmt::format("infinite {}", name));
-            return;
-        }
-        const double change = 100.0 * (other.value / own.value - 1.0);
-        if (std::abs(change) < noticed) return;
-        parts.push_back(fmt::format("{} {} % {}", name, short_text(std::abs(change), 3),
-                                    change > 0.0 ? "higher" : "lower"));
-    };
-    add("peak velocity", solution.peaks.velocity, law.peaks.velocity);
-    add("peak acceleration", solution.peaks.acceleration, law.peaks.acceleration);
-    add("peak jerk", solution.peaks.jerk, law.peaks.jerk);
-    return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-}  // namespace
 
 Json reference_part(const Solution& solution, PageReference wish) {
     if (!has_motion(solution) || solution.scene.objective.reference.numeric) return nullptr;

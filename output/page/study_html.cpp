@@ -78,6 +78,31 @@ const char* tone_of(Verdict verdict) {
     return verdict == Verdict::feasible ? "fair" : "bad";
 }
 
+/// What makes the scene of a front's point of that of the front: its weights, and its cap.
+std::vector<std::string> front_settings(const FrontPoint& point, const FrontRequest& request) {
+    std::vector<std::string> settings;
+    const Scene& scene = point.solution.scene;
+    for (const CostTerm& term : cost_terms()) {
+        const double weight = term.weight_in(scene.objective);
+        settings.push_back(setting_text(fmt::format("objective.{}", term.name()), weight));
+    }
+    for (int d = 0; d < dimension_count; ++d)
+        if (const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)]; weight > 0.0)
+            settings.push_back(
+                setting_text(fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(d))), weight));
+    if (!point.cap) return settings;
+    const FrontGoal& capped = request.goals[static_cast<std::size_t>(1 - point.minimized)];
+    if (const auto* const figure = std::get_if<FrontFigure>(&capped)) {
+        settings.push_back(setting_text(fmt::format("limits.{}", name_of(*figure)), *point.cap));
+    } else if (scene.cam) {
+        const Dimension& dimension = *scene.cam->find(std::get<DimensionIndex>(capped));
+        settings.push_back(fmt::format("{}={{ min = {}, max = {} }}", dimension.key,
+                                       round_trip_text(dimension.low / dimension.unit),
+                                       round_trip_text(dimension.high / dimension.unit)));
+    }
+    return settings;
+}
+
 }  // namespace
 
 std::string comparison_html(const Comparison& comparison, const RunOrigin& origin) {
@@ -210,35 +235,6 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
     }
     return page.html();
 }
-
-namespace {
-
-/// What makes the scene of a front's point of that of the front: its weights, and its cap.
-std::vector<std::string> front_settings(const FrontPoint& point, const FrontRequest& request) {
-    std::vector<std::string> settings;
-    const Scene& scene = point.solution.scene;
-    for (const CostTerm& term : cost_terms()) {
-        const double weight = term.weight_in(scene.objective);
-        settings.push_back(setting_text(fmt::format("objective.{}", term.name()), weight));
-    }
-    for (int d = 0; d < dimension_count; ++d)
-        if (const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)]; weight > 0.0)
-            settings.push_back(
-                setting_text(fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(d))), weight));
-    if (!point.cap) return settings;
-    const FrontGoal& capped = request.goals[static_cast<std::size_t>(1 - point.minimized)];
-    if (const auto* const figure = std::get_if<FrontFigure>(&capped)) {
-        settings.push_back(setting_text(fmt::format("limits.{}", name_of(*figure)), *point.cap));
-    } else if (scene.cam) {
-        const Dimension& dimension = *scene.cam->find(std::get<DimensionIndex>(capped));
-        settings.push_back(fmt::format("{}={{ min = {}, max = {} }}", dimension.key,
-                                       round_trip_text(dimension.low / dimension.unit),
-                                       round_trip_text(dimension.high / dimension.unit)));
-    }
-    return settings;
-}
-
-}  // namespace
 
 std::string pareto_html(const ParetoPicture& picture, const RunOrigin& origin) {
     const ParetoFront& front = picture.front;

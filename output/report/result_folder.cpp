@@ -133,6 +133,37 @@ void write_for_people(FolderUpdate& writer, const View& view, const RunOrigin& o
     writer.write("report.md", report_markdown(view.solution, origin));
 }
 
+constexpr const char* mark_text =
+    "camopt was stopped while it wrote to this folder: it may contain files of two runs.\n"
+    "Run the command again; this file is removed on success.\n";
+
+void move_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+    std::error_code error;
+    std::filesystem::rename(from, to, error);
+    if (error) throw InputError(fmt::format("cannot write {}: {}", to.string(), error.message()));
+}
+
+/// What is not there need not go.
+void remove_file(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::remove(path, error);
+    if (error) throw InputError(fmt::format("cannot remove {}: {}", path.string(), error.message()));
+}
+
+/// What killed runs left aside in this folder.
+void remove_leftovers(const std::filesystem::path& folder) {
+    constexpr std::string_view begin = ".camopt-", end = ".tmp";
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(begin) || !name.ends_with(end)) continue;
+        const auto process =
+            integer_in(std::string_view(name).substr(begin.size(), name.size() - begin.size() - end.size()));
+        const bool gone = process && ::kill(static_cast<::pid_t>(*process), 0) != 0 && errno == ESRCH;
+        if (gone) std::filesystem::remove_all(entry.path(), ignored);
+    }
+}
+
 }  // namespace
 
 void prepare_folder(const std::filesystem::path& folder) {
@@ -187,41 +218,6 @@ ResultFolder read_result_folder(const std::filesystem::path& folder, const Scene
     certificate.objective = written;
     return read;
 }
-
-namespace {
-
-constexpr const char* mark_text =
-    "camopt was stopped while it wrote to this folder: it may contain files of two runs.\n"
-    "Run the command again; this file is removed on success.\n";
-
-void move_file(const std::filesystem::path& from, const std::filesystem::path& to) {
-    std::error_code error;
-    std::filesystem::rename(from, to, error);
-    if (error) throw InputError(fmt::format("cannot write {}: {}", to.string(), error.message()));
-}
-
-/// What is not there need not go.
-void remove_file(const std::filesystem::path& path) {
-    std::error_code error;
-    std::filesystem::remove(path, error);
-    if (error) throw InputError(fmt::format("cannot remove {}: {}", path.string(), error.message()));
-}
-
-/// What killed runs left aside in this folder.
-void remove_leftovers(const std::filesystem::path& folder) {
-    constexpr std::string_view begin = ".camopt-", end = ".tmp";
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        if (!name.starts_with(begin) || !name.ends_with(end)) continue;
-        const auto process =
-            integer_in(std::string_view(name).substr(begin.size(), name.size() - begin.size() - end.size()));
-        const bool gone = process && ::kill(static_cast<::pid_t>(*process), 0) != 0 && errno == ESRCH;
-        if (gone) std::filesystem::remove_all(entry.path(), ignored);
-    }
-}
-
-}  // namespace
 
 FolderUpdate::FolderUpdate(std::filesystem::path folder)
     : folder_(std::move(folder)), aside_(folder_ / fmt::format(".camopt-{}.tmp", ::getpid())) {

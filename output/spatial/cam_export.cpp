@@ -180,20 +180,13 @@ Paths write_cam_files(const std::filesystem::path& folder, const CamFlanks& cam,
         sampling.angles =
             static_cast<int>(std::ceil(sampling.angles * (way.end() - way.begin()) / units::turn));
     const FlankGrid grid = flank_grid(cam, way, sampling);
-    const TriangleMesh body =
-        indexing && (options.stl || options.obj) ? indexing_body(cam, motion) : TriangleMesh{};
     Paths written;
     if (options.csv) write_bytes(written, folder / "flanks.csv", flank_csv(grid));
     if (options.step) write_step(written, folder / "flanks.step", grid, options.title);
     if (options.stl) {
         write_bytes(written, folder / "groove.stl", stl_bytes(groove_body(grid), options.title + ", groove"));
-        if (indexing) write_bytes(written, folder / "cam.stl", stl_bytes(body, options.title));
-    }
-    if (options.obj) {
-        std::vector<NamedMesh> parts;
-        for (const SurfaceGrid& flank : flank_surfaces(grid)) parts.push_back({flank.name, mesh_of(flank)});
-        if (indexing) parts.push_back({"body", body});
-        write_bytes(written, folder / "cam.obj", obj_text(parts, options.title));
+        if (indexing)
+            write_bytes(written, folder / "cam.stl", stl_bytes(indexing_body(cam, motion), options.title));
     }
     if (options.picture)
         write_bytes(written, folder / "cam.svg", picture_of(cam, motion, grid, options.title));

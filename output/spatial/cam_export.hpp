@@ -15,7 +15,6 @@ namespace camopt {
 struct CamExportOptions {
     bool csv = false;      ///< flanks.csv
     bool stl = false;      ///< groove.stl and, of an indexing cam, its whole body cam.stl
-    bool obj = false;      ///< cam.obj: both flanks; of an indexing cam its body too
     bool step = false;     ///< flanks.step; needs Open CASCADE
     bool picture = false;  ///< cam.svg
     FlankSampling sampling = {9, 361, 0.0, 0.0};

@@ -215,25 +215,6 @@ std::string stl_bytes(const TriangleMesh& mesh, const std::string& title) {
     return bytes;
 }
 
-std::string obj_text(std::span<const NamedMesh> meshes, const std::string& title) {
-    std::string text = fmt::format("# {}\n# lengths in mm\n", printable(title));
-    int offset = 1;
-    for (const NamedMesh& part : meshes) {
-        std::string name = part.name;
-        std::replace(name.begin(), name.end(), ' ', '_');
-        fmt::format_to(std::back_inserter(text), "o {}\n", name);
-        for (const Eigen::Vector3d& vertex : part.mesh.vertices) {
-            const Eigen::Vector3d mm = vertex / units::millimetre;
-            fmt::format_to(std::back_inserter(text), "v {:.6f} {:.6f} {:.6f}\n", mm.x(), mm.y(), mm.z());
-        }
-        for (const auto& t : part.mesh.triangles)
-            fmt::format_to(std::back_inserter(text), "f {} {} {}\n", t[0] + offset, t[1] + offset,
-                           t[2] + offset);
-        offset += static_cast<int>(part.mesh.vertices.size());
-    }
-    return text;
-}
-
 MeshElements mesh_elements(std::span<const PaintedMesh> parts, const MeshView& view, double height) {
     const std::vector<Facet> facets = sorted_facets(parts, view);
     Eigen::Vector2d low = facets[0].corner[0], high = low;

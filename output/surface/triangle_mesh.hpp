@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles: open surfaces and closed solids, for STL, OBJ and pictures.
+// Triangles: open surfaces and closed solids, for STL and pictures.
 //
 // In a solid the corners of a triangle run counterclockwise seen from outside, and every edge belongs to two
 // triangles that pass it in opposite directions (watertight). m.
@@ -31,18 +31,10 @@ void append(TriangleMesh& mesh, const TriangleMesh& part);
 /// Signed, m³: of a watertight mesh.
 [[nodiscard]] double volume(const TriangleMesh& mesh);
 
-// Meshes as files for printing, viewing and CAM: binary STL and OBJ, both in mm.
-
-/// Binary STL: an 80-byte header with `title`, then 50 bytes a triangle, little-endian single precision (a
-/// vertex is within 1e-5 mm of itself below 170 mm). A mesh of no triangles is an InputError.
+/// Binary STL in mm, for printing, viewing and CAM: an 80-byte header with `title`, then 50 bytes a triangle,
+/// little-endian single precision (a vertex is within 1e-5 mm of itself below 170 mm). A mesh of no triangles
+/// is an InputError.
 [[nodiscard]] std::string stl_bytes(const TriangleMesh& mesh, const std::string& title);
-
-struct NamedMesh {
-    std::string name;
-    TriangleMesh mesh;
-};
-/// OBJ: one object a mesh, coordinates to the nanometre.
-[[nodiscard]] std::string obj_text(std::span<const NamedMesh> meshes, const std::string& title);
 
 // A shaded picture of solids: parallel projection, facets drawn from the farthest to the nearest (painter's
 // algorithm, so facets that cut each other show it), those that look away left out.

@@ -166,6 +166,8 @@ Curve residual_curve(const View& view) {
     return curve;
 }
 
+constexpr double at_rest = 1e-9;  // of a displacement: less than this over a piece is a dwell
+
 }  // namespace
 
 std::shared_ptr<const Motion> reference_curve(const Solution& solution, ReferenceMotion& reference) {
@@ -203,12 +205,6 @@ std::vector<Curve> motion_curves(const View& view) {
     if (measured != nullptr) all.push_back(residual_curve(view));
     return all;
 }
-
-namespace {
-
-constexpr double at_rest = 1e-9;  // of a displacement: less than this over a piece is a dwell
-
-}  // namespace
 
 const std::optional<PeakLimit>& peak_limit_of(const LimitSpec& limits, int order) {
     static const std::optional<PeakLimit> none;

@@ -27,46 +27,6 @@ std::string with_short_power(std::string text) {
     return text;
 }
 
-}  // namespace
-
-std::string round_trip_text(double value) {
-    if (!std::isfinite(value)) return {};
-    return fmt::format("{}", value == 0.0 ? 0.0 : value);
-}
-
-std::string short_text(double value, int digits) {
-    if (std::isnan(value)) return "–";
-    if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
-    if (unit >= 1.0 && std::abs(value) < plain_below)
-        return with_minus_sign(fmt::format("{:.0f}", unit * std::round(value / unit)));
-    return power_text(value, digits);
-}
-
-std::string short_text(const std::optional<double>& value) {
-    return value ? short_text(*value) : "–";
-}
-
-std::string power_text(double value, int digits) {
-    return with_minus_sign(with_short_power(fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits)));
-}
-
-std::string change_text(double value, double reference) {
-    const double change = 100.0 * (value - reference) / reference;
-    if (!std::isfinite(change) || !std::isfinite(reference)) return "–";
-    const double rounded = std::round(10.0 * change) / 10.0;
-    if (rounded == 0.0) return "±0.0 %";
-    return with_minus_sign(fmt::format("{:+.1f} %", rounded));
-}
-
-std::string words_of(std::string_view key) {
-    std::string words(key);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words;
-}
-
-namespace {
-
 /// Characters of a UTF-8 text: every byte that does not continue one.
 std::size_t characters(const std::string& text) {
     return static_cast<std::size_t>(
@@ -105,6 +65,42 @@ std::string markdown_cell(const std::string& text) {
 }
 
 }  // namespace
+
+std::string round_trip_text(double value) {
+    if (!std::isfinite(value)) return {};
+    return fmt::format("{}", value == 0.0 ? 0.0 : value);
+}
+
+std::string short_text(double value, int digits) {
+    if (std::isnan(value)) return "–";
+    if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
+    if (unit >= 1.0 && std::abs(value) < plain_below)
+        return with_minus_sign(fmt::format("{:.0f}", unit * std::round(value / unit)));
+    return power_text(value, digits);
+}
+
+std::string short_text(const std::optional<double>& value) {
+    return value ? short_text(*value) : "–";
+}
+
+std::string power_text(double value, int digits) {
+    return with_minus_sign(with_short_power(fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits)));
+}
+
+std::string change_text(double value, double reference) {
+    const double change = 100.0 * (value - reference) / reference;
+    if (!std::isfinite(change) || !std::isfinite(reference)) return "–";
+    const double rounded = std::round(10.0 * change) / 10.0;
+    if (rounded == 0.0) return "±0.0 %";
+    return with_minus_sign(fmt::format("{:+.1f} %", rounded));
+}
+
+std::string words_of(std::string_view key) {
+    std::string words(key);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
 
 std::string aligned_text(const TextTable& table) {
     const std::vector<std::size_t> widths = widths_of(table);

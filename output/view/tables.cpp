@@ -75,6 +75,36 @@ std::string any_curve_note(const Solution& solution) {
         left_out_of_any_curve(solution.scene));
 }
 
+TextTable measured_table(const Solution& solution) {
+    const MeasuredReport& measured = *solution.measured;
+    const ShownUnits units = shown_units(solution.scene);
+    const MotionUnit& unit = units.motion[0].first;
+    return {{{"fit of the table", true}, {"value"}},
+            {{"rows", fmt::format("{}", measured.rows)},
+             {"free numbers", fmt::format("{}", measured.freedom)},
+             {"largest error", unit.normalised_text(measured.largest_error, 3)},
+             {"at", units.angle.text(measured.at * units.degrees_per_x * units.angle.size)},
+             {"rms error", unit.normalised_text(measured.rms_error, 3)}}};
+}
+
+TextTable surge_table(const Solution& solution) {
+    const ShownUnits shown = shown_units(solution.scene);
+    TextTable table{{{"harmonic"},
+                     {fmt::format("amplitude {}", shown.vibration.name)},
+                     {"meets the spring at rpm"},
+                     {"", true}},
+                    {}};
+    for (const SurgeReport::Harmonic& one : solution.surge->harmonics) {
+        const bool none = one.amplitude < nothing * solution.scene.motion.lift;
+        const std::string mark = one.limited ? (one.near ? ", limited" : "limited") : "";
+        table.rows.push_back({fmt::format("{}", one.order),
+                              short_text(none ? 0.0 : shown.vibration.of(one.amplitude), 4),
+                              short_text(rpm_shown.of(one.resonant_speed)),
+                              (one.near ? "near the spring's frequency" : "") + mark});
+    }
+    return table;
+}
+
 }  // namespace
 
 std::optional<Peaks> segment_peaks(const SegmentReport& segment) {
@@ -308,40 +338,6 @@ TextTable relaxation_table(const Solution& solution) {
                                               : "tried without success"});
     return table;
 }
-
-namespace {
-
-TextTable measured_table(const Solution& solution) {
-    const MeasuredReport& measured = *solution.measured;
-    const ShownUnits units = shown_units(solution.scene);
-    const MotionUnit& unit = units.motion[0].first;
-    return {{{"fit of the table", true}, {"value"}},
-            {{"rows", fmt::format("{}", measured.rows)},
-             {"free numbers", fmt::format("{}", measured.freedom)},
-             {"largest error", unit.normalised_text(measured.largest_error, 3)},
-             {"at", units.angle.text(measured.at * units.degrees_per_x * units.angle.size)},
-             {"rms error", unit.normalised_text(measured.rms_error, 3)}}};
-}
-
-TextTable surge_table(const Solution& solution) {
-    const ShownUnits shown = shown_units(solution.scene);
-    TextTable table{{{"harmonic"},
-                     {fmt::format("amplitude {}", shown.vibration.name)},
-                     {"meets the spring at rpm"},
-                     {"", true}},
-                    {}};
-    for (const SurgeReport::Harmonic& one : solution.surge->harmonics) {
-        const bool none = one.amplitude < nothing * solution.scene.motion.lift;
-        const std::string mark = one.limited ? (one.near ? ", limited" : "limited") : "";
-        table.rows.push_back({fmt::format("{}", one.order),
-                              short_text(none ? 0.0 : shown.vibration.of(one.amplitude), 4),
-                              short_text(rpm_shown.of(one.resonant_speed)),
-                              (one.near ? "near the spring's frequency" : "") + mark});
-    }
-    return table;
-}
-
-}  // namespace
 
 std::string surge_sentence(const Solution& solution) {
     const Scene& scene = solution.scene;

@@ -139,50 +139,6 @@ std::string alone_sentences(const std::vector<OneLimit>& limits, const Solution&
     return text;
 }
 
-}  // namespace
-
-std::string spline_words(const Scene& scene) {
-    const SplineSpec& spline = scene.spline;
-    const bool uniform = spline.breakpoints.empty();
-    const std::size_t segments =
-        uniform ? static_cast<std::size_t>(spline.segments) : spline.breakpoints.size() - 1;
-    return fmt::format("spline of {} {} {}{}{}", segments, spline.degree == 3 ? "cubic" : "quintic",
-                       segments == 1 ? "segment" : "segments",
-                       scene.motion.type == MotionType::program ? " in each of its parts" : "",
-                       uniform ? "" : " on these breakpoints");
-}
-
-std::string conflict_sentence(const Solution& solution) {
-    const std::vector<OneLimit> limits = limits_of(solution.conflict);
-    if (limits.empty()) return {};
-    const MotionSpec& motion = solution.scene.motion;
-    std::vector<OneLimit> alone;
-    for (const OneLimit& limit : limits) {
-        const bool known = solution.explanation && has_key_of(solution.explanation->alone, limit);
-        if (limits.size() == 1 || known) alone.push_back(limit);
-    }
-    if (!alone.empty()) return alone_sentences(alone, solution);
-    return fmt::format("{} conflicts with {}: no {} satisfies all limits.",
-                       capitalised(text_of(limits.front(), motion)), joined(limits, 1, motion),
-                       spline_words(solution.scene));
-}
-
-std::string sufficient_changes(const std::vector<Relaxation>& rows) {
-    std::string text;
-    for (const Relaxation& row : rows)
-        if (row.needed) text += (text.empty() ? "" : ", or ") + change_words(row);
-    return text;
-}
-
-std::string hopeless_changes(const std::vector<Relaxation>& rows) {
-    std::string text;
-    for (const Relaxation& row : rows)
-        if (!row.needed) text += (text.empty() ? "" : ", ") + key_words(row.key).words;
-    return text;
-}
-
-namespace {
-
 /// "raise the velocity limit to 1.31 and raise the acceleration limit to 4.37"
 std::string changes_together(const std::vector<Relaxation>& rows) {
     std::string text;
@@ -265,6 +221,46 @@ void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
 }
 
 }  // namespace
+
+std::string spline_words(const Scene& scene) {
+    const SplineSpec& spline = scene.spline;
+    const bool uniform = spline.breakpoints.empty();
+    const std::size_t segments =
+        uniform ? static_cast<std::size_t>(spline.segments) : spline.breakpoints.size() - 1;
+    return fmt::format("spline of {} {} {}{}{}", segments, spline.degree == 3 ? "cubic" : "quintic",
+                       segments == 1 ? "segment" : "segments",
+                       scene.motion.type == MotionType::program ? " in each of its parts" : "",
+                       uniform ? "" : " on these breakpoints");
+}
+
+std::string conflict_sentence(const Solution& solution) {
+    const std::vector<OneLimit> limits = limits_of(solution.conflict);
+    if (limits.empty()) return {};
+    const MotionSpec& motion = solution.scene.motion;
+    std::vector<OneLimit> alone;
+    for (const OneLimit& limit : limits) {
+        const bool known = solution.explanation && has_key_of(solution.explanation->alone, limit);
+        if (limits.size() == 1 || known) alone.push_back(limit);
+    }
+    if (!alone.empty()) return alone_sentences(alone, solution);
+    return fmt::format("{} conflicts with {}: no {} satisfies all limits.",
+                       capitalised(text_of(limits.front(), motion)), joined(limits, 1, motion),
+                       spline_words(solution.scene));
+}
+
+std::string sufficient_changes(const std::vector<Relaxation>& rows) {
+    std::string text;
+    for (const Relaxation& row : rows)
+        if (row.needed) text += (text.empty() ? "" : ", or ") + change_words(row);
+    return text;
+}
+
+std::string hopeless_changes(const std::vector<Relaxation>& rows) {
+    std::string text;
+    for (const Relaxation& row : rows)
+        if (!row.needed) text += (text.empty() ? "" : ", ") + key_words(row.key).words;
+    return text;
+}
 
 std::string joint_sentence(const Solution& solution) {
     if (!solution.explanation || solution.explanation->together.empty()) return {};

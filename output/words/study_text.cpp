@@ -189,6 +189,56 @@ std::string reuse_words(const std::vector<SweepRow>& rows) {
                        static_cast<std::ptrdiff_t>(rows.size()) - proved, proved);
 }
 
+std::string counted(int count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string searched_line(const SolvePlan& plan) {
+    std::vector<std::string> parts;
+    if (!plan.prescribed) parts.emplace_back("the motion");
+    if (plan.displacements > 0) parts.push_back(counted(plan.displacements, "free displacement"));
+    if (plan.dimensions > 0) parts.push_back(counted(plan.dimensions, "dimension") + " of the cam");
+    if (plan.breakpoints > 0) parts.push_back(counted(plan.breakpoints, "breakpoint"));
+    if (plan.angles > 0) parts.push_back("the angles of " + counted(plan.angles, "segment"));
+    if (parts.empty()) return "Searched: nothing, the motion is prescribed";
+    return fmt::format("Searched: {}", fmt::join(parts, ", "));
+}
+
+std::string starts_sentence(const SolvePlan& plan) {
+    if (plan.breakpoints > 0)
+        return fmt::format(
+            "first on the given breakpoints, then the structured solver moves them from at most {}: the "
+            "given ones, then random ones (seed {})",
+            counted(plan.starts, "start"), plan.seed);
+    return fmt::format(
+        "a convex relaxation first ({}), then the best of at most {}: {}its optimum, the smoothest motion, "
+        "random ones (seed {})",
+        plan.relaxations.size() > 1
+            ? "without the limits that are not convex, then with those that are for sensible displacements"
+            : "without the limits that are not convex",
+        counted(plan.starts, "start"), plan.from_measured ? "the measured motion, " : "", plan.seed);
+}
+
+std::string verdict_sentence(const SolvePlan& plan) {
+    if (plan.contradiction) return "its conditions contradict each other: infeasible, proved";
+    if (plan.breakpoints > 0)
+        return fmt::format(
+            "{}local or feasible; infeasibility is not proved",
+            plan.proof == ProofKind::none ? "" : "optimal if the limit of any curve is reached, else ");
+    if (plan.angles > 0)
+        return fmt::format(
+            "{}{}",
+            plan.proof == ProofKind::boxes ? "optimal or infeasible if the boxes prove it, else " : "",
+            plan.angles == 2 ? "local or feasible" : "feasible");
+    if (plan.proof == ProofKind::boxes)
+        return "optimal or infeasible if the relaxation or a bound over boxes proves it, else local or "
+               "feasible with a bound";
+    if (plan.proof == ProofKind::none) return "local or feasible, without a bound";
+    return plan.reason.empty() && plan.solver != "structured"
+               ? fmt::format("optimal or infeasible, both with a proof; if {} fails, feasible", plan.solver)
+               : "optimal or infeasible, both with a proof";
+}
+
 }  // namespace
 
 std::string sweep_text(const SweepTable& table, const Scene* scene) {
@@ -247,60 +297,6 @@ std::string comparison_text(const Comparison& comparison) {
             base_title(comparison) + ": ", comparison_line_width);
     return text;
 }
-
-namespace {
-
-std::string counted(int count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-std::string searched_line(const SolvePlan& plan) {
-    std::vector<std::string> parts;
-    if (!plan.prescribed) parts.emplace_back("the motion");
-    if (plan.displacements > 0) parts.push_back(counted(plan.displacements, "free displacement"));
-    if (plan.dimensions > 0) parts.push_back(counted(plan.dimensions, "dimension") + " of the cam");
-    if (plan.breakpoints > 0) parts.push_back(counted(plan.breakpoints, "breakpoint"));
-    if (plan.angles > 0) parts.push_back("the angles of " + counted(plan.angles, "segment"));
-    if (parts.empty()) return "Searched: nothing, the motion is prescribed";
-    return fmt::format("Searched: {}", fmt::join(parts, ", "));
-}
-
-std::string starts_sentence(const SolvePlan& plan) {
-    if (plan.breakpoints > 0)
-        return fmt::format(
-            "first on the given breakpoints, then the structured solver moves them from at most {}: the "
-            "given ones, then random ones (seed {})",
-            counted(plan.starts, "start"), plan.seed);
-    return fmt::format(
-        "a convex relaxation first ({}), then the best of at most {}: {}its optimum, the smoothest motion, "
-        "random ones (seed {})",
-        plan.relaxations.size() > 1
-            ? "without the limits that are not convex, then with those that are for sensible displacements"
-            : "without the limits that are not convex",
-        counted(plan.starts, "start"), plan.from_measured ? "the measured motion, " : "", plan.seed);
-}
-
-std::string verdict_sentence(const SolvePlan& plan) {
-    if (plan.contradiction) return "its conditions contradict each other: infeasible, proved";
-    if (plan.breakpoints > 0)
-        return fmt::format(
-            "{}local or feasible; infeasibility is not proved",
-            plan.proof == ProofKind::none ? "" : "optimal if the limit of any curve is reached, else ");
-    if (plan.angles > 0)
-        return fmt::format(
-            "{}{}",
-            plan.proof == ProofKind::boxes ? "optimal or infeasible if the boxes prove it, else " : "",
-            plan.angles == 2 ? "local or feasible" : "feasible");
-    if (plan.proof == ProofKind::boxes)
-        return "optimal or infeasible if the relaxation or a bound over boxes proves it, else local or "
-               "feasible with a bound";
-    if (plan.proof == ProofKind::none) return "local or feasible, without a bound";
-    return plan.reason.empty() && plan.solver != "structured"
-               ? fmt::format("optimal or infeasible, both with a proof; if {} fails, feasible", plan.solver)
-               : "optimal or infeasible, both with a proof";
-}
-
-}  // namespace
 
 std::vector<std::string> plan_lines(const SolvePlan& plan) {
     std::vector<std::string> lines = {searched_line(plan)};

@@ -97,46 +97,6 @@ void set_in_fixed_frame(const DiskCam& cam, const FollowerState& state, ProfileP
     }
 }
 
-}  // namespace
-
-DiskCam middle_cam(const DiskSpec& spec) {
-    DiskCam cam{spec.follower, spec.rotation, {}, spec.form};
-    for (std::size_t i = 0; i < cam.dimensions.size(); ++i) cam.dimensions[i] = spec.dimensions[i].middle();
-    return cam;
-}
-
-ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state) {
-    ProfilePoint point;
-    point.theta = theta;
-    set_in_fixed_frame(cam, state, point);
-    const double turn = sense_of(cam.rotation) * theta;
-    point.pitch = turned_back(point.center, turn);
-    point.normal = turned_back(point.normal, turn);
-    point.contact = point.pitch;
-    if (has_roller(cam.follower)) point.contact -= surface_offset(cam, 0) * point.normal;
-    return point;
-}
-
-double rest_position(const DiskCam& cam) {
-    using enum DimensionIndex;
-    switch (cam.follower) {
-        case FollowerType::translating_flat:
-            return cam[base_radius];
-        case FollowerType::oscillating_roller:
-            return formulas::oscillating_roller_start(cam[base_radius] + cam[roller_radius],
-                                                      cam[center_distance], cam[arm_length]);
-        case FollowerType::oscillating_flat:
-            return formulas::oscillating_flat_start(cam[base_radius], cam[center_distance], cam[face_offset]);
-        case FollowerType::translating_roller:
-            return formulas::translating_roller_start(cam[base_radius] + cam[roller_radius], cam[offset]);
-        case FollowerType::translating_knife:
-            return formulas::translating_roller_start(cam[base_radius], cam[offset]);
-    }
-    throw ModelError("a follower of no known type");
-}
-
-namespace {
-
 // Whether one cam can be built: at rest, and over the whole range of its motion. Every distance below grows
 // with s as long as the conditions before it hold, so the two extremes of s decide.
 
@@ -249,6 +209,42 @@ std::string form_fault(const DiskCam& cam, double least, double most) {
 }
 
 }  // namespace
+
+DiskCam middle_cam(const DiskSpec& spec) {
+    DiskCam cam{spec.follower, spec.rotation, {}, spec.form};
+    for (std::size_t i = 0; i < cam.dimensions.size(); ++i) cam.dimensions[i] = spec.dimensions[i].middle();
+    return cam;
+}
+
+ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state) {
+    ProfilePoint point;
+    point.theta = theta;
+    set_in_fixed_frame(cam, state, point);
+    const double turn = sense_of(cam.rotation) * theta;
+    point.pitch = turned_back(point.center, turn);
+    point.normal = turned_back(point.normal, turn);
+    point.contact = point.pitch;
+    if (has_roller(cam.follower)) point.contact -= surface_offset(cam, 0) * point.normal;
+    return point;
+}
+
+double rest_position(const DiskCam& cam) {
+    using enum DimensionIndex;
+    switch (cam.follower) {
+        case FollowerType::translating_flat:
+            return cam[base_radius];
+        case FollowerType::oscillating_roller:
+            return formulas::oscillating_roller_start(cam[base_radius] + cam[roller_radius],
+                                                      cam[center_distance], cam[arm_length]);
+        case FollowerType::oscillating_flat:
+            return formulas::oscillating_flat_start(cam[base_radius], cam[center_distance], cam[face_offset]);
+        case FollowerType::translating_roller:
+            return formulas::translating_roller_start(cam[base_radius] + cam[roller_radius], cam[offset]);
+        case FollowerType::translating_knife:
+            return formulas::translating_roller_start(cam[base_radius], cam[offset]);
+    }
+    throw ModelError("a follower of no known type");
+}
 
 std::string geometry_fault(const DiskCam& cam, double least, double most) {
     std::string fault = one_disk_fault(cam, least, most);

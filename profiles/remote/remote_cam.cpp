@@ -113,12 +113,6 @@ CamSpec remote_spec(RemoteLinkage linkage) {
     return spec;
 }
 
-RemoteCam RemoteCam::measured_at(PressurePoint where) const {
-    RemoteCam other = *this;
-    other.pressure_point_ = where;
-    return other;
-}
-
 double RemoteCam::length(std::span<const double> dimensions) const {
     const auto at = [&](RemoteDimension which) { return dimensions[static_cast<std::size_t>(which)]; };
     return std::hypot(at(RemoteDimension::lever_pivot_x) - at(RemoteDimension::center_x),

@@ -70,8 +70,6 @@ class RemoteCam final : public CamMechanism {
 
     [[nodiscard]] RemoteLinkage linkage() const { return linkage_; }
     [[nodiscard]] PressurePoint pressure_point() const { return pressure_point_; }
-    /// The same mechanism, its pressure angle measured elsewhere.
-    [[nodiscard]] RemoteCam measured_at(PressurePoint where) const;
 
  private:
     RemoteLinkage linkage_;

@@ -19,8 +19,7 @@
 // Pressure angle tan φ = V_u / |V_b|, positive while the follower moves on:
 //   barrel (r_i q' − σ ρ sin q) / (ρ cos q), rotating (ρ q' − σ dx sin q) / (dy − ρ cos q), translating s'/ρ.
 // Undercut function g = (1 − r k1)(1 − r k2) of the offset of the axis surface; the flank is regular where
-// g > 0 and cut away beyond its edge g = 0. It is a local condition: see spatial_analysis.hpp for the global
-// one.
+// g > 0 and cut away beyond its edge g = 0. It is a local condition.
 //   g = 1 − r (L − 2FM)/W² − r² M²/W²,  F = V·e,  L = C_θθ·n,  M = e_θ·n.
 //
 // s, s', s'' are by the cam angle: m, m/rad, m/rad² for the translating follower, else rad, 1, 1/rad.

@@ -119,31 +119,6 @@ std::vector<double> tried_radii(const Scene& scene, const DrivenMechanism& cam) 
     return radii;
 }
 
-}  // namespace
-
-NeededBase needed_base(const Scene& scene, const DrivenMechanism& cam, const Motion& motion) {
-    if (cam.formulas->base_radius_index() < 0)
-        throw InputError("the needed base radius of a cam whose base radius is no dimension");
-    Judge judge(scene, cam, motion);
-    std::string broken;
-    double below = 0.0;
-    for (const double radius : tried_radii(scene, cam)) {
-        std::string now = judge.broken_at(radius);
-        if (!now.empty()) {
-            broken = std::move(now);
-            below = radius;
-            continue;
-        }
-        const Border border = bisected(
-            [&](double value) { return judge.broken_at(value).empty(); }, {radius, below}, most_bisections,
-            [](const Border& at) { return at.with - at.without <= accuracy * at.with; });
-        return {border.with, {}};
-    }
-    return {std::nullopt, broken};
-}
-
-namespace {
-
 /// What every row is judged by.
 struct Bench {
     const Scene& scene;
@@ -311,6 +286,27 @@ Bench bench_of(const Scene& scene, const Solution& solution) {
 }
 
 }  // namespace
+
+NeededBase needed_base(const Scene& scene, const DrivenMechanism& cam, const Motion& motion) {
+    if (cam.formulas->base_radius_index() < 0)
+        throw InputError("the needed base radius of a cam whose base radius is no dimension");
+    Judge judge(scene, cam, motion);
+    std::string broken;
+    double below = 0.0;
+    for (const double radius : tried_radii(scene, cam)) {
+        std::string now = judge.broken_at(radius);
+        if (!now.empty()) {
+            broken = std::move(now);
+            below = radius;
+            continue;
+        }
+        const Border border = bisected(
+            [&](double value) { return judge.broken_at(value).empty(); }, {radius, below}, most_bisections,
+            [](const Border& at) { return at.with - at.without <= accuracy * at.with; });
+        return {border.with, {}};
+    }
+    return {std::nullopt, broken};
+}
 
 bool meets_conditions(const ComparisonRow& row) {
     return std::ranges::all_of(row.limits,

@@ -31,6 +31,14 @@ EnclosedLimit along(const PointRule& rule, const Motion& motion) {
     return {rule.name(), largest.value / rule.scale(), largest.at, found.complete};
 }
 
+/// 1/ρ_cam + 1/r of a roller, which may be a little smaller than what the surface is offset by.
+double roller_contact_curvature(const DrivenMechanism& cam, const MechanismPoint& point, int side) {
+    const int index = cam.formulas->roller_radius_at(side);
+    const double roller = cam.dimensions[static_cast<std::size_t>(index)],
+                 wider = cam.formulas->surface_offset(cam.dimensions, side) - roller;
+    return (1.0 - wider * point.pitch_curvature) / (roller * point.regularity);
+}
+
 }  // namespace
 
 std::vector<EnclosedLimit> enclosed_limits(const Scene& scene, const DrivenMechanism& cam,
@@ -65,18 +73,6 @@ double normal_force(const DrivenMechanism& cam, const FollowerState& state, doub
 int carrying_side(const CamMechanism& cam, double force) {
     return cam.drives_both_ways() && force < 0.0 ? 1 : 0;
 }
-
-namespace {
-
-/// 1/ρ_cam + 1/r of a roller, which may be a little smaller than what the surface is offset by.
-double roller_contact_curvature(const DrivenMechanism& cam, const MechanismPoint& point, int side) {
-    const int index = cam.formulas->roller_radius_at(side);
-    const double roller = cam.dimensions[static_cast<std::size_t>(index)],
-                 wider = cam.formulas->surface_offset(cam.dimensions, side) - roller;
-    return (1.0 - wider * point.pitch_curvature) / (roller * point.regularity);
-}
-
-}  // namespace
 
 double hertz_pressure(const DrivenMechanism& cam, const ForceSpec& forces, const MechanismPoint& point,
                       double normal_force, int side) {

@@ -121,29 +121,6 @@ void add_caps(std::vector<std::string>& keys, const Scene& scene) {
     }
 }
 
-}  // namespace
-
-std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene, const DrivenMechanism& cam) {
-    const std::vector<SmallestCamReport> all = smallest_of_strokes(scene, cam);
-    const auto largest = std::ranges::max_element(all, {}, &SmallestCamReport::prime_radius);
-    if (largest == all.end()) return {};
-    return *largest;
-}
-
-std::vector<std::string> kept_by_no_motion(const Scene& scene) {
-    std::vector<std::string> keys;
-    if (goes_from_rest_to_rest(scene.motion)) add_caps(keys, scene);
-    const std::optional<DrivenMechanism> cam = largest_cam(scene);
-    if (!cam) return keys;
-    for (const SmallestCamReport& one : smallest_of_strokes(scene, *cam)) {
-        const bool possible = one.given >= one.prime_radius * (1.0 - clearly_below);
-        if (!possible && std::ranges::find(keys, one.key) == keys.end()) keys.push_back(one.key);
-    }
-    return keys;
-}
-
-namespace {
-
 std::optional<AnyCurveLimit> any_curve_limit_of(const Scene& scene, const Peaks& reference) {
     const ObjectiveSpec& objective = scene.objective;
     // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
@@ -170,6 +147,25 @@ std::optional<AnyCurveLimit> any_curve_limit_of(const Scene& scene, const Peaks&
 }
 
 }  // namespace
+
+std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene, const DrivenMechanism& cam) {
+    const std::vector<SmallestCamReport> all = smallest_of_strokes(scene, cam);
+    const auto largest = std::ranges::max_element(all, {}, &SmallestCamReport::prime_radius);
+    if (largest == all.end()) return {};
+    return *largest;
+}
+
+std::vector<std::string> kept_by_no_motion(const Scene& scene) {
+    std::vector<std::string> keys;
+    if (goes_from_rest_to_rest(scene.motion)) add_caps(keys, scene);
+    const std::optional<DrivenMechanism> cam = largest_cam(scene);
+    if (!cam) return keys;
+    for (const SmallestCamReport& one : smallest_of_strokes(scene, *cam)) {
+        const bool possible = one.given >= one.prime_radius * (1.0 - clearly_below);
+        if (!possible && std::ranges::find(keys, one.key) == keys.end()) keys.push_back(one.key);
+    }
+    return keys;
+}
 
 std::optional<LimitCurve> limit_curve(const Scene& scene, const Peaks& reference) {
     const std::optional<AnyCurveLimit> limit = any_curve_limit_of(scene, reference);

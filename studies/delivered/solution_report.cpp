@@ -140,6 +140,46 @@ void report_cam(Solution& solution, std::vector<double> dimensions) {
 
 constexpr double rounded_turn = 1e-9;  // of a turn: what is left of it is rounding
 
+/// The key without its unit: "limits.pressure_angle_deg" → "pressure_angle".
+std::string plain_name(const std::string& key) {
+    const char* const name = limit_name_in(key);
+    return name != nullptr ? name : key;
+}
+
+/// A limit and what was reached.
+ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst) {
+    return {plain_name(limit.key),          limit.key,  limit.given(),
+            worst.value / limit.unit_value, limit.unit, worst.at};
+}
+
+/// The side that reaches the extreme of the whole cam; empty where the limit is not of one side, or both do.
+std::string side_of(std::size_t figure, const CamExtreme& worst, const CamSummary& summary) {
+    std::string name;
+    for (const SideSummary& side : summary.sides) {
+        const std::optional<CamExtreme>& own = side.limited[figure];
+        if (!own || own->value != worst.value) continue;
+        if (!name.empty()) return {};
+        name = side.name;
+    }
+    return name;
+}
+
+/// The limits that need forces, or those that do not.
+void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, const CamSummary& summary,
+                     bool of_forces) {
+    for (const LimitRow& row : limit_rows()) {
+        const auto& limit = row.in(scene.limits);
+        if (!limit || row.needs_forces != of_forces) continue;
+        const auto figure = static_cast<std::size_t>(row.figure);
+        const std::optional<CamExtreme>& worst = summary.limited[figure];
+        if (!worst) continue;
+        all.push_back(limit_report(*limit, *worst));
+        all.back().side = side_of(figure, *worst, summary);
+        if (row.needs_contact && summary.no_contact) all.back().worst = infinity;
+        all.back().no_contact = summary.no_contact && std::isinf(all.back().worst) && !row.may_be_infinite;
+    }
+}
+
 }  // namespace
 
 SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double shift) {
@@ -228,50 +268,6 @@ MotionChain Solution::whole_turn() const {
     parts.push_back({motion->end(), turn, nullptr, 0.0, 1.0, end, 1.0});
     return MotionChain(std::move(parts));
 }
-
-namespace {
-
-/// The key without its unit: "limits.pressure_angle_deg" → "pressure_angle".
-std::string plain_name(const std::string& key) {
-    const char* const name = limit_name_in(key);
-    return name != nullptr ? name : key;
-}
-
-/// A limit and what was reached.
-ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst) {
-    return {plain_name(limit.key),          limit.key,  limit.given(),
-            worst.value / limit.unit_value, limit.unit, worst.at};
-}
-
-/// The side that reaches the extreme of the whole cam; empty where the limit is not of one side, or both do.
-std::string side_of(std::size_t figure, const CamExtreme& worst, const CamSummary& summary) {
-    std::string name;
-    for (const SideSummary& side : summary.sides) {
-        const std::optional<CamExtreme>& own = side.limited[figure];
-        if (!own || own->value != worst.value) continue;
-        if (!name.empty()) return {};
-        name = side.name;
-    }
-    return name;
-}
-
-/// The limits that need forces, or those that do not.
-void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, const CamSummary& summary,
-                     bool of_forces) {
-    for (const LimitRow& row : limit_rows()) {
-        const auto& limit = row.in(scene.limits);
-        if (!limit || row.needs_forces != of_forces) continue;
-        const auto figure = static_cast<std::size_t>(row.figure);
-        const std::optional<CamExtreme>& worst = summary.limited[figure];
-        if (!worst) continue;
-        all.push_back(limit_report(*limit, *worst));
-        all.back().side = side_of(figure, *worst, summary);
-        if (row.needs_contact && summary.no_contact) all.back().worst = infinity;
-        all.back().no_contact = summary.no_contact && std::isinf(all.back().worst) && !row.may_be_infinite;
-    }
-}
-
-}  // namespace
 
 CamReport cam_report(const Scene& scene, std::vector<double> dimensions, const Motion& motion) {
     CamReport report;

@@ -34,10 +34,6 @@ void validate(const GuideCheckInput& input) {
         if (!point.allFinite()) throw InputError("a point of the guide is not a finite number");
 }
 
-double angle_of(const Vector2d& point) {
-    return std::atan2(point.y(), point.x());
-}
-
 /// Runs over the places; `found` gives psi there from the one before, NaN where there is none.
 template <class Found>
 GuideCheckResult checked(const GuideCheckInput& input, const Found& found) {
@@ -56,18 +52,6 @@ GuideCheckResult checked(const GuideCheckInput& input, const Found& found) {
     }
     result.seconds = watch.seconds();
     return result;
-}
-
-/// Where the circle of this radius about the pivot crosses the polyline first.
-double polyline_angle(std::span<const Vector2d> points, double distance) {
-    const auto beyond = std::ranges::find_if(points, [&](const Vector2d& p) { return p.norm() >= distance; });
-    if (beyond == points.end()) return std::nan("");
-    if (beyond == points.begin()) return beyond->norm() == distance ? angle_of(*beyond) : std::nan("");
-    const Vector2d &from = *(beyond - 1), run = *beyond - from;
-    const double a = run.squaredNorm(), b = from.dot(run), c = from.squaredNorm() - distance * distance;
-    const double part =
-        -c / (b + std::sqrt(b * b - a * c));  // c <= 0: the positive root without cancellation
-    return angle_of(from + part * run);
 }
 
 /// The wall under a roller: how far the roller's centre is from it, near the contact of before.
@@ -158,11 +142,6 @@ struct DrivenGuide {
 };
 
 }  // namespace
-
-GuideCheckResult polyline_check(const GuideCheckInput& input) {
-    validate(input);
-    return checked(input, [&](double distance, double) { return polyline_angle(input.points, distance); });
-}
 
 GuideCheckResult slot_check(const GuideCheckInput& input) {
     validate(input);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The finished guide of a cam that is one, pushed by its roller: does the body swing as designed?
 //
-// Two simulations that know exported points and the roller, and no formula of the guide:
-//   polyline  the roller's centre runs along straight lines between points of the middle line;
-//   slot      a roller of radius r touches one wall, a smooth curve through the wall's points
-//   (point_curve.hpp). At
-//             each place of the roller the body is turned until the wall's nearest point is at the distance
-//             r, from the angle of the place before.
+// A simulation that knows exported points and the roller, and no formula of the guide: a roller of radius r
+// touches one wall of the slot, a smooth curve through the wall's points (point_curve.hpp). At each place of
+// the roller the body is turned until the wall's nearest point is at the distance r, from the angle of the
+// place before.
 // Lengths m, angles rad, the guide's frame (its body's, the pivot at the origin). Errors: InputError for
 // points that cannot be used.
 #pragma once
@@ -18,9 +16,9 @@
 namespace camopt {
 
 struct GuideCheckInput {
-    std::vector<Eigen::Vector2d> points;  ///< middle line or wall, by growing distance from the pivot
-    std::vector<int> breaks;              ///< slot: indices where the guide changes its formula
-    double roller_radius = 0.0;           ///< slot: > 0
+    std::vector<Eigen::Vector2d> points;              ///< of the wall, by growing distance from the pivot
+    std::vector<int> breaks;                          ///< indices where the guide changes its formula
+    double roller_radius = 0.0;                       ///< > 0
     std::function<double(double distance)> designed;  ///< psi by L
     double begin = 0.0, end = 0.0;                    ///< places of the roller that are checked, L
     int places = 400;                                 ///< so many, evenly; >= 2
@@ -33,7 +31,6 @@ struct GuideCheckResult {
     double seconds = 0.0;  ///< of wall time
 };
 
-[[nodiscard]] GuideCheckResult polyline_check(const GuideCheckInput& input);
 [[nodiscard]] GuideCheckResult slot_check(const GuideCheckInput& input);
 
 // The guide of a solved scene, pushed by its roller.

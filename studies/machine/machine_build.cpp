@@ -61,6 +61,27 @@ std::vector<ClearanceRule> clearance_rules(const MachineSpec& machine, const Mac
     return rules;
 }
 
+/// Of the motor what constant force and friction leave: the torque that holds.
+void stand_still(Scene& scene) {
+    DriveSpec& drive = *scene.drive;
+    drive.load = drive.motor_inertia = drive.viscous = 0.0;
+    LimitSpec& limits = scene.limits;
+    limits.motor_speed.reset();
+    if (!limits.motor_curve.empty()) {
+        const double most = limits.motor_curve.front()[1];
+        if (!limits.motor_torque || limits.motor_torque->value > most)
+            limits.motor_torque = WrittenLimit(most, "limits.motor_curve", 1.0, "N m");
+        limits.motor_curve.clear();
+    }
+    // Nothing is weighed at standstill, and a reference law may have no torque there.
+    scene.objective = {};
+    scene.objective.jerk = 1.0;
+}
+
+bool counts_in_time(const std::optional<SetPoint>& point) {
+    return point && (is_unit_of_time(point->units.velocity) || is_unit_of_time(point->units.acceleration));
+}
+
 }  // namespace
 
 void MachineMemory::keep(const MachineProblem& problem) {
@@ -112,27 +133,6 @@ std::vector<Scene> scenes_at(const MachineSpec& machine, double speed) {
         scenes.push_back(with_written_limits(at_speed(axis.scene, speed)));
     return scenes;
 }
-
-namespace {
-
-/// Of the motor what constant force and friction leave: the torque that holds.
-void stand_still(Scene& scene) {
-    DriveSpec& drive = *scene.drive;
-    drive.load = drive.motor_inertia = drive.viscous = 0.0;
-    LimitSpec& limits = scene.limits;
-    limits.motor_speed.reset();
-    if (!limits.motor_curve.empty()) {
-        const double most = limits.motor_curve.front()[1];
-        if (!limits.motor_torque || limits.motor_torque->value > most)
-            limits.motor_torque = WrittenLimit(most, "limits.motor_curve", 1.0, "N m");
-        limits.motor_curve.clear();
-    }
-    // Nothing is weighed at standstill, and a reference law may have no torque there.
-    scene.objective = {};
-    scene.objective.jerk = 1.0;
-}
-
-}  // namespace
 
 std::vector<Scene> scenes_at_standstill(const MachineSpec& machine) {
     std::vector<Scene> scenes = scenes_at(machine, machine.least_speed);
@@ -218,14 +218,6 @@ bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x, MachineMe
     }
     return fresh;
 }
-
-namespace {
-
-bool counts_in_time(const std::optional<SetPoint>& point) {
-    return point && (is_unit_of_time(point->units.velocity) || is_unit_of_time(point->units.acceleration));
-}
-
-}  // namespace
 
 void MachineOptions::validate() const {
     if (!(speed_gap > 0.0 && speed_gap < 1.0))

@@ -118,49 +118,6 @@ bool is_near_one(double cost) {
     return cost == 0.0 || (cost >= least_idle_cost && cost <= most_idle_cost);  // 0: nothing is weighed
 }
 
-}  // namespace
-
-CostScale::CostScale(const Scene& scene, const Peaks& reference) : scaled_(scene) {
-    const std::vector<double> figures = expected_figures(scene);
-    scale_references(figures, reference);
-    scale_weights(figures, reference);
-}
-
-/// Numbers far from the figures, and laws where these are far from those of any law.
-void CostScale::scale_references(const std::vector<double>& figures, const Peaks& reference) {
-    for (std::size_t i = 0; i < figures.size(); ++i) {
-        const CostTerm& term = cost_terms()[i];
-        std::optional<double>& number = scaled_.objective.reference.*term.reference;
-        const bool by_law = !number && (term.limit != nullptr || term.weight_in(scaled_.objective) > 0.0);
-        if (!number && !by_law) continue;
-        const double of_law = term.measured.of(reference);
-        const double known = number.value_or(std::isfinite(of_law) && of_law > 0.0 ? of_law : term.typical);
-        const double exponent = std::round(std::log2(known / figures[i]));
-        if (std::abs(exponent) <= idle_reference_exponent) continue;
-        number = known / power_of_two(exponent);
-        scaled_.objective.*term.weight /= power_of_two(exponent);
-        idle_ = false;
-    }
-}
-
-bool CostScale::are_near_one(const Scene& scene, const Peaks& reference) {
-    return is_near_one(expected_cost(scene, expected_figures(scene), reference));
-}
-
-void CostScale::scale_weights(const std::vector<double>& figures, const Peaks& reference) {
-    const double cost = expected_cost(scaled_, figures, reference);
-    if (is_near_one(cost)) return;
-    idle_ = false;
-    factor_ =
-        power_of_two(cost < 1.0 ? std::ceil(std::log2(cost)) : std::floor(std::log2(cost / large_cost)));
-    for (const CostTerm& term : cost_terms()) scaled_.objective.*term.weight /= factor_;
-    for (const ResponseTerm& term : response_terms()) scaled_.objective.*term.weight /= factor_;
-    for (double& weight : scaled_.objective.dimensions) weight /= factor_;
-    for (OwnTerm& term : scaled_.own_terms) term.weight /= factor_;
-}
-
-namespace {
-
 void scale_proof(DualityProof& proof, double factor) {
     if (proof.statement != "objective") return;
     proof.cost *= factor;
@@ -213,6 +170,45 @@ std::shared_ptr<const BoxProof> scaled_box_proof(const BoxProof& given, double f
 }
 
 }  // namespace
+
+CostScale::CostScale(const Scene& scene, const Peaks& reference) : scaled_(scene) {
+    const std::vector<double> figures = expected_figures(scene);
+    scale_references(figures, reference);
+    scale_weights(figures, reference);
+}
+
+/// Numbers far from the figures, and laws where these are far from those of any law.
+void CostScale::scale_references(const std::vector<double>& figures, const Peaks& reference) {
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const CostTerm& term = cost_terms()[i];
+        std::optional<double>& number = scaled_.objective.reference.*term.reference;
+        const bool by_law = !number && (term.limit != nullptr || term.weight_in(scaled_.objective) > 0.0);
+        if (!number && !by_law) continue;
+        const double of_law = term.measured.of(reference);
+        const double known = number.value_or(std::isfinite(of_law) && of_law > 0.0 ? of_law : term.typical);
+        const double exponent = std::round(std::log2(known / figures[i]));
+        if (std::abs(exponent) <= idle_reference_exponent) continue;
+        number = known / power_of_two(exponent);
+        scaled_.objective.*term.weight /= power_of_two(exponent);
+        idle_ = false;
+    }
+}
+
+bool CostScale::are_near_one(const Scene& scene, const Peaks& reference) {
+    return is_near_one(expected_cost(scene, expected_figures(scene), reference));
+}
+
+void CostScale::scale_weights(const std::vector<double>& figures, const Peaks& reference) {
+    const double cost = expected_cost(scaled_, figures, reference);
+    if (is_near_one(cost)) return;
+    idle_ = false;
+    factor_ =
+        power_of_two(cost < 1.0 ? std::ceil(std::log2(cost)) : std::floor(std::log2(cost / large_cost)));
+    for (const CostTerm& term : cost_terms()) scaled_.objective.*term.weight /= factor_;
+    for (const ResponseTerm& term : response_terms()) scaled_.objective.*term.weight /= factor_;
+    for (double& weight : scaled_.objective.dimensions) weight /= factor_;
+    for (OwnTerm& term : scaled_.own_terms) term.weight /= factor_;
+}
 
 void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& reference) const {
     solution.scene = scene;

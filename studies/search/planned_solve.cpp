@@ -114,6 +114,48 @@ void report_result(Solution& solution, const CamProblem& problem, ContinuousResu
     solution.phases.report = watch.seconds();
 }
 
+Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSolutions* known,
+                         const PlanOptions& options) {
+    std::optional<MeasuredReport> measured;
+    if (scene.measured) measured = measured_report(scene, reference_peaks(scene));
+    Solution solution = solve_planned(scene, timed, known, options);
+    if (measured) {
+        measured->started = began_from_measured(solution);
+        solution.measured = std::move(measured);
+    }
+    const Stopwatch watch;
+    if (!options.look) audit_delivered(solution);
+    solution.family.reset();
+    solution.phases.report += watch.seconds();
+    return solution;
+}
+
+/// Where conditions nearly contradict, the smoothest of the optima may be one that doubles do not hold though
+/// they hold the first that was found: that one is delivered then.
+std::optional<Solution> without_tie_break(const Scene& scene, const Solution& solution,
+                                          const SolveControl& timed, bool explain) {
+    const bool held = !is_no_motion(solution.certificate.reason);
+    if (held || scene.objective.tie_break == TieBreak::none || timed.ending()) return std::nullopt;
+    Scene plain = scene;
+    plain.objective.tie_break = TieBreak::none;
+    Solution first = solve_and_audit(plain, timed, nullptr, {.explain = explain});
+    if (!first.motion || first.certificate.verdict == Verdict::failed) return std::nullopt;
+    first.scene.objective.tie_break = scene.objective.tie_break;
+    first.notes.emplace_back(
+        "no tie-break: double precision cannot represent the smoothest of the optima; this is another "
+        "optimum");
+    return first;
+}
+
+/// What the clock ended depends on the machine: that must be told.
+void note_time_limit(Solution& solution) {
+    const std::string note = fmt::format(
+        "the time (solver.max_seconds = {:g}) ran out: the result depends on the machine, "
+        "and more time may change the result",
+        solution.scene.solver.max_seconds);
+    if (std::ranges::find(solution.notes, note) == solution.notes.end()) solution.notes.push_back(note);
+}
+
 }  // namespace
 
 Solution solve_motion(const PlannedRun& run) {
@@ -189,52 +231,6 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     solution.phases.setup += seconds_posed;
     return solution;
 }
-
-namespace {
-
-Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSolutions* known,
-                         const PlanOptions& options) {
-    std::optional<MeasuredReport> measured;
-    if (scene.measured) measured = measured_report(scene, reference_peaks(scene));
-    Solution solution = solve_planned(scene, timed, known, options);
-    if (measured) {
-        measured->started = began_from_measured(solution);
-        solution.measured = std::move(measured);
-    }
-    const Stopwatch watch;
-    if (!options.look) audit_delivered(solution);
-    solution.family.reset();
-    solution.phases.report += watch.seconds();
-    return solution;
-}
-
-/// Where conditions nearly contradict, the smoothest of the optima may be one that doubles do not hold though
-/// they hold the first that was found: that one is delivered then.
-std::optional<Solution> without_tie_break(const Scene& scene, const Solution& solution,
-                                          const SolveControl& timed, bool explain) {
-    const bool held = !is_no_motion(solution.certificate.reason);
-    if (held || scene.objective.tie_break == TieBreak::none || timed.ending()) return std::nullopt;
-    Scene plain = scene;
-    plain.objective.tie_break = TieBreak::none;
-    Solution first = solve_and_audit(plain, timed, nullptr, {.explain = explain});
-    if (!first.motion || first.certificate.verdict == Verdict::failed) return std::nullopt;
-    first.scene.objective.tie_break = scene.objective.tie_break;
-    first.notes.emplace_back(
-        "no tie-break: double precision cannot represent the smoothest of the optima; this is another "
-        "optimum");
-    return first;
-}
-
-/// What the clock ended depends on the machine: that must be told.
-void note_time_limit(Solution& solution) {
-    const std::string note = fmt::format(
-        "the time (solver.max_seconds = {:g}) ran out: the result depends on the machine, "
-        "and more time may change the result",
-        solution.scene.solver.max_seconds);
-    if (std::ranges::find(solution.notes, note) == solution.notes.end()) solution.notes.push_back(note);
-}
-
-}  // namespace
 
 Solution solve_without_explaining(const Scene& given, const SolveControl& control, KnownSolutions* known,
                                   const PlanOptions& options) {

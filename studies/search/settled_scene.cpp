@@ -59,54 +59,6 @@ std::string list_of(const ConditionConflict& conflict) {
     return fmt::format("{}", fmt::join(conflict.others, "; "));
 }
 
-}  // namespace
-
-void report_redundant(Solution& solution, const MotionFamily& family) {
-    for (const ConditionConflict& conflict : family.redundant())
-        solution.notes.push_back(conflict.condition + " follows from the other conditions" +
-                                 (conflict.others.empty() ? "" : ": " + list_of(conflict)));
-}
-
-void report_contradictions(Solution& solution, const MotionFamily& family) {
-    int run = 0;
-    while (family.run(run).contradictions().empty()) ++run;
-    const DesignVector& design = family.run(run);
-    solution.certificate.verdict = Verdict::infeasible;
-    solution.certificate.reason = Reason::conditions_contradict;
-    solution.certificate.proof =
-        contradiction_proof(design.contradictions().front(), design.space().dimension());
-    solution.certificate.proof_kind = ProofKind::duality;
-    // Conditions that no spline can meet together are not a matter of freedom.
-    const bool freedom =
-        scene_family(with_segments(solution.scene, plenty_of(segments_of(solution.scene.spline))),
-                     DesignKind::states)
-            .contradictions()
-            .empty();
-    for (const ConditionConflict& conflict : design.contradictions()) {
-        std::string note =
-            conflict.others.empty() && !freedom
-                ? fmt::format(
-                      "{} contradicts the conditions at the ends of the motion, at its top or where its "
-                      "segments join; more segments were tried without success: change it",
-                      conflict.condition)
-            : conflict.others.empty()
-                ? fmt::format(
-                      "degree {} with {} segments leaves too little freedom to meet the conditions at both "
-                      "ends: give the spline more segments",
-                      design.space().degree(), design.space().segments())
-                : fmt::format("{} contradicts {}; {}", conflict.condition, list_of(conflict),
-                              freedom
-                                  ? "the spline has too little freedom to meet all of them: change one, or "
-                                    "give it more segments"
-                                  : "more segments were tried and do not help: change one");
-        // A region is several conditions with one name.
-        if (std::ranges::find(solution.notes, note) == solution.notes.end())
-            solution.notes.push_back(std::move(note));
-    }
-}
-
-namespace {
-
 bool speaks_of_rest(const PlacedRule& rule) {
     return rule->limit() && rule->parameters().empty() && rule->highest_order() <= 1 && rule.stretch == -1 &&
            rule->curvature(-infinity, infinity) == Curvature::general;
@@ -115,25 +67,6 @@ bool speaks_of_rest(const PlacedRule& rule) {
 bool holds_at(const PointRule& rule, double x) {
     return rule.places().empty() || std::ranges::binary_search(rule.places(), x);
 }
-
-}  // namespace
-
-std::optional<RestConflict> rest_conflict(const CamModel& model, double tolerance) {
-    std::optional<RestConflict> worst;
-    for (const PlacedRule& rule : model.rules) {
-        if (!speaks_of_rest(rule)) continue;
-        for (const KnownPoint& known : model.known_points) {
-            if (!known.at_rest || !holds_at(*rule, known.x)) continue;
-            const double value = rule->evaluate({known.x, {known.y, 0.0, 0.0, 0.0}}, {}).value;
-            const double violation = value / rule->scale();
-            if (violation > tolerance && (!worst || violation > worst->violation))
-                worst = RestConflict{rule->name(), known, violation};
-        }
-    }
-    return worst;
-}
-
-namespace {
 
 /// The common violation t is at least that at the place of rest: a problem of one row.
 DualityProof proof_of(const RestConflict& conflict) {
@@ -184,6 +117,65 @@ std::optional<RestConflict> impulse_conflict(const Scene& scene, const MotionFam
 }
 
 }  // namespace
+
+void report_redundant(Solution& solution, const MotionFamily& family) {
+    for (const ConditionConflict& conflict : family.redundant())
+        solution.notes.push_back(conflict.condition + " follows from the other conditions" +
+                                 (conflict.others.empty() ? "" : ": " + list_of(conflict)));
+}
+
+void report_contradictions(Solution& solution, const MotionFamily& family) {
+    int run = 0;
+    while (family.run(run).contradictions().empty()) ++run;
+    const DesignVector& design = family.run(run);
+    solution.certificate.verdict = Verdict::infeasible;
+    solution.certificate.reason = Reason::conditions_contradict;
+    solution.certificate.proof =
+        contradiction_proof(design.contradictions().front(), design.space().dimension());
+    solution.certificate.proof_kind = ProofKind::duality;
+    // Conditions that no spline can meet together are not a matter of freedom.
+    const bool freedom =
+        scene_family(with_segments(solution.scene, plenty_of(segments_of(solution.scene.spline))),
+                     DesignKind::states)
+            .contradictions()
+            .empty();
+    for (const ConditionConflict& conflict : design.contradictions()) {
+        std::string note =
+            conflict.others.empty() && !freedom
+                ? fmt::format(
+                      "{} contradicts the conditions at the ends of the motion, at its top or where its "
+                      "segments join; more segments were tried without success: change it",
+                      conflict.condition)
+            : conflict.others.empty()
+                ? fmt::format(
+                      "degree {} with {} segments leaves too little freedom to meet the conditions at both "
+                      "ends: give the spline more segments",
+                      design.space().degree(), design.space().segments())
+                : fmt::format("{} contradicts {}; {}", conflict.condition, list_of(conflict),
+                              freedom
+                                  ? "the spline has too little freedom to meet all of them: change one, or "
+                                    "give it more segments"
+                                  : "more segments were tried and do not help: change one");
+        // A region is several conditions with one name.
+        if (std::ranges::find(solution.notes, note) == solution.notes.end())
+            solution.notes.push_back(std::move(note));
+    }
+}
+
+std::optional<RestConflict> rest_conflict(const CamModel& model, double tolerance) {
+    std::optional<RestConflict> worst;
+    for (const PlacedRule& rule : model.rules) {
+        if (!speaks_of_rest(rule)) continue;
+        for (const KnownPoint& known : model.known_points) {
+            if (!known.at_rest || !holds_at(*rule, known.x)) continue;
+            const double value = rule->evaluate({known.x, {known.y, 0.0, 0.0, 0.0}}, {}).value;
+            const double violation = value / rule->scale();
+            if (violation > tolerance && (!worst || violation > worst->violation))
+                worst = RestConflict{rule->name(), known, violation};
+        }
+    }
+    return worst;
+}
 
 bool settle_prescribed(Solution& solution, CamModel& model) {
     const MotionChain motion = model.design.motion(Eigen::VectorXd());

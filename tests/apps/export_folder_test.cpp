@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"program", "cam_laws_and_splines", quick, " --csv --stl"},
         {"remote", "tappet_75", quick, " --csv --dxf --picture"},
         {"barrel", "barrel_paper_cup", quick, " --csv --stl --nc"},
-        {"cylinder_slide", "cylinder_slide", quick, " --csv --stl --obj"},
+        {"cylinder_slide", "cylinder_slide", quick, " --csv --stl"},
         {"cylinder_turn", "ocrf_indexing", quick, " --csv --stl --picture --sections 5 --points 90"},
         {"inverse", "inverse_feeder", quick, " --csv --dxf --picture"},
     }),
@@ -101,7 +101,6 @@ TEST(ExportOfAFolder, RefusesUnusableFolders) {
     refused(result + out + " --set motion.lift_mm=2", "found with a result folder");
     refused(result + out + " --solver structured", "--solver: found with a result folder");
     ASSERT_EQ(run_camopt("solve " + test::scene("cam_drdrd") + quick + " --out " + result).exit_code, 0);
-    refused(result + out + " --obj", "of a cam of type \"disk\" export writes --csv, --dxf, --drawing");
 }
 
 }  // namespace export_folder_test

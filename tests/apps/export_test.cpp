@@ -24,13 +24,13 @@ TEST(ExportCommand, WritesCamAndCheckedProgram) {
     const std::string out = " --out " + folder.path();
     const ProgramRun run =
         run_camopt("export " + test::scene("ocrf_indexing") + out + quick +
-                   " --csv --stl --obj --picture --nc --full-depth --cutter-mm 10 --z-offset-mm 120");
+                   " --csv --stl --picture --nc --full-depth --cutter-mm 10 --z-offset-mm 120");
     EXPECT_NE(run.output.find("WARNING            the first pass cuts a slot"), std::string::npos)
         << run.output;
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_NE(run.output.find("every block is correct"), std::string::npos) << run.output;
     for (const char* const name :
-         {"flanks.csv", "groove.stl", "cam.stl", "cam.obj", "cam.svg", "cam.nc", "cam_nc_check.txt"})
+         {"flanks.csv", "groove.stl", "cam.stl", "cam.svg", "cam.nc", "cam_nc_check.txt"})
         EXPECT_TRUE(std::filesystem::exists(folder.path() + "/" + name)) << name;
     EXPECT_FALSE(std::filesystem::exists(folder.path() + "/flanks.step"));
     const std::string program = read_text_file(folder.path() + "/cam.nc");
@@ -139,8 +139,6 @@ TEST(ExportCommand, RefusesWhatItCannotExport) {
     refused(barrel + out + " --csv --digits 30", "17");
     refused(test::scene("drd_cubic_12") + out + " --csv --columns v_mm_s", "needs motion.speed_rpm");
     refused(test::scene("drd_cubic_12") + out + " --plc codesis", "did you mean 'codesys'?");
-    refused(test::scene("cam_drdrd") + out + " --obj",
-            "of a cam of type \"disk\" export writes --csv, --dxf, --drawing");
     refused(test::scene("cam_smallest") + out + " --nc", "no return is given");
     refused(barrel + " --nc", "--out");
     refused(barrel + out + " --cutter-mm 10", "--nc");

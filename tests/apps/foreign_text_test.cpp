@@ -75,10 +75,9 @@ TEST(ForeignText, TitleIsEscaped) {
 
 TEST(ForeignText, TitlesInExportsAreEscaped) {
     const test::TemporaryFolder folder;
-    expect_tame(
-        "export " + test::scene("barrel_paper_cup") + set_title + " --out " + folder.path() +
-            " --set spline.segments=8 --set solver.starts=1 --stl --obj --picture --nc --chord-mm 0.05",
-        0);
+    expect_tame("export " + test::scene("barrel_paper_cup") + set_title + " --out " + folder.path() +
+                    " --set spline.segments=8 --set solver.starts=1 --stl --picture --nc --chord-mm 0.05",
+                0);
     expect_tame("compare " + test::scene("drd_cubic_12") + set_title + " --out " + folder.path(), 0);
     expect_tame("solve --json " + test::scene("drd_cubic_12") + set_title, 0);
     expect_tame("check " + test::scene("drd_cubic_12") + set_title, 0);

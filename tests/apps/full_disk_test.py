@@ -58,7 +58,7 @@ WRITING = [
     ("inspect", SOLVED, SOLVED / "motion.csv", "--out"),
     ("table", "spline-vs-modified-sine", "--out"),
     ("export", SOLVED, "--csv", "--dxf", "--drawing", "svg", "--stl", "--picture", "--plc", "csv", "--nc", "--out"),
-    ("export", DRUM, "--csv", "--stl", "--obj", "--picture", "--nc", "--out"),
+    ("export", DRUM, "--csv", "--stl", "--picture", "--nc", "--out"),
     ("sweep", DRD, "--weights", "simplex:3", "--out"),
     ("sweep", DRD, "--pareto", "velocity,acceleration", "--points", "3", "--out"),
     ("sweep", DRD, "--surface", "0.1", "--out"),

@@ -43,6 +43,17 @@ Scene read(const std::string& text, const std::string& source, std::vector<std::
     }
 }
 
+/// What stands before the separator, and no longer in `rest`.
+std::string_view taken(std::string_view& rest, char separator) {
+    const std::size_t end = rest.find(separator);
+    const std::string_view part = rest.substr(0, end);
+    rest = end == std::string_view::npos ? "" : rest.substr(end + 1);
+    return part;
+}
+
+// Taking the interpreter's lock from another busy thread costs up to 5 ms; people do not feel 20.
+constexpr std::chrono::milliseconds between_looks{20};
+
 }  // namespace
 
 ReadScene::ReadScene(std::string toml, std::string source_name, std::vector<std::string> all_settings,
@@ -68,18 +79,6 @@ RunOrigin ReadScene::origin() const {
     return {source, "", complete ? toml() : ""};
 }
 
-namespace {
-
-/// What stands before the separator, and no longer in `rest`.
-std::string_view taken(std::string_view& rest, char separator) {
-    const std::size_t end = rest.find(separator);
-    const std::string_view part = rest.substr(0, end);
-    rest = end == std::string_view::npos ? "" : rest.substr(end + 1);
-    return part;
-}
-
-}  // namespace
-
 pybind11::dict columns_of_csv(std::string_view csv, double empty) {
     std::vector<std::string> names;
     std::string_view head = taken(csv, '\n');
@@ -100,13 +99,6 @@ pybind11::dict columns_of_csv(std::string_view csv, double empty) {
             pybind11::array_t<double>(static_cast<pybind11::ssize_t>(columns[i].size()), columns[i].data());
     return table;
 }
-
-namespace {
-
-// Taking the interpreter's lock from another busy thread costs up to 5 ms; people do not feel 20.
-constexpr std::chrono::milliseconds between_looks{20};
-
-}  // namespace
 
 SolveControl Watch::control() {
     SolveControl control;

@@ -55,6 +55,30 @@ class Sequence {
     KnownSolutions known_;
 };
 
+struct ComparedScene {
+    Comparison comparison;
+    RunOrigin origin;
+    py::object given = py::none();
+};
+
+ComparedScene compared(const ReadScene& given, py::object progress) {
+    Watch watch(std::move(progress));
+    ComparedScene result;
+    result.origin = given.origin();
+    result.given = py::cast(given);
+    {
+        const py::gil_scoped_release others_run;
+        result.comparison = compare(given.scene, watch.control());
+        watch.look_for_signals();
+    }
+    watch.raise_what_came("comparison", py::cast(result));
+    return result;
+}
+
+SolvedScene optimum(const ComparedScene& compared) {
+    return {std::make_shared<const Solution>(compared.comparison.optimum), compared.origin, compared.given};
+}
+
 }  // namespace
 
 ReadScene read_of(std::string text, std::string source, std::vector<std::string> settings,
@@ -141,34 +165,6 @@ void add_scenes(py::module_& module) {
 }
 
 // The classical laws beside the optimum, in Python.
-
-namespace {
-
-struct ComparedScene {
-    Comparison comparison;
-    RunOrigin origin;
-    py::object given = py::none();
-};
-
-ComparedScene compared(const ReadScene& given, py::object progress) {
-    Watch watch(std::move(progress));
-    ComparedScene result;
-    result.origin = given.origin();
-    result.given = py::cast(given);
-    {
-        const py::gil_scoped_release others_run;
-        result.comparison = compare(given.scene, watch.control());
-        watch.look_for_signals();
-    }
-    watch.raise_what_came("comparison", py::cast(result));
-    return result;
-}
-
-SolvedScene optimum(const ComparedScene& compared) {
-    return {std::make_shared<const Solution>(compared.comparison.optimum), compared.origin, compared.given};
-}
-
-}  // namespace
 
 void add_comparisons(py::module_& module) {
     py::class_<ComparisonRow>(module, "ComparisonRow", "One law on the scene, or the optimum (an empty key).")

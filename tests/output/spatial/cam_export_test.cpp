@@ -33,11 +33,11 @@ TEST(CamExport, WritesRequestedFiles) {
     const std::filesystem::path folder = temporary.path();
     CamExportOptions options;
     EXPECT_TRUE(write_cam_files(folder, test::barrel_cam(), test::barrel_motion(), options).empty());
-    options.csv = options.stl = options.obj = options.picture = true;
+    options.csv = options.stl = options.picture = true;
     EXPECT_EQ(names(write_cam_files(folder, test::barrel_cam(), test::barrel_motion(), options)),
-              (std::set<std::string>{"flanks.csv", "groove.stl", "cam.stl", "cam.obj", "cam.svg"}));
+              (std::set<std::string>{"flanks.csv", "groove.stl", "cam.stl", "cam.svg"}));
     EXPECT_EQ(names(write_cam_files(folder, test::translating_cam(), test::translating_motion(), options)),
-              (std::set<std::string>{"flanks.csv", "groove.stl", "cam.obj", "cam.svg"}));
+              (std::set<std::string>{"flanks.csv", "groove.stl", "cam.svg"}));
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         EXPECT_NE(entry.path().extension(), ".tmp");
     options = {};

@@ -103,14 +103,6 @@ TEST(MeshFiles, BinaryStl) {
     EXPECT_EQ(refusal([&] { (void)stl_bytes({}, "nothing"); }), "STL: the mesh has no triangles");
 }
 
-TEST(MeshFiles, Obj) {
-    const TriangleMesh triangle{{{0, 0, 0}, {0.001, 0, 0}, {0, 0.0025, 0}}, {{0, 1, 2}}};
-    EXPECT_EQ(obj_text(std::vector<NamedMesh>{{"one part", triangle}, {"two", triangle}}, "sample"),
-              "# sample\n# lengths in mm\no one_part\nv 0.000000 0.000000 0.000000\nv 1.000000 0.000000 "
-              "0.000000\nv 0.000000 2.500000 0.000000\nf 1 2 3\no two\nv 0.000000 0.000000 0.000000\nv "
-              "1.000000 0.000000 0.000000\nv 0.000000 2.500000 0.000000\nf 4 5 6\n");
-}
-
 TEST(MeshSvg, OutputIsIndependentOfRounding) {
     std::vector<Section> sections;
     for (int k = 0; k < 24; ++k) {

@@ -60,7 +60,9 @@ TEST_P(Tappet, LargestPressureAngleAtTheRollerCentre) {
 
 TEST_P(Tappet, LargestPressureAngleAtTheContactPoint) {
     if (GetParam().contact_angle == 0) return;
-    const RemoteCam other = cam.measured_at(PressurePoint::contact_point);
+    CamSpec by_contact = spec;
+    by_contact.choices["pressure_angle_at"] = name_of(PressurePoint::contact_point);
+    const RemoteCam other(by_contact);
     const Extreme found = largest([&](double theta) { return std::abs(at(other, theta).pressure_angle); });
     EXPECT_NEAR(found.value / degree, GetParam().contact_angle, 0.0501);
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Forward simulation of a guide by its points: polylines converge as chords do, a slot's wall leads the
 // roller far below 1e-6 rad, a wrong wall is found out.
-#include "studies/inverse/inverse_forward.hpp"
-
 #include "benchmarks/papers/guide.hpp"
+#include "benchmarks/papers/polyline_check.hpp"
 #include "core/errors.hpp"
 #include "profiles/inverse/reference_machine.hpp"
 #include "tests/support/refusal.hpp"
@@ -74,7 +73,7 @@ TEST(InverseForward, SlotWallLeadsTheRoller) {
 TEST(InverseForward, RefusesWhatCannotBeChecked) {
     const Guide guide = make_g1_guide(test::forward_dimensions());
     GuideCheckInput input = input_for(guide);
-    EXPECT_EQ(refusal([&] { (void)polyline_check(input); }),
+    EXPECT_EQ(refusal([&] { (void)slot_check(input); }),
               "0 points of the guide were given; it needs at least 3");
     input.points = guide_points(guide, 100).points;
     EXPECT_EQ(refusal([&] { (void)slot_check(input); }),

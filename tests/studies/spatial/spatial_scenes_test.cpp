@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Optimised scenes with barrel and cylindrical cams, rebuilt from the delivered motion alone: pressure angle
 // by the short formulas of each mechanism, undercut by the distance of the flank from the roller's sweep.
+#include "benchmarks/papers/spatial_methods.hpp"
 #include "input/loading/load_scene.hpp"
-#include "profiles/spatial/spatial_analysis.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/solve/solve.hpp"

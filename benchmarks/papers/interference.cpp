@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/papers/spatial_methods.hpp"
 #include "core/errors.hpp"
 #include "core/numbers/extremum.hpp"
-#include "profiles/spatial/spatial_analysis.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
