@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Required: Eigen for everything, fmt for messages, toml++ for input/, nlohmann-json for output/, CLI11 for apps/.
 # Optional ones become the variables CAMOPT_HAVE_IPOPT, CAMOPT_HAVE_NLOPT, CAMOPT_HAVE_SPQR,
-# CAMOPT_HAVE_SUITESPARSE, CAMOPT_HAVE_OPENCASCADE, CAMOPT_HAVE_CAIRO, CAMOPT_HAVE_HTTPLIB,
-# CAMOPT_HAVE_MPI and imported targets.
+# CAMOPT_HAVE_SUITESPARSE, CAMOPT_HAVE_OPENCASCADE, CAMOPT_HAVE_CAIRO, CAMOPT_HAVE_HTTPLIB and imported targets.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
 find_package(tomlplusplus REQUIRED)
@@ -48,7 +47,6 @@ camopt_optional(OPENCASCADE CamoptOpenCascade camopt_opencascade_package)
 camopt_optional(CAIRO CamoptCairo camopt_cairo_package)
 if(CAMOPT_BUILD_APPS)
   camopt_optional(HTTPLIB CamoptHttplib camopt_httplib_package)
-  camopt_optional(MPI CamoptMPI camopt_mpi_package)
 endif()
 
 # What core/version.cpp says of a binary, in a line.

@@ -131,9 +131,6 @@ install(FILES cmake/FindCamoptIpopt.cmake cmake/CamoptPkgConfigPart.cmake cmake/
 
 if(TARGET camopt)
   install(TARGETS camopt RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  if(TARGET camopt_mpi)
-    install(TARGETS camopt_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/camopt)
-  endif()
   if(TARGET camopt_manual)
     install(FILES ${PROJECT_BINARY_DIR}/apps/camopt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   endif()

@@ -24,7 +24,7 @@ option(CAMOPT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 option(CAMOPT_GPL "Use libraries under the GPL (SuiteSparseQR, CHOLMOD) where they are found" ON)
 
 # AUTO takes a library where it is found, ON insists, OFF leaves it out.
-foreach(backend IPOPT NLOPT SPQR SUITESPARSE OPENCASCADE CAIRO HTTPLIB MPI)
+foreach(backend IPOPT NLOPT SPQR SUITESPARSE OPENCASCADE CAIRO HTTPLIB)
   set(CAMOPT_WITH_${backend} AUTO CACHE STRING "Use ${backend}: AUTO, ON or OFF")
   set_property(CACHE CAMOPT_WITH_${backend} PROPERTY STRINGS AUTO ON OFF)
 endforeach()

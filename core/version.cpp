@@ -17,7 +17,6 @@ constexpr bool has_suitesparse = CAMOPT_BUILT_WITH_SUITESPARSE;
 constexpr bool has_opencascade = CAMOPT_BUILT_WITH_OPENCASCADE;
 constexpr bool has_cairo = CAMOPT_BUILT_WITH_CAIRO;
 constexpr bool has_httplib = CAMOPT_BUILT_WITH_HTTPLIB;
-constexpr bool has_mpi = CAMOPT_BUILT_WITH_MPI;
 
 }  // namespace
 
@@ -46,7 +45,6 @@ std::vector<LicensedPart> licensed_parts() {
         parts.push_back(
             {"OpenSSL, Brotli and zlib", "Apache-2.0, MIT, Zlib", "what cpp-httplib is linked to"});
     }
-    if (has_mpi) parts.push_back({"Open MPI", "BSD-3-Clause", "sweeps under mpirun; loaded only there"});
     return parts;
 }
 

@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
 #include <thread>
 
 namespace camopt::apps {
@@ -143,12 +142,21 @@ ExitCode pareto_run(const SweepRequest& request) {
 
 // camopt sweep: many solves of one scene, by worker processes, into a folder that can be continued.
 
+SweepParts::SweepParts(const std::vector<std::string>& paths)
+    : parts_(open_parts(paths)), owners_(owners(parts_)) {
+    for (const auto& [chunk, part] : owners_) (void)part->read_chunk(chunk);
+}
+
+void SweepParts::write_to(const SweepFolder& whole) const {
+    for (const auto& [chunk, part] : owners_) whole.write_chunk_text(chunk, part->chunk_text(chunk));
+}
+
 ExitCode sweep_command(const SweepRequest& request) {
     if (request.out.empty())
         throw InputError("--out is missing: camopt sweep SCENE --out DIR; see camopt sweep --help");
     if (const RankLaunch launch = rank_launch(); launch.size > 1) return sweep_across_ranks(request, launch);
     SweepJob job(request);
-    WorkFolder work(request, job);
+    WorkFolder work(request, checked_sweep(request, job));
     const InterruptWatch watch(InterruptWatch::Signals::termination_too);
     const PoolOutcome outcome =
         solve_missing_chunks(work.folder(), job, worker_count(request), [&] { work.leave_to_parent(); });
@@ -158,11 +166,9 @@ ExitCode sweep_command(const SweepRequest& request) {
 
 ExitCode sweep_merge_command(const SweepMergeRequest& request) {
     if (request.out.empty()) throw InputError("--out is missing: camopt sweep merge DIR1 DIR2 … --out DIR");
-    const std::vector<SweepFolder> parts = open_parts(request.parts);
-    const std::map<int, const SweepFolder*> owner = owners(parts);
-    for (const auto& [chunk, part] : owner) (void)part->read_chunk(chunk);  // before anything is written
-    const SweepFolder whole = SweepFolder::create(request.out, {parts.front().identity(), {}});
-    for (const auto& [chunk, part] : owner) whole.write_chunk_text(chunk, part->chunk_text(chunk));
+    const SweepParts parts(request.parts);  // before anything is written
+    const SweepFolder whole = SweepFolder::create(request.out, {parts.identity(), {}});
+    parts.write_to(whole);
     return finish_sweep(whole);
 }
 

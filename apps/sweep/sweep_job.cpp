@@ -45,12 +45,6 @@ SweepFolder folder_for(const SweepRequest& request, const StoredSweep& sweep) {
     return folder;
 }
 
-StoredSweep checked_sweep(const SweepRequest& request, SweepJob& job) {
-    const SweepColumns columns = job.check();
-    const Chunking chunking{job.plan().rows(), request.chunk.value_or(job.chunk_size())};
-    return {job.identity(columns, chunking), sweep_shard(request)};
-}
-
 void write_lost_chunk(const SweepFolder& folder, const SweepPlan& plan, int chunk,
                       const std::string& reason) {
     const RowRange range = folder.identity().chunking.range(chunk);
@@ -217,8 +211,14 @@ std::function<void(int row, const Solution&)> SweepJob::keeper(const SweepFolder
     };
 }
 
-WorkFolder::WorkFolder(const SweepRequest& request, SweepJob& job)
-    : folder_(folder_for(request, checked_sweep(request, job))), lock_(folder_.path()) {
+StoredSweep checked_sweep(const SweepRequest& request, SweepJob& job) {
+    const SweepColumns columns = job.check();
+    const Chunking chunking{job.plan().rows(), request.chunk.value_or(job.chunk_size())};
+    return {job.identity(columns, chunking), sweep_shard(request)};
+}
+
+WorkFolder::WorkFolder(const SweepRequest& request, const StoredSweep& sweep)
+    : folder_(folder_for(request, sweep)), lock_(folder_.path()) {
     if (const int damaged = folder_.remove_leftovers(); damaged > 0)
         print_error(fmt::format("camopt: {} chunk(s) in {} were damaged and are solved again\n", damaged,
                                 request.out));

@@ -4,7 +4,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
-#include "apps/sweep/message_passing.hpp"
+#include "apps/sweep/rank_launch.hpp"
 #include "apps/sweep/worker_pool.hpp"
 #include "output/json/sweep_json.hpp"
 #include "output/report/sweep_folder.hpp"
@@ -12,6 +12,7 @@
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <filesystem>
+#include <map>
 
 namespace camopt::apps {
 
@@ -66,11 +67,14 @@ class SweepJob {
     SweepScenes scenes_;  ///< unless it is a machine
 };
 
+/// What the folder of --out is to hold; every row is checked. Throws InputError.
+[[nodiscard]] StoredSweep checked_sweep(const SweepRequest& request, SweepJob& job);
+
 /// The folder of --out, held against other programs: a new one, or with --resume the one that holds this very
-/// sweep; what a killed run left is gone. Every row is checked before. The constructor throws InputError.
+/// sweep; what a killed run left is gone. The constructor throws InputError.
 class WorkFolder {
  public:
-    WorkFolder(const SweepRequest& request, SweepJob& job);
+    WorkFolder(const SweepRequest& request, const StoredSweep& sweep);
 
     [[nodiscard]] const SweepFolder& folder() const { return folder_; }
     /// In a forked child.
@@ -117,12 +121,28 @@ class WorkFolder {
 [[nodiscard]] ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene = nullptr,
                                     std::string_view units = {});
 
-// camopt sweep under mpirun: one sweep by all ranks, into one folder that they share.
+// The shards of one sweep joined.
 
-/// Rank 0 checks the rows, makes the folder, hands out the missing chunks one by one to the rank or worker
-/// that is free, and writes the table; every rank solves with --workers workers, 1 where it is not said, and
-/// writes what it finished. What the other ranks return is success. Throws InputError as a sweep without MPI
-/// does, from rank 0.
+class SweepParts {
+ public:
+    /// Reads every chunk. Throws InputError where they are not all parts of one sweep, each row once.
+    explicit SweepParts(const std::vector<std::string>& paths);
+    SweepParts(const SweepParts&) = delete;
+    SweepParts& operator=(const SweepParts&) = delete;
+
+    [[nodiscard]] const SweepIdentity& identity() const { return parts_.front().identity(); }
+    void write_to(const SweepFolder& whole) const;
+
+ private:
+    std::vector<SweepFolder> parts_;
+    std::map<int, const SweepFolder*> owners_;  ///< which part holds each chunk
+};
+
+// camopt sweep under mpirun: one sweep by all ranks.
+
+/// Every rank solves one shard into a folder of its own beside --out, with --workers workers (default 1).
+/// Rank 0 then waits for the others, merges the shards into --out and prints the summary. Throws InputError;
+/// from other ranks than 0 some seconds later, since the launcher ends all ranks when the first one fails.
 [[nodiscard]] ExitCode sweep_across_ranks(const SweepRequest& request, const RankLaunch& launch);
 
 }  // namespace camopt::apps

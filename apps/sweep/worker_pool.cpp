@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/types.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
@@ -28,18 +29,68 @@ namespace {
 constexpr int patience_milliseconds = 100;  // between two looks at what is not a message
 constexpr int most_deaths = 2;              // of one unit
 
+// One worker process and the line to it.
+
+/// What a worker says.
+struct WorkerMessage {
+    enum class Kind { told, done, wrong_input, error };
+    Kind kind = Kind::told;
+    int number = 0;    ///< told, done
+    std::string text;  ///< wrong_input, error
+};
+
+/// What runs in the worker.
+struct WorkerDuty {
+    std::function<void()> begin;
+    std::function<void(int unit, const std::function<void(int)>& tell)> work;
+};
+
+/// In the worker: the next number that it was given; none: no one is there any more.
+[[nodiscard]] std::optional<int> receive_number(int line);
+/// In the worker. Ends it where no one is there any more.
+void send_message(int line, const WorkerMessage& message);
+
+class WorkerProcess {
+ public:
+    /// Forks. `not_mine`: ends of other workers' lines, which the child closes. Throws std::system_error
+    /// where the system gives no process.
+    WorkerProcess(const WorkerDuty& duty, const std::vector<int>& not_mine);
+    WorkerProcess(WorkerProcess&& other) noexcept;
+    WorkerProcess& operator=(WorkerProcess&& other) noexcept;
+    ~WorkerProcess();  ///< kills it where it still works
+
+    [[nodiscard]] int line() const { return line_; }  ///< a file descriptor to poll
+    [[nodiscard]] const std::optional<int>& unit() const { return unit_; }
+    void give(int unit);  ///< a worker that is dead already is noticed by listen()
+    void set_idle();
+
+    /// The next message; none: it died. Blocks until there is one.
+    [[nodiscard]] std::optional<WorkerMessage> listen();
+    /// Of a dead worker that had done a unit: whether it died before it took the one that it has now. (One
+    /// that has done nothing yet may be unable to begin: who gave to such for ever would never end.)
+    [[nodiscard]] bool died_before_its_unit() const { return has_served_ && unread_; }
+
+    /// Of a dead worker: "worker died: signal 11".
+    [[nodiscard]] std::string cause_of_death();
+
+ private:
+    void end() noexcept;
+
+    pid_t process_ = -1;
+    int line_ = -1;
+    std::optional<int> unit_;
+    bool has_served_ = false;  ///< it has done a unit
+    bool unread_ = false;      ///< what it was given last it never read
+};
+
 class Pool {
  public:
     explicit Pool(const PoolTask& task)
-        : task_(task),
-          duty_{task.begin_worker, task.work, {}},
-          waiting_(task.units.begin(), task.units.end()),
-          more_may_come_(task.source.has_value()) {}
+        : task_(task), duty_{task.begin_worker, task.work}, waiting_(task.units.begin(), task.units.end()) {}
 
     PoolOutcome run() {
-        while (!waiting_.empty() || busy() > 0 || more_may_come_) {
+        while (!waiting_.empty() || busy() > 0) {
             if (task_.stop_requested && task_.stop_requested()) return PoolOutcome::stopped;
-            ask_for_units();
             hire();
             hand_out();
             wait_and_listen();
@@ -60,23 +111,6 @@ class Pool {
     [[nodiscard]] long busy() const {
         return std::ranges::count_if(workers_,
                                      [](const WorkerProcess& one) { return one.unit().has_value(); });
-    }
-
-    /// One for each worker that would have nothing to do.
-    void ask_for_units() {
-        if (!more_may_come_) return;
-        const long enough = task_.workers - busy() - static_cast<long>(waiting_.size());
-        for (; asked_ < enough; ++asked_) task_.source->ask();
-    }
-
-    void take_answer() {
-        const std::optional<int> unit = task_.source->answer();
-        if (unit) {
-            waiting_.push_back(*unit);
-            --asked_;
-        } else {
-            more_may_come_ = false;
-        }
     }
 
     void hire() {
@@ -100,12 +134,7 @@ class Pool {
     void wait_and_listen() {
         std::vector<pollfd> lines;
         for (const WorkerProcess& worker : workers_) lines.push_back({worker.line(), POLLIN, 0});
-        if (more_may_come_) lines.push_back({task_.source->line, POLLIN, 0});
         if (::poll(lines.data(), lines.size(), patience_milliseconds) <= 0) return;
-        if (more_may_come_) {
-            if (lines.back().revents != 0) take_answer();
-            lines.pop_back();
-        }
         for (std::size_t i = lines.size(); i-- > 0;)  // from the end: a dead one is taken out
             if (lines[i].revents != 0) listen(i);
     }
@@ -121,10 +150,7 @@ class Pool {
         if (message->kind == Kind::wrong_input) throw InputError(message->text);
         if (message->kind == Kind::error) throw std::runtime_error(message->text);
         if (message->kind == Kind::told && task_.told) task_.told(message->number);
-        if (message->kind == Kind::done) {
-            worker.set_idle();
-            if (task_.done) task_.done(message->number);
-        }
+        if (message->kind == Kind::done) worker.set_idle();
     }
 
     void bury(std::size_t index) {
@@ -138,7 +164,6 @@ class Pool {
             return;
         }
         task_.lost(*unit, cause);
-        if (task_.done) task_.done(*unit);
     }
 
     using Clock = std::chrono::steady_clock;
@@ -149,8 +174,6 @@ class Pool {
     std::deque<int> waiting_;
     std::vector<WorkerProcess> workers_;
     std::map<int, int> deaths_;
-    bool more_may_come_;
-    long asked_ = 0;  ///< and not yet answered
 };
 
 constexpr std::size_t longest_message = 4096;
@@ -182,10 +205,6 @@ std::size_t receive_packet(int line, void* data, std::size_t size) {
 [[noreturn]] void live(const WorkerDuty& duty, int line) {
     using Kind = WorkerMessage::Kind;
     try {
-        if (duty.life) {
-            duty.life(line);
-            ::_exit(0);
-        }
         if (duty.begin) duty.begin();
         while (const std::optional<int> unit = receive_number(line)) {
             duty.work(*unit, [line](int number) { send_message(line, {Kind::told, number, {}}); });
@@ -207,12 +226,6 @@ void become_worker(pid_t parent) {
 
 [[noreturn]] void fail(const char* what) {
     throw std::system_error(errno, std::generic_category(), what);
-}
-
-}  // namespace
-
-PoolOutcome run_workers(const PoolTask& task) {
-    return Pool(task).run();
 }
 
 std::optional<int> receive_number(int line) {
@@ -317,6 +330,12 @@ std::string WorkerProcess::cause_of_death() {
     process_ = line_ = -1;
     return WIFSIGNALED(status) ? fmt::format("worker died: signal {}", WTERMSIG(status))
                                : fmt::format("worker died: exit code {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+PoolOutcome run_workers(const PoolTask& task) {
+    return Pool(task).run();
 }
 
 }  // namespace camopt::apps

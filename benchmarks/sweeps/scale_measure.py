@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""scale_measure.py CAMOPT HAND_OUT_RATE SCENES FOLDER: what a study of many scenes is made of, measured on this machine.
+"""scale_measure.py CAMOPT SCENES FOLDER: what a study of many scenes is made of, measured on this machine.
 
 Writes FOLDER/scale_parts.csv (part, value, unit) and FOLDER/scale_rows.csv (sweep, row, seconds), which
-scale_simulation.py reads. mpirun must be there. Python's standard library only.
+scale_simulation.py reads. Python's standard library only.
 """
 
 import csv
@@ -25,12 +25,12 @@ SWEEPS = {"quick": ("drd_cubic_12.toml", ["--weights", "simplex:60"], 25),
 CHECKED = (("weights", "drd_cubic_12.toml", ["--weights", "simplex:1412"], 998_991),
            ("other keys", "cam_roller.toml", ["--vary", "cam.base_radius_mm=21:26:300", "--vary",
                                               "limits.pressure_angle_deg=29:35:100"], 30_000))
-MPI = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+FILES, BYTES = 200, 8000  # chunks of 25 rows, written as the program writes them
 
 
 class Measurement:
-    def __init__(self, camopt, rate, scenes, folder):
-        self.camopt, self.rate, self.scenes = camopt, rate, pathlib.Path(scenes)
+    def __init__(self, camopt, scenes, folder):
+        self.camopt, self.scenes = camopt, pathlib.Path(scenes)
         self.folder = pathlib.Path(folder)
         self.place = pathlib.Path(tempfile.mkdtemp())
         self.parts, self.rows = [], []
@@ -42,24 +42,22 @@ class Measurement:
     def words(self, scene, rows, chunk, out):
         return [self.camopt, "sweep", str(self.scenes / scene), *rows, "--chunk", str(chunk), "--out", str(out)]
 
-    def solve_in_ranks(self, name, ranks):
+    def solve(self, name, workers):
         """One sweep; seconds from the folder's description to its last chunk, and the rows as they took here."""
         scene, rows, chunk = SWEEPS[name]
-        out = self.place / f"{name}_{ranks}"
+        out = self.place / f"{name}_{workers}"
         words = self.words(scene, rows, chunk, out)
-        launch = ["mpirun", "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []
-        more = [] if ranks > 1 else ["--workers", "1"]
-        subprocess.run(launch + words + more, env=MPI, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([*words, "--workers", str(workers)], check=True, stdout=subprocess.DEVNULL)
         last = max(path.stat().st_mtime_ns for path in (out / "chunks").iterdir())
         wall = (last - (out / "sweep.json").stat().st_mtime_ns) * 1e-9
         with open(out / "sweep.csv", newline="", encoding="utf-8") as file:
             seconds = [float(row["seconds_total"]) for row in csv.DictReader(file)]
         for number, value in enumerate(seconds):
-            self.rows.append((f"{name}_{ranks}", number, f"{value:.6g}"))
-        self.say(f"{name}, {ranks} workers: rows", len(seconds), "rows")
-        self.say(f"{name}, {ranks} workers: rows a chunk", chunk, "rows")
-        self.say(f"{name}, {ranks} workers: solving", wall, "s")
-        self.say(f"{name}, {ranks} workers: sum of the rows", sum(seconds), "s")
+            self.rows.append((f"{name}_{workers}", number, f"{value:.6g}"))
+        self.say(f"{name}, {workers} workers: rows", len(seconds), "rows")
+        self.say(f"{name}, {workers} workers: rows a chunk", chunk, "rows")
+        self.say(f"{name}, {workers} workers: solving", wall, "s")
+        self.say(f"{name}, {workers} workers: sum of the rows", sum(seconds), "s")
         return out, len(seconds)
 
     def bytes_a_row(self, out, rows):
@@ -96,25 +94,30 @@ class Measurement:
         (few, short), (many, long) = spent
         self.say("finishing", 1e6 * (long - short) / (many - few), "µs a row")
 
-    def hand_out(self):
-        for transport, words in (("shared memory", []), ("TCP", ["--mca", "btl", "tcp,self"])):
-            found = []
-            for _ in range(3):
-                done = subprocess.run(["mpirun", "-np", "2", "--oversubscribe", *words, self.rate, str(self.place)],
-                                      env=MPI, check=True, capture_output=True, text=True)
-                found.append(next(csv.DictReader(done.stdout.splitlines())))
-            self.say(f"rank 0 a chunk, {transport}",
-                     statistics.median(float(row["microseconds_a_chunk"]) for row in found), "µs")
-        self.say("a chunk on its disk", statistics.median(float(row["milliseconds_to_write"]) for row in found), "ms")
+    def writing(self):
+        """Written, on the disk, renamed, and the name on the disk."""
+        seconds = []
+        for k in range(FILES):
+            begin = time.perf_counter()
+            with open(self.place / "half", "wb") as file:
+                file.write(bytes(BYTES))
+                file.flush()
+                os.fsync(file.fileno())
+            os.rename(self.place / "half", self.place / f"chunk_{k}")
+            folder = os.open(self.place, os.O_RDONLY)
+            os.fsync(folder)
+            os.close(folder)
+            seconds.append(time.perf_counter() - begin)
+        self.say("a chunk on its disk", 1e3 * statistics.median(seconds), "ms")
 
     def run(self):
         try:
-            self.hand_out()
+            self.writing()
             self.checking()
             for name in SWEEPS:
-                for ranks in (1, 2):
-                    out, rows = self.solve_in_ranks(name, ranks)
-                    if name == "quick" and ranks == 1:
+                for workers in (1, 2):
+                    out, rows = self.solve(name, workers)
+                    if name == "quick" and workers == 1:
                         self.bytes_a_row(out, rows)
             self.finish()
         finally:
@@ -125,4 +128,4 @@ class Measurement:
                 csv.writer(file, lineterminator="\n").writerows([head, *lines])
 
 
-Measurement(*sys.argv[1:5]).run()
+Measurement(*sys.argv[1:4]).run()

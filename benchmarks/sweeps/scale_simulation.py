@@ -3,10 +3,9 @@
 """scale_simulation.py FOLDER [PICTURE.svg]: sweeps of a million rows on up to 10,000 workers, simulated with the times that
 scale_measure.py wrote to FOLDER (scale_parts.csv, scale_rows.csv). Prints tables in Markdown; draws a picture.
 
-Under MPI a free worker asks rank 0, which serves one request after another, and solves what it is given; the answer takes
-at most as long as two ranks may sleep between two looks at MPI. In a job array every job has every N-th chunk from the start,
-checks all rows first, and knows of no other. A chunk lasts as long as so many measured rows in a row, from a place chosen
-at random, and the measured time until its file is on the disk. Python's standard library only.
+Every rank under mpirun, or job of an array, has every N-th chunk from the start, checks all rows first, and solves with one
+worker. Afterwards one process merges: it writes every chunk once more. A chunk lasts as long as so many measured rows in a
+row, from a place chosen at random, and the measured time until its file is on the disk. Python's standard library only.
 """
 
 import csv
@@ -20,8 +19,6 @@ from plot import COLOURS, Axis, Panel, Picture  # noqa: E402
 
 ROWS = 1_000_000
 WORKERS = (1, 10, 100, 1000, 10_000)
-ANSWER = 0.002  # s; the longest sleep of a rank, apps/sweep/sweep_ranks.cpp
-SERVICE = "rank 0 a chunk, TCP"
 STUDIES = (("quick", 25), ("quick", 250), ("slow", 1), ("slow", 25))  # sweep, rows a chunk
 
 
@@ -33,7 +30,6 @@ class Measured:
         with open(folder / "scale_rows.csv", newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):
                 self.rows.setdefault(row["sweep"], []).append(float(row["seconds"]))
-        self.service = 1e-6 * self.parts[SERVICE]
         self.write = 1e-3 * self.parts["a chunk on its disk"]
         self.check = 1e-6 * self.parts["checking, weights"] * ROWS
         self.finish = 1e-6 * self.parts["finishing"] * ROWS
@@ -54,18 +50,12 @@ class Measured:
         return [generator.choice(sums) for _ in range(rows // rows_a_chunk)]
 
 
-def handed_out(chunks, workers, service, answer, write):
-    """Seconds until the last chunk is done, and the part of them that rank 0 was at work."""
-    asking = [(0.0, worker) for worker in range(workers)]
-    free = busy = last = 0.0
+def of_one_process(chunks, workers, write):
+    """Seconds until the last chunk is done; a free worker takes the next one."""
+    free = [0.0] * workers
     for seconds in chunks:
-        asked, worker = heapq.heappop(asking)
-        free = max(free, asked) + service
-        busy += service
-        done = free + answer + seconds + write
-        last = max(last, done)
-        heapq.heappush(asking, (done, worker))
-    return last, busy / last
+        heapq.heappush(free, heapq.heappop(free) + seconds + write)
+    return max(free)
 
 
 def in_shards(chunks, jobs, check, write):
@@ -88,22 +78,19 @@ def validation(measured):
         head = f"{name}, {workers} workers: "
         size = int(measured.parts[head + "rows a chunk"])
         real = measured.parts[head + "solving"]
-        answer = ANSWER if int(workers) > 1 else 0.0
-        found, _ = handed_out(measured.in_order(sweep, size), int(workers), measured.service, answer, measured.write)
+        found = of_one_process(measured.in_order(sweep, size), int(workers), measured.write)
         print(f"| {name} | {workers} | {len(measured.rows[sweep])} | {size} | {real:.2f} s | {found:.2f} s | "
               f"{100 * (found / real - 1):+.0f} % |")
     print()
 
 
 def study(measured, sweep, size):
-    """(workers, MPI seconds, part of them that is work, part of rank 0, files a second, array seconds, its part) …"""
+    """(workers, seconds, part of them that is work, files a second) …"""
     chunks = measured.chunks(f"{sweep}_1", size, ROWS)
     work = sum(chunks)
     for workers in WORKERS:
-        mpi, busy = handed_out(chunks, workers, measured.service, ANSWER, measured.write)
-        array = in_shards(chunks, workers, measured.check, measured.write)
-        yield (workers, measured.check + mpi, work / workers / (measured.check + mpi), busy, len(chunks) / mpi, array,
-               work / workers / array)
+        seconds = in_shards(chunks, workers, measured.check, measured.write)
+        yield workers, seconds, work / workers / seconds, len(chunks) / (seconds - measured.check)
 
 
 def tables(measured):
@@ -111,20 +98,19 @@ def tables(measured):
     for sweep, size in STUDIES:
         found[sweep, size] = list(study(measured, sweep, size))
         mean = sum(measured.rows[f"{sweep}_1"]) / len(measured.rows[f"{sweep}_1"])
-        print(f"A million {sweep} rows ({1e3 * mean:.3g} ms each), {size} rows a chunk:\n")
-        print("| workers | MPI | of it solving | rank 0 busy | files a second | job array | of it solving |\n"
-              "|--:|--:|--:|--:|--:|--:|--:|")
-        for workers, mpi, part, busy, files, array, array_part in found[sweep, size]:
-            print(f"| {workers} | {duration(mpi)} | {100 * part:.1f} % | {100 * busy:.2g} % | {files:.3g} | "
-                  f"{duration(array)} | {100 * array_part:.1f} % |")
+        print(f"A million {sweep} rows ({1e3 * mean:.3g} ms each), {size} rows a chunk; merging its {ROWS // size:,} chunks takes "
+              f"{duration(ROWS // size * measured.write)} more:\n")
+        print("| workers | all rows solved | of it solving | files a second |\n|--:|--:|--:|--:|")
+        for workers, seconds, part, files in found[sweep, size]:
+            print(f"| {workers} | {duration(seconds)} | {100 * part:.1f} % | {files:.3g} |")
         print()
     print(f"After it, on one core: {duration(measured.finish)} to read the chunks, mark the front and write the table.")
     return found
 
 
 def picture(found):
-    one = Picture(1180, 480, "A million rows on many workers", "Simulated with measured times. Solid: handed out over MPI; "
-                  "dashed: a job array, where every job checks all rows first and its share is fixed")
+    one = Picture(1180, 480, "A million rows on many workers", "Simulated with measured times, before merging: every rank or job "
+                  "checks all rows first, and its share is fixed")
     one.legend(90, 96, [(f"{sweep} rows, {size} a chunk", COLOURS[k], "line", True)
                         for k, (sweep, size) in enumerate(found)])
     workers = [(n, f"{n:,}") for n in WORKERS]
@@ -134,12 +120,10 @@ def picture(found):
     right = Panel(one, (650, 145, 440, 260), Axis(1, 1e4, "workers", ticks=workers),
                   Axis(0, 100, "%", False, [(k, str(k)) for k in range(0, 101, 20)]), "part of that spent solving")
     for colour, rows in zip(COLOURS, found.values()):
-        for panel, mpi, array in ((left, 1, 5), (right, 2, 6)):
-            factor = 100 if panel is right else 1
-            panel.line([(row[0], factor * row[array]) for row in rows], colour, dashed=True)
-            panel.line([(row[0], factor * row[mpi]) for row in rows], colour)
+        for panel, column, factor in ((left, 1, 1), (right, 2, 100)):
+            panel.line([(row[0], factor * row[column]) for row in rows], colour)
             for row in rows:
-                panel.mark(row[0], factor * row[mpi], colour, size=3)
+                panel.mark(row[0], factor * row[column], colour, size=3)
     return one.svg()
 
 

@@ -25,7 +25,6 @@ TEST(Licenses, ListWhatTheBuildHas) {
     EXPECT_EQ(has("Open CASCADE"), CAMOPT_BUILT_WITH_OPENCASCADE);
     EXPECT_EQ(has("cairo"), CAMOPT_BUILT_WITH_CAIRO);
     EXPECT_EQ(has("cpp-httplib"), CAMOPT_BUILT_WITH_HTTPLIB);
-    EXPECT_EQ(has("Open MPI"), CAMOPT_BUILT_WITH_MPI);
     for (const LicensedPart& part : licensed_parts()) {
         EXPECT_FALSE(part.license.empty()) << part.name;
         EXPECT_FALSE(part.use.empty()) << part.name;

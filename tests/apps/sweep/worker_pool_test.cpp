@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <optional>
 #include <poll.h>
 #include <stdexcept>
 #include <string>
@@ -185,9 +184,11 @@ TEST(WorkerPool, DyingWorkerDoesNotFailUnit) {
         tell_who(unit, tell);
     };
     pid_t stopped = 0;
-    task.done = [&](int unit) {
-        if (unit == 1) return;
+    task.told = [&, remember = task.told](int number) {
+        remember(number);
+        if (heard.told.contains(1)) return;
         stopped = who.last.at(0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));  // "done" is sent by then
         ::kill(stopped, SIGSTOP);
         pid_t second = 0;
         while (!(std::ifstream(mark) >> second)) std::this_thread::yield();
@@ -245,69 +246,6 @@ TEST(WorkerPool, WorkersIgnoreInterruptsAndStartOnce) {
     EXPECT_EQ(heard.told.size(), 6U);
     EXPECT_FALSE(heard.told.contains(-1));
     EXPECT_EQ(begun, 0);  // in the workers, not here
-}
-
-/// Hands out so many units over a pipe, one an answer; then says that there are no more.
-class PipedUnits {
- public:
-    explicit PipedUnits(int count) : left_(count) {
-        if (::pipe(ends_) != 0) throw std::runtime_error("no pipe");
-    }
-    ~PipedUnits() {
-        for (const int end : ends_) ::close(end);
-    }
-    PipedUnits(const PipedUnits&) = delete;
-    PipedUnits& operator=(const PipedUnits&) = delete;
-
-    UnitSource source() {
-        return {ends_[0], [this] { ask(); },
-                [this]() -> std::optional<int> {
-                    int unit = -1;
-                    if (::read(ends_[0], &unit, sizeof unit) != sizeof unit) ADD_FAILURE() << "no answer";
-                    return unit < 0 ? std::nullopt : std::optional(unit);
-                }};
-    }
-    [[nodiscard]] int asked() const { return asked_; }
-
- private:
-    void ask() {
-        ++asked_;
-        const int unit = left_ > 0 ? --left_ : -1;
-        EXPECT_EQ(::write(ends_[1], &unit, sizeof unit), static_cast<ssize_t>(sizeof unit));
-    }
-
-    int ends_[2] = {};
-    int left_, asked_ = 0;
-};
-
-TEST(WorkerPool, UnitsMayComeWhileItRuns) {
-    for (const int workers : {1, 3}) {
-        SCOPED_TRACE(workers);
-        const TemporaryFolder folder;
-        PipedUnits coming(20);
-        Heard heard;
-        std::map<int, int> done;
-        PoolTask task = heard.task(0, workers);
-        task.source = coming.source();
-        task.done = [&](int unit) { ++done[unit]; };
-        task.work = [&](int unit, const std::function<void(int)>& tell) {
-            const std::string mark = folder.path() + "/tried";
-            if (unit == 7 && !std::filesystem::exists(mark)) {
-                std::ofstream(mark) << "tried";
-                std::raise(SIGKILL);
-            }
-            if (unit == 11) crash();
-            tell(unit);
-        };
-        EXPECT_EQ(run_workers(task), PoolOutcome::finished);
-        EXPECT_EQ(heard.told.size(), 19U);
-        EXPECT_EQ(heard.lost.size(), 1U);
-        EXPECT_TRUE(heard.lost.contains(11));
-        EXPECT_EQ(done.size(), 20U);  // the lost one too
-        EXPECT_GE(coming.asked(), 21);
-        EXPECT_LE(coming.asked(), 20 + workers);  // never more than there are workers
-        EXPECT_TRUE(no_child_is_left());
-    }
 }
 
 TEST(WorkerPool, WorkersDieWithTheParent) {
