@@ -153,10 +153,30 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
     return strokes;
 }
 
+namespace {
+
+/// Laws and dwells stay between the displacements that strokes begin or end with.
+void hold_displacement(CamModel& model, const std::vector<StrokeRange>& strokes) {
+    double most = 0.0, width = 0.0;
+    for (const StrokeRange& stroke : strokes) {
+        if (stroke.is_free()) return;
+        most = std::max({most, std::abs(stroke.least), std::abs(stroke.most)});
+        width = std::max(width, stroke.most - stroke.least);
+    }
+    if (strokes.empty() || !std::isfinite(most)) return;
+    model.held_displacement = most;
+    model.held_width = width;
+}
+
+}  // namespace
+
 void add_stroke_rules(CamModel& model, const Scene& scene, const HeldStrokes& strokes) {
-    if (!strokes.held || (!scene.motion.within_lift && !scene.motion.monotone)) return;
+    if (!scene.motion.within_lift && !scene.motion.monotone) return;
     std::size_t free = 0;
-    for (const StrokeRange& stroke : strokes_of(scene, model.design)) {
+    const std::vector<StrokeRange> all = strokes_of(scene, model.design);
+    if (scene.motion.within_lift && !scene.motion.relative) hold_displacement(model, all);
+    if (!strokes.held) return;
+    for (const StrokeRange& stroke : all) {
         StrokeDirection direction = StrokeDirection::open;
         if (stroke.is_free() && free < strokes.directions.size()) direction = strokes.directions[free++];
         for (PlacedRule& rule : rules_of(scene, stroke, direction)) model.rules.push_back(std::move(rule));

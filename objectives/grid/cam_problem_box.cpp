@@ -91,6 +91,8 @@ CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, doubl
     known.sup.fill(infinity);
     known.rms.fill(infinity);
     known.sup[0] = farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
+    if (std::isfinite(incumbent))  // without one, the strokes may leave their ranges
+        known.sup[0] = std::min(known.sup[0], model.held_displacement + relaxed_limits * model.held_width);
     for (Eigen::Index p = 0; p < parameters; ++p) {
         const Parameter& parameter = model.parameters[static_cast<std::size_t>(p)];
         known.parameters[p] = parameter.upper;

@@ -161,6 +161,9 @@ struct CamModel {
     std::vector<StretchScale> stretch_scales;  ///< one a stretch; none: DRD and RR, all 1
     /// Expected range of displacements: where rules are expected to be convex. Proofs use their own bounds.
     double least_displacement = -0.25, most_displacement = 1.25;
+    /// |y| of every motion whose strokes keep to their ranges, and the widest of these; infinite: some may
+    /// not.
+    double held_displacement = infinity, held_width = 0.0;
     std::vector<KnownPoint> known_points;  ///< ascending, both ends among them; fewer than 2: unknown
 
     [[nodiscard]] StretchScale stretch_scale(int stretch) const {
