@@ -61,4 +61,15 @@ struct PaperInfo {
 /// Some seconds: 15 solves.
 [[nodiscard]] PaperReport paper_004(const SolveControl& control = {}, const PaperProgress& finished = {});
 
+/// One quantity: printed | ours | difference | remark.
+struct PaperComparison {
+    std::string quantity, unit;
+    std::optional<double> printed, ours;
+    std::string remark;  ///< "misprint: …", "chosen", …
+};
+
+/// difference = ours − printed; none where one of them is.
+[[nodiscard]] PaperTable comparison_table(const std::string& key, const std::string& title,
+                                          const std::vector<PaperComparison>& rows);
+
 }  // namespace camopt

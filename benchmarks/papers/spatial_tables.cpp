@@ -2,6 +2,7 @@
 #include "benchmarks/papers/spatial_tables.hpp"
 
 #include "benchmarks/papers/spatial_methods.hpp"
+#include "core/deadline.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
@@ -29,6 +30,41 @@ std::vector<double> figure_places(const FollowerMotion& motion) {
 
 std::string height_words(double height) {
     return fmt::format("h = {:.6g} mm", height / millimetre);
+}
+
+/// A row of the study of accuracy against points.
+struct SpatialForwardCheckRow {
+    int points = 0;                   ///< of one section
+    double deviation_positive = 0.0;  ///< flank +1
+    double deviation_negative = 0.0;  ///< flank −1
+    double travel = 0.0;              ///< over the angles checked
+    double seconds = 0.0;             ///< generation and check of both flanks
+};
+
+/// Sections at the near and the far end of the roller; about `count` points over the motion, its breakpoints
+/// among them.
+SpatialForwardCheckRow forward_check_row(const CamFlanks& cam, const FollowerMotion& motion, int count) {
+    const Stopwatch watch;
+    const FlankGrid grid = flank_grid(cam, motion, FlankSampling{.sections = 2, .angles = count});
+    const auto sections = sections_of(grid);
+    const std::size_t half = sections.size() / 2;
+    SpatialForwardCheckRow row;
+    for (const bool positive : {true, false}) {
+        SpatialForwardCheckInput input;
+        const auto first = sections.begin() + static_cast<std::ptrdiff_t>(positive ? 0 : half);
+        input.sections.assign(first, first + static_cast<std::ptrdiff_t>(half));
+        input.breaks = grid.breaks;
+        input.follower = cam;
+        input.designed = [&motion](double theta) { return motion.state(theta).s; };
+        input.begin = motion.begin();
+        input.end = motion.end();
+        const SpatialForwardCheckResult result = spatial_forward_check(input);
+        (positive ? row.deviation_positive : row.deviation_negative) = result.deviation;
+        row.points = result.points;
+        if (positive) row.travel = result.travel;
+    }
+    row.seconds = watch.seconds();
+    return row;
 }
 
 }  // namespace
@@ -125,7 +161,7 @@ PaperTable forward_table(const Example& example, const std::vector<int>& points,
                       {"seconds", "seconds", "s", 2}},
                      {}};
     for (const int count : points) {
-        const SpatialForwardCheckRow row = spatial_forward_check_row(example.cam, example.motion, count);
+        const SpatialForwardCheckRow row = forward_check_row(example.cam, example.motion, count);
         table.rows.push_back({static_cast<double>(row.points), row.deviation_positive, row.deviation_negative,
                               row.travel / degree, row.seconds});
         if (finished) finished(fmt::format("forward check with {} points a section", row.points));

@@ -210,12 +210,6 @@ std::string form_fault(const DiskCam& cam, double least, double most) {
 
 }  // namespace
 
-DiskCam middle_cam(const DiskSpec& spec) {
-    DiskCam cam{spec.follower, spec.rotation, {}, spec.form};
-    for (std::size_t i = 0; i < cam.dimensions.size(); ++i) cam.dimensions[i] = spec.dimensions[i].middle();
-    return cam;
-}
-
 ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state) {
     ProfilePoint point;
     point.theta = theta;

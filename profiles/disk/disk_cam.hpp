@@ -48,9 +48,6 @@ struct DiskCam {
     }
 };
 
-/// The cam of a scene with each variable dimension in the middle of its range.
-[[nodiscard]] DiskCam middle_cam(const DiskSpec& spec);
-
 /// The origin of s: the follower's height s0 over the cam centre (m; of the roller centre, of a flat face),
 /// or the arm's angle ψ0 (rad), on the base circle. NaN if the dimensions do not reach.
 [[nodiscard]] double rest_position(const DiskCam& cam);

@@ -19,7 +19,6 @@ enum class RemoteLinkage {
     lever_coupler_lever,                ///< one dyad; the output, a rocker, swings
     lever_coupler_lever_coupler_slider  ///< two dyads; the output slides
 };
-inline constexpr int remote_linkage_count = 4;
 [[nodiscard]] const char* name_of(RemoteLinkage value);
 [[nodiscard]] bool output_swings(RemoteLinkage value);
 

@@ -33,17 +33,6 @@ struct PaperTable {
     std::vector<std::vector<PaperCell>> rows;
 };
 
-/// One quantity: printed | ours | difference | remark.
-struct PaperComparison {
-    std::string quantity, unit;
-    std::optional<double> printed, ours;
-    std::string remark;  ///< "misprint: …", "chosen", …
-};
-
-/// difference = ours − printed; none where one of them is.
-[[nodiscard]] PaperTable comparison_table(const std::string& key, const std::string& title,
-                                          const std::vector<PaperComparison>& rows);
-
 struct PaperSeries {
     std::string title;
     std::vector<double> x, y;  ///< of the same size; a NaN breaks the line

@@ -93,31 +93,6 @@ SpatialForwardCheckResult spatial_forward_check(const SpatialForwardCheckInput& 
     return result;
 }
 
-SpatialForwardCheckRow spatial_forward_check_row(const CamFlanks& cam, const FollowerMotion& motion,
-                                                 int count) {
-    const Stopwatch watch;
-    const FlankGrid grid = flank_grid(cam, motion, FlankSampling{.sections = 2, .angles = count});
-    const auto sections = sections_of(grid);
-    const std::size_t half = sections.size() / 2;
-    SpatialForwardCheckRow row;
-    for (const bool positive : {true, false}) {
-        SpatialForwardCheckInput input;
-        const auto first = sections.begin() + static_cast<std::ptrdiff_t>(positive ? 0 : half);
-        input.sections.assign(first, first + static_cast<std::ptrdiff_t>(half));
-        input.breaks = grid.breaks;
-        input.follower = cam;
-        input.designed = [&motion](double theta) { return motion.state(theta).s; };
-        input.begin = motion.begin();
-        input.end = motion.end();
-        const SpatialForwardCheckResult result = spatial_forward_check(input);
-        (positive ? row.deviation_positive : row.deviation_negative) = result.deviation;
-        row.points = result.points;
-        if (positive) row.travel = result.travel;
-    }
-    row.seconds = watch.seconds();
-    return row;
-}
-
 FlankContact::FlankContact(const CamFlanks& follower, std::span<const Vector3d> points,
                            std::span<const int> breaks, double s)
     : follower_(follower), curve_(points, breaks, false), s_(s) {

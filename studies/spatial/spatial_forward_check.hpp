@@ -45,19 +45,6 @@ struct SpatialForwardCheckResult {
 /// Throws InputError for input that cannot be checked at all.
 [[nodiscard]] SpatialForwardCheckResult spatial_forward_check(const SpatialForwardCheckInput& input);
 
-/// A row of the study of accuracy against points.
-struct SpatialForwardCheckRow {
-    int points = 0;                   ///< of one section
-    double deviation_positive = 0.0;  ///< flank +1
-    double deviation_negative = 0.0;  ///< flank −1
-    double travel = 0.0;              ///< over the angles checked
-    double seconds = 0.0;             ///< generation and check of both flanks
-};
-/// Sections at the near and the far end of the roller; about `count` points over the motion, its breakpoints
-/// among them.
-[[nodiscard]] SpatialForwardCheckRow spatial_forward_check_row(const CamFlanks& cam,
-                                                               const FollowerMotion& motion, int count);
-
 // A finished flank pushes its follower: where does the follower stand?
 //
 // Knows points of one section of one flank, a smooth curve through them (point_curve.hpp), the follower's own

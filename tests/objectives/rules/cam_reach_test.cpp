@@ -6,6 +6,7 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "tests/support/middle_cam.hpp"
 
 #include <gtest/gtest.h>
 

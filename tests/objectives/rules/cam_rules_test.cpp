@@ -4,6 +4,7 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "tests/objectives/rules/plane_check.hpp"
+#include "tests/support/middle_cam.hpp"
 
 #include <gtest/gtest.h>
 

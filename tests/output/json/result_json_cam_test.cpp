@@ -4,6 +4,7 @@
 #include "output/json/result_json.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "tests/output/sample_solution.hpp"
+#include "tests/support/middle_cam.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

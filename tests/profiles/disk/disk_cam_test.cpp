@@ -2,6 +2,7 @@
 // Points of the disk cams: reference numbers (made in 60-digit arithmetic from positions only), differences
 // of neighbouring points, mirror images, extreme sizes.
 #include "tests/profiles/test_turn.hpp"
+#include "tests/support/middle_cam.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

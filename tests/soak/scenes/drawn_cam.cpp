@@ -2,6 +2,7 @@
 #include "tests/soak/figures/cam_extremes.hpp"
 #include "tests/soak/figures/law.hpp"
 #include "tests/soak/scenes/drawn_scene.hpp"
+#include "tests/support/middle_cam.hpp"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/compare/comparison.hpp"
 #include "tests/studies/cam_scenes.hpp"
+#include "tests/support/middle_cam.hpp"
 
 #include <gtest/gtest.h>
 

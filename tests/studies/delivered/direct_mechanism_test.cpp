@@ -11,6 +11,7 @@
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/studies/cam_scenes.hpp"
+#include "tests/support/middle_cam.hpp"
 
 #include <gtest/gtest.h>
 

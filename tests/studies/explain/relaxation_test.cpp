@@ -8,6 +8,7 @@
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/middle_cam.hpp"
 
 #include <gtest/gtest.h>
 
