@@ -337,7 +337,7 @@ class MotionReader {
         };
         if (is_valve)
             return refuse({"rise", "return", "segments", "closed", "repeat", "stops", "start", "end",
-                           "symmetric", "via"},
+                           "symmetric", "monotone", "within_lift", "via"},
                           "other types; a valve lobe is said by lift, duration and ramps");
         refuse({"rocker_ratio", "valve_arm", "lash", "checking_height", "duration", "opening", "centerline",
                 "opening_ramp", "closing_ramp"},

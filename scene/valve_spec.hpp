@@ -8,8 +8,8 @@
 //                  velocity; each part takes the angle 2h / 3v. The closing ramp is the same backwards
 //
 // Where the ramp ends: on it, if the checking height is not above it; else at `end` before the checking
-// point, by default (s(checking height) − h) / 1.5v: the flank has half as much velocity again on the
-// average.
+// point. Default: as the jerk 60 L/D³ up to the acceleration 4 L/D² reaches that point, L = s(lift), D the
+// angle from it to the nose. Each stroke is monotone.
 #pragma once
 
 #include "core/base/standard.hpp"

@@ -182,7 +182,7 @@ Rows valve_ramp(const char* table) {
          "Of the follower above the base circle, where the ramp meets the flank."},
         {table, "velocity", number, ramp_velocity, positive, {}, "required",
          "Of the follower by the cam angle, constant over the last two thirds of the height."},
-        {table, "end", number, cam_angle, positive, {}, "(s - height) / (1.5 velocity)",
+        {table, "end", number, cam_angle, positive, {}, "by half of a typical flank",
          opening ? "Where the ramp ends, before the opening checking point; only where that point, at the follower "
                    "displacement s, is above the ramp."
                  : "Where the ramp begins, after the closing checking point, likewise."},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/numbers/extremum.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/key_row.hpp"
@@ -10,8 +11,10 @@ namespace camopt {
 namespace {
 
 constexpr double constant_part = 2.0 / 3.0;  // of a ramp's height
-// Of a ramp's velocity: the mean velocity of the flank up to the checking point, where nothing else is given.
-constexpr double flank_pace = 1.5;
+// Of the flank up to the checking point, where nothing else is given: lifts by the angle from there to the
+// nose.
+constexpr double typical_jerk = 60.0, typical_acceleration = 4.0;
+constexpr int bisections = 100;
 constexpr double shortest_dwell = 1e-6;  // rad
 
 /// One side of the lobe, from the base circle to the nose.
@@ -19,6 +22,7 @@ struct LobeSide {
     const ValveRamp& ramp;
     double checking = 0.0;  ///< the follower there
     double angle = 0.0;     ///< from it to the nose
+    double nose = 0.0;      ///< the follower there
 
     [[nodiscard]] double start_of_constant() const { return (1.0 - constant_part) * ramp.height; }
     /// Of the spline from rest, and of the constant velocity: the mean velocity of the first is half as
@@ -29,7 +33,18 @@ struct LobeSide {
     [[nodiscard]] double before_checking() const {
         const double way = checking - ramp.height;
         if (!checked_above()) return way / ramp.velocity;
-        return ramp.end.value_or(way / (flank_pace * ramp.velocity));
+        return ramp.end ? *ramp.end : typical_angle(way);
+    }
+    /// That takes the follower so far beyond the ramp.
+    [[nodiscard]] double typical_angle(double way) const {
+        const double jerk = typical_jerk * nose / std::pow(angle, 3);
+        const double bend = typical_acceleration * nose / (angle * angle), growth = bend / jerk;
+        const auto is_within = [&](double on) {
+            const double first = std::min(on, growth), rest = on - first;
+            const double grown = jerk * first * first * (first / 6.0 + rest / 2.0) + bend * rest * rest / 2.0;
+            return ramp.velocity * on + grown <= way;
+        };
+        return bisected(is_within, {0.0, way / ramp.velocity}, bisections).with;
     }
     [[nodiscard]] double flank_angle() const { return angle + before_checking(); }
     [[nodiscard]] double total_angle() const { return flank_angle() + 2.0 * part_angle(); }
@@ -45,11 +60,13 @@ SetPoint checking_point(double at, double flank, double displacement, bool angle
 }
 
 LobeSide opening_side(const ValveSpec& valve) {
-    return {valve.opening_ramp, valve.follower(valve.checking_height), valve.opening};
+    return {valve.opening_ramp, valve.follower(valve.checking_height), valve.opening,
+            valve.follower(valve.lift)};
 }
 
 LobeSide closing_side(const ValveSpec& valve) {
-    return {valve.closing_ramp, valve.follower(valve.checking_height), valve.closing()};
+    return {valve.closing_ramp, valve.follower(valve.checking_height), valve.closing(),
+            valve.follower(valve.lift)};
 }
 
 Fault side_fault(const LobeSide& side, const std::string& ramp, double nose) {
@@ -123,7 +140,7 @@ void make_valve_lobe(MotionSpec& motion, const ValveSpec& valve) {
     if (const std::optional<SceneFault> fault = find_valve_fault(valve)) throw SceneError(*fault);
     const LobeSide opening = opening_side(valve), closing = closing_side(valve);
     motion.type = MotionType::program;
-    motion.closed = true;
+    motion.closed = motion.monotone = true;
     motion.lift = valve.follower(valve.lift);
     motion.valve = valve;
     const double lift = motion.lift;

@@ -2,8 +2,9 @@
 """A valve lobe as the program it stands for, with rational numbers.
 
 s = (valve lift + lash) / ratio of the follower; a ramp of height h and velocity v is the law run_in over 2h/3v to h/3 and a
-constant velocity over 2h/3v; the flank goes from its end to the nose through s(checking height), (s(checking height) - h) / 1.5v
-or as given after the ramp's end, on the ramp where that is not below it.
+constant velocity over 2h/3v; the flank goes from its end to the nose through s(checking height), t after the ramp's end,
+or as given, on the ramp where that is not below it. In t the jerk 60 L/D^3 up to the acceleration 4 L/D^2 reaches that point, L the
+lift and D the angle from the point to the nose. Strokes are monotone.
 """
 from fractions import Fraction
 
@@ -11,7 +12,7 @@ from .exact import Unverified, number
 from .units import LENGTHS, angle_of, dimension_of
 
 OF_VALVES = ("type", "lift_", "rocker_ratio", "valve_arm_", "lash_", "duration_", "opening_", "closing_ramp", "checking_height_",
-             "centerline_", "engine_speed_", "speed_", "within_lift", "monotone", "corridor")
+             "centerline_", "engine_speed_", "speed_", "corridor")
 OF_RAMPS = ("height_", "velocity_", "end_")
 
 
@@ -29,6 +30,18 @@ def ramp_of(table):
         if f"velocity_{unit}_deg" in table:
             return dimension_of(table, "height"), number(table[f"velocity_{unit}_deg"]) * length, degrees(table, "end")
     raise Unverified("the velocity of a ramp in this unit")
+
+
+def typical_angle(way, velocity, lift, angle):
+    jerk, bend = 60 * lift / angle**3, 4 * lift / angle**2
+    low, high = Fraction(0), way / velocity
+    for _ in range(100):
+        t = (low + high) / 2
+        first = min(t, bend / jerk)
+        rest = t - first
+        moved = velocity * t + jerk * first**2 * (first / 6 + rest / 2) + bend * rest**2 / 2
+        low, high = (t, high) if moved <= way else (low, t)
+    return low
 
 
 def as_program(scene):
@@ -53,7 +66,7 @@ def as_program(scene):
     for ramp, angle in zip(ramps, (opening, duration - opening)):
         height, velocity, end = ramp_of(ramp)
         way, part = checking - height, 2 * height / (3 * velocity)
-        before = way / velocity if way <= 0 else end if end is not None else way / (Fraction(3, 2) * velocity)
+        before = way / velocity if way <= 0 else end if end is not None else typical_angle(way, velocity, lift, angle)
         via = [{"at": (before, angle), "displacement": checking / lift}] if way > 0 else []
         sides.append((height / lift, part, angle + before, via))
         total += 2 * part + angle + before
@@ -72,8 +85,8 @@ def as_program(scene):
     segments = [law("run_in", up_part, h / 3), law("constant_velocity", up_part, h), spline(up, Fraction(1), up_via, end={"velocity": 0}),
                 spline(down, k, down_via), law("constant_velocity", down_part, k / 3), law("run_out", down_part, Fraction(0)),
                 {"kind": "dwell", "angle_deg": 360 - total}]
-    kept = {key: motion[key] for key in motion if key.startswith(("speed_", "within_lift", "monotone", "corridor"))}
+    kept = {key: motion[key] for key in motion if key.startswith(("speed_", "corridor"))}
     for unit in ("rpm", "rad_s"):
         if f"engine_speed_{unit}" in motion:
             kept[f"speed_{unit}"] = number(motion[f"engine_speed_{unit}"]) / 2
-    return {**scene, "motion": {"type": "program", "lift_m": lift, "segments": segments, **kept}}
+    return {**scene, "motion": {"type": "program", "lift_m": lift, "monotone": True, "segments": segments, **kept}}

@@ -7,6 +7,7 @@ of the report are recomputed from the exported lobe table.
 import argparse
 import csv
 import json
+import math
 import random
 import subprocess
 import sys
@@ -68,6 +69,17 @@ class Lobe:
         return all_ + [(2, 1, self.up * unit**2 / self.nose, begin, end), (2, -1, self.down * unit**2 / self.nose, begin, end)] + \
             [(3, sign, self.jerk * unit**3 / self.nose, begin, end) for sign in (1, -1) if self.jerk]
 
+    def typical_angle(self, way, velocity, angle):
+        jerk, bend = 60 * self.nose / angle**3, 4 * self.nose / angle**2
+        low, high = 0.0, way / velocity
+        for _ in range(100):
+            t = (low + high) / 2
+            first = min(t, bend / jerk)
+            rest = t - first
+            moved = velocity * t + jerk * first**2 * (first / 6 + rest / 2) + bend * rest**2 / 2
+            low, high = (t, high) if moved <= way else (low, t)
+        return low
+
     def lost_area(self):
         """1 - the mean displacement in lifts; None: there is no such lobe."""
         area, flanks = 0.0, []
@@ -76,7 +88,7 @@ class Lobe:
             area += constant * (2 * height / 3) / self.nose
             area += constant * 0.3 * (height / 3) / self.nose  # ∫ 2u³ − u⁴ = 0.3
             way = self.checked - height
-            flanks.append((angle, angle + (way / (1.5 * velocity) if way > 0 else way / velocity), way > 0, height, velocity))
+            flanks.append((angle, angle + (self.typical_angle(way, velocity, angle) if way > 0 else way / velocity), way > 0, height, velocity))
         (up_angle, up, up_point, h, v), (down_angle, down, down_point, k, w) = flanks
         end = 1 + down / up
         y = lambda s: s / self.nose
@@ -87,16 +99,15 @@ class Lobe:
         if down_point:
             wanted.append((1 + down_angle / up, 0, y(self.checked)))
         points = uniform(0.0, 1.0) + uniform(1.0, end)[1:]
-        found = Part(points, wanted, self.bounds(up, 0.0, 1.0, y(h), 1.0) + self.bounds(up, 1.0, end, y(k), 1.0)).solve()
+        monotone = [(1, -1, 0.0, 0.0, 1.0), (1, 1, 0.0, 1.0, end)]
+        found = Part(points, wanted, self.bounds(up, 0.0, 1.0, y(h), 1.0) + self.bounds(up, 1.0, end, y(k), 1.0) + monotone).solve()
         return None if found is None else 1 - (area + (up + down) * (1 - found)) / 360
 
 
 def hermite(a, b, t):
     """Displacement and its integral on a step from row a to row b: the quintic with their derivatives."""
     step = b[0] - a[0]
-    rows = [[t0**m if r == 0 else m * t0**(m - 1) if r == 1 else m * (m - 1) * t0**(m - 2) if m > 1 else 0.0
-             for m in range(6)] for t0 in (0.0, 1.0) for r in range(3)]
-    rows = numpy.array([[0.0 if not numpy.isfinite(x) else x for x in row] for row in rows])
+    rows = [[math.perm(m, r) * x**(m - r) if m >= r else 0.0 for m in range(6)] for x in (0.0, 1.0) for r in range(3)]
     sides = [a[1], a[2] * step, a[3] * step**2, b[1], b[2] * step, b[3] * step**2]
     p = numpy.polynomial.Polynomial(numpy.linalg.solve(rows, sides))
     return p(t), p.integ()(t) * step

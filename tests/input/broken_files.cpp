@@ -90,7 +90,7 @@ std::vector<BrokenScene> broken_files() {
          "rise_deg = 90\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:1:1: motion.type: missing; allowed: \"DRD\", \"RR\" or \"program\""},
+         "s.toml:1:1: motion.type: missing; allowed: \"DRD\", \"RR\", \"program\" or \"valve\""},
         {"no_objective",
          "[motion]\n"
          "type = \"DRD\"\n",
@@ -137,8 +137,10 @@ std::vector<BrokenScene> broken_files() {
          "s.toml:3:1: motion.lift_mn: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, "
          "lift_deg, lift_rad, rise_deg, rise_rad, rise_crank_deg, return_deg, return_rad, return_crank_deg, "
          "speed_rpm, speed_rad_s, symmetric, "
-         "within_lift, monotone, via, segments, closed, repeat, stops, start, end, corridor; did you mean "
-         "'lift_mm'?"},
+         "within_lift, monotone, via, segments, closed, repeat, stops, start, end, corridor, " +
+             valve_keys +
+             "; did you mean "
+             "'lift_mm'?"},
         {"unknown_unit",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -148,8 +150,10 @@ std::vector<BrokenScene> broken_files() {
          "s.toml:3:1: motion.lift_cm: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, "
          "lift_deg, lift_rad, rise_deg, rise_rad, rise_crank_deg, return_deg, return_rad, return_crank_deg, "
          "speed_rpm, speed_rad_s, symmetric, "
-         "within_lift, monotone, via, segments, closed, repeat, stops, start, end, corridor; did you mean "
-         "'lift_mm'?"},
+         "within_lift, monotone, via, segments, closed, repeat, stops, start, end, corridor, " +
+             valve_keys +
+             "; did you mean "
+             "'lift_mm'?"},
         {"unknown_without_unit",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -159,8 +163,10 @@ std::vector<BrokenScene> broken_files() {
          "s.toml:3:1: motion.rise: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, lift_deg, "
          "lift_rad, rise_deg, rise_rad, rise_crank_deg, return_deg, return_rad, return_crank_deg, speed_rpm, "
          "speed_rad_s, symmetric, "
-         "within_lift, monotone, via, segments, closed, repeat, stops, start, end, corridor; did you mean "
-         "'rise_deg'?"},
+         "within_lift, monotone, via, segments, closed, repeat, stops, start, end, corridor, " +
+             valve_keys +
+             "; did you mean "
+             "'rise_deg'?"},
         {"unknown_spline",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -268,13 +274,14 @@ std::vector<BrokenScene> broken_files() {
          "type = 1\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:2:8: motion.type: found 1; allowed: \"DRD\", \"RR\" or \"program\""},
+         "s.toml:2:8: motion.type: found 1; allowed: \"DRD\", \"RR\", \"program\" or \"valve\""},
         {"type_unknown",
          "[motion]\n"
          "type = \"drd\"\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:2:8: motion.type: found \"drd\"; allowed: \"DRD\", \"RR\" or \"program\"; did you mean "
+         "s.toml:2:8: motion.type: found \"drd\"; allowed: \"DRD\", \"RR\", \"program\" or \"valve\"; did "
+         "you mean "
          "'DRD'?"},
         {"type_long",
          "[motion]\n"
@@ -282,7 +289,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:2:8: motion.type: found \"xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…\"; "
-         "allowed: \"DRD\", \"RR\" or \"program\""},
+         "allowed: \"DRD\", \"RR\", \"program\" or \"valve\""},
         {"lift_is_text",
          "[motion]\n"
          "type = \"DRD\"\n"

@@ -60,7 +60,8 @@ std::vector<BrokenScene> broken_overrides() {
          {"spline.degree=3.0"}},
         {"set_bare_word",
          plain_scene,
-         "--set motion.type=rr: motion.type: found \"rr\"; allowed: \"DRD\", \"RR\" or \"program\"; did you "
+         "--set motion.type=rr: motion.type: found \"rr\"; allowed: \"DRD\", \"RR\", \"program\" or "
+         "\"valve\"; did you "
          "mean 'RR'?",
          {"motion.type=rr"}},
         {"set_unknown_key",

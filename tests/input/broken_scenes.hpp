@@ -9,6 +9,13 @@
 
 namespace camopt::input {
 
+/// The keys of [motion] that only valves have.
+inline const std::string valve_keys =
+    "duration_deg, duration_rad, duration_crank_deg, checking_height_mm, checking_height_in, "
+    "checking_height_m, lash_mm, lash_in, lash_m, rocker_ratio, valve_arm_mm, valve_arm_in, valve_arm_m, "
+    "opening_deg, opening_rad, opening_crank_deg, centerline_deg, centerline_rad, centerline_crank_deg, "
+    "engine_speed_rpm, engine_speed_rad_s, opening_ramp, closing_ramp";
+
 /// Every key of [limits], as messages list them.
 inline const std::string known_limit_keys =
     "velocity, velocity_mm_s, velocity_in_s, velocity_m_s, velocity_deg_s, velocity_rad_s, velocity_mm_deg, "

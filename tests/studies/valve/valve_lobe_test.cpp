@@ -59,17 +59,19 @@ TEST(ValveLobe, RampsHaveTheirHeightsAndVelocities) {
     const double end = motion.segments[0].angle + motion.segments[1].angle;
     const MotionPoint there = solution.motion->at(end / motion.unit_angle());
     EXPECT_NEAR(there.derivative[0] * motion.lift / millimetre, 0.30, 1e-12);
-    // From the ramp's end to the checking point, 0.05 mm at 1.5 times 0.012 mm/deg.
-    EXPECT_NEAR((nose_angle(valve) - end) / degree, 62.0 + 0.05 / 0.018, 1e-12);
+    // From the ramp's end to the checking point: 0.05 mm = 0.012 mm/deg t + 60 · 9.7 mm / (62 deg)³ t³ / 6.
+    const double t = (nose_angle(valve) - end) / degree - 62.0;
+    EXPECT_NEAR(0.012 * t + 10.0 * 9.7 / std::pow(62.0, 3) * std::pow(t, 3), 0.05, 1e-12);
     EXPECT_NEAR(valve_lift_at(solution, nose_angle(valve) / motion.unit_angle()) / millimetre, 9.5, 1e-12);
 }
 
 TEST(ValveLobe, CheckingPointMayLieOnRamp) {
     std::string text = lobe + rest;
     text.replace(text.find("lash_mm = 0.2"), 13, "lash_mm = 0.0");
+    text.replace(text.find("duration_crank_deg = 248"), 24, "duration_crank_deg = 290");
     const Solution solution = optimum_of(text);
     EXPECT_TRUE(solution.scene.motion.segments[2].via.empty());
-    EXPECT_NEAR(valve_report(solution).at(0.15 * millimetre).duration() / degree, 248.0, 1e-9);
+    EXPECT_NEAR(valve_report(solution).at(0.15 * millimetre).duration() / degree, 290.0, 1e-9);
 }
 
 TEST(ValveLobe, AreaIsThatOfMidpoints) {
@@ -161,10 +163,13 @@ TEST(ValveLobe, LiftOffSpeedLeavesNoForce) {
         const double a = motion.lift * point.derivative[2] / std::pow(motion.unit_angle(), 2);
         least = std::min(least, 0.11 * speed * speed * a + 28000.0 * s + 260.0);
     }
-    EXPECT_NEAR(least, 0.0, 0.05);
+    EXPECT_GE(least, -1e-6);
+    EXPECT_LE(least, 0.5);
     ASSERT_TRUE(report.nose_radius);
-    // Flat face: base radius + lift + acceleration at the nose.
-    EXPECT_NEAR(*report.nose_radius, (17.0 + 9.7) * millimetre + report.nose_acceleration, 1e-6);
+    // Flat face: base radius + displacement + acceleration.
+    const MotionPoint nose = solution.motion->at(nose_angle(*motion.valve) / motion.unit_angle());
+    const double bend = motion.lift * nose.derivative[2] / std::pow(motion.unit_angle(), 2);
+    EXPECT_NEAR(*report.nose_radius, (17.0 + 9.7) * millimetre + bend, 1e-9);
 }
 
 TEST(ValveLobe, OverlapOfIntakeAndExhaust) {
