@@ -91,7 +91,8 @@ CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, doubl
     known.sup.fill(infinity);
     known.rms.fill(infinity);
     known.sup[0] = farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
-    if (std::isfinite(incumbent))  // without one, the strokes may leave their ranges
+    // Without an incumbent the strokes may leave their ranges; proofs over boxes state boxes of their own.
+    if (std::isfinite(incumbent) && grid_->shape().convex)
         known.sup[0] = std::min(known.sup[0], model.held_displacement + relaxed_limits * model.held_width);
     for (Eigen::Index p = 0; p < parameters; ++p) {
         const Parameter& parameter = model.parameters[static_cast<std::size_t>(p)];

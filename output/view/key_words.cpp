@@ -11,12 +11,15 @@ namespace {
 
 // Endings of the keys and what they say; a longer one stands before those it ends in.
 // clang-format off
-constexpr std::array<std::pair<std::string_view, std::string_view>, 41> units_of_keys = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 50> units_of_keys = {{
     {"rate_lbf_in", "lbf/in"}, {"stiffness_lbf_in", "lbf/in"}, {"spring_lbf_in", "lbf/in"}, {"_lbf_in", "lbf in"},
     {"_mm_s3", "mm/s³"},   {"_mm_s2", "mm/s²"},   {"_mm_s", "mm/s"},     {"_in_s3", "in/s³"},
     {"_in_s2", "in/s²"},   {"_in_s", "in/s"},     {"_m_s3", "m/s³"},     {"_m_s2", "m/s²"},
     {"_m_s", "m/s"},       {"_deg_s3", "deg/s³"}, {"_deg_s2", "deg/s²"}, {"_deg_s", "deg/s"},
     {"_rad_s3", "rad/s³"}, {"_rad_s2", "rad/s²"}, {"_rad_s", "rad/s"},   {"_nm_rad", "N m/rad"},
+    {"_mm_deg3", "mm/deg³"}, {"_mm_deg2", "mm/deg²"}, {"_mm_deg", "mm/deg"},
+    {"_in_deg3", "in/deg³"}, {"_in_deg2", "in/deg²"}, {"_in_deg", "in/deg"},
+    {"_deg_deg3", "deg/deg³"}, {"_deg_deg2", "deg/deg²"}, {"_deg_deg", "deg/deg"},
     {"_nm_deg", "N m/deg"}, {"_n_mm", "N/mm"},    {"_n_m", "N/m"},       {"_rpm", "rpm"},
     {"_crank_deg", "crank deg"}, {"_deg", "deg"}, {"_rad", "rad"},       {"_hz", "Hz"},
     {"_um", "µm"},         {"_mm", "mm"},         {"_in", "in"},         {"_mpa", "MPa"},

@@ -36,6 +36,33 @@ std::string kind_of_motion(const MotionSpec& motion) {
                                           : "rise and return without a dwell at the top";
 }
 
+std::string ramp_words(const Scene& scene, const ValveRamp& ramp) {
+    const MotionUnit length = shown_units(scene).motion[0].first;
+    const ShownUnit velocity{fmt::format("{}/deg", length.name), length.size / degree};
+    return fmt::format("{} at {}{}", length.text(ramp.height), velocity.text(ramp.velocity),
+                       ramp.end
+                           ? fmt::format(" up to {} from the checking point", degrees_shown.text(*ramp.end))
+                           : std::string());
+}
+
+/// What the scene says of a valve, the follower's own numbers after it.
+std::string valve_words(const Scene& scene) {
+    const ValveSpec& valve = *scene.motion.valve;
+    const ShownUnit length = shown_units(scene).length;
+    const ShownUnit crank{"crank deg", 0.5 * degree};
+    std::string text = fmt::format(
+        "; valve lift {}, lash {}, {} {}, duration {} at {} ({} of it before the nose)",
+        length.text(valve.lift), length.text(valve.lash),
+        scene.motion.lift_is_angle ? "valve arm" : "rocker ratio",
+        scene.motion.lift_is_angle ? length.text(valve.ratio) : short_text(valve.ratio),
+        crank.text(valve.duration), length.text(valve.checking_height), crank.text(valve.opening));
+    if (valve.centerline) text += fmt::format(", centerline {}", crank.text(*valve.centerline));
+    if (scene.motion.speed)
+        text += fmt::format(", engine speed {}", rpm_shown.text(2.0 * *scene.motion.speed));
+    return text + fmt::format("; opening ramp {}, closing ramp {}", ramp_words(scene, valve.opening_ramp),
+                              ramp_words(scene, valve.closing_ramp));
+}
+
 std::string motion_line(const Scene& scene) {
     const MotionSpec& motion = scene.motion;
     std::string text = fmt::format("Motion: {}, lift {}", kind_of_motion(motion),
@@ -52,6 +79,7 @@ std::string motion_line(const Scene& scene) {
     if (motion.prescribed()) text += ": a prescribed motion, nothing to optimize";
     if (const std::size_t points = placed_points(motion).size(); points > 0)
         text += fmt::format(", with {} set point{}", points, points == 1 ? "" : "s");
+    if (motion.valve) text += valve_words(scene);
     return text;
 }
 

@@ -134,7 +134,7 @@ TEST(ExportCommand, RefusesWhatItCannotExport) {
     };
     const std::string barrel = test::scene("barrel_paper_cup");
     refused(test::scene("drd_cubic_12") + out + " --nc", "the rest is for cams, and this scene has none");
-    refused(test::scene("drd_cubic_12") + out, "export writes --csv and --plc of a motion");
+    refused(test::scene("drd_cubic_12") + out, "export writes --csv, --lobe and --plc of a motion");
     refused(barrel + out + " --digits 3", "--csv");
     refused(barrel + out + " --csv --digits 30", "17");
     refused(test::scene("drd_cubic_12") + out + " --csv --columns v_mm_s", "needs motion.speed_rpm");

@@ -21,6 +21,7 @@ STUDIO = "--studio" in sys.argv[4:]
 MACHINE = SCENES / "machines/cartoner.toml"
 DRD, CAM, DRUM, SLIDE = (SCENES / f"{name}.toml" for name in
                          ("drd_cubic_12", "cam_roller", "cylinder_slide", "dynamics_fast_slide"))
+INTAKE, EXHAUST = SCENES / "valve_intake.toml", SCENES / "valve_exhaust.toml"
 CHECKER = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "verify-certificate"
 NO_SPACE = "camopt: cannot write to standard output: No space left on device\n"
 
@@ -41,6 +42,7 @@ PRINTING = [
     ("report", SOLVED),
     ("export", SOLVED, "--out", FOLDER / "unused", "--csv"),
     ("inspect", SOLVED, SOLVED / "motion.csv"), ("inspect", SOLVED, SOLVED / "motion.csv", "--json"),
+    ("valves", INTAKE, EXHAUST), ("valves", INTAKE, EXHAUST, "--json"),
     ("sweep", DRD, "--weights", "simplex:2", "--out", FOLDER / "unused_sweep"),
     ("sweep", DRD, "--pareto", "velocity,acceleration", "--points", "3", "--out", FOLDER / "unused_front"),
     ("sweep", DRD, "--surface", "0.1", "--out", FOLDER / "unused_surface"),

@@ -34,7 +34,8 @@ CERTAIN = [
 
 # What is typed, and every word that fits, or some of them.
 ALL = [
-    ("camopt ", ["check", "compare", "dynamics", "export", "inspect", "list", "machine", "report", "solve", "studio", "sweep", "table"]),
+    ("camopt ", ["check", "compare", "dynamics", "export", "inspect", "list", "machine", "report", "solve", "studio", "sweep", "table",
+                 "valves"]),
     ("camopt list ", ["columns", "controllers", "followers", "keys", "laws", "solvers"]),
 ]
 SOME = [

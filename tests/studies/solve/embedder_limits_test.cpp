@@ -153,7 +153,7 @@ TEST(LimitsFromCpp, ContradictoryNumbersAreRefused) {
         EXPECT_STREQ(
             error.what(),
             "limits.velocity: found the unit \"furlong/s\"; allowed: none (normalised), or mm/s, in/s, "
-            "m/s, deg/s, rad/s");
+            "m/s, deg/s, rad/s, mm/deg, in/deg, deg/deg");
     }
 }
 
