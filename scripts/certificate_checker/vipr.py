@@ -71,7 +71,8 @@ def vipr(bound, problem, cost, proved):
         objective |= {first[k] + j: w for k, function in enumerate(bound.area[1]) for j, w in function.items()}
         objective |= {variable: cam.weights[name] for name, variable in searched.items() if cam.weights[name]}
     target = proved - (cam.fixed if cam and cost else Fraction(0)) - bound.area[0]
-    lines = ["% The bound of certificate.json over the B-spline control points, in exact arithmetic.", "VER 1.0",
+    lines = ["% The bound of certificate.json over the B-spline control points, in exact arithmetic.",
+             f"% Left out of the objective: {bound.area[0]} of the lost area.", "VER 1.0",
              f"VAR {len(names)}", " ".join(names), "INT 0", "OBJ min", text(objective), f"CON {len(rows)} {bounds}"]
     lines += [f"R{i} {sense} {right} {text(row)}" for i, (sense, right, row) in enumerate(rows)]
     lines += [f"RTP range {target} inf" if cost else "RTP infeas", "SOL 0", "DER 1"]

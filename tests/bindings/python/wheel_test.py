@@ -48,7 +48,7 @@ class Wheel(unittest.TestCase):
             run("cmake", "--install", os.environ["CAMOPT_BUILD_FOLDER"], "--prefix", prefix, "--component", "camopt_python")
             package = next(pathlib.Path(prefix).rglob("camopt/__init__.py")).parent
             self.assertEqual({path.name.split(".")[0] for path in package.iterdir()},
-                             {"__init__", "_camopt", "_names", "_rules", "_scene", "_sweep", "_toml", "py"})
+                             {"__init__", "_camopt", "_names", "_rules", "_scene", "_solving", "_sweep", "_toml", "py"})
             printed = run(sys.executable, "-B", "-c", "import camopt; print(camopt.__file__)", cwd=prefix,
                           env={"PYTHONPATH": str(package.parent)})
             self.assertTrue(printed.startswith(prefix), printed)
