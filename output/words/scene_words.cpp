@@ -38,7 +38,7 @@ std::string kind_of_motion(const MotionSpec& motion) {
 
 std::string ramp_words(const Scene& scene, const ValveRamp& ramp) {
     const MotionUnit length = shown_units(scene).motion[0].first;
-    const ShownUnit velocity{fmt::format("{}/deg", length.name), length.size / degree};
+    const ShownUnit velocity{fmt::format("{}/deg", length.name), degrees_shown.of(length.size)};
     return fmt::format("{} at {}{}", length.text(ramp.height), velocity.text(ramp.velocity),
                        ramp.end
                            ? fmt::format(" up to {} from the checking point", degrees_shown.text(*ramp.end))
