@@ -36,12 +36,13 @@ bool is_complete(const fs::path& folder) {
 
 /// One after another; false: interrupted.
 bool wait_for_parts(const std::vector<std::string>& parts) {
-    for (const std::string& part : parts)
+    return std::ranges::all_of(parts, [](const std::string& part) {
         while (!is_complete(part)) {
             if (InterruptWatch::interrupted()) return false;
             std::this_thread::sleep_for(between_looks);
         }
-    return true;
+        return true;
+    });
 }
 
 /// Also compares the sweeps: the merge would find a difference only at the end.
