@@ -233,8 +233,8 @@ void repeat_segments(MotionSpec& motion) {
         motion.segments.insert(motion.segments.end(), own.begin(), own.end());
 }
 
-/// type = "valve". The lift is the valve's.
-ValveSpec read_valve(const SceneSource& source, const MotionSpec& motion) {
+/// type = "valve": makes the motion that of the lobe. The lift is the valve's.
+void read_valve(const SceneSource& source, MotionSpec& motion) {
     ValveSpec valve;
     const auto needed = [&](std::string_view table, const char* name) {
         const std::optional<double> number = source.number(table, name);
@@ -268,7 +268,8 @@ ValveSpec read_valve(const SceneSource& source, const MotionSpec& motion) {
         source.table("motion.closing_ramp") ? read_ramp("motion.closing_ramp") : valve.opening_ramp;
     if (const std::optional<SceneFault> fault = find_valve_fault(valve))
         source.fail_member(fault->member, words_of(*fault));
-    return valve;
+    motion.lift_is_angle = swings;
+    make_valve_lobe(motion, valve);
 }
 
 class MotionReader {
@@ -308,11 +309,7 @@ class MotionReader {
         if (const auto segments = source_.find("motion", "segments"))
             for (const Node& segment : segments->value().items)
                 motion.segments.push_back(read_segment(segment, motion));
-        if (is_valve) {
-            const ValveSpec valve = read_valve(source_, motion);
-            motion.lift_is_angle = source_.find("motion", "valve_arm").has_value();
-            make_valve_lobe(motion, valve);
-        }
+        if (is_valve) read_valve(source_, motion);
         settle_angle_ranges(source_, motion);
         check_turn(motion);
         read_set_points(source_, motion);

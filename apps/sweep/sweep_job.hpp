@@ -140,7 +140,7 @@ class SweepParts {
 
 // camopt sweep under mpirun: one sweep by all ranks.
 
-/// Every rank solves one shard into a folder of its own beside --out, with --workers workers (default 1).
+/// Every rank solves one shard into its own folder beside --out, with --workers workers (default 1).
 /// Rank 0 then waits for the others, merges the shards into --out and prints the summary. Throws InputError;
 /// from other ranks than 0 some seconds later, since the launcher ends all ranks when the first one fails.
 [[nodiscard]] ExitCode sweep_across_ranks(const SweepRequest& request, const RankLaunch& launch);

@@ -233,6 +233,7 @@ void keep_written(MotionSpec& changed, const MotionSpec& before) {
         }
     keep(changed.via, {changed.unit_angle(), changed.lift, changed.speed},
          {before.unit_angle(), before.lift, before.speed});
+    if (changed.valve) return;  // the lobe says its segments
     for (std::size_t i = 0; i < changed.segments.size(); ++i) {
         ProgramSegment& segment = changed.segments[i];
         if (segment.to && !segment.to_unit.empty()) *segment.to *= before.lift / changed.lift;

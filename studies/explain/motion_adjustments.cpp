@@ -222,7 +222,6 @@ Adjustment valve_change(const Scene& scene, const std::string& key, double facto
                                  const MotionSpec before = changed.motion;
                                  make_valve_lobe(changed.motion, valve);
                                  keep_written(changed, before);
-                                 make_valve_lobe(changed.motion, valve);
                              });
 }
 

@@ -55,11 +55,9 @@ ValveEvent event_at(const Solution& solution, double height) {
     const double begin = place_of_lift(solution, height, -1), end = place_of_lift(solution, height, 1);
     ValveEvent event{height, crank_angle_at(solution, begin), crank_angle_at(solution, end), 0.0};
     const std::vector<double> pieces = pieces_between(*solution.motion, begin, end);
-    for (std::size_t i = 1; i < pieces.size(); ++i) {
-        const double middle = 0.5 * (pieces[i] + pieces[i - 1]), half = 0.5 * (pieces[i] - pieces[i - 1]);
-        for (const QuadraturePoint& point : gauss_legendre)
-            event.area += point.weight * half * valve_lift_at(solution, middle + half * point.place);
-    }
+    for (std::size_t i = 1; i < pieces.size(); ++i)
+        visit_quadrature(pieces[i - 1], pieces[i], 1,
+                         [&](double x, double weight) { event.area += weight * valve_lift_at(solution, x); });
     event.area *= 2.0 * solution.scene.motion.unit_angle();
     return event;
 }
@@ -94,13 +92,31 @@ ValveMargin margin_at(const Solution& solution, double cam_speed) {
     return {2.0 * cam_speed, least.value, crank_angle_at(solution, least.at), least.value / pressed};
 }
 
+/// The largest 1/ω at which a place has no force left: the force is a ω² + b ω + c, so c u² + b u + a = 0 for
+/// u = 1/ω. 0: it is pressed at every speed; infinite: not even the cam at rest is touched everywhere.
+double longest_lift_off_period(const Solution& solution) {
+    const ForceSpec& forces = *solution.scene.forces;
+    const MotionScale scale = motion_scale(solution.scene);
+    const auto period = [&](double x, Side side) {
+        const FollowerState state = state_of(solution.motion->at(x, side), scale);
+        const auto force = [&](double speed) {
+            return forces.force(speed, state, scale.unit_angle * x, side);
+        };
+        const double c = force(0.0), forwards = force(1.0), backwards = force(-1.0);
+        if (!(c > 0.0)) return infinity;
+        const double a = 0.5 * (forwards + backwards) - c, b = 0.5 * (forwards - backwards);
+        const double square = b * b - 4.0 * a * c;
+        return square < 0.0 ? 0.0 : std::max(0.0, (std::sqrt(square) - b) / (2.0 * c));
+    };
+    return largest_along(solution.motion->breakpoints(), period).value;
+}
+
 void add_margins(ValveReport& report, const Solution& solution) {
     const std::optional<double>& speed = solution.scene.motion.speed;
     if (!solution.scene.forces || !speed) return;
     for (const double share : shares_of_speed) report.margins.push_back(margin_at(solution, share * *speed));
-    const auto presses = [&](double at) { return margin_at(solution, at).least_force > 0.0; };
-    if (!presses(0.0) || presses(fastest * *speed)) return;
-    report.lift_off_speed = 2.0 * bisected(presses, {0.0, fastest * *speed}, bisections).with;
+    const double longest = longest_lift_off_period(solution);
+    if (std::isfinite(longest) && longest * fastest * *speed > 1.0) report.lift_off_speed = 2.0 / longest;
 }
 
 void require_lobe(const Solution& solution, const char* which) {

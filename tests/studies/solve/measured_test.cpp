@@ -157,7 +157,7 @@ TEST(Measured, OwnTablesGiveTheSameMotion) {
     std::filesystem::remove_all(folder);
 }
 
-/// To the digits of the table, whatever moves: its deviation from its own scene is 0.
+/// To the digits of the table, for every kind of motion: its deviation from its own scene is 0.
 TEST(Measured, ExportsOfExampleScenesReadBack) {
     const test::TemporaryFolder folder;
     const std::filesystem::path file = std::filesystem::path(folder.path()) / "s.toml";

@@ -188,7 +188,7 @@ TEST(ValveLobe, OverlapOfIntakeAndExhaust) {
     EXPECT_NEAR(checking->opens / degree, -16.0, 1e-9);
     EXPECT_NEAR(checking->closes / degree, 12.0, 1e-9);
     EXPECT_NEAR(checking->duration() / degree, 28.0, 1e-9);
-    // Symmetric but for the ramps: both are open alike about 2 degrees before top dead centre.
+    // Symmetric but for the ramps: both are equally open about 2 degrees before top dead centre.
     EXPECT_NEAR(pair.common_at / degree, -2.0, 2.0);
     EXPECT_GT(pair.common_lift, 0.15 * millimetre);
     ASSERT_TRUE(pair.clearance);
