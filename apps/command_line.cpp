@@ -2,10 +2,11 @@
 #include "apps/command_line.hpp"
 
 #include "apps/scene_loading.hpp"
+#include "apps/studio/studio_page.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "core/version.hpp"
-#include "scene/cost_table.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/ranges.h>
@@ -91,9 +92,13 @@ CLI::App& add_studio(CLI::App& program, StudioRequest& request) {
         "studio", "A scene in a browser of this machine, with sliders and results to download");
     add_option(command, "SCENE", request.scene, "", "Scene file (TOML); default: a rise between two dwells");
     constexpr int first_free_port = 1024, last_port = 65535;
-    add_option(command, "--port", request.port, "N",
-               "Port of 127.0.0.1 to serve it on; default: any free one")
-        ->check(CLI::Range(first_free_port, last_port));
+    CLI::Option* const port = add_option(command, "--port", request.port, "N",
+                                         "Port of 127.0.0.1 to serve it on; default: any free one");
+    port->check(CLI::Range(first_free_port, last_port));
+    command
+        .add_flag("--offline", request.offline,
+                  "No server: open the page that holds the solver too, with the scene in it")
+        ->excludes(port);
     add_settings(command, request.settings);
     return command;
 }
@@ -388,6 +393,8 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     CLI::App program("camopt: the best motion curve for a cam, found and proved", "camopt");
     program.set_version_flag("--version", version_text());
     program.footer(examples);
+    program.allow_windows_style_options(
+        false);  // words are the same on every system; a path may begin with /
     program.require_subcommand(1);
     Words parsed;
     const CLI::App& solve = add_solve(program, parsed.solve);
@@ -405,12 +412,17 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     CLI::App& sweep = add_sweep(program, parsed.sweep);
     const CLI::App& sweep_merge = add_sweep_merge(sweep, parsed.sweep_merge);
     // Not commands of people. The shells ask what could stand where the cursor is; the build writes the
-    // manual.
+    // manual, scripts/offline_page camopt.html.
     const std::string_view first = count > 1 ? words[1] : "";
     if (first == "__complete" || first == "__manual") {
         print(first == "__manual"
                   ? manual_page(program)
                   : completion_text(program, std::span(words + 2, static_cast<std::size_t>(count - 2))));
+        return success;
+    }
+    if (first == "__offline_page" && count == 4) {
+        print(make_offline_page(read_text_file(words[2]), words[3],
+                                [](const std::string& why) { print_error("no example: " + why + "\n"); }));
         return success;
     }
     try {

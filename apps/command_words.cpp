@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/command_line.hpp"
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
 
 #include <fmt/ranges.h>
 

@@ -41,6 +41,7 @@ struct StudioRequest {
     std::string scene;                  ///< file; empty: one to begin with
     std::vector<std::string> settings;  ///< KEY=VALUE
     int port = 0;                       ///< 0: any free one
+    bool offline = false;               ///< no server: a page that holds the solver, opened as a file
 };
 /// Returns after Ctrl-C, SIGTERM or the end of the terminal.
 [[nodiscard]] ExitCode studio_command(const StudioRequest& request);

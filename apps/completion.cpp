@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "apps/command_line.hpp"
-#include "apps/commands.hpp"
 #include "apps/studio/studio_controls.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "output/plc/plc_format.hpp"

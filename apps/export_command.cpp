@@ -5,29 +5,20 @@
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/csv/lobe_csv.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_solid.hpp"
-#include "output/drawing/profile_shape.hpp"
 #include "output/exports/exports.hpp"
 #include "output/plc/plc_export.hpp"
+#include "output/plc/table_check.hpp"
 #include "output/report/cam_files.hpp"
-#include "output/report/result_folder.hpp"
-#include "output/sheet/cam_sheet.hpp"
 #include "output/sheet/sheet_files.hpp"
 #include "output/spatial/cam_export.hpp"
-#include "output/surface/triangle_mesh.hpp"
-#include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "studies/delivered/delivered.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>
-
-#include <filesystem>
 
 namespace camopt::apps {
 
@@ -96,7 +87,10 @@ void write_program(const ExportedProgram& program, FolderUpdate& folder, Exporte
         (program.name == first_piece ? "" : fmt::format("\n{}.nc\n", program.name)) + program.check;
     if (result.fault.empty()) result.fault = program.fault;
     folder.remove_earlier(program.name + ".nc");  // it does not go with this check
+    folder.remove_earlier(program.name + ".check.json");
     if (program.fault.empty()) folder.write(program.name + ".nc", program.program);
+    if (program.fault.empty() && !program.claims.empty())
+        folder.write(program.name + ".check.json", program.claims);
     folder.write(program.name + "_nc_check.txt", program.check);
     folder.write(program.name + "_nc.svg", program.picture);
 }
@@ -244,8 +238,10 @@ void export_motion(const ExportRequest& request, const Solution& solution, Folde
         if (request.step_deg) options.rows.reset();
         if (!request.columns.empty()) options.columns = column_names(request.columns);
         const UniformTable table = uniform_table(solution, options);
+        const TableCheck check = table_check(solution, table);
         folder.write("table.csv", table.text);
-        result.text += fmt::format("\nTable: {}\n", table.words());
+        folder.write("table.check.json", check.json);
+        result.text += fmt::format("\nTable: {}\n{}", table.words(), check.words);
     }
     if (!request.lobe.empty()) {
         const LengthUnit unit = request.lobe == "in" ? LengthUnit::inch : LengthUnit::millimetre;

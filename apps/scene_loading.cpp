@@ -2,7 +2,6 @@
 #include "apps/scene_loading.hpp"
 
 #include "apps/terminal.hpp"
-#include "core/errors.hpp"
 #include "core/text/text_file.hpp"
 #include "input/loading/load_scene.hpp"
 #include "output/report/result_folder.hpp"
@@ -10,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <system_error>
 
 namespace camopt::apps {

@@ -3,23 +3,16 @@
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
-#include "core/errors.hpp"
 #include "core/word_of.hpp"
-#include "output/json/result_json.hpp"
 #include "output/page/page_html.hpp"
-#include "output/report/result_folder.hpp"
-#include "output/view/number_text.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/checked/checked_cam.hpp"
-#include "studies/delivered/delivered.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
-
-#include <filesystem>
 
 namespace camopt::apps {
 

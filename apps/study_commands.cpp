@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: MIT
-// camopt table, compare, dynamics: studies beside a solve.
+// camopt table, compare, dynamics, inspect, valves, machine: studies beside a solve.
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
-#include "core/errors.hpp"
 #include "core/text/parsing.hpp"
-#include "core/units.hpp"
-#include "output/chart/studies/study_svg.hpp"
+#include "input/loading/load_scene.hpp"
+#include "input/machine/machine_reader.hpp"
 #include "output/csv/study_csv.hpp"
+#include "output/inspect/inspection_output.hpp"
 #include "output/json/study_json.hpp"
+#include "output/json/valve_json.hpp"
+#include "output/machine/machine_folder.hpp"
+#include "output/machine/machine_output.hpp"
 #include "output/page/study_html.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/view/valve_tables.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
-#include "studies/compare/comparison.hpp"
-#include "studies/papers/reference_table.hpp"
-#include "studies/response/train_study.hpp"
+#include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>
-
-#include <filesystem>
 
 namespace camopt::apps {
 
 namespace {
 
-// camopt compare: every classical law on the scene, beside its optimum.
-Comparison compare_with_progress(const Scene& scene) {
+/// The result of a computation that Ctrl-C stops, with a line of progress.
+template <class Compute>
+auto with_progress(const Compute& compute) {
     const InterruptWatch watch;
-    const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
-    Comparison comparison = compare(scene, control);
+    auto result = compute(SolveControl{InterruptWatch::interrupted, terminal_progress()});
     end_progress();
-    return comparison;
+    return result;
 }
 
 // camopt dynamics: the elastic follower train over speed, under the optimum and the classical laws.
@@ -46,13 +46,10 @@ SpeedSweep read_speeds(const std::string& text) {
                         text, most_study_speeds));
     };
     std::vector<double> numbers;
-    std::size_t begin = 0;
-    while (begin <= text.size()) {
-        const std::size_t end = std::min(text.find(':', begin), text.size());
-        const auto number = number_in(text.substr(begin, end - begin));
+    for (const std::string_view part : split_text(text, ':', {})) {
+        const auto number = number_in(part);
         if (!number) throw refuse();
         numbers.push_back(*number);
-        begin = end + 1;
     }
     if (numbers.size() != 3) throw refuse();
     const bool whole =
@@ -63,12 +60,19 @@ SpeedSweep read_speeds(const std::string& text) {
             static_cast<int>(numbers[2])};
 }
 
-TrainStudy study_with_progress(const Scene& scene, const SpeedSweep& speeds) {
-    const InterruptWatch watch;
+MachineSolution solve_with_progress(const MachineRequest& request, const MachineSpec& machine) {
+    MachineOptions options;
+    if (request.speed_gap) options.speed_gap = *request.speed_gap;
+    if (request.max_seconds) options.max_seconds = *request.max_seconds;
     const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
-    TrainStudy study = train_study(scene, speeds, control);
-    end_progress();
-    return study;
+    try {
+        MachineSolution solution = solve_machine(machine, options, control);
+        end_progress();
+        return solution;
+    } catch (const SceneError& error) {
+        end_progress();
+        input::fail_in_machine(request.scene, request.settings, machine, error.fault());
+    }
 }
 
 }  // namespace
@@ -93,7 +97,8 @@ ExitCode table_command(const TableRequest& request) {
 ExitCode compare_command(const CompareRequest& request) {
     LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
     if (!request.out.empty()) prepare_folder(request.out);
-    Comparison comparison = compare_with_progress(loaded.scene);
+    Comparison comparison =
+        with_progress([&](const SolveControl& control) { return compare(loaded.scene, control); });
     show_in(comparison.optimum.scene, request.units);
     const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
     if (!request.out.empty()) {
@@ -114,7 +119,8 @@ ExitCode dynamics_command(const DynamicsRequest& request) {
     const SpeedSweep speeds =
         request.speeds.empty() ? default_speeds(loaded.scene) : read_speeds(request.speeds);
     if (!request.out.empty()) prepare_folder(request.out);
-    const TrainStudy study = study_with_progress(loaded.scene, speeds);
+    const TrainStudy study = with_progress(
+        [&](const SolveControl& control) { return train_study(loaded.scene, speeds, control); });
     if (!request.out.empty()) {
         FolderUpdate folder(request.out);
         folder.write("dynamics.csv", dynamics_csv(study));
@@ -125,6 +131,68 @@ ExitCode dynamics_command(const DynamicsRequest& request) {
     }
     print(request.json ? dynamics_json(study) : dynamics_text(study));
     return exit_code_of(study.optimum.certificate.verdict);
+}
+
+/// A measured cam compared with the nominal one of a scene, which is solved, or of a result folder, which is
+/// used as it is.
+ExitCode inspect_command(const InspectRequest& request) {
+    const input::InspectedTable table = input::read_inspected_table(request.table);
+    if (!request.out.empty()) prepare_folder(request.out);
+    const InterruptWatch watch;
+    const Solution nominal = solved_or_read(request.scene, request.settings, [](const Scene&) {});
+    if (!nominal.motion)
+        throw InputError(fmt::format("{}: found no motion; allowed: a scene that has one", request.scene));
+    if (request.tolerance_um && nominal.scene.motion.lift_is_angle && !table.points)
+        throw InputError(
+            "--tolerance-um: found a length for deviations that are angles; allowed: with points of the cam, "
+            "or with displacements that are lengths");
+    std::optional<double> tolerance = request.tolerance_um;
+    if (tolerance) *tolerance *= 1e-6;
+    const Inspection found =
+        inspect_cam(nominal, table, request.probe_radius_mm * units::millimetre, tolerance);
+    const InspectionOutput output = inspection_output(
+        found, fmt::format("{} compared with {}", table.file, request.scene), {{}, request.command, {}});
+    if (!request.out.empty()) {
+        FolderUpdate folder(request.out);
+        for (const FolderFile& file : output.files) folder.write(file.name, file.text);
+        folder.finish();
+    }
+    print(request.json ? output.json : output.text);
+    return found.out.empty() ? success : failure;
+}
+
+/// Intake and exhaust lobe of one crankshaft, each a scene, which is solved, or a result folder, which is
+/// used as it is.
+ExitCode valves_command(const ValvesRequest& request) {
+    const InterruptWatch watch;
+    const auto lobe = [&](const std::string& scene) {
+        return solved_or_read(scene, {}, [](const Scene&) {});
+    };
+    Solution intake = lobe(request.intake);
+    const Solution exhaust = lobe(request.exhaust);
+    std::optional<ValveGap> gap;
+    if (request.gap_mm)
+        gap = ValveGap{*request.gap_mm * units::millimetre, request.included_deg * units::degree};
+    const ValvePair pair = valve_pair(intake, exhaust, gap);
+    show_in(intake.scene, request.units);
+    print(request.json ? valve_pair_json(pair) : valve_pair_text(pair, intake.scene.length_unit));
+    return !pair.clearance || *pair.clearance > 0.0 ? success : failure;
+}
+
+/// Several axes on one master, their largest speed or least objective, with its proof.
+ExitCode machine_command(const MachineRequest& request) {
+    const MachineSpec machine = input::read_machine(request.scene, camopt::load_scene, request.settings);
+    if (!request.out.empty()) prepare_folder(request.out);
+    const InterruptWatch watch;  // until the files are written: Ctrl-C must not lose them
+    MachineSolution solution = solve_with_progress(request, machine);
+    const MachineRun run = machine_run(request.scene, request.settings, request.command, solution);
+    for (Solution& axis : solution.axes)
+        if (!request.out.empty() && !InterruptWatch::interrupted()) add_forward_check(axis);
+    if (!request.out.empty()) write_machine_folder(request.out, run, solution, request.plc);
+    std::string text = request.json ? machine_json(solution, run.machine, run.axes) : machine_text(solution);
+    if (!request.out.empty() && !request.json) text += "wrote " + request.out + "\n";
+    print(text);
+    return exit_code_of(solution.certificate.verdict);
 }
 
 }  // namespace camopt::apps

@@ -3,6 +3,7 @@
 // (core/text/printable.hpp).
 #pragma once
 
+#include "core/platform/console.hpp"
 #include "solvers/solver.hpp"
 
 namespace camopt::apps {
@@ -21,22 +22,6 @@ void print_error(std::string_view text);
 
 /// Wipes the line, so that what follows starts clean.
 void end_progress();
-
-// Ctrl-C during a solve: the first asks the solver to stop and deliver the best point it has, the second ends
-// the program at once.
-
-/// Watches SIGINT as long as it lives; then the previous behaviour returns.
-class InterruptWatch {
- public:
-    enum class Signals { interrupt, termination_too };  ///< too: SIGTERM, as job schedulers send it
-
-    explicit InterruptWatch(Signals signals = Signals::interrupt);
-    ~InterruptWatch();
-    InterruptWatch(const InterruptWatch&) = delete;
-    InterruptWatch& operator=(const InterruptWatch&) = delete;
-
-    [[nodiscard]] static bool interrupted();
-};
 
 // A long computation with its progress on the terminal, which Ctrl-C stops.
 

@@ -108,7 +108,9 @@ foreach(kind static shared)
   # In the tree a header is named from the root of the tree; installed, from include/.
   install(CODE "set(camopt_include_dir \"${CMAKE_INSTALL_INCLUDEDIR}/camopt\")" ${here})
   install(SCRIPT cmake/CamoptInstalledIncludes.cmake ${here})
-  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} ${here})
+  if(NOT CAMOPT_DEBIAN)  # whose packages have a copyright file
+    install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} ${here})
+  endif()
 endforeach()
 # The C library is the component c of either package: one target by hand, for it brings nothing but itself.
 get_property(camopt_c_soversion GLOBAL PROPERTY CAMOPT_C_SOVERSION)
@@ -130,12 +132,19 @@ install(FILES cmake/FindCamoptIpopt.cmake cmake/CamoptPkgConfigPart.cmake cmake/
   DESTINATION ${camopt_package_dir}/modules COMPONENT camopt_static ${camopt_only_static})
 
 if(TARGET camopt)
-  install(TARGETS camopt RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  set(here COMPONENT camopt_program)
+  install(TARGETS camopt RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ${here})
+  set(camopt_manual_file ${PROJECT_BINARY_DIR}/apps/camopt.1)
+  set(camopt_zsh_dir zsh/site-functions)
+  if(CAMOPT_DEBIAN)  # where its policy puts them
+    string(APPEND camopt_manual_file .gz)
+    set(camopt_zsh_dir zsh/vendor-completions)
+  endif()
   if(TARGET camopt_manual)
-    install(FILES ${PROJECT_BINARY_DIR}/apps/camopt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${camopt_manual_file} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 ${here})
   endif()
   # Where each shell looks by itself.
-  install(FILES apps/completion/camopt.bash RENAME camopt DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-  install(FILES apps/completion/_camopt DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-  install(FILES apps/completion/camopt.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  install(FILES apps/completion/camopt.bash RENAME camopt DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions ${here})
+  install(FILES apps/completion/_camopt DESTINATION ${CMAKE_INSTALL_DATADIR}/${camopt_zsh_dir} ${here})
+  install(FILES apps/completion/camopt.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d ${here})
 endif()

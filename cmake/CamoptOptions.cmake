@@ -32,6 +32,8 @@ endforeach()
 set(CAMOPT_PYTHON AUTO CACHE STRING "Build the Python package: AUTO (where camopt is the project and it can be), ON or OFF")
 set_property(CACHE CAMOPT_PYTHON PROPERTY STRINGS AUTO ON OFF)
 
+option(CAMOPT_DEBIAN "Debian packages by cpack (preset debian)" OFF)
+
 set(CAMOPT_SANITIZE "" CACHE STRING "Sanitizers for every target, for example address,undefined")
 option(CAMOPT_COVERAGE "Instrument every target for coverage" OFF)
 

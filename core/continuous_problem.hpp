@@ -6,9 +6,6 @@
 #pragma once
 
 #include "core/nlp.hpp"
-#include "core/numbers/extremum.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 
@@ -54,8 +51,7 @@ class ContinuousProblem {
     /// The same, with the active rows of the current grid: between active rows of one rule on both sides of a
     /// maximum, their weighted mean locates it to second order in their distance, and rows close around it
     /// are added. `row_multipliers`: of the grid's point at which the maxima were found.
-    virtual int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) {
-        static_cast<void>(row_multipliers);
+    virtual int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& /*row_multipliers*/) {
         return refine(worst);
     }
 
@@ -74,10 +70,7 @@ class ContinuousProblem {
     [[nodiscard]] virtual Box box(double incumbent, double relaxation) const = 0;
 
     /// Whether the problem is proved convex over that box, so that tangents of its rows are bounds.
-    [[nodiscard]] virtual bool convex(double incumbent) const {
-        static_cast<void>(incumbent);
-        return grid().shape().convex;
-    }
+    [[nodiscard]] virtual bool convex(double /*incumbent*/) const { return grid().shape().convex; }
 
  protected:
     ContinuousProblem() = default;

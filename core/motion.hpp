@@ -29,8 +29,7 @@ class Motion {
 
     /// Enclosures of y to its fourth derivative over `x`, a stretch between two neighbouring breakpoints.
     /// Returns nullopt if no enclosure is implemented.
-    [[nodiscard]] virtual std::optional<std::array<Interval, 5>> ranges(const Interval& x) const {
-        static_cast<void>(x);
+    [[nodiscard]] virtual std::optional<std::array<Interval, 5>> ranges(const Interval& /*x*/) const {
         return {};
     }
 

@@ -3,7 +3,6 @@
 // camopt knows.
 #include "apps/commands.hpp"
 #include "apps/terminal.hpp"
-#include "core/motion.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"

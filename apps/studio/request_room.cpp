@@ -9,9 +9,7 @@
 #include <cstdint>
 #include <iterator>
 #include <poll.h>
-#include <stdexcept>
 #include <sys/eventfd.h>
-#include <sys/random.h>
 #include <sys/socket.h>
 #include <system_error>
 #include <unistd.h>
@@ -176,15 +174,6 @@ int refusal_of(const RequestHead& request, const StudioPlace& place) {
     if (request.method != *method) return 405;
     if (has(request, "Expect")) return 417;
     return unfit_body(request, place);
-}
-
-std::string random_token() {
-    std::array<unsigned char, 16> bytes{};
-    if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-        throw std::runtime_error("the system's random source returned nothing");
-    std::string token;
-    for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
-    return token;
 }
 
 }  // namespace camopt::apps

@@ -92,8 +92,4 @@ struct StudioPlace {
 ///   400  a header twice that may stand once, a length that is no number
 [[nodiscard]] int refusal_of(const RequestHead& request, const StudioPlace& place);
 
-/// 128 bits of the system's random source, as 32 hexadecimal digits. Throws std::runtime_error where it gives
-/// none.
-[[nodiscard]] std::string random_token();
-
 }  // namespace camopt::apps

@@ -7,10 +7,13 @@ namespace camopt::apps {
 
 struct StudioServer::State {};
 
+bool StudioServer::available() {
+    return false;
+}
+
 StudioServer::StudioServer(StudioHandlers, const StudioServerOptions&) {
     throw UnavailableError(
-        "camopt studio: this camopt was built without cpp-httplib, which serves the page; install "
-        "libcpp-httplib-dev and build again. `camopt solve SCENE --out DIR` writes a report without it");
+        "this camopt was built without cpp-httplib (libcpp-httplib-dev), which serves the studio");
 }
 
 StudioServer::~StudioServer() = default;

@@ -1,40 +1,24 @@
 // SPDX-License-Identifier: MIT
-// camopt studio: the page of a scene, served on this machine's loopback until Ctrl-C.
+// camopt studio: the page of a scene, served on this machine's loopback until Ctrl-C, or as a file that holds
+// the solver too.
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/studio/studio_page.hpp"
 #include "apps/studio/studio_server.hpp"
 #include "apps/terminal.hpp"
+#include "core/errors.hpp"
+#include "core/platform/files.hpp"
+#include "core/text/text_file.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <csignal>
+#include <chrono>
+#include <thread>
 
 namespace camopt::apps {
 
 namespace {
-
-/// What ends the program is waited for instead of handled; threads begun while this lives leave it alone.
-class EndSignals {
- public:
-    EndSignals() {
-        sigemptyset(&awaited_);
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&awaited_, signal);
-        pthread_sigmask(SIG_BLOCK, &awaited_, &before_);
-    }
-    ~EndSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    EndSignals(const EndSignals&) = delete;
-    EndSignals& operator=(const EndSignals&) = delete;
-
-    /// True: one came within so many milliseconds.
-    [[nodiscard]] bool came_within(long milliseconds) const {
-        const timespec time{milliseconds / 1000, milliseconds % 1000 * 1'000'000};
-        return sigtimedwait(&awaited_, nullptr, &time) > 0;
-    }
-
- private:
-    sigset_t awaited_ = {}, before_ = {};
-};
 
 /// The scene of the command line, with its settings, or one to begin with.
 StudioStart start_of(const StudioRequest& request) {
@@ -42,11 +26,46 @@ StudioStart start_of(const StudioRequest& request) {
     return {request.scene, load_scene_and_text(request.scene, request.settings).text};
 }
 
+/// The page that holds the solver too, as it is installed; with `opening` in the place of none.
+std::string offline_page(const nlohmann::json& opening) {
+    constexpr std::string_view name = "camopt.html";
+    const std::string id = "opening-scene", none = page_block({id, "null"});
+    const std::filesystem::path program = program_folder();
+    for (const std::filesystem::path& place : {program / name, program / "../share/camopt" / name}) {
+        if (!std::filesystem::is_regular_file(place)) continue;
+        std::string page = read_text_file(place);
+        const std::size_t at = page.find(none);
+        if (at == std::string::npos)
+            throw InputError(place.string() +
+                             ": found no element opening-scene; allowed: the page of this camopt");
+        return page.replace(at, none.size(), page_block({id, opening.dump()}));
+    }
+    throw UnavailableError(
+        fmt::format("camopt studio: found no {0} next to the program or in share/camopt; {1}. `camopt solve "
+                    "SCENE --out DIR` "
+                    "writes a report without it",
+                    name,
+                    StudioServer::available()
+                        ? "without --offline the studio is served instead"
+                        : "this camopt was built without cpp-httplib (libcpp-httplib-dev), which serves the "
+                          "studio instead"));
+}
+
+ExitCode open_offline_page(const StudioStart& start) {
+    const std::string page = offline_page({{"name", start.name}, {"scene", start.scene}});
+    const std::filesystem::path file = make_temporary_folder() / "camopt.html";
+    write_text_file(file, page);
+    print(fmt::format("camopt studio: {}\n{}", file.string(),
+                      open_in_browser(file) ? "" : "Open it in a browser on this machine.\n"));
+    return success;
+}
+
 }  // namespace
 
 ExitCode studio_command(const StudioRequest& request) {
     const StudioStart start = start_of(request);
-    const EndSignals signals;
+    if (request.offline || !StudioServer::available()) return open_offline_page(start);
+    const InterruptWatch watch(InterruptWatch::Signals::hangup_too);
     StudioSession session;
     const StudioServer server({.page = [&] { return studio_page(start, session.first(start.scene)); },
                                .solve = [&](const std::string& body) { return session.solve(body); },
@@ -54,9 +73,8 @@ ExitCode studio_command(const StudioRequest& request) {
                               {.port = request.port});
     print(fmt::format("camopt studio: {}\nOpen it in a browser on this machine. Ctrl-C ends it.\n",
                       server.address()));
-    constexpr long look_ms = 500;
-    while (server.running() && !signals.came_within(look_ms)) {
-    }
+    constexpr std::chrono::milliseconds look(100);
+    while (server.running() && !InterruptWatch::interrupted()) std::this_thread::sleep_for(look);
     session.stop();
     return server.running() ? success : failure;
 }

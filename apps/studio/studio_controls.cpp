@@ -249,7 +249,7 @@ double round_up(double value) {
 /// At or below.
 double round_down(double value) {
     const double decade = decade_of(value);
-    const auto* const above = std::ranges::upper_bound(round_figures, value / decade * (1.0 + 1e-12));
+    const auto above = std::ranges::upper_bound(std::span(round_figures), value / decade * (1.0 + 1e-12));
     return *std::prev(above) * decade;
 }
 

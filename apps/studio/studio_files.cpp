@@ -80,6 +80,8 @@ std::vector<StudioFile> make_files() {
     for (const std::size_t piece : {std::size_t{0}, std::size_t{1}}) add_piece(files, piece);
     files.push_back({"result", "Result (JSON)", "result.json", "application/json", FileNeed::nothing,
                      exported_text("result.json")});
+    files.push_back({"certificate", "Certificate (JSON)", "certificate.json", "application/json",
+                     FileNeed::nothing, exported_text("certificate.json")});
     files.push_back({"report", "Report (HTML)", "report.html", "text/html", FileNeed::nothing,
                      exported_text("report.html")});
     for (const PlcFormat& format : plc_formats())

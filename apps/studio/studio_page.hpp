@@ -3,10 +3,13 @@
 #pragma once
 
 #include "apps/studio/studio_server.hpp"
+#include "output/page/page_html.hpp"
 #include "scene/scene.hpp"
 #include "solvers/solver.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
 
 namespace camopt::apps {
 
@@ -37,6 +40,21 @@ struct StudioStart {
 /// answer: to the first solve (studio_session.cpp). With a content policy that lets this document's own
 /// scripts run and no others, and connect to nothing but this server.
 [[nodiscard]] StudioAnswer studio_page(const StudioStart& start, const std::string& answer);
+
+/// For addresses and policies: 128 bits of the system's random source, as 32 hexadecimal digits. Throws
+/// std::system_error where there is none.
+[[nodiscard]] std::string random_token();
+
+/// The same page before it is written: studio_page() adds the policy of a server, make_offline_page() the
+/// engine.
+[[nodiscard]] PageHtml studio_html(const StudioStart& start, const std::string& answer);
+
+/// camopt.html: the studio's page, the engine and the scenes of a folder that it can solve as examples, in
+/// one document that needs no server. `engine`: apps/studio/offline/engine.cpp, compiled for WebAssembly,
+/// gzip. The same input gives the same bytes. Throws InputError for a folder without scenes; `left_out` is
+/// told of each scene that is no example, and why.
+[[nodiscard]] std::string make_offline_page(std::string_view engine, const std::filesystem::path& scenes,
+                                            const std::function<void(const std::string&)>& left_out);
 
 // Files of a scene, made in memory: a request names one of a list, never a path.
 

@@ -2,6 +2,7 @@
 #include "apps/studio/studio_server.hpp"
 
 #include "apps/studio/request_room.hpp"
+#include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
 
 #include <fmt/format.h>
@@ -281,6 +282,10 @@ StudioServer::StudioServer(StudioHandlers handlers, const StudioServerOptions& o
                       });
     state.listener = std::thread([&state] { state.server.listen_after_bind(); });
     while (!state.server.is_running()) std::this_thread::yield();
+}
+
+bool StudioServer::available() {
+    return true;
 }
 
 StudioServer::~StudioServer() {

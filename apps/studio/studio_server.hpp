@@ -40,6 +40,8 @@ struct StudioServerOptions {
 
 class StudioServer {
  public:
+    /// This build has the HTTP library.
+    [[nodiscard]] static bool available();
     /// Binds and serves at once. Throws InputError for a port that is taken, UnavailableError where the build
     /// has no HTTP library.
     StudioServer(StudioHandlers handlers, const StudioServerOptions& options = {});

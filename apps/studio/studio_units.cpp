@@ -50,12 +50,13 @@ struct UnitNature {
 UnitNature nature_of(std::string_view unit) {
     UnitNature nature;
     constexpr std::string_view marks = " /^";
+    const std::span parts(unit_parts);
     while (!unit.empty()) {
         const std::size_t end = std::max<std::size_t>(std::min(unit.find_first_of(marks), unit.size()), 1);
         const std::string_view part = unit.substr(0, end);
-        const auto* const row = std::ranges::find(unit_parts, part, &UnitPart::name);
-        nature.dimension += row == unit_parts.end() ? part : row->dimension;
-        if (row != unit_parts.end() && row->system != UnitSystem::both) nature.system = row->system;
+        const auto row = std::ranges::find(parts, part, &UnitPart::name);
+        nature.dimension += row == parts.end() ? part : row->dimension;
+        if (row != parts.end() && row->system != UnitSystem::both) nature.system = row->system;
         unit.remove_prefix(end);
     }
     return nature;

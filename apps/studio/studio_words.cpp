@@ -84,9 +84,9 @@ std::string capitalized(std::string words) {
 std::string table_words(std::string_view part) {
     const std::size_t bracket = part.find('[');
     const std::string_view name = part.substr(0, bracket);
-    const auto* const named =
-        std::ranges::find(named_tables, name, &std::pair<std::string_view, std::string_view>::first);
-    std::string words = named == named_tables.end() ? words_of(name) : std::string(named->second);
+    const std::span tables(named_tables);
+    const auto named = std::ranges::find(tables, name, &std::pair<std::string_view, std::string_view>::first);
+    std::string words = named == tables.end() ? words_of(name) : std::string(named->second);
     if (bracket == std::string_view::npos) return words;
     const auto index = integer_in(part.substr(bracket + 1, part.size() - bracket - 2));
     return fmt::format("{} {}", words, index.value_or(0) + 1);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep/rank_launch.hpp"
 
-#include "core/base/standard.hpp"
 #include "core/text/parsing.hpp"
 
 #include <cstdlib>

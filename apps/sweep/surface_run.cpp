@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "apps/commands.hpp"
-#include "apps/scene_loading.hpp"
 #include "apps/sweep/sweep_job.hpp"
 #include "apps/terminal.hpp"
-#include "core/deadline.hpp"
-#include "core/errors.hpp"
 #include "core/text/parsing.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
-#include "output/chart/sweep/sweep_svg.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/json/sweep_json.hpp"
 #include "output/page/study_html.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/view/number_text.hpp"
-#include "studies/compare/law_losses.hpp"
-#include "studies/pareto/sweep_front.hpp"
 
 #include <fmt/format.h>
-
-#include <filesystem>
 
 namespace camopt::apps {
 
@@ -203,7 +192,7 @@ ExitCode surface_look_up(const SweepRequest& request) {
     const SolveControl nothing_more{[] { return true; }, {}};
     const TradeOffSurface surface = trade_off_surface(scene, given, nothing_more, std::move(rows));
     const SurfaceValue value = surface.at(weights);
-    const SweepRow& row = surface.table.rows[static_cast<std::size_t>(value.nearest)];
+    const SweepRow& row = surface.table.rows[value.nearest];
     std::string text = fmt::format("The least objective lies between {} and {}.\n",
                                    short_text(value.lower, 9), short_text(value.upper, 9));
     text += fmt::format("The upper one is that of row {}, solved at {:.4g}, {:.4g}, {:.4g}:", row.number,

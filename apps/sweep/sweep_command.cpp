@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "apps/commands.hpp"
-#include "apps/scene_loading.hpp"
 #include "apps/sweep/sweep_job.hpp"
 #include "apps/terminal.hpp"
-#include "core/errors.hpp"
-#include "output/chart/studies/study_svg.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/page/study_html.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/sweep_folder.hpp"
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <thread>
 
 namespace camopt::apps {

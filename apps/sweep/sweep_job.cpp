@@ -19,11 +19,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 namespace camopt::apps {
 
 namespace {
@@ -188,8 +183,11 @@ SweepRow SweepJob::solve_machine_row(int row, const SweepFolder& folder) const {
 }
 
 std::vector<SweepRow> SweepJob::solve(RowRange rows, const SweepFolder& folder,
-                                      const std::function<void(const SweepRow&)>& row_done) {
-    if (!is_machine_) return solve_chunk(scenes_, rows, {}, row_done, keeper(folder));
+                                      const std::function<void(const SweepRow&)>& row_done) const {
+    if (!is_machine_) {
+        SweepScenes scenes = scenes_;
+        return solve_chunk(scenes, rows, {}, row_done, keeper(folder));
+    }
     std::vector<SweepRow> solved;
     for (int row = rows.begin; row < rows.end; ++row) {
         try {
@@ -231,19 +229,6 @@ ExitCode tell_interruption(const SweepFolder& folder) {
                     "with --resume goes on\n",
                     finished, folder.chunks().size(), folder.path().string()));
     return interrupted;
-}
-
-FolderLock::FolderLock(const std::filesystem::path& folder) {
-    file_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-    leave_to_parent();
-    throw InputError("another camopt is running in " + folder.string() +
-                     "; wait for it, or take another folder");
-}
-
-void FolderLock::leave_to_parent() {
-    if (file_ >= 0) ::close(file_);
-    file_ = -1;
 }
 
 PoolTask chunk_task(const SweepFolder& folder, SweepJob& job) {

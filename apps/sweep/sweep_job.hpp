@@ -5,7 +5,8 @@
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/sweep/rank_launch.hpp"
-#include "apps/sweep/worker_pool.hpp"
+#include "core/platform/files.hpp"
+#include "core/platform/workers.hpp"
 #include "output/json/sweep_json.hpp"
 #include "output/report/sweep_folder.hpp"
 #include "scene/machine_spec.hpp"
@@ -15,24 +16,6 @@
 #include <map>
 
 namespace camopt::apps {
-
-// One program at a time in a folder.
-
-/// Held as long as it lives; the system lets go of it however the program ends.
-class FolderLock {
- public:
-    /// Throws InputError where another program holds it. A file system that knows no locks is no hindrance.
-    explicit FolderLock(const std::filesystem::path& folder);
-    ~FolderLock() { leave_to_parent(); }
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-
-    /// In a forked child: the lock stays with the parent alone.
-    void leave_to_parent();
-
- private:
-    int file_ = -1;
-};
 
 /// Scene or machine, settings and rows of the words of a command line. The constructor throws InputError.
 class SweepJob {
@@ -45,9 +28,10 @@ class SweepJob {
     /// Reads and checks every row; throws InputError naming the first wrong one.
     [[nodiscard]] SweepColumns check();
     [[nodiscard]] int chunk_size();
-    /// Rows solved one after another, with their result folders where these are asked for.
+    /// Rows solved one after another, with their result folders where these are asked for. Workers may be
+    /// threads that call this at once.
     [[nodiscard]] std::vector<SweepRow> solve(RowRange rows, const SweepFolder& folder,
-                                              const std::function<void(const SweepRow&)>& row_done);
+                                              const std::function<void(const SweepRow&)>& row_done) const;
     /// Of the first row; null: a machine.
     [[nodiscard]] const Scene* first_scene() { return is_machine_ ? nullptr : &scenes_.scene(0); }
     /// What a folder of this sweep says of itself, with these columns and chunks.

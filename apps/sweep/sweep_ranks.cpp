@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep/sweep_job.hpp"
 #include "apps/terminal.hpp"
-#include "core/errors.hpp"
 #include "output/report/result_folder.hpp"
 
 #include <fmt/format.h>
@@ -91,7 +90,7 @@ struct Rank {
 /// `whole`: of rank 0, which waits for the other parts too.
 ExitCode solve_part(const Rank& rank, WorkFolder* whole) {
     SweepRequest request = rank.request;
-    request.out = rank.parts[static_cast<std::size_t>(rank.launch.rank)];
+    request.out = rank.parts[rank.launch.rank];
     WorkFolder part(request, {rank.identity, {rank.launch.rank + 1, rank.launch.size}});
     const InterruptWatch watch(InterruptWatch::Signals::termination_too);
     const PoolOutcome outcome =

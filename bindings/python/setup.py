@@ -5,6 +5,7 @@
 
 CAMOPT_BUILD_FOLDER: a folder that CMake has configured already (build/release); without it build/pip is made, with the
 optional libraries that are found. CAMOPT_CMAKE_OPTIONS: further words for cmake, such as -DCAMOPT_WITH_IPOPT=OFF.
+CAMOPT_LICENSE_FOLDER: texts of what is linked in, which a wheel then holds with camopt's.
 """
 
 import os
@@ -17,6 +18,7 @@ import sys
 
 import setuptools
 from setuptools.command.build_ext import build_ext
+from wheel.bdist_wheel import bdist_wheel
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -49,10 +51,19 @@ class CMakeBuild(build_ext):
         subprocess.run(["strip", "--strip-unneeded", target], check=False)
 
 
+class LicensedWheel(bdist_wheel):
+    """With the licences in its .dist-info; setuptools looks for them below this folder only."""
+
+    @property
+    def license_paths(self):
+        folder = os.environ.get("CAMOPT_LICENSE_FOLDER")
+        return sorted(map(str, pathlib.Path(folder).iterdir())) if folder else [str(ROOT / "LICENSE")]
+
+
 # Nothing is left in the tree of sources: what setuptools makes stands in build/.
 WORK = ROOT / "build" / "setuptools"
 WORK.mkdir(parents=True, exist_ok=True)
 setuptools.setup(version=version(), ext_modules=[setuptools.Extension("camopt._camopt", sources=[])],
-                 cmdclass={"build_ext": CMakeBuild},
+                 cmdclass={"build_ext": CMakeBuild, "bdist_wheel": LicensedWheel},
                  options={"build": {"build_base": str(WORK)}, "egg_info": {"egg_base": str(WORK)},
                           "bdist_wheel": {"bdist_dir": str(WORK / "wheel")}})

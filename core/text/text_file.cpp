@@ -2,16 +2,14 @@
 #include "core/text/text_file.hpp"
 
 #include "core/errors.hpp"
+#include "core/platform/files.hpp"
 
 #include <fmt/format.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
-#include <fstream>
 #include <system_error>
-#include <unistd.h>
 
 namespace camopt {
 
@@ -21,33 +19,29 @@ namespace {
     throw InputError(fmt::format("cannot {} {}: {}", what, path.string(), reason));
 }
 
-/// Waits until the bytes are on the disk. False: they may not be; errno has the reason.
-bool is_on_disk(const std::filesystem::path& path) {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) return false;
-    const bool done = ::fsync(file) == 0;
+enum class Durability { program, power };  ///< whose failure the file survives
+
+/// False: errno has the reason.
+bool is_written(const std::filesystem::path& path, std::string_view text, Durability durability) {
+    std::FILE* const file = open_for_writing(path);
+    if (file == nullptr) return false;
+    const bool done = std::fwrite(text.data(), 1, text.size(), file) == text.size() &&
+                      (durability == Durability::program || flush_to_disk(file));
     const int reason = errno;
-    ::close(file);
+    if (std::fclose(file) != 0) return false;  // a network file system may report a full disk only here
     errno = reason;
     return done;
 }
 
-enum class Durability { program, power };  ///< whose failure the file survives
-
 void write_in_one_step(const std::filesystem::path& path, std::string_view text, Durability durability) {
     std::filesystem::path temporary = path;
-    temporary += fmt::format(".{}.tmp", ::getpid());  // two camopt runs may write into the same folder
+    temporary += fmt::format(".{}.tmp", process_number());  // two camopt runs may write into the same folder
     std::error_code ignored;
     errno = 0;
-    {
-        std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-        file.write(text.data(), static_cast<std::streamsize>(text.size()));
-        file.close();  // a network file system may report a full disk only here
-        if (!file || (durability == Durability::power && !is_on_disk(temporary))) {
-            const std::string reason = std::strerror(errno);
-            std::filesystem::remove(temporary, ignored);
-            refuse("write", path, reason);
-        }
+    if (!is_written(temporary, text, durability)) {
+        const std::string reason = std::strerror(errno);
+        std::filesystem::remove(temporary, ignored);
+        refuse("write", path, reason);
     }
     std::error_code error;
     std::filesystem::rename(temporary, path, error);
@@ -82,7 +76,7 @@ FileBytes file_bytes(const std::filesystem::path& path, std::uintmax_t most) {
     if (std::filesystem::is_directory(path, ignored)) return {{}, "it is a folder"};
     errno = 0;
     const auto close = [](std::FILE* file) { std::fclose(file); };
-    const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+    const std::unique_ptr<std::FILE, decltype(close)> file(open_for_reading(path), close);
     if (!file) return {{}, reason()};
     FileBytes result;
     std::array<char, 1U << 16U> part{};

@@ -18,15 +18,21 @@ ProgramRun run_shell(const std::string& command) {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text_file(out), read_text_file(err)};
 }
 
+/// CAMOPT_TEST_PROGRAM: another one than the built one, such as a script that runs camopt.exe under Wine.
+std::string program() {
+    const char* const other = std::getenv("CAMOPT_TEST_PROGRAM");
+    return std::string("'") + (other != nullptr ? other : CAMOPT_PROGRAM) + "' ";
+}
+
 }  // namespace
 
 ProgramRun run_camopt(const std::string& arguments) {
-    return run_shell(std::string("'") + CAMOPT_PROGRAM + "' " + arguments);
+    return run_shell(program() + arguments);
 }
 
 ProgramRun run_camopt_interrupted(const std::string& arguments, double seconds) {
-    return run_shell(std::string("'") + CAMOPT_PROGRAM + "' " + arguments + " & pid=$!; sleep " +
-                     std::to_string(seconds) + "; kill -INT $pid; wait $pid");
+    return run_shell(program() + arguments + " & pid=$!; sleep " + std::to_string(seconds) +
+                     "; kill -INT $pid; wait $pid");
 }
 
 std::string scene(const std::string& name) {

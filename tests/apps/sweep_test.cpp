@@ -354,10 +354,14 @@ TEST_F(SweepCommand, InterruptKeepsResultsAndSuggestsResume) {
     const int kept = chunk_count(path("map"));
     EXPECT_GE(kept, 3);
     EXPECT_LT(kept, longer_chunks);
-    const auto first = std::filesystem::last_write_time(path("map") + "/chunks/chunk_000000.csv");
+    // Chunk 0 may be the one that a slow worker still had.
+    std::filesystem::path one;
+    for (const auto& entry : std::filesystem::directory_iterator(path("map") + "/chunks"))
+        if (entry.path().extension() == ".csv") one = entry.path();
+    const auto first = std::filesystem::last_write_time(one);
     ASSERT_EQ(run_sweep(longer_sweep(path("map")) + Words{"--resume"}, path("log")), 0) << errors("log");
     EXPECT_EQ(timeless_rows(path("map")), timeless_rows(path("whole")));
-    EXPECT_EQ(std::filesystem::last_write_time(path("map") + "/chunks/chunk_000000.csv"), first);
+    EXPECT_EQ(std::filesystem::last_write_time(one), first);
 }
 
 TEST_F(SweepCommand, TerminationKeepsWhatIsFinishedToo) {

@@ -15,10 +15,11 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from browser import browser_of, wait_for  # noqa: E402
-from studio import studio  # noqa: E402
+from studio import StudioPage, studio  # noqa: E402
 
 PROGRAM, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
 PICTURES = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
+StudioPage.pictures = PICTURES
 DRD, CAM = SCENES / "drd_cubic_32.toml", SCENES / "cam_roller.toml"
 
 
@@ -26,82 +27,6 @@ def command_line(scene, *settings):
     arguments = [word for setting in settings for word in ("--set", setting)]
     run = subprocess.run([PROGRAM, "solve", str(scene), "--json", *arguments], capture_output=True, text=True, check=False)
     return json.loads(run.stdout)
-
-
-class StudioPage:
-    """The studio's page in a browser, by what a user sees and moves."""
-
-    def __init__(self, page, address):
-        self.page, self.driver, self.run = page, page.driver, page.js
-        self.driver.get(address)
-        wait_for("the page", lambda: self.run("return document.documentElement.dataset.studio === 'ready'"), 90)
-
-    def settled(self):
-        return int(self.run("return document.documentElement.dataset.settled || '0'"))
-
-    def after(self, act):
-        """Waits until what was asked by `act` is answered and drawn."""
-        before = self.settled()
-        act()
-        wait_for("an answer", lambda: self.settled() > before, 90)
-
-    def move(self, key, value):
-        """A slider, as a hand moves it."""
-        self.after(lambda: self.run("""
-            const slider = document.querySelector(`[data-key="${arguments[0]}"] input[type=range]`);
-            slider.value = arguments[1];
-            slider.dispatchEvent(new Event('input'));
-            slider.dispatchEvent(new Event('change'));""", key, str(value)))
-
-    def type(self, key, value):
-        self.after(lambda: self.run("""
-            const field = document.querySelector(`[data-key="${arguments[0]}"] input.number`);
-            field.value = arguments[1];
-            field.dispatchEvent(new Event('change'));""", key, str(value)))
-
-    def click(self, selector):
-        self.run("document.querySelector(arguments[0]).click()", selector)
-
-    def shown(self, key):
-        return float(self.run('return document.querySelector(`[data-key="${arguments[0]}"] input.number`).value', key))
-
-    def objective(self):
-        return float(self.run("return document.querySelector('.headline').dataset.objective"))
-
-    def write(self, key, text, leave=True):
-        """As by keyboard: the field has the focus, and what it had is replaced."""
-        from selenium.webdriver.common.keys import Keys
-        field = self.driver.find_element("css selector", f'[data-key="{key}"] input.number')
-        self.run("arguments[0].focus(); arguments[0].select()", field)
-        field.send_keys(Keys.DELETE, text, *([Keys.ENTER] if leave else []))
-        return field
-
-    def differences(self):
-        """Fields, sliders, choices and ticks that do not show what the scene holds."""
-        return self.run("""
-            return Camopt.studio.answer.controls.filter((one) => one.given).flatMap((one) => {
-                const path = Camopt.controlPath(one), row = document.querySelector(`[data-key="${CSS.escape(path)}"]`);
-                const wanted = one.type === 'range' ? [one.value.min, one.value.max] : [one.value];
-                const shown = [...row.querySelectorAll('input.number')].map((field) => field.value);
-                const found = shown.length ? shown.map(Number) : row.querySelector('select') ? [row.querySelector('select').value]
-                    : row.querySelector('input[type=checkbox]') ? [row.querySelector('input[type=checkbox]').checked] : [row.querySelector('input[type=text]:not(.number)').value];
-                const slider = row.querySelector('input[type=range]');
-                const right = found.length === wanted.length && found.every((text, i) => String(text) === String(wanted[i]) && shown[i] !== '');
-                const placed = !slider || Math.abs(Number(slider.value) - one.value) <= 1e-12 * Math.abs(one.value);
-                return right && placed ? [] : [path + ': ' + found + (slider ? ', slider ' + slider.value : '') + '; the scene holds ' + wanted];
-            });""")
-
-    def use(self, text):
-        self.after(lambda: self.run("""document.querySelector('.editor textarea').value = arguments[0];
-                    document.querySelector('[data-control=use-scene]').click();""", text))
-
-    def fault(self):
-        return self.run("return document.querySelector('.fault').textContent")
-
-    def picture(self, name):
-        if PICTURES:
-            PICTURES.mkdir(parents=True, exist_ok=True)
-            self.driver.save_screenshot(str(PICTURES / f"{name}.png"))
 
 
 class OnePage(unittest.TestCase):

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "tests/support/derivative_check.hpp"
+
 #include "core/errors.hpp"
 #include "core/nlp.hpp"
 #include "solvers/test_problems.hpp"

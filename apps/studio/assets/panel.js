@@ -79,14 +79,21 @@
     const unused = element('p', { class: 'unused', hidden: true }, 'Not applied: the scene is unchanged.');
     let held = '', asked = null;
     const mark = () => { unused.hidden = text.value === held; };
-    const ask = () => { asked = text.value; use(asked); };
+    const ask = () => use(text.value);
     text.addEventListener('input', mark);
     const file = element('input', { type: 'file', accept: '.toml', 'aria-label': 'Open a scene file' });
-    file.addEventListener('change', async () => { if (file.files.length) { text.value = await file.files[0].text(); mark(); ask(); } });
+    file.addEventListener('change', async () => { if (file.files.length) use(await file.files[0].text(), file.files[0].name); file.value = ''; });
     const host = element('details', { class: 'group editor' }, element('summary', {}, 'Scene file'), text, unused,
       element('div', { class: 'buttons' }, element('button', { type: 'button', 'data-control': 'use-scene', onclick: ask }, 'Use this text'), file));
     /** given: the text that the scene was made of. */
-    return { host, show(scene, given) { if (text.value === held || given === asked) text.value = scene; held = scene; mark(); } };
+    return {
+      host,
+      show(scene, given) { if (text.value === held || given === asked) text.value = scene; held = scene; mark(); },
+      /** A text from elsewhere replaces what is in the editor, once it is the scene. */
+      asked(scene) { asked = scene; },
+      /** A refused text, to be corrected. */
+      correct(scene) { text.value = scene; host.open = true; mark(); },
+    };
   }
 
   /** A button a file; those of controllers in one choice. What a scene has not is not shown. */
@@ -134,7 +141,7 @@
         }
       },
       controls(answer, given, refused) {
-        name.textContent = 'Studio · ' + (given.typed ? 'text from this page' : begin.name);
+        name.textContent = 'Studio · ' + (given.name || (given.typed ? 'text from this page' : begin.name));
         groups.show(answer.controls, refused);
         editor.show(answer.scene, given.scene);
         units.show(answer.units);
@@ -142,6 +149,8 @@
       },
       history(canUndo, canRedo) { undo.disabled = !canUndo; redo.disabled = !canRedo; },
       fault: showFault,
+      asked: editor.asked,
+      correct: editor.correct,
       solving(on) { state.textContent = on ? 'solving …' : ''; },
     };
   };

@@ -18,7 +18,9 @@
   /** Of each answer, for who measures: its stage, ms from the wish to the picture, ms of the solve. */
   const times = [];
 
-  const post = (what, body, signal) => fetch(what, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body), signal });
+  /** A request and its Response: from the server that served this page, or from the engine in it (offline.js). */
+  camopt.ask ||= (what, body, signal) => fetch(what, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body), signal });
+  camopt.lost ??= ' Is camopt studio still running?';
 
   /** What a picture is of. */
   const subjectOf = (wish) => JSON.stringify([wish.state, wish.laws]);
@@ -41,7 +43,7 @@
       try {
         await solve(wish, running.abort.signal);
       } catch (error) {
-        if (error.name !== 'AbortError') { panel.fault('No answer: ' + error.message + '. Is camopt studio still running?'); takeBack(wish.state); }
+        if (error.name !== 'AbortError') { panel.fault('No answer: ' + error.message + '.' + camopt.lost); takeBack(wish.state); }
       }
       clearTimeout(late);
       panel.solving(false);
@@ -51,7 +53,7 @@
   }
 
   async function solve(wish, signal) {
-    const response = await post('solve', { page, ...wish.state, laws: wish.laws, stage: wish.stage }, signal);
+    const response = await camopt.ask('solve', { page, ...wish.state, laws: wish.laws, stage: wish.stage }, signal);
     const answer = await response.json();
     if (response.status === 409 && wanted) return;
     if (!response.ok) { panel.fault(answer.error); takeBack(wish.state); return; }
@@ -87,6 +89,7 @@
 
   function show(answer, state) {
     const open = answer.stage === 'curve';
+    document.body.classList.remove('opening');
     // A chart draws as many columns as it has series: the laws' change between the two.
     if (answer.data.angle) forgetChangedLaws(answer);
     camopt.page.show(answer.data, open);
@@ -118,6 +121,8 @@
 
   /** What the program refused was never there: the fields show what the scene holds again; the reason says what was asked. */
   function takeBack(state) {
+    document.body.classList.remove('opening');
+    if (state.typed && !Object.keys(state.set).length) panel.correct(state.scene);
     if (kept === state && before.length) kept = before.pop();
     if (now === state) {
       now = good;
@@ -150,8 +155,8 @@
   }
 
   async function download(name) {
-    const response = await post('export', { page, ...now, what: name }).catch(() => null);
-    if (!response) { panel.fault('No answer. Is camopt studio still running?'); return; }
+    const response = await camopt.ask('export', { page, ...now, what: name }).catch((error) => { panel.fault('No answer: ' + error.message + '.' + camopt.lost); return null; });
+    if (!response) return;
     if (!response.ok) { panel.fault((await response.json()).error); return; }
     panel.fault('');
     const file = /filename="([^"]+)"/.exec(response.headers.get('Content-Disposition') || '');
@@ -182,7 +187,8 @@
     laws, download, giver, edit,
     set: (key, value, moving) => setAll(settingsOf(key, value, giver.path), moving),
     units: (units) => change({ ...now, units }, false),
-    use: (scene) => change({ scene, set: {}, typed: true }, false),
+    /** name: of a file or an example; none: typed on the page. */
+    use: (scene, name) => { panel.asked(scene); change({ scene, set: {}, typed: true, name }, false); },
     lawsChanged: () => ask(false),
     undo: () => step(before, after),
     redo: () => step(after, before),

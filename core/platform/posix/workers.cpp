@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/sweep/worker_pool.hpp"
+#include "core/platform/workers.hpp"
 
 #include "core/errors.hpp"
 
@@ -22,7 +22,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace camopt::apps {
+namespace camopt {
 
 namespace {
 
@@ -338,4 +338,4 @@ PoolOutcome run_workers(const PoolTask& task) {
     return Pool(task).run();
 }
 
-}  // namespace camopt::apps
+}  // namespace camopt

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Worker processes on this machine: fork, hand out numbered units of work, listen, survive what happens to
-// them.
+// Workers on this machine: hand out numbered units of work, listen, survive what happens to them.
 //
-// Processes and not threads, because some backends (Ipopt with MUMPS) are not safe to run twice in one
-// process, and because a crash then costs one unit and not the run. A worker ignores Ctrl-C (the parent
-// decides) and dies with the parent, whatever kills that.
+// Where the system can fork they are processes, because some backends (Ipopt with MUMPS) are not safe to run
+// twice in one process, and because a crash then costs one unit and not the run. A worker ignores Ctrl-C (the
+// parent decides) and dies with the parent, however that ends. On Windows they are threads: a crash ends the
+// run, no unit is ever lost, and what stops a run waits for the units under way.
 #pragma once
 
 #include "core/base/standard.hpp"
 
-namespace camopt::apps {
+namespace camopt {
 
 struct PoolTask {
     std::vector<int> units;  ///< handed out in this order, each to the worker that is free
@@ -17,7 +17,7 @@ struct PoolTask {
 
     /// In the worker: does one unit. tell(number) reaches `told` in the parent.
     std::function<void(int unit, const std::function<void(int)>& tell)> work;
-    /// In the worker, once, before any work: lets go of what belongs to the parent. May be empty.
+    /// In a worker process, once, before any work: lets go of what belongs to the parent. May be empty.
     std::function<void()> begin_worker;
 
     // In the parent.
@@ -36,4 +36,4 @@ enum class PoolOutcome { finished, stopped };
 /// std::runtime_error.
 [[nodiscard]] PoolOutcome run_workers(const PoolTask& task);
 
-}  // namespace camopt::apps
+}  // namespace camopt

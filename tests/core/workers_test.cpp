@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worker processes: everything is done once, crashes cost one unit, nobody outlives the parent.
-#include "apps/sweep/worker_pool.hpp"
+#include "core/platform/workers.hpp"
 
 #include "core/errors.hpp"
 #include "tests/output/temporary_folder.hpp"
@@ -21,8 +21,8 @@
 #include <thread>
 #include <unistd.h>
 
-namespace camopt::apps {
-namespace worker_pool_test {
+namespace camopt {
+namespace workers_test {
 
 using test::TemporaryFolder;
 
@@ -188,7 +188,7 @@ TEST(WorkerPool, DyingWorkerDoesNotFailUnit) {
         remember(number);
         if (heard.told.contains(1)) return;
         stopped = who.last.at(0);
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));  // "done" is sent by then
+        std::this_thread::sleep_for(std::chrono::milliseconds(250));  // "done" is sent by then
         ::kill(stopped, SIGSTOP);
         pid_t second = 0;
         while (!(std::ifstream(mark) >> second)) std::this_thread::yield();
@@ -273,5 +273,5 @@ TEST(WorkerPool, WorkersDieWithTheParent) {
     ::close(line[0]);
 }
 
-}  // namespace worker_pool_test
-}  // namespace camopt::apps
+}  // namespace workers_test
+}  // namespace camopt
