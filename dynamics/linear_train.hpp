@@ -9,8 +9,6 @@
 
 #include "scene/dynamics_spec.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 struct LinearTrain {

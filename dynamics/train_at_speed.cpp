@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/polynomial.hpp"
-#include "core/units.hpp"
 #include "dynamics/linear_train.hpp"
 #include "scene/scene.hpp"
 

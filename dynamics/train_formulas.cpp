@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dynamics/train_formulas.hpp"
 
-#include "core/errors.hpp"
 #include "dynamics/linear_train.hpp"
-#include "scene/dynamics_spec.hpp"
 
 #include <Eigen/SVD>
 #include <fmt/format.h>
@@ -19,7 +17,7 @@ Eigen::MatrixXd weighted_elongations(const LinearTrain& train, double TrainStage
     const int n = train.masses();
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n, n);
     for (int i = 0; i < n; ++i) {
-        const TrainStage& stage = train.stages[static_cast<std::size_t>(i)];
+        const TrainStage& stage = train.stages[i];
         rows(i, i) = std::sqrt(stage.*weight / stage.mass);
         if (i > 0)
             rows(i, i - 1) = -std::sqrt(stage.*weight / train.stages[static_cast<std::size_t>(i) - 1].mass);
@@ -34,7 +32,7 @@ void set_static_shapes(LinearTrain& train) {
     train.compliance.setZero(n);
     double series = 0.0;  // m/N from the cam to mass i
     for (int i = 0; i < n; ++i) {
-        series += 1.0 / train.stages[static_cast<std::size_t>(i)].stiffness;
+        series += 1.0 / train.stages[i].stiffness;
         train.compliance[i] = series;
     }
     // The return spring pulls the output by k_r x_n: x = y − c_i k_r x_n with x_n = y / (1 + c_n k_r).

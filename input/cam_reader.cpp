@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/units.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

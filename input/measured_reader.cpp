@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
 #include "core/numbers/robust_fit.hpp"
 #include "core/text/parsing.hpp"
-#include "core/units.hpp"
 #include "input/scene_parts.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
 #include "core/text/parsing.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"

@@ -2,12 +2,9 @@
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene.hpp"
 #include "scene/written_limits.hpp"
 
 #include <fmt/format.h>
-
-#include <map>
 
 namespace camopt::input {
 
@@ -32,7 +29,7 @@ class MechanismReader {
         refuse_foreign();
         for (const CamNumber& number : variant_.numbers)
             if (number.owned && number.index >= 0)
-                read_one(number, motion.lift, spec.dimensions[static_cast<std::size_t>(number.index)].value);
+                read_one(number, motion.lift, spec.dimensions[number.index].value);
         for (const CamChoice& choice : variant_.choices)
             if (const auto given = source_.find(choice.table, choice.key))
                 spec.choices[choice.key] = given->value().text;

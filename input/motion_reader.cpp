@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/units.hpp"
-#include "input/document/scene_source.hpp"
 #include "input/scene_parts.hpp"
-#include "scene/key_row.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>

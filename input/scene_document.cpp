@@ -2,8 +2,6 @@
 #include "input/scene_document.hpp"
 
 #include "core/text/printable.hpp"
-#include "input/document/document.hpp"
-#include "input/document/scene_source.hpp"
 #include "input/scene_parts.hpp"
 
 #include <fmt/format.h>

@@ -8,9 +8,6 @@
 #pragma once
 
 #include "input/scene_reader.hpp"
-#include "scene/scene.hpp"
-
-#include <variant>
 
 namespace camopt::input {
 

@@ -6,10 +6,6 @@
 #include "input/document/scene_source.hpp"
 #include "input/scene_reader.hpp"
 #include "scene/cam_kind.hpp"
-#include "scene/key_row.hpp"
-#include "scene/scene.hpp"
-
-#include <filesystem>
 
 namespace camopt::input {
 

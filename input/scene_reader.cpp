@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "input/scene_reader.hpp"
 
-#include "core/errors.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
-#include "input/document/document.hpp"
-#include "input/document/scene_source.hpp"
-#include "input/keys/scene_keys.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <system_error>
 
 namespace camopt::input {
@@ -165,7 +159,7 @@ class SceneReader {
             source_.read_number("objective", term.name, objective.*term.weight);
         for (int i = 0; i < dimension_count; ++i)
             source_.read_number("objective", name_of(static_cast<DimensionIndex>(i)),
-                                objective.dimensions[static_cast<std::size_t>(i)]);
+                                objective.dimensions[i]);
         objective.reference = read_reference();
         source_.read_choice("objective", "tie_break", std::span<const TieBreak>(tie_breaks),
                             objective.tie_break);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/robust_fit.hpp"
-#include "core/units.hpp"
 #include "input/scene_parts.hpp"
-#include "scene/cam_mechanism.hpp"
 
 #include <fmt/format.h>
 

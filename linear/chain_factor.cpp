@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "linear/chain_factor.hpp"
 
-#include "core/errors.hpp"
 #include "linear/kernels.hpp"
 
 #include <cstdint>
@@ -53,7 +52,7 @@ class ChainFactor final : public SymmetricFactor {
         destination_.reserve(static_cast<std::size_t>(lower.nonZeros()));
         for (int j = 0; j < lower.outerSize(); ++j)
             for (Matrix::InnerIterator entry(lower, j); entry; ++entry) {
-                const int a = order_.position[static_cast<std::size_t>(entry.row())];
+                const int a = order_.position[entry.row()];
                 const int b = order_.position[j];
                 destination_.push_back(place_of(std::max(a, b), std::min(a, b)));
             }
@@ -116,8 +115,9 @@ class ChainFactor final : public SymmetricFactor {
         // A pair needs one row more than its first column has.
         matrix_.band = order_.half_bandwidth + 1;
         matrix_.border = matrix_.border_rows;
-        const auto* const wide = std::ranges::lower_bound(unrolled_bands, matrix_.band);
-        if (wide != unrolled_bands.end() && matrix_.border_rows <= unrolled_border) {
+        const std::span bands(unrolled_bands);
+        const auto wide = std::ranges::lower_bound(bands, matrix_.band);
+        if (wide != bands.end() && matrix_.border_rows <= unrolled_border) {
             matrix_.band = *wide;
             if (matrix_.border_rows > 0) matrix_.border = unrolled_border;
         }

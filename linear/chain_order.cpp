@@ -41,7 +41,7 @@ struct Graph {
         std::vector<int> next(begin.begin(), begin.end() - 1);
         each([&](int i, int j, double value) {
             const auto put = [&](int from, int to) {
-                const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(from)]++);
+                const auto place = static_cast<std::size_t>(next[from]++);
                 neighbour[place] = to;
                 size[place] = value;
             };
@@ -49,13 +49,11 @@ struct Graph {
             put(j, i);
         });
     }
-    [[nodiscard]] int degree(int row) const {
-        return begin[static_cast<std::size_t>(row) + 1] - begin[static_cast<std::size_t>(row)];
-    }
+    [[nodiscard]] int degree(int row) const { return begin[static_cast<std::size_t>(row) + 1] - begin[row]; }
     /// Calls visit(neighbour, magnitude).
     template <typename Visit>
     void each_neighbour(int row, Visit&& visit) const {
-        const auto from = static_cast<std::size_t>(begin[static_cast<std::size_t>(row)]);
+        const auto from = static_cast<std::size_t>(begin[row]);
         const auto to = static_cast<std::size_t>(begin[static_cast<std::size_t>(row) + 1]);
         for (std::size_t p = from; p < to; ++p) visit(neighbour[p], size[p]);
     }
@@ -96,15 +94,12 @@ class Ordering {
             if (order_.half_bandwidth > widest_band) return false;
         }
         for (std::size_t k = 0; k < order_.border.size(); ++k)
-            order_.position[static_cast<std::size_t>(order_.border[k])] =
-                static_cast<int>(order_.sequence.size() + k);
+            order_.position[order_.border[k]] = static_cast<int>(order_.sequence.size() + k);
         return true;
     }
 
-    [[nodiscard]] bool in_border(int row) const { return dense_[static_cast<std::size_t>(row)] != 0; }
-    [[nodiscard]] bool is_variable(int row) const {
-        return signs_[static_cast<std::size_t>(row)] > 0 && !in_border(row);
-    }
+    [[nodiscard]] bool in_border(int row) const { return dense_[row] != 0; }
+    [[nodiscard]] bool is_variable(int row) const { return signs_[row] > 0 && !in_border(row); }
 
     /// Rows with many entries far from the diagonal: variables that appear everywhere (peaks), and equalities
     /// over everything. The densest are removed first, since each removal reduces the count of its
@@ -114,26 +109,25 @@ class Ordering {
         if (rows_ <= small) return;
         std::vector<int> place(static_cast<std::size_t>(rows_), -1);
         for (int row = 0, next = 0; row < rows_; ++row)
-            if (signs_[static_cast<std::size_t>(row)] > 0) place[static_cast<std::size_t>(row)] = next++;
+            if (signs_[row] > 0) place[row] = next++;
         const auto each_far = [&](int row, auto&& visit) {
             const int own = center_of(row, place);
             graph_.each_neighbour(row, [&](int other, double) {
-                const int there = place[static_cast<std::size_t>(other)];
+                const int there = place[other];
                 if (there >= 0 && std::abs(there - own) > density.far && !in_border(other)) visit(other);
             });
         };
         std::vector<int> reaches(static_cast<std::size_t>(rows_), 0), suspects;
         for (int row = 0; row < rows_; ++row) {
-            each_far(row, [&](int) { ++reaches[static_cast<std::size_t>(row)]; });
-            if (reaches[static_cast<std::size_t>(row)] >= density.many) suspects.push_back(row);
+            each_far(row, [&](int) { ++reaches[row]; });
+            if (reaches[row] >= density.many) suspects.push_back(row);
         }
-        std::ranges::stable_sort(suspects, std::greater{},
-                                 [&](int row) { return reaches[static_cast<std::size_t>(row)]; });
+        std::ranges::stable_sort(suspects, std::greater{}, [&](int row) { return reaches[row]; });
         for (const int row : suspects) {
             int left = 0;
             each_far(row, [&](int) { ++left; });
             if (left < density.many) continue;
-            dense_[static_cast<std::size_t>(row)] = 1;
+            dense_[row] = 1;
             order_.border.push_back(row);
         }
         std::ranges::sort(order_.border);
@@ -141,11 +135,11 @@ class Ordering {
 
     /// The position of a variable; of an equality that of its middle variable.
     [[nodiscard]] int center_of(int row, const std::vector<int>& place) const {
-        if (place[static_cast<std::size_t>(row)] >= 0) return place[static_cast<std::size_t>(row)];
+        if (place[row] >= 0) return place[row];
         int least = rows_, most = 0;
         graph_.each_neighbour(row, [&](int other, double) {
-            least = std::min(least, place[static_cast<std::size_t>(other)]);
-            most = std::max(most, place[static_cast<std::size_t>(other)]);
+            least = std::min(least, place[other]);
+            most = std::max(most, place[other]);
         });
         return (least + most) / 2;
     }
@@ -153,20 +147,17 @@ class Ordering {
     /// Puts every equality next to its partner and measures the band.
     void lay_out(const std::vector<int>& chain) {
         std::vector<int> place(static_cast<std::size_t>(rows_), -1), partner(place), waits_for(place);
-        for (std::size_t k = 0; k < chain.size(); ++k)
-            place[static_cast<std::size_t>(chain[k])] = static_cast<int>(k);
+        for (std::size_t k = 0; k < chain.size(); ++k) place[chain[k]] = static_cast<int>(k);
         std::vector<std::pair<int, int>> late;  // equalities without a partner: position before them, row
         for (int row = 0; row < rows_; ++row) {
-            if (signs_[static_cast<std::size_t>(row)] > 0 || in_border(row)) continue;
+            if (signs_[row] > 0 || in_border(row)) continue;
             const int found = partner_of(row, place, partner);
             if (found >= 0) {
-                partner[static_cast<std::size_t>(found)] = row;
+                partner[found] = row;
                 continue;
             }
             int last = -1;
-            graph_.each_neighbour(row, [&](int other, double) {
-                last = std::max(last, place[static_cast<std::size_t>(other)]);
-            });
+            graph_.each_neighbour(row, [&](int other, double) { last = std::max(last, place[other]); });
             late.emplace_back(std::max(0, last), row);
         }
         order_.sequence.clear();
@@ -178,7 +169,7 @@ class Ordering {
         std::ranges::stable_sort(late, {}, &std::pair<int, int>::first);
         auto next = late.begin();
         for (std::size_t k = 0; k < chain.size(); ++k) {
-            const int row = partner[static_cast<std::size_t>(chain[k])];
+            const int row = partner[chain[k]];
             put(chain[k], row >= 0);
             if (row >= 0) put(row, false);
             for (; next != late.end() && next->first == static_cast<int>(k); ++next) put(next->second, false);
@@ -196,10 +187,9 @@ class Ordering {
         });
         int found = -1;
         graph_.each_neighbour(row, [&](int other, double size) {
-            if (!is_variable(other) || taken[static_cast<std::size_t>(other)] >= 0) return;
+            if (!is_variable(other) || taken[other] >= 0) return;
             if (size < large_entry * largest || size == 0.0) return;
-            if (found < 0 || place[static_cast<std::size_t>(other)] > place[static_cast<std::size_t>(found)])
-                found = other;
+            if (found < 0 || place[other] > place[found]) found = other;
         });
         return found;
     }
@@ -207,12 +197,12 @@ class Ordering {
     void measure_band() {
         order_.position.assign(static_cast<std::size_t>(rows_), -1);
         for (std::size_t k = 0; k < order_.sequence.size(); ++k)
-            order_.position[static_cast<std::size_t>(order_.sequence[k])] = static_cast<int>(k);
+            order_.position[order_.sequence[k]] = static_cast<int>(k);
         order_.half_bandwidth = 1;
         for (const int row : order_.sequence) {
-            const int own = order_.position[static_cast<std::size_t>(row)];
+            const int own = order_.position[row];
             graph_.each_neighbour(row, [&](int other, double) {
-                const int there = order_.position[static_cast<std::size_t>(other)];
+                const int there = order_.position[other];
                 if (there >= 0) order_.half_bandwidth = std::max(order_.half_bandwidth, own - there);
             });
         }
@@ -231,8 +221,8 @@ class Ordering {
         std::vector<char> seen(static_cast<std::size_t>(rows_), 0);
         std::vector<int> queue;
         const auto reach = [&](int row) {
-            if (seen[static_cast<std::size_t>(row)] != 0 || in_border(row)) return;
-            seen[static_cast<std::size_t>(row)] = 1;
+            if (seen[row] != 0 || in_border(row)) return;
+            seen[row] = 1;
             queue.push_back(row);
         };
         std::size_t head = 0;

@@ -70,7 +70,7 @@ Sparse pivot_block(const Sparse& upper, const Split& split) {
     const auto rank = static_cast<Eigen::Index>(split.pivots.size());
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index k = 0; k < rank; ++k)
-        for (Sparse::InnerIterator entry(upper, split.pivots[static_cast<std::size_t>(k)]); entry; ++entry)
+        for (Sparse::InnerIterator entry(upper, split.pivots[k]); entry; ++entry)
             if (entry.row() <= k)
                 entries.emplace_back(static_cast<int>(entry.row()), static_cast<int>(k), entry.value());
     Sparse block(rank, rank);
@@ -92,7 +92,7 @@ DependentRow described(int row, const Eigen::VectorXd& factors, const std::vecto
     double mismatch = system.right_side[row];
     double size = std::max(std::abs(mismatch), system.length[row]);
     for (Eigen::Index k = 0; k < factors.size(); ++k) {
-        const int other = pivot_rows[static_cast<std::size_t>(k)];
+        const int other = pivot_rows[k];
         const double factor = factors[k] * system.length[row] / system.length[other];
         mismatch -= factor * system.right_side[other];
         size = std::max(size, std::abs(factor * system.right_side[other]));
@@ -128,11 +128,10 @@ RowDependence analyse_rows(const Sparse& matrix, const Eigen::VectorXd& right_si
     }
 
     std::vector<int> pivot_rows;
-    for (const Eigen::Index j : split.pivots)
-        pivot_rows.push_back(factor.column[static_cast<std::size_t>(j)]);
+    for (const Eigen::Index j : split.pivots) pivot_rows.push_back(factor.column[j]);
     const Sparse block = pivot_block(factor.upper, split);
     for (const Eigen::Index j : split.others) {
-        const int row = factor.column[static_cast<std::size_t>(j)];
+        const int row = factor.column[j];
         Eigen::VectorXd factors = Eigen::VectorXd::Zero(block.rows());
         if (length[row] > 0.0) {
             for (Sparse::InnerIterator entry(factor.upper, j); entry; ++entry)

@@ -18,8 +18,7 @@ TriangularFactor factor_with(const Eigen::SparseMatrix<double>& matrix, double t
     result.upper = qr.matrixR();
     const auto& permutation = qr.colsPermutation().indices();
     result.column.resize(static_cast<std::size_t>(matrix.cols()));
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-        result.column[static_cast<std::size_t>(j)] = permutation[j];
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) result.column[j] = permutation[j];
     return result;
 }
 

@@ -33,7 +33,7 @@ class SimplicialFactor final : public ShiftedFactor {
         const auto& order = factor_.permutationPinv().indices();
         for (Index k = 0; k < pivots.size(); ++k) {
             const Index row = order.size() == 0 ? k : order[k];
-            if (pivots[k] * signs()[static_cast<std::size_t>(row)] <= 0.0) return FactorOutcome::wrong_sign;
+            if (pivots[k] * signs()[row] <= 0.0) return FactorOutcome::wrong_sign;
         }
         return FactorOutcome::ok;
     }
@@ -65,9 +65,9 @@ VectorXd gmres_cycle(const SymmetricFactor& factor, const Matrix& lower, const V
         if (!image.allFinite()) break;
         for (int pass = 0; pass < 2; ++pass)
             for (int i = 0; i <= k; ++i) {
-                const double part = basis[static_cast<std::size_t>(i)].dot(image);
+                const double part = basis[i].dot(image);
                 hessenberg(i, k) += part;
-                image -= part * basis[static_cast<std::size_t>(i)];
+                image -= part * basis[i];
             }
         hessenberg(k + 1, k) = image.norm();
         directions.push_back(std::move(direction));

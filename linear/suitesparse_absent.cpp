@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A build without SuiteSparse.
-#include "core/errors.hpp"
 #include "linear/sparse_symmetric.hpp"
 
 namespace camopt {

@@ -2,7 +2,6 @@
 #include "objectives/deviation_rules.hpp"
 
 #include "objectives/rules/energy_rule.hpp"
-#include "splines/gram.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,6 @@
 
 #include "objectives/rules/model.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/scene.hpp"
 
 namespace camopt {
 

@@ -2,7 +2,6 @@
 #include "objectives/drive_rules.hpp"
 
 #include "core/numbers/polynomial.hpp"
-#include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/energy_rule.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"

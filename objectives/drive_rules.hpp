@@ -11,9 +11,7 @@
 #pragma once
 
 #include "objectives/motion_bounds.hpp"
-#include "objectives/rules/model.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/scene.hpp"
 
 namespace camopt {
 

@@ -5,10 +5,8 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/drive_rules.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/peak_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -118,7 +116,7 @@ class AreaRule final : public WholeMotionRule {
             const AffineRow y = family.functional(x, 0);
             sum.offset += factor * weight * y.offset;
             for (std::size_t k = 0; k < y.columns.size(); ++k)
-                weights[static_cast<std::size_t>(y.columns[k])] += factor * weight * y.weights[k];
+                weights[y.columns[k]] += factor * weight * y.weights[k];
         });
         for (std::size_t j = 0; j < weights.size(); ++j) {
             if (weights[j] == 0.0) continue;
@@ -157,7 +155,7 @@ double mean_of(const Motion& law) {
 double MotionBound::scale() const {
     if (of_motor()) return size > 0.0 ? size : std::max(std::abs(bound), 1.0);
     const double own = stretch >= 0 ? 1.0 / per_normalised : 1.0;  // of a segment
-    return std::max(std::abs(bound), own * typical[static_cast<std::size_t>(order)]);
+    return std::max(std::abs(bound), own * typical[order]);
 }
 
 Extremum MotionBound::extreme_of(const Motion& motion) const {

@@ -3,7 +3,6 @@
 // the lost area as a term.
 #pragma once
 
-#include "core/numbers/extremum.hpp"
 #include "objectives/rules/model.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "scene/scene.hpp"

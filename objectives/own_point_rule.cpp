@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/own_point_rule.hpp"
 
-#include "core/errors.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
 #include <Eigen/Eigenvalues>

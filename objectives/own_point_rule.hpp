@@ -5,7 +5,6 @@
 #pragma once
 
 #include "objectives/rules/model.hpp"
-#include "objectives/rules/point_rule.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {

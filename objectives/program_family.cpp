@@ -108,16 +108,14 @@ FreeDisplacements free_displacements(const Scene& scene, const MotionFamily& fam
     std::vector<bool> open(stretches.size() + 1,
                            false);  // levels next to a spline whose displacement is free
     for (int i = 0; i < count; ++i) {
-        const MotionFamily::Stretch& stretch = stretches[static_cast<std::size_t>(i)];
+        const MotionFamily::Stretch& stretch = stretches[i];
         if (stretch.kind != Kind::spline || (is_known(stretch.from) && is_known(stretch.to))) continue;
-        open[static_cast<std::size_t>(i)] = open[static_cast<std::size_t>(i) + 1] = true;
+        open[i] = open[static_cast<std::size_t>(i) + 1] = true;
     }
     for (int i = count - 1; i >= 0; --i)  // a dwell passes its level back to the segment before it
-        if (stretches[static_cast<std::size_t>(i)].kind == Kind::dwell &&
-            open[static_cast<std::size_t>(i) + 1])
-            open[static_cast<std::size_t>(i)] = true;
+        if (stretches[i].kind == Kind::dwell && open[static_cast<std::size_t>(i) + 1]) open[i] = true;
     for (int i = 0; i < count; ++i) {
-        const MotionFamily::Stretch& stretch = stretches[static_cast<std::size_t>(i)];
+        const MotionFamily::Stretch& stretch = stretches[i];
         if (stretch.kind != Kind::dwell && open[static_cast<std::size_t>(i) + 1] && !is_known(stretch.to))
             free.joints.push_back(i + 1);
     }
@@ -133,7 +131,7 @@ std::vector<PointCondition> conditions_of(const MotionSpec& motion, const Placed
     std::vector<PointCondition> conditions;
     const Side side = point.begin < end ? Side::right : Side::left;
     for (int order = 0; order < 3; ++order) {
-        const std::optional<double>& value = point.wanted[static_cast<std::size_t>(order)];
+        const std::optional<double>& value = point.wanted[order];
         if (!value) continue;
         const std::string name = words_of(motion, point, order);
         if (point.is_region() && order == 1)
@@ -175,30 +173,85 @@ std::vector<double> breakpoints_of(const SplineSpec& spline, double begin, doubl
     return with_regions(std::move(points), regions, same_breakpoint);
 }
 
-/// Where two splines reverse the motion and both have to stay on their side of the joint, it is a turning
-/// point: y' = 0. Imposed as a condition, since inequalities around the joint would be degenerate. At the
-/// begin of segment `index`.
-bool turns_back(const MotionSpec& motion, std::size_t index) {
+namespace {
+
+/// Displacements at the joints as far as the scene gives them: a dwell keeps it, a closed program ends at 0.
+std::vector<std::optional<double>> given_levels(const MotionSpec& motion) {
     const std::size_t count = motion.own_segments();
-    if ((!motion.within_lift && !motion.monotone) || (index == 0 && !motion.closed)) return false;
-    const std::size_t before = (index + count - 1) % count;
-    /// The displacement at a joint, if the segment that ends there, or before the dwells there, gives it.
-    const auto level = [&](std::size_t joint) -> std::optional<double> {
-        if (joint == count && motion.closed) return 0.0;
-        while (joint > 0 && motion.segments[joint - 1].kind == SegmentKind::dwell) --joint;
-        if (joint == 0) return 0.0;
-        return motion.segments[joint - 1].to;
-    };
-    for (const std::size_t i : {before, index}) {
-        const std::vector<SetPoint>& via = motion.segments[i].via;
-        const auto gives = [](const SetPoint& point) { return point.displacement.has_value(); };
-        if (motion.segments[i].kind != SegmentKind::spline || std::ranges::any_of(via, gives)) return false;
+    std::vector<std::optional<double>> levels(count + 1);
+    levels[0] = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const ProgramSegment& segment = motion.segments[i];
+        levels[i + 1] = segment.kind == SegmentKind::dwell ? levels[i] : segment.to;
     }
-    const auto start = level(before), joint = level(before + 1), end = level(index + 1);
-    return start && joint && end && (*joint - *start) * (*end - *joint) < 0.0;
+    if (motion.closed) levels[count] = 0.0;
+    for (std::size_t i = count; i > 0 && motion.segments[i - 1].kind == SegmentKind::dwell; --i)
+        levels[i - 1] = levels[i];
+    return levels;
 }
 
-MotionFamily program_family(const Scene& scene, DesignKind kind) {
+/// Which way each spline segment goes: from one given displacement to another, or a free one as the case
+/// says. open: not known, or displacements at its set points may lead out of the range.
+std::vector<StrokeDirection> segment_directions(const MotionSpec& motion,
+                                                const std::vector<StrokeDirection>& of_free) {
+    const std::vector<std::optional<double>> levels = given_levels(motion);
+    std::vector<StrokeDirection> directions(motion.own_segments(), StrokeDirection::open);
+    std::size_t free = 0;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const ProgramSegment& segment = motion.segments[i];
+        if (segment.kind != SegmentKind::spline) continue;
+        StrokeDirection found = StrokeDirection::open;
+        if (!levels[i] || !levels[i + 1])
+            found = free < of_free.size() ? of_free[free++] : found;
+        else if (*levels[i] != *levels[i + 1])
+            found = *levels[i] < *levels[i + 1] ? StrokeDirection::rises : StrokeDirection::falls;
+        const bool passes = std::ranges::any_of(
+            segment.via, [](const SetPoint& point) { return point.displacement.has_value(); });
+        if (!passes) directions[i] = found;
+    }
+    return directions;
+}
+
+}  // namespace
+
+std::vector<std::size_t> turning_segments(const MotionSpec& motion,
+                                          const std::vector<StrokeDirection>& of_free) {
+    std::vector<std::size_t> turning;
+    if (!motion.within_lift && !motion.monotone) return turning;
+    const std::vector<StrokeDirection> directions = segment_directions(motion, of_free);
+    StrokeDirection before = motion.closed ? directions.back() : StrokeDirection::open;
+    for (std::size_t i = 0; i < directions.size(); before = directions[i++])
+        if (before != StrokeDirection::open && directions[i] != StrokeDirection::open &&
+            before != directions[i])
+            turning.push_back(i);
+    return turning;
+}
+
+double contradicting_directions(const MotionSpec& motion, const std::vector<StrokeDirection>& of_free) {
+    const std::vector<std::optional<double>> levels = given_levels(motion);
+    const std::vector<StrokeDirection> directions = segment_directions(motion, of_free);
+    std::vector<double> least, most;
+    for (const std::optional<double>& level : levels) {
+        least.push_back(level.value_or(-infinity));
+        most.push_back(level.value_or(infinity));
+    }
+    const auto rises = [&](std::size_t from, std::size_t to) {
+        least[to] = std::max(least[to], least[from]);
+        most[from] = std::min(most[from], most[to]);
+    };
+    for (std::size_t pass = 0; pass < directions.size(); ++pass)
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const bool stands = motion.segments[i].kind == SegmentKind::dwell;
+            if (stands || directions[i] == StrokeDirection::rises) rises(i, i + 1);
+            if (stands || directions[i] == StrokeDirection::falls) rises(i + 1, i);
+        }
+    double apart = 0.0;
+    for (std::size_t j = 0; j < levels.size(); ++j) apart = std::max(apart, least[j] - most[j]);
+    return apart;
+}
+
+MotionFamily program_family(const Scene& scene, DesignKind kind,
+                            const std::vector<StrokeDirection>& of_free) {
     FamilyRequest request;
     request.degree = scene.spline.degree;
     request.continuity = scene.spline.smoothness();
@@ -212,6 +265,9 @@ MotionFamily program_family(const Scene& scene, DesignKind kind) {
     request.end_jerk_zero = scene.spline.end_jerk == EndJerk::zero;
     const double unit = scene.motion.unit_angle();
     const std::vector<PlacedPoint> points = placed_points(scene.motion);
+    // Where two splines reverse the motion y' = 0 is a condition: inequalities around the joint would be
+    // degenerate.
+    const std::vector<std::size_t> turning = turning_segments(motion, of_free);
     double angle = 0.0;
     for (std::size_t i = 0; i < scene.motion.own_segments(); ++i) {
         const ProgramSegment& segment = scene.motion.segments[i];
@@ -227,7 +283,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind) {
             stretch.kind = StretchRequest::Kind::spline;
             stretch.breakpoints = breakpoints_of(scene.spline, stretch.begin, stretch.end,
                                                  regions_of(scene.motion, points, static_cast<int>(i)));
-            if (turns_back(scene.motion, i))
+            if (std::ranges::find(turning, i) != turning.end())
                 stretch.conditions.push_back(
                     {stretch.begin, 1, Side::right, 0.0,
                      fmt::format("turning point at the start of motion.segments[{}]", i), false});

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/scene_model.hpp"
 
-#include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/deviation_rules.hpp"
 #include "objectives/drive_rules.hpp"
-#include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/peak_rule.hpp"
 #include "objectives/spring_rules.hpp"
-#include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 
@@ -222,10 +218,10 @@ void add_prescribed_peaks(CamModel& model, const Scene& scene, const Peaks& refe
             term.limit != nullptr ? &(scene.limits.*term.limit) : nullptr;
         double largest = 0.0, squares = 0.0, width = 0.0;
         for (int s = 0; s < static_cast<int>(model.design.stretches().size()); ++s) {
-            const MotionFamily::Stretch& stretch = model.design.stretches()[static_cast<std::size_t>(s)];
+            const MotionFamily::Stretch& stretch = model.design.stretches()[s];
             if (stretch.kind != StretchRequest::Kind::shape) continue;
-            const StretchScale& scale = model.stretch_scales[static_cast<std::size_t>(s)];
-            const std::string& law = scene.motion.segments[static_cast<std::size_t>(s)].law;
+            const StretchScale& scale = model.stretch_scales[s];
+            const std::string& law = scene.motion.segments[s].law;
             const double own = term.measured.of(make_law(law)->peaks());
             if (weight > 0.0 && !std::isfinite(own))
                 throw SceneError(
@@ -365,14 +361,14 @@ double dimension_weight(const Scene& scene, const std::string& name) {
     return 0.0;
 }
 
-MotionFamily scene_family(const Scene& scene, DesignKind kind) {
-    if (scene.motion.type == MotionType::program) return program_family(scene, kind);
+MotionFamily scene_family(const Scene& scene, DesignKind kind, const std::vector<StrokeDirection>& of_free) {
+    if (scene.motion.type == MotionType::program) return program_family(scene, kind, of_free);
     return DesignVector::make(spline_request(scene, kind));
 }
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
                      const HeldStrokes& strokes) {
-    CamModel model(scene_family(scene, kind));
+    CamModel model(scene_family(scene, kind, strokes.directions));
     add_program_scales(model, scene);
     add_known_points(model, scene);
     add_peaks(model, scene, reference);

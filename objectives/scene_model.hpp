@@ -3,12 +3,8 @@
 // with the weighted or capped peaks and their references.
 #pragma once
 
-#include "core/motion.hpp"
 #include "objectives/rules/model.hpp"
 #include "scene/motion/set_points.hpp"
-#include "scene/scene.hpp"
-#include "splines/design_vector.hpp"
-#include "splines/motion_family.hpp"
 
 namespace camopt {
 
@@ -65,8 +61,20 @@ void set_entry_factors(CamModel& model, const Scene& scene);
 // A program of segments as a family of motions: x = cam angle / angle of the first spline segment, y in
 // lifts.
 
-/// Throws InputError for a law that is not allowed in a program (one without a dwell's end).
-[[nodiscard]] MotionFamily program_family(const Scene& scene, DesignKind kind);
+/// Segments of a program that begin with a turning point: both strokes there are splines that have to stay on
+/// their side of it. of_free: HeldStrokes::directions.
+[[nodiscard]] std::vector<std::size_t> turning_segments(const MotionSpec& motion,
+                                                        const std::vector<StrokeDirection>& of_free);
+
+/// By how much (lifts) the given displacements are too far apart for these directions of the free strokes:
+/// from 1 no motion rises, and then rises again, to 0. 0: they are not.
+[[nodiscard]] double contradicting_directions(const MotionSpec& motion,
+                                              const std::vector<StrokeDirection>& of_free);
+
+/// of_free: HeldStrokes::directions; joints where they reverse the motion are turning points. Throws
+/// InputError for a law that is not allowed in a program (one without a dwell's end).
+[[nodiscard]] MotionFamily program_family(const Scene& scene, DesignKind kind,
+                                          const std::vector<StrokeDirection>& of_free = {});
 
 // Displacements of a program that the scene leaves free.
 //
@@ -134,7 +142,8 @@ struct FreeDisplacements {
 ///   DRD: y = y' = y'' = 0 at x = 0, y = 1, y' = y'' = 0 at x = 1.
 ///   RR:  the same at x = 0, y = y' = y'' = 0 at the end, y(1) = 1, y'(1) = 0.
 ///   program: program_family.
-[[nodiscard]] MotionFamily scene_family(const Scene& scene, DesignKind kind);
+[[nodiscard]] MotionFamily scene_family(const Scene& scene, DesignKind kind,
+                                        const std::vector<StrokeDirection>& of_free = {});
 
 /// Only peaks with a weight or a limit become variables. A program's peaks are the largest over its spline
 /// segments, each normalised by its own angle and displacement (the lift where that is 0, or free).

@@ -2,7 +2,6 @@
 #include "objectives/spring_rules.hpp"
 
 #include "core/numbers/polynomial.hpp"
-#include "core/units.hpp"
 
 #include <fmt/format.h>
 
@@ -54,7 +53,7 @@ std::array<AffineRow, 2> harmonic_rows(const MotionSpec& spec, const MotionFamil
             const double factor = part == 0 ? cosine : sine;
             rows[part].offset += factor * y.offset;
             for (std::size_t k = 0; k < y.columns.size(); ++k)
-                rows[part].weights[static_cast<std::size_t>(y.columns[k])] += factor * y.weights[k];
+                rows[part].weights[y.columns[k]] += factor * y.weights[k];
         }
     });
     return rows;

@@ -2,7 +2,6 @@
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/scene_model.hpp"
-#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +46,7 @@ double slope_beside(const Scene& scene, const MotionFamily& family, int stretch,
     if (!scene.motion.periodic() && (other < 0 || other >= count))
         return end_velocities(scene.motion, other >= count)[0];
     other = (other + count) % count;
-    const MotionFamily::Stretch& beside = family.stretches()[static_cast<std::size_t>(other)];
+    const MotionFamily::Stretch& beside = family.stretches()[other];
     if (!beside.shape) return 0.0;
     const auto from = known_displacement(beside.from), to = known_displacement(beside.to);
     const double x = side == Side::right ? beside.shape->end() : beside.shape->begin();
@@ -86,12 +85,14 @@ std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, 
         bound.contact = bound.order == 0 ? contact_of_y : contact_of_slope;
         bound.begin = stroke.begin;
         bound.end = stroke.end;
+        bound.touches_begin = datum != Datum::end;
+        bound.touches_end = datum != Datum::begin;
         PlacedRule rule(std::make_shared<BoundRule>(key, bound), stroke.stretch);
         rule.datum = datum;
-        if (scene.motion.type == MotionType::rr) {
-            rule.from = stroke.begin > 0.0 ? stroke.begin : -infinity;
-            rule.until = stroke.begin > 0.0 ? infinity : stroke.end;
-        }
+        if (scene.motion.type == MotionType::rr && stroke.begin > 0.0)
+            rule.from = stroke.begin;
+        else if (scene.motion.type == MotionType::rr)
+            rule.until = stroke.end;
         rules.push_back(std::move(rule));
     };
     const bool free = stroke.is_free();
@@ -134,7 +135,7 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
         return strokes;
     }
     for (int i = 0; i < static_cast<int>(family.own_stretches().size()); ++i) {
-        const MotionFamily::Stretch& stretch = family.own_stretches()[static_cast<std::size_t>(i)];
+        const MotionFamily::Stretch& stretch = family.own_stretches()[i];
         if (stretch.kind != StretchRequest::Kind::spline) continue;
         StrokeRange stroke{fmt::format("motion.segments[{}]", i),
                            i,
@@ -197,7 +198,7 @@ void set_entry_factors(CamModel& model, const Scene& scene) {
             const double moved = stroke.is_free() ? 1.0 : measured_displacement(*stroke.to - *stroke.from);
             factor = std::max(factor, moved / std::pow(stroke.end - stroke.begin, order));
         }
-        if (factor > 0.0) model.entry_factors[static_cast<std::size_t>(j)] = factor;
+        if (factor > 0.0) model.entry_factors[j] = factor;
     }
 }
 

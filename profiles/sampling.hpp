@@ -2,7 +2,6 @@
 // A whole cam as points: the angles, and the points.
 #pragma once
 
-#include "core/motion.hpp"
 #include "scene/cam_mechanism.hpp"
 
 namespace camopt {

@@ -9,10 +9,7 @@
 // m, rad.
 #pragma once
 
-#include "core/motion.hpp"
 #include "scene/cam_spec.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -5,10 +5,7 @@
 #pragma once
 
 #include "scene/cam_mechanism.hpp"
-#include "scene/cam_spec.hpp"
 #include "scene/key_row.hpp"
-
-#include <map>
 
 namespace camopt {
 

@@ -131,18 +131,6 @@ std::string CamMechanism::check_words(int points) const {
     return fmt::format("lever and linkage run over {} points of the cam", points);
 }
 
-std::vector<NamedDimension> CamMechanism::named_dimensions(std::span<const double> /*dimensions*/) const {
-    return {};
-}
-
-std::optional<Eigen::Vector2d> CamMechanism::arm_pivot(std::span<const double> /*dimensions*/) const {
-    return std::nullopt;
-}
-
-std::optional<double> CamMechanism::groove_wall(std::span<const double> /*dimensions*/) const {
-    return std::nullopt;
-}
-
 std::vector<DrivenMechanism> CamMechanism::pieces(std::span<const double> /*dimensions*/) const {
     return {};
 }

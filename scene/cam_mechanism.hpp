@@ -10,13 +10,9 @@
 // an exception; `fault` describes in words what does not reach.
 #pragma once
 
-#include "core/motion.hpp"
 #include "core/numbers/enclosures.hpp"
 #include "core/partials.hpp"
 #include "scene/cam_spec.hpp"
-#include "scene/follower.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 
@@ -138,27 +134,16 @@ class CamMechanism {
     [[nodiscard]] virtual int stations() const = 0;
     [[nodiscard]] virtual std::string station_name(int station) const = 0;  ///< empty: there is but one
     /// Whether a limit on the quantity is enforced at this station; false if other stations imply it.
-    [[nodiscard]] virtual bool binds(MechanismQuantity which, int station) const {
-        static_cast<void>(which);
-        static_cast<void>(station);
-        return true;
-    }
+    [[nodiscard]] virtual bool binds(MechanismQuantity /*which*/, int /*station*/) const { return true; }
     /// Whether limits at all stations imply limits everywhere on the cam; false if stations are a selection.
-    [[nodiscard]] virtual bool has_all_stations(MechanismQuantity which) const {
-        static_cast<void>(which);
-        return true;
-    }
+    [[nodiscard]] virtual bool has_all_stations(MechanismQuantity /*which*/) const { return true; }
     /// Index of the roller's radius in the dimensions; -1: there is no roller.
     [[nodiscard]] virtual int roller_radius() const = 0;
     /// The same of the roller at a station.
-    [[nodiscard]] virtual int roller_radius_at(int station) const {
-        static_cast<void>(station);
-        return roller_radius();
-    }
+    [[nodiscard]] virtual int roller_radius_at(int /*station*/) const { return roller_radius(); }
     /// From the roller's centre to the cam's surface at a station, m: the roller's radius, except in a
     /// groove.
-    [[nodiscard]] virtual double surface_offset(std::span<const double> dimensions, int station) const {
-        static_cast<void>(station);
+    [[nodiscard]] virtual double surface_offset(std::span<const double> dimensions, int /*station*/) const {
         const int roller = roller_radius();
         return roller < 0 ? 0.0 : dimensions[static_cast<std::size_t>(roller)];
     }
@@ -191,8 +176,7 @@ class CamMechanism {
     /// σe of a roller or an edge that is pushed straight, m, with the cam's sense σ and the offset e: tan φ =
     /// (s' − σe)/(s0 + s) with s0 = √(p² − e²), and p = length(dimensions) grows with every dimension but the
     /// offset. None (default): the pressure angle has another formula.
-    [[nodiscard]] virtual std::optional<double> pushed_offset(std::span<const double> dimensions) const {
-        static_cast<void>(dimensions);
+    [[nodiscard]] virtual std::optional<double> pushed_offset(std::span<const double> /*dimensions*/) const {
         return {};
     }
     /// A dimension in a sum: sign · d.
@@ -227,48 +211,34 @@ class CamMechanism {
                                                          int station, std::span<const int> active) const;
     /// The shape of pressure_excess over all s from `least` to `most` (±infinity: unknown), all s' and the
     /// active dimensions.
-    [[nodiscard]] virtual Curvature pressure_shape(const PressureSide& side, const MechanismSetting& setting,
-                                                   double least, double most) const {
-        static_cast<void>(side);
-        static_cast<void>(setting);
-        static_cast<void>(least);
-        static_cast<void>(most);
+    [[nodiscard]] virtual Curvature pressure_shape(const PressureSide& /*side*/,
+                                                   const MechanismSetting& /*setting*/, double /*least*/,
+                                                   double /*most*/) const {
         return Curvature::general;
     }
     /// The range of s' allowed by pressure_excess <= 0, for any s.
-    [[nodiscard]] virtual Interval pressure_slopes(const PressureSide& side,
-                                                   std::span<const double> dimensions) const {
-        static_cast<void>(side);
-        static_cast<void>(dimensions);
+    [[nodiscard]] virtual Interval pressure_slopes(const PressureSide& /*side*/,
+                                                   std::span<const double> /*dimensions*/) const {
         return Interval::everything();
     }
     /// The side sign > 0 of the pressure angle belongs to the rise, the other to the return.
-    [[nodiscard]] virtual bool upper_side_rises(int station) const {
-        static_cast<void>(station);
-        return true;
-    }
+    [[nodiscard]] virtual bool upper_side_rises(int /*station*/) const { return true; }
     /// The pressure angle at rest need not be 0.
-    [[nodiscard]] virtual bool leans_at_rest(int station, const MechanismSetting& setting) const {
-        static_cast<void>(station);
-        static_cast<void>(setting);
+    [[nodiscard]] virtual bool leans_at_rest(int /*station*/, const MechanismSetting& /*setting*/) const {
         return false;
     }
     /// The shape of a quantity over all states and the active dimensions.
-    [[nodiscard]] virtual Curvature shape(MechanismQuantity which, const MechanismSetting& setting) const {
-        static_cast<void>(which);
-        static_cast<void>(setting);
+    [[nodiscard]] virtual Curvature shape(MechanismQuantity /*which*/,
+                                          const MechanismSetting& /*setting*/) const {
         return Curvature::general;
     }
     /// σ if 1 + σ s' must stay above 0 for contact of a face on an arm; 0: no reversal.
     [[nodiscard]] virtual double face_turn() const { return 0.0; }
     /// An enclosure of a quantity over a box, with its partials. Unbounded if it may be out of reach
     /// somewhere in the box. Returns nullopt if no enclosure is implemented.
-    [[nodiscard]] virtual std::optional<RangeOver> quantity_over(MechanismQuantity which,
-                                                                 const MechanismStateOver& state,
-                                                                 int station) const {
-        static_cast<void>(which);
-        static_cast<void>(state);
-        static_cast<void>(station);
+    [[nodiscard]] virtual std::optional<RangeOver> quantity_over(MechanismQuantity /*which*/,
+                                                                 const MechanismStateOver& /*state*/,
+                                                                 int /*station*/) const {
         return {};
     }
     /// The same of the three limits below, times a positive factor chosen by the mechanism to reduce
@@ -286,12 +256,9 @@ class CamMechanism {
     /// An enclosure of a quantity along a stretch of a motion, with its first and second derivative by the
     /// variable of the motion. Unbounded if it may be out of reach somewhere in the stretch. Returns nullopt
     /// if no enclosure is implemented.
-    [[nodiscard]] virtual std::optional<RangeAlong> quantity_along(MechanismQuantity which,
-                                                                   const MechanismStateAlong& state,
-                                                                   int station) const {
-        static_cast<void>(which);
-        static_cast<void>(state);
-        static_cast<void>(station);
+    [[nodiscard]] virtual std::optional<RangeAlong> quantity_along(MechanismQuantity /*which*/,
+                                                                   const MechanismStateAlong& /*state*/,
+                                                                   int /*station*/) const {
         return {};
     }
     /// The same of pressure_excess.
@@ -310,12 +277,19 @@ class CamMechanism {
     [[nodiscard]] virtual std::string form_words() const { return {}; }
     /// All of them, in their order; empty: drawings list none.
     [[nodiscard]] virtual std::vector<NamedDimension> named_dimensions(
-        std::span<const double> dimensions) const;
+        std::span<const double> /*dimensions*/) const {
+        return {};
+    }
     /// Pivot of the arm that touches the cam, in the fixed frame, m; none: the follower is pushed along +y.
-    [[nodiscard]] virtual std::optional<Eigen::Vector2d> arm_pivot(std::span<const double> dimensions) const;
+    [[nodiscard]] virtual std::optional<Eigen::Vector2d> arm_pivot(
+        std::span<const double> /*dimensions*/) const {
+        return {};
+    }
     /// Of a cam whose stations are the flanks of one groove in a disk: wall of the disk beyond the outer
     /// flank at its largest radius, m; none: its stations are outlines.
-    [[nodiscard]] virtual std::optional<double> groove_wall(std::span<const double> dimensions) const;
+    [[nodiscard]] virtual std::optional<double> groove_wall(std::span<const double> /*dimensions*/) const {
+        return {};
+    }
     /// Parts made separately, one for each station, as open cams: their dimensions and words, while the
     /// points are those of the station. The base radius of all but the first follows from its points. Empty:
     /// the cam is made in one piece.
@@ -329,10 +303,8 @@ class CamMechanism {
     [[nodiscard]] virtual std::vector<MechanismShape> shapes(const MechanismState& state) const = 0;
     /// The follower for a forward check on the finished points of a station, for output 0. None (default): it
     /// has another check, or none.
-    [[nodiscard]] virtual std::optional<FollowerGeometry> follower(std::span<const double> dimensions,
-                                                                   int station) const {
-        static_cast<void>(dimensions);
-        static_cast<void>(station);
+    [[nodiscard]] virtual std::optional<FollowerGeometry> follower(std::span<const double> /*dimensions*/,
+                                                                   int /*station*/) const {
         return {};
     }
     /// Of a three-dimensional cam: its roller and its flanks (scene/cam_flanks.hpp); none: it has no flanks.

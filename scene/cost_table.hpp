@@ -8,7 +8,6 @@
 // may have weights too, are listed by DimensionIndex (scene/cam_spec.hpp).
 #pragma once
 
-#include "core/motion.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {

@@ -13,7 +13,6 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "core/numbers/extremum.hpp"
 
 #include <Eigen/Core>
 

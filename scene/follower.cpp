@@ -60,10 +60,6 @@ Eigen::Vector2d FollowerGeometry::seen(const Eigen::Vector2d& own) const {
     return {turned.x(), mirrored ? -turned.y() : turned.y()};
 }
 
-double FollowerGeometry::arm_angle(double psi) const {
-    return turn + (mirrored ? -1.0 : 1.0) * (std::numbers::pi - psi);
-}
-
 double FollowerGeometry::position_at(double distance) const {
     const bool flat = contact == ContactKind::flat;
     if (!swings) return flat ? distance : std::sqrt(distance * distance - offset * offset);

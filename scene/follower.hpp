@@ -136,7 +136,9 @@ struct FollowerGeometry {
     /// A point of the mechanism's own frame, with the cam's centre as the origin, in this frame.
     [[nodiscard]] Eigen::Vector2d seen(const Eigen::Vector2d& own) const;
     /// The angle of the arm from +x in the mechanism's own frame where it is at ψ in this one.
-    [[nodiscard]] double arm_angle(double psi) const;
+    [[nodiscard]] double arm_angle(double psi) const {
+        return turn + (mirrored ? -1.0 : 1.0) * (std::numbers::pi - psi);
+    }
 };
 
 /// A lever that carries a roller, both at output 0.

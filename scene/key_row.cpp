@@ -63,10 +63,6 @@ std::string listed(const std::vector<std::string_view>& words, std::string_view 
 
 }  // namespace
 
-bool KeyRow::is_for(std::string_view type_of_cam) const {
-    return cam_types.empty() || std::ranges::find(cam_types, type_of_cam) != cam_types.end();
-}
-
 std::string KeyRow::cam_types_text(char quote) const {
     std::string text;
     for (const std::string_view kind : cam_types)

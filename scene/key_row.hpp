@@ -214,7 +214,9 @@ struct KeyRow {
     /// Only if cam.type is one of these; empty: for any type. Filled from the kinds of cams.
     std::vector<std::string_view> cam_types = {};
 
-    [[nodiscard]] bool is_for(std::string_view type_of_cam) const;
+    [[nodiscard]] bool is_for(std::string_view type_of_cam) const {
+        return cam_types.empty() || std::ranges::find(cam_types, type_of_cam) != cam_types.end();
+    }
     /// The types it is for, each between two `quote`s: "disk" or "barrel".
     [[nodiscard]] std::string cam_types_text(char quote) const;
     [[nodiscard]] bool required() const { return default_text == "required"; }

@@ -9,7 +9,6 @@
 
 #include "scene/cost_table.hpp"
 #include "scene/key_row.hpp"
-#include "scene/scene.hpp"
 
 namespace camopt {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/machine_spec.hpp"
 
-#include "core/units.hpp"
-
 #include <fmt/format.h>
 
 namespace camopt {

@@ -13,8 +13,6 @@
 #include "core/motion.hpp"
 #include "core/partials.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 /// A figure at one point of the motion, with its partials by (y, y', y'', y''').

@@ -12,8 +12,6 @@
 #include "scene/own_rule.hpp"
 #include "scene/valve_spec.hpp"
 
-#include <map>
-
 namespace camopt {
 
 enum class SegmentKind { dwell, law, spline };

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/written_limits.hpp"
 
-#include "core/errors.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/key_row.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

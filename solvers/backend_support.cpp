@@ -2,7 +2,6 @@
 #include "solvers/backend_support.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/names.hpp"
 
 #include <fmt/ranges.h>
 
@@ -199,10 +198,6 @@ void SolveGuard::report(int iteration, double cost, double violation) noexcept {
             fmt::format("iteration {}: cost {:.9g}, largest violation {:.2g}", iteration, cost, violation);
         control_.progress(line);
     });
-}
-
-double SolveGuard::seconds_left() const {
-    return std::max(1e-3, deadline_.seconds_left());
 }
 
 void SolveGuard::keep_exception(std::exception_ptr exception) noexcept {

@@ -5,13 +5,8 @@
 #pragma once
 
 #include "solvers/registry.hpp"
-#include "solvers/solver.hpp"
-
-#include <Eigen/Core>
 
 #include <exception>
-#include <initializer_list>
-#include <map>
 
 namespace camopt {
 
@@ -82,7 +77,8 @@ class SolveGuard {
         if (exception_) std::rethrow_exception(exception_);
     }
     [[nodiscard]] std::optional<Termination> reason() const noexcept { return reason_; }
-    [[nodiscard]] double seconds_left() const;  ///< > 0 for a deadline in the past too: 1e-3
+    /// > 0 for a deadline in the past too: 1e-3.
+    [[nodiscard]] double seconds_left() const { return std::max(1e-3, deadline_.seconds_left()); }
 
  private:
     void keep_exception(std::exception_ptr exception) noexcept;

@@ -115,10 +115,6 @@ void ChainedColumns::add_ties() {
     }
 }
 
-double ChainedColumns::cost(const ConstVectorRef& x) const {
-    return base_.cost(x.head(base_variables_));
-}
-
 void ChainedColumns::gradient(const ConstVectorRef& x, VectorRef out) const {
     base_.gradient(x.head(base_variables_), out.head(base_variables_));
     out.tail(copies()).setZero();
@@ -140,11 +136,6 @@ void ChainedColumns::jacobian(const ConstVectorRef& x, std::span<double> out) co
     }
 }
 
-void ChainedColumns::hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
-                             std::span<double> out) const {
-    base_.hessian(x.head(base_variables_), sigma, lambda.head(base_rows_), out);
-}
-
 std::string ChainedColumns::variable_name(int index) const {
     if (index < base_variables_) return base_.variable_name(index);
     const int further = index - base_variables_;
@@ -157,10 +148,6 @@ std::string ChainedColumns::row_name(int index) const {
     if (index < base_rows_) return base_.row_name(index);
     const Tie& tie = ties_[static_cast<std::size_t>(index - base_rows_)];
     return fmt::format("{} = {}", variable_name(tie.first), variable_name(tie.second));
-}
-
-RowOrigin ChainedColumns::row_origin(int index) const {
-    return index < base_rows_ ? base_.row_origin(index) : Nlp::row_origin(index);
 }
 
 ChainedColumns::Vector ChainedColumns::chained(const ConstVectorRef& base_x) const {

@@ -23,8 +23,6 @@
 
 #include "core/nlp.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 /// Columns worth chaining: without Hessian entries, in at least `share` of the rows. None if more than `most`
@@ -38,15 +36,21 @@ class ChainedColumns final : public Nlp {
     /// base.jacobian().
     ChainedColumns(const Nlp& base, const std::vector<int>& columns, const ConstVectorRef& point);
 
-    [[nodiscard]] double cost(const ConstVectorRef& x) const override;
+    [[nodiscard]] double cost(const ConstVectorRef& x) const override {
+        return base_.cost(x.head(base_variables_));
+    }
     void gradient(const ConstVectorRef& x, VectorRef out) const override;
     void constraints(const ConstVectorRef& x, VectorRef out) const override;
     void jacobian(const ConstVectorRef& x, std::span<double> out) const override;
     void hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
-                 std::span<double> out) const override;
+                 std::span<double> out) const override {
+        base_.hessian(x.head(base_variables_), sigma, lambda.head(base_rows_), out);
+    }
     [[nodiscard]] std::string variable_name(int index) const override;
     [[nodiscard]] std::string row_name(int index) const override;
-    [[nodiscard]] RowOrigin row_origin(int index) const override;
+    [[nodiscard]] RowOrigin row_origin(int index) const override {
+        return index < base_rows_ ? base_.row_origin(index) : Nlp::row_origin(index);
+    }
 
     /// Every copy at the value of its variable.
     [[nodiscard]] Vector chained(const ConstVectorRef& base_x) const;

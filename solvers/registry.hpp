@@ -4,8 +4,6 @@
 
 #include "solvers/solver.hpp"
 
-#include <map>
-
 namespace camopt {
 
 /// One option of a backend. `kind`: "bool", "integer", "number" or "text"; `range` in words, made from the

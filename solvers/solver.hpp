@@ -7,8 +7,6 @@
 #include "core/nlp.hpp"
 #include "core/text/names.hpp"
 
-#include <Eigen/Core>
-
 #include <map>
 
 namespace camopt {
@@ -95,8 +93,9 @@ struct BackendOptions {
     /// Warm start for a backend with a central path, in place of the start; of a problem with the same first
     /// rows.
     std::optional<PathPoint> near = {};
-    bool keep_path = false;  ///< requests BackendResult::path
-    void validate() const;   ///< throws InputError
+    bool keep_path = false;    ///< requests BackendResult::path
+    bool exact_steps = false;  ///< steps as exact as doubles hold, at several times the cost; structured only
+    void validate() const;     ///< throws InputError
 };
 
 struct BackendResult {

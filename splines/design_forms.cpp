@@ -2,7 +2,6 @@
 #include "splines/design_forms.hpp"
 
 #include "core/errors.hpp"
-#include "splines/curve.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/SparseLU>

@@ -2,8 +2,6 @@
 #include "linear/rank_revealing_qr.hpp"
 #include "splines/design_forms.hpp"
 
-#include <Eigen/SparseCore>
-
 namespace camopt {
 
 namespace {

@@ -14,8 +14,6 @@
 #include "core/text/names.hpp"
 #include "splines/curve.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 /// value(x) = offset + Σ_k weights_k x[columns_k].

@@ -121,10 +121,6 @@ std::string FreeKnotForm::name(int entry) const {
     return fmt::format("{}[{}]", derivative_name[order(entry)], entry / (degree() + 1));
 }
 
-int FreeKnotForm::order(int entry) const {
-    return entry >= (degree() + 1) * segments_ ? -1 : entry % (degree() + 1);
-}
-
 double FreeKnotForm::breakpoint_at(const Eigen::VectorXd& x, int k) const {
     const int entry = breakpoint(k);
     if (entry >= 0) return x[entry];
@@ -163,10 +159,6 @@ FreePoint FreeKnotForm::point(const Eigen::VectorXd& x, const FreePlace& place) 
 double FreeKnotForm::mirror_sign(int order) const {
     const double parity = order % 2 == 0 ? 1.0 : -1.0;
     return symmetry_ == Symmetry::odd ? -parity : parity;
-}
-
-double FreeKnotForm::mirror_offset(int order) const {
-    return symmetry_ == Symmetry::odd && order == 0 ? sum_ : 0.0;
 }
 
 std::vector<double> FreeKnotForm::breakpoints(const Eigen::VectorXd& x) const {

@@ -12,8 +12,6 @@
 
 #include "splines/design_vector.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 /// A location on a segment: the fraction `at` of it (it moves along), or the fixed x `at`.
@@ -65,7 +63,9 @@ class FreeKnotForm {
     }
     [[nodiscard]] std::string name(int entry) const;
     /// Order of the derivative an entry stands for; -1 for a breakpoint.
-    [[nodiscard]] int order(int entry) const;
+    [[nodiscard]] int order(int entry) const {
+        return entry >= (degree() + 1) * segments_ ? -1 : entry % (degree() + 1);
+    }
 
     [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
     [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
@@ -80,7 +80,9 @@ class FreeKnotForm {
 
     /// y^{(r)}(mirror of x) = mirror_sign(r) · y^{(r)}(x) + mirror_offset(r).
     [[nodiscard]] double mirror_sign(int order) const;
-    [[nodiscard]] double mirror_offset(int order) const;
+    [[nodiscard]] double mirror_offset(int order) const {
+        return symmetry_ == Symmetry::odd && order == 0 ? sum_ : 0.0;
+    }
 
     /// All breakpoints of the motion, ascending and separated by the least lengths for any x.
     [[nodiscard]] std::vector<double> breakpoints(const Eigen::VectorXd& x) const;

@@ -11,7 +11,6 @@
 
 #include "splines/design_vector.hpp"
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 namespace camopt {

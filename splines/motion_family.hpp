@@ -7,8 +7,6 @@
 // extend across that point. DRD and RR are families of one spline run.
 #pragma once
 
-#include "splines/curve.hpp"
-#include "splines/design_vector.hpp"
 #include "splines/gram.hpp"
 #include "splines/motion_chain.hpp"
 

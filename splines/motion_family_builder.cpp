@@ -186,6 +186,20 @@ struct MotionFamily::Builder {
                 {1.0}};
     }
 
+    /// Where the last spline goes on as the first: at x = 0 or at the end.
+    [[nodiscard]] bool is_at_seam(const PointCondition& condition) const {
+        const double x = condition.at, end = stretch(stretches - 1).end;
+        return (ring || request.relative) && is_spline(0) && is_spline(stretches - 1) &&
+               (x == stretch(0).begin || x == end);
+    }
+    /// y' or y'' there: what a condition gives, which the run would take for met by an entry, else an entry.
+    AffineRow seam_state(int order) {
+        for (const int index : {0, stretches - 1})
+            for (const PointCondition& condition : stretch(index).conditions)
+                if (condition.order == order && is_at_seam(condition)) return constant(condition.value);
+        return state_entry(order);
+    }
+
     /// The state next to an interval that is not a spline: at rest next to a dwell, as asked at an open end,
     /// the shape's next to a shape. `at_end`: of the neighbour.
     [[nodiscard]] EndState beside(int neighbour, bool at_end, const AffineRow& level) {
@@ -195,7 +209,7 @@ struct MotionFamily::Builder {
             return {level, constant(given[0]), constant(given[1])};
         }
         if (is_spline(neighbour)) {  // a relative motion goes on with its own run
-            if (!seam) seam = {state_entry(1), state_entry(2)};
+            if (!seam) seam = {seam_state(1), seam_state(2)};
             return {level, (*seam)[0], (*seam)[1]};
         }
         if (stretch(neighbour).kind != Kind::shape) return state;
@@ -212,7 +226,7 @@ struct MotionFamily::Builder {
 
     std::pair<EndState, EndState> ends_of(const RunPlan& plan) {
         if (ring) {
-            const AffineRow velocity = state_entry(1), acceleration = state_entry(2);
+            const AffineRow velocity = seam_state(1), acceleration = seam_state(2);
             return {{constant(0.0), velocity, acceleration}, {levels.back(), velocity, acceleration}};
         }
         const int before = plan.first > 0 ? plan.first - 1 : wraps ? stretches - 1 : -1;
@@ -234,6 +248,7 @@ struct MotionFamily::Builder {
                 breakpoints.push_back(own.breakpoints[k] + shift_of(i));
             }
             for (PointCondition condition : own.conditions) {
+                condition.asked = condition.asked && !is_at_seam(condition);
                 condition.at += shift_of(i);
                 conditions.push_back(std::move(condition));
             }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/parsing.hpp"
 #include "core/text/printable.hpp"
-#include "input/document/document.hpp"
 #include "input/document/scene_source.hpp"
 
 #include <fmt/format.h>

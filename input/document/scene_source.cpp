@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "input/document/scene_source.hpp"
 
-#include "core/errors.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
@@ -53,14 +52,6 @@ std::optional<Given> SceneSource::find(std::string_view table_path, std::string_
 std::optional<double> SceneSource::number(std::string_view table_path, std::string_view quantity) const {
     const std::optional<Given> given = find(table_path, quantity);
     return given ? std::optional(given->number()) : std::nullopt;
-}
-
-void SceneSource::read_number(std::string_view table_path, std::string_view quantity, double& target) const {
-    target = number(table_path, quantity).value_or(target);
-}
-
-void SceneSource::fail(const Place& place, std::string_view key, std::string_view what) const {
-    throw PlacedError(place, error_prefix(name, place, key) + std::string(what));
 }
 
 namespace {

@@ -40,7 +40,9 @@ class SceneSource {
     [[nodiscard]] std::optional<double> number(std::string_view table_path, std::string_view quantity) const;
 
     /// A given value replaces the target.
-    void read_number(std::string_view table_path, std::string_view quantity, double& target) const;
+    void read_number(std::string_view table_path, std::string_view quantity, double& target) const {
+        target = number(table_path, quantity).value_or(target);
+    }
     template <typename Integer>
     void read_integer(std::string_view table_path, std::string_view quantity, Integer& target) const {
         if (const auto given = find(table_path, quantity))
@@ -62,7 +64,9 @@ class SceneSource {
     }
 
     /// Throws InputError "LOCATION: key: what".
-    [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const;
+    [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const {
+        throw PlacedError(place, error_prefix(name, place, key) + std::string(what));
+    }
 
     /// Throws for a member of the Scene: its location and its key as written, or those of the nearest table.
     [[noreturn]] void fail_member(std::string_view member, std::string_view what) const;

@@ -21,7 +21,6 @@
 #include <toml++/toml.h>
 // clang-format on
 
-#include "core/errors.hpp"
 #include "input/document/document.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 // The units of quantities, and ranges shared by several keys. Internal to input/.
 #pragma once
 
-#include "core/units.hpp"
 #include "input/keys/scene_keys.hpp"
 
 namespace camopt::input::spellings {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/text/names.hpp"
 #include "input/keys/key_spellings.hpp"
-#include "input/keys/scene_keys.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
 

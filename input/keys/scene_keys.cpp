@@ -3,13 +3,11 @@
 
 #include "input/keys/key_spellings.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
 #include <deque>
-#include <map>
 #include <mutex>
 
 namespace camopt::input {

@@ -3,7 +3,6 @@
 
 #include "dynamics/train_formulas.hpp"
 #include "profiles/factory/cam_formulas.hpp"
-#include "scene/scene.hpp"
 
 namespace camopt {
 

@@ -7,8 +7,6 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "solvers/registry.hpp"
 
-#include <filesystem>
-
 namespace camopt {
 
 // All laws, solvers and kinds of cams, including those added by the program: the names for input::read_scene.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "input/machine/machine_reader.hpp"
 
-#include "core/text/names.hpp"
-#include "core/units.hpp"
 #include "input/document/document.hpp"
 #include "input/keys/key_spellings.hpp"
 #include "input/scene_reader.hpp"
@@ -258,7 +256,7 @@ class MachineReader {
         for (std::size_t k = 0; k < machine.clearances.size(); ++k) {
             const Clearance& clearance = machine.clearances[k];
             for (const int index : clearance.axes) {
-                const AxisSpec& axis = machine.axes[static_cast<std::size_t>(index)];
+                const AxisSpec& axis = machine.axes[index];
                 const bool swings = axis.scene.motion.lift_is_angle;
                 if (swings == is_angle_unit(clearance.unit)) continue;
                 const Node& table = root_.find("clearance")->value.items[k];

@@ -15,7 +15,7 @@ class JsonSource {
     JsonSource(std::string_view text, std::string_view source_name);
 
     [[nodiscard]] JsonSource at(const char* key) const;  ///< of an object; InputError if missing
-    [[nodiscard]] bool has(const char* key) const;
+    [[nodiscard]] bool has(const char* key) const { return value_->is_object() && value_->contains(key); }
     [[nodiscard]] bool is_null() const { return value_->is_null(); }
     [[nodiscard]] std::vector<JsonSource> items() const;  ///< of a list
 

@@ -171,10 +171,6 @@ std::string JsonSource::path_to(std::string_view key) const {
     return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
-bool JsonSource::has(const char* key) const {
-    return value_->is_object() && value_->contains(key);
-}
-
 JsonSource JsonSource::at(const char* key) const {
     if (!value_->is_object()) fail(fmt::format("found {}; allowed: an object", shown()));
     const auto found = value_->find(key);

@@ -62,13 +62,13 @@ class Writer {
             v += 0.5 * (up + down);
             j += 0.5 * (up + down);
         } else if (half_.type == MotionType::rr) {
-            term.exponents[static_cast<std::size_t>(up_)] = up;
-            term.exponents[static_cast<std::size_t>(down_)] = down;
+            term.exponents[up_] = up;
+            term.exponents[down_] = down;
         } else {
             multiply_peak(term, up + down);
         }
         term.exponents[0] = v;
-        if (half_.jerk == Role::unknown) term.exponents[static_cast<std::size_t>(jerk_)] = j;
+        if (half_.jerk == Role::unknown) term.exponents[jerk_] = j;
         if (half_.jerk == Role::fixed) term.coefficient *= std::pow(*half_.jerk_cap, j);
         to.push_back(std::move(term));
     }
@@ -77,16 +77,16 @@ class Writer {
     void add_below_peak(std::vector<Posynomial>& to, bool up) const {
         Monomial term{1.0, std::vector<double>(static_cast<std::size_t>(count_), 0.0)};
         multiply_peak(term, -1.0);
-        term.exponents[static_cast<std::size_t>(up ? up_ : down_)] = 1.0;
+        term.exponents[up ? up_ : down_] = 1.0;
         to.push_back({term});
     }
 
     /// A² <= 4VJ: never active, for A² = 2VJ already is all that helps; it keeps A from running away.
     void add_peak_bound(std::vector<Posynomial>& to) const {
         Monomial term = single(peak_, 0.25);
-        term.exponents[static_cast<std::size_t>(peak_)] = 2.0;
+        term.exponents[peak_] = 2.0;
         term.exponents[0] = -1.0;
-        if (half_.jerk == Role::unknown) term.exponents[static_cast<std::size_t>(jerk_)] = -1.0;
+        if (half_.jerk == Role::unknown) term.exponents[jerk_] = -1.0;
         if (half_.jerk == Role::fixed) term.coefficient /= *half_.jerk_cap;
         to.push_back({term});
     }
@@ -94,13 +94,13 @@ class Writer {
     /// coefficient times one unknown.
     [[nodiscard]] Monomial single(int index, double coefficient) const {
         Monomial term{coefficient, std::vector<double>(static_cast<std::size_t>(count_), 0.0)};
-        term.exponents[static_cast<std::size_t>(index)] = 1.0;
+        term.exponents[index] = 1.0;
         return term;
     }
 
  private:
     void multiply_peak(Monomial& term, double power) const {
-        if (half_.acceleration == Role::unknown) term.exponents[static_cast<std::size_t>(peak_)] += power;
+        if (half_.acceleration == Role::unknown) term.exponents[peak_] += power;
         if (half_.acceleration == Role::fixed) term.coefficient *= std::pow(*half_.acceleration_cap, power);
     }
 

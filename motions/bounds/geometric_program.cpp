@@ -44,7 +44,7 @@ LogSum log_sum(const Posynomial& posynomial, const VectorXd& u) {
     MatrixXd exponents(terms, u.size());
     VectorXd power(terms);
     for (Eigen::Index k = 0; k < terms; ++k) {
-        const Monomial& monomial = posynomial[static_cast<std::size_t>(k)];
+        const Monomial& monomial = posynomial[k];
         exponents.row(k) = VectorXd::Map(monomial.exponents.data(), u.size());
         power[k] = std::log(monomial.coefficient) + exponents.row(k).dot(u);
     }
@@ -80,7 +80,7 @@ struct Iterate {
         primal = slack;
         gradients.resize(slack.size(), u.size());
         for (Eigen::Index i = 0; i < slack.size(); ++i) {
-            const LogSum constraint = log_sum(program.constraints[static_cast<std::size_t>(i)], u);
+            const LogSum constraint = log_sum(program.constraints[i], u);
             gradients.row(i) = constraint.gradient;
             dual += multiplier[i] * constraint.gradient;
             hessian += multiplier[i] * constraint.hessian;
@@ -120,8 +120,7 @@ struct Minimum {
 
 VectorXd values(const GeometricProgram& program, const VectorXd& u) {
     VectorXd all(static_cast<Eigen::Index>(program.constraints.size()));
-    for (Eigen::Index i = 0; i < all.size(); ++i)
-        all[i] = log_sum(program.constraints[static_cast<std::size_t>(i)], u).value;
+    for (Eigen::Index i = 0; i < all.size(); ++i) all[i] = log_sum(program.constraints[i], u).value;
     return all;
 }
 

@@ -2,7 +2,6 @@
 #include "motions/laws/law.hpp"
 
 #include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
 #include "core/numbers/polynomial.hpp"
 
 #include <fmt/format.h>

@@ -15,8 +15,6 @@
 
 #include "objectives/rules/point_rule.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 /// slope · z + constant <= h(z) for every z of the box: <= 0 wherever the rule is satisfied.

@@ -43,7 +43,7 @@ void FreeKnotNlp::set_scale() {
         if (order < 0) {
             scale_[j] = form.mean_length();
         } else if (order < 3) {
-            scale_[j] = model_->entry_scale[static_cast<std::size_t>(order)];
+            scale_[j] = model_->entry_scale[order];
         } else {
             scale_[j] = model_->jerk_reference / std::pow(form.mean_length(), order - 3);
         }
@@ -167,7 +167,7 @@ FreeKnotNlp::Outer FreeKnotNlp::rule_outer(const Row& row, const Eigen::VectorXd
     const auto parameters = static_cast<Eigen::Index>(rule.parameters().size());
     Eigen::VectorXd q(parameters);
     for (Eigen::Index k = 0; k < parameters; ++k) {
-        const int column = row.columns[static_cast<std::size_t>(row.own + k)];
+        const int column = row.columns[row.own + k];
         q[k] = x[column] / scale_[column];  // a rule takes parameters in units of their references
     }
     const RuleValue value = rule.evaluate(place, q);
@@ -194,9 +194,8 @@ FreeKnotNlp::Outer FreeKnotNlp::outer(const Row& row, const Eigen::VectorXd& x,
                                       const FreePoint& point) const {
     if (row.kind == Row::Kind::rule) return rule_outer(row, x, point);
     const auto others = static_cast<Eigen::Index>(row.columns.size()) - row.own;
-    Outer outer{(point.derivative[static_cast<std::size_t>(row.order)] + row.offset) / row.unit,
-                Eigen::VectorXd::Zero(orders + others),
-                {}};
+    Outer outer{
+        (point.derivative[row.order] + row.offset) / row.unit, Eigen::VectorXd::Zero(orders + others), {}};
     outer.slope[row.order] = 1.0 / row.unit;
     if (others > 0) {  // `minus` has the unit of the row
         outer.value -= x[row.columns.back()] / row.unit;
@@ -209,14 +208,14 @@ Eigen::MatrixXd FreeKnotNlp::chain(const Row& row, const FreePoint& point) const
     Eigen::MatrixXd chain = Eigen::MatrixXd::Zero(orders, row.own);
     const int coefficients = form_->degree() - row.first + 1;
     for (int k = 0; k < row.own; ++k) {
-        const int column = row.columns[static_cast<std::size_t>(k)];
+        const int column = row.columns[k];
         const double by = column == form_->breakpoint(row.place.segment) ? point.by_left : point.by_right;
         for (int r = 0; r < orders; ++r) {
             chain(r, k) = k < coefficients ? FreeKnotForm::power(point.tau, r, row.first + k)
                                            : by * point.derivative[static_cast<std::size_t>(r) + 1];
         }
     }
-    for (int k = 0; k < row.own; ++k) chain.col(k) *= scale_[row.columns[static_cast<std::size_t>(k)]];
+    for (int k = 0; k < row.own; ++k) chain.col(k) *= scale_[row.columns[k]];
     return chain;
 }
 
@@ -271,7 +270,7 @@ Eigen::MatrixXd FreeKnotNlp::row_curvature(const Row& row, const Eigen::VectorXd
     }
     const int coefficients = form_->degree() - row.first + 1;
     const auto by = [&](int k) {
-        const int column = row.columns[static_cast<std::size_t>(k)];
+        const int column = row.columns[k];
         const double rate = column == form_->breakpoint(row.place.segment) ? point.by_left : point.by_right;
         return rate * scale_[column];
     };
@@ -281,7 +280,7 @@ Eigen::MatrixXd FreeKnotNlp::row_curvature(const Row& row, const Eigen::VectorXd
             for (int k = 0; k < coefficients; ++k) {
                 const double mixed = value.slope[r] * by(t) *
                                      FreeKnotForm::power(point.tau, r + 1, row.first + k) *
-                                     scale_[row.columns[static_cast<std::size_t>(k)]];
+                                     scale_[row.columns[k]];
                 curvature(t, k) += mixed;
                 curvature(k, t) += mixed;
             }
@@ -292,10 +291,6 @@ Eigen::MatrixXd FreeKnotNlp::row_curvature(const Row& row, const Eigen::VectorXd
         }
     }
     return curvature;
-}
-
-std::string FreeKnotNlp::variable_name(int index) const {
-    return index < form_->size() ? form_->name(index) : model_->parameters[index - form_->size()].name;
 }
 
 }  // namespace camopt

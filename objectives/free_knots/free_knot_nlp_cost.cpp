@@ -12,10 +12,6 @@ std::vector<int> FreeKnotNlp::energy_columns(int segment, int order) const {
     return columns;
 }
 
-double FreeKnotNlp::energy_factor(const RmsTerm& term) const {
-    return 1.0 / (term.reference * term.reference * (form_->end() - form_->begin()));
-}
-
 double FreeKnotNlp::mean_square(const RmsTerm& term, const Eigen::VectorXd& x, Eigen::VectorXd* slope) const {
     const double factor = energy_factor(term);
     double value = 0.0;
@@ -58,7 +54,7 @@ void FreeKnotNlp::gradient(const ConstVectorRef& x, VectorRef out) const {
 void FreeKnotNlp::fix_patterns() {
     const auto claim = [&](int row, int column) { hessian_slots_.claim(shape_.hessian, row, column); };
     for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-        const Row& row = rows_[static_cast<std::size_t>(i)];
+        const Row& row = rows_[i];
         for (const int column : row.columns) {
             shape_.jacobian.rows.push_back(i);
             shape_.jacobian.columns.push_back(column);
@@ -67,7 +63,7 @@ void FreeKnotNlp::fix_patterns() {
         for (int a = 0; a < static_cast<int>(row.columns.size()); ++a) {
             for (int b = 0; b <= a; ++b) {
                 if (may_curve(row, a, b)) {
-                    claim(row.columns[static_cast<std::size_t>(a)], row.columns[static_cast<std::size_t>(b)]);
+                    claim(row.columns[a], row.columns[b]);
                 }
             }
         }

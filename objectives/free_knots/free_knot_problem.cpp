@@ -40,10 +40,6 @@ FreeKnotProblem::FreeKnotProblem(Scene scene, const Peaks& reference)
     rebuild();
 }
 
-void FreeKnotProblem::rebuild() {
-    grid_ = std::make_unique<FreeKnotNlp>(model_, form_, samples_);
-}
-
 void FreeKnotProblem::start_grid() {
     for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) {
         const PointRule& rule = *model_->rules[r];
@@ -77,14 +73,6 @@ bool FreeKnotProblem::add_sample(int rule, int segment, double fraction, bool mi
     places_.emplace(rule, segment, mirrored, fraction);
     samples_.push_back({rule, segment, fraction, mirrored});
     return true;
-}
-
-Eigen::VectorXd FreeKnotProblem::physical_form(const Eigen::VectorXd& x) const {
-    return grid_->scale().cwiseProduct(x).head(form_->size());
-}
-
-std::vector<double> FreeKnotProblem::breakpoints(const Eigen::VectorXd& x) const {
-    return form_->breakpoints(physical_form(x));
 }
 
 CamProblem FreeKnotProblem::fixed_problem(const Eigen::VectorXd& x) const {
@@ -121,10 +109,6 @@ Eigen::VectorXd FreeKnotProblem::completed(const Eigen::VectorXd& x) const {
     return free_point(fixed, fixed.completed(fixed_point(fixed, x)));
 }
 
-double FreeKnotProblem::objective(const Eigen::VectorXd& x) const {
-    return grid_->cost(completed(x));
-}
-
 std::vector<Violation> FreeKnotProblem::violations(const Eigen::VectorXd& x, double slack) const {
     const CamProblem fixed = fixed_problem(x);
     const SplineSpace& space = fixed.model().design.run_space(0);
@@ -132,8 +116,7 @@ std::vector<Violation> FreeKnotProblem::violations(const Eigen::VectorXd& x, dou
     for (Violation& violation : found) {
         const double at = violation.where.at;
         const int segment = space.segment_of(at, violation.where.side);
-        const double fraction =
-            (at - space.breakpoints()[static_cast<std::size_t>(segment)]) / space.width(segment);
+        const double fraction = (at - space.breakpoints()[segment]) / space.width(segment);
         violation.where.at = segment + std::clamp(fraction, 0.0, 1.0);
     }
     return found;

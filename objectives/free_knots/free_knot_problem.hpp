@@ -2,12 +2,7 @@
 // A CamModel with free spline breakpoints: as an Nlp, and as a ContinuousProblem around it.
 #pragma once
 
-#include "core/continuous_problem.hpp"
-#include "core/motion.hpp"
-#include "core/nlp.hpp"
 #include "objectives/grid/cam_problem.hpp"
-#include "objectives/nlp_parts.hpp"
-#include "objectives/rules/model.hpp"
 #include "scene/scene.hpp"
 #include "splines/free_knot_form.hpp"
 
@@ -43,7 +38,9 @@ class FreeKnotNlp final : public Nlp {
     void jacobian(const ConstVectorRef& x, std::span<double> out) const override;
     void hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
                  std::span<double> out) const override;
-    [[nodiscard]] std::string variable_name(int index) const override;
+    [[nodiscard]] std::string variable_name(int index) const override {
+        return index < form_->size() ? form_->name(index) : model_->parameters[index - form_->size()].name;
+    }
     [[nodiscard]] std::string row_name(int index) const override { return rows_[index].name; }
 
     /// x_physical = scale · x, over all variables.
@@ -98,7 +95,9 @@ class FreeKnotNlp final : public Nlp {
     /// Of the mean square over the whole, in units of the reference: value and slope by all variables.
     [[nodiscard]] double mean_square(const RmsTerm& term, const Eigen::VectorXd& x,
                                      Eigen::VectorXd* slope) const;
-    [[nodiscard]] double energy_factor(const RmsTerm& term) const;
+    [[nodiscard]] double energy_factor(const RmsTerm& term) const {
+        return 1.0 / (term.reference * term.reference * (form_->end() - form_->begin()));
+    }
 
     std::shared_ptr<const CamModel> model_;
     std::shared_ptr<const FreeKnotForm> form_;
@@ -131,13 +130,17 @@ class FreeKnotProblem final : public ContinuousProblem {
     [[nodiscard]] const Nlp& grid() const override { return *grid_; }
     [[nodiscard]] Eigen::VectorXd start() const override;
     [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
-    [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] double objective(const Eigen::VectorXd& x) const override {
+        return grid_->cost(completed(x));
+    }
     [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
     int refine(std::span<const Violation> worst) override;
     [[nodiscard]] Box box(double incumbent, double relaxation) const override;
 
     [[nodiscard]] const FreeKnotForm& form() const { return *form_; }
-    [[nodiscard]] std::vector<double> breakpoints(const Eigen::VectorXd& x) const;
+    [[nodiscard]] std::vector<double> breakpoints(const Eigen::VectorXd& x) const {
+        return form_->breakpoints(physical_form(x));
+    }
     /// The problem with the breakpoints of x fixed, and x converted for it.
     [[nodiscard]] CamProblem fixed_problem(const Eigen::VectorXd& x) const;
     [[nodiscard]] Eigen::VectorXd fixed_point(const CamProblem& fixed, const Eigen::VectorXd& x) const;
@@ -147,8 +150,10 @@ class FreeKnotProblem final : public ContinuousProblem {
  private:
     void start_grid();
     bool add_sample(int rule, int segment, double fraction, bool mirrored);
-    void rebuild();
-    [[nodiscard]] Eigen::VectorXd physical_form(const Eigen::VectorXd& x) const;
+    void rebuild() { grid_ = std::make_unique<FreeKnotNlp>(model_, form_, samples_); }
+    [[nodiscard]] Eigen::VectorXd physical_form(const Eigen::VectorXd& x) const {
+        return grid_->scale().cwiseProduct(x).head(form_->size());
+    }
 
     Scene scene_;
     Peaks reference_;

@@ -2,7 +2,6 @@
 #include "objectives/grid/cam_problem.hpp"
 
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/point_rule.hpp"
 
 namespace camopt {
 
@@ -126,28 +125,8 @@ void CamProblem::set_weights(std::span<const double> weights) {
     grid_->follow_weights();
 }
 
-Eigen::VectorXd CamProblem::design_values(const Eigen::VectorXd& x) const {
-    return scales_.cwiseProduct(x.head(model_->design.size()));
-}
-
-SplineCurve CamProblem::curve(const Eigen::VectorXd& x) const {
-    return model_->design.run_curve(0, design_values(x));
-}
-
-MotionChain CamProblem::motion(const Eigen::VectorXd& x) const {
-    return model_->design.motion(design_values(x));
-}
-
-Eigen::VectorXd CamProblem::own_parameters(int rule, const Eigen::VectorXd& x) const {
-    return x.tail(static_cast<Eigen::Index>(model_->parameters.size()))(model_->rules[rule]->parameters());
-}
-
 double CamProblem::objective(const Eigen::VectorXd& x) const {
     return grid_->cost(completed(x));
-}
-
-std::vector<Violation> CamProblem::violations(const Eigen::VectorXd& x, double slack) const {
-    return violations_of(false, x, slack);
 }
 
 double CamProblem::worst_of_limits(const Eigen::VectorXd& x) const {

@@ -3,17 +3,10 @@
 #pragma once
 
 #include "core/continuous_problem.hpp"
-#include "core/nlp.hpp"
 #include "objectives/nlp_parts.hpp"
 #include "objectives/rules/model.hpp"
-#include "splines/design_vector.hpp"
-#include "splines/gram.hpp"
 
-#include <Eigen/Core>
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-
-#include <map>
 
 namespace camopt {
 
@@ -142,7 +135,9 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] Eigen::VectorXd start() const override;
     [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
     [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
-    [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
+    [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override {
+        return violations_of(false, x, slack);
+    }
     [[nodiscard]] double worst_of_limits(const Eigen::VectorXd& x) const override;
     int refine(std::span<const Violation> worst) override;
     int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) override;
@@ -157,11 +152,17 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] const std::vector<RuleSample>& samples() const { return samples_; }
     /// Other weights of the same terms: the parameters' positive ones, one for each parameter.
     void set_weights(std::span<const double> weights);
-    [[nodiscard]] MotionChain motion(const Eigen::VectorXd& x) const;
+    [[nodiscard]] MotionChain motion(const Eigen::VectorXd& x) const {
+        return model_->design.motion(design_values(x));
+    }
     /// The spline of the first run: all of it for DRD and RR.
-    [[nodiscard]] SplineCurve curve(const Eigen::VectorXd& x) const;
+    [[nodiscard]] SplineCurve curve(const Eigen::VectorXd& x) const {
+        return model_->design.run_curve(0, design_values(x));
+    }
     /// Design entries of x in their own units.
-    [[nodiscard]] Eigen::VectorXd design_values(const Eigen::VectorXd& x) const;
+    [[nodiscard]] Eigen::VectorXd design_values(const Eigen::VectorXd& x) const {
+        return scales_.cwiseProduct(x.head(model_->design.size()));
+    }
 
  private:
     void start_grid();
@@ -179,7 +180,10 @@ class CamProblem final : public ContinuousProblem {
     void add_pressed(const Violation& violation, const Pressed& pressed);
     [[nodiscard]] std::vector<Violation> violations_of(bool limits_only, const Eigen::VectorXd& x,
                                                        double slack) const;
-    [[nodiscard]] Eigen::VectorXd own_parameters(int rule, const Eigen::VectorXd& x) const;
+    [[nodiscard]] Eigen::VectorXd own_parameters(int rule, const Eigen::VectorXd& x) const {
+        return x.tail(static_cast<Eigen::Index>(model_->parameters.size()))(
+            model_->rules[rule]->parameters());
+    }
     void complete_parameters(Eigen::VectorXd& x) const;
     void complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) const;
     void complete_own_peaks(const MotionChain& chain, Eigen::VectorXd& x) const;
@@ -216,17 +220,28 @@ class TiedProblem final : public ContinuousProblem {
     /// Changes the weight of the energy; > 0.
     void set_weight(double weight);
     /// e of the motion of x.
-    [[nodiscard]] double energy(const Eigen::VectorXd& x) const;
+    [[nodiscard]] double energy(const Eigen::VectorXd& x) const {
+        return energy_.value(x.head(energy_.linear.size()));
+    }
 
     [[nodiscard]] const Nlp& grid() const override;
     [[nodiscard]] Eigen::VectorXd start() const override { return problem_.start(); }
-    [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override {
+        return problem_.completed(x);
+    }
     [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
-    [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
-    [[nodiscard]] double worst_of_limits(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override {
+        return problem_.violations(x, slack);
+    }
+    [[nodiscard]] double worst_of_limits(const Eigen::VectorXd& x) const override {
+        return problem_.worst_of_limits(x);
+    }
     int refine(std::span<const Violation> worst) override;
     int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) override;
-    [[nodiscard]] Box box(double incumbent, double relaxation) const override;
+    /// The problem's own: a motion of at most this cost with the energy has at most this cost without it.
+    [[nodiscard]] Box box(double incumbent, double relaxation) const override {
+        return problem_.box(incumbent, relaxation);
+    }
     [[nodiscard]] bool convex(double incumbent) const override { return problem_.convex(incumbent); }
 
  private:

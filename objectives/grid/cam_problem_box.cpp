@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bounds valid for every motion at least as good as the incumbent, for proofs.
 #include "objectives/grid/cam_problem.hpp"
-#include "splines/curve.hpp"
 
 namespace camopt {
 
@@ -67,7 +66,7 @@ void CamProblem::bound_by_motor(const CamModel& model, SupportedBounds& known, d
     if (!motor.from_rest || !(mass > 0.0)) return;
     const auto bounded = [&](double limit, int parameter) {
         if (parameter < 0) return most * limit;
-        const Parameter& own = model.parameters[static_cast<std::size_t>(parameter)];
+        const Parameter& own = model.parameters[parameter];
         return std::min(most * limit, known.parameters[parameter] * own.reference);
     };
     const double length = model.design.end() - model.design.begin(), root = std::sqrt(length);
@@ -95,7 +94,7 @@ CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, doubl
     if (std::isfinite(incumbent) && grid_->shape().convex)
         known.sup[0] = std::min(known.sup[0], model.held_displacement + relaxed_limits * model.held_width);
     for (Eigen::Index p = 0; p < parameters; ++p) {
-        const Parameter& parameter = model.parameters[static_cast<std::size_t>(p)];
+        const Parameter& parameter = model.parameters[p];
         known.parameters[p] = parameter.upper;
         if (parameter.weight > 0.0) {  // every term of the cost is at least 0, dimensions at their lower ends
             known.parameters[p] = std::min(known.parameters[p], incumbent / parameter.weight);
@@ -111,7 +110,7 @@ CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, doubl
         }
     }
     for (Eigen::Index p = 0; p < parameters; ++p) {
-        const Parameter& parameter = model.parameters[static_cast<std::size_t>(p)];
+        const Parameter& parameter = model.parameters[p];
         const bool peak = parameter.kind == Parameter::Kind::peak;
         if (!peak && parameter.kind != Parameter::Kind::rms) continue;
         double& bound = (peak ? known.sup : known.rms)[parameter.order];
@@ -157,7 +156,7 @@ Box CamProblem::box(double incumbent, double relaxation) const {
         box.upper[variable] = known.parameters[static_cast<Eigen::Index>(p)];
         box.lower[variable] = parameter.kind == Parameter::Kind::dimension ? parameter.lower : 0.0;
         if (parameter.kind == Parameter::Kind::magnitude) {
-            const Parameter& of = model.parameters[static_cast<std::size_t>(parameter.order)];
+            const Parameter& of = model.parameters[parameter.order];
             box.upper[variable] =
                 std::min(box.upper[variable], std::max(std::abs(of.lower), std::abs(of.upper)));
         }

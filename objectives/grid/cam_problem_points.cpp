@@ -2,8 +2,6 @@
 // Points of a CamProblem: starts, completion, and the projection onto its equalities.
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/point_rule.hpp"
-#include "splines/curve.hpp"
 
 #include <Eigen/SparseLU>
 

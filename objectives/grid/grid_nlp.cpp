@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid/cam_problem.hpp"
-#include "objectives/rules/point_rule.hpp"
 
 #include <numeric>
 
@@ -155,8 +154,7 @@ void GridNlp::add_energy_row(int sample) {
 const RuleValue& GridNlp::affine_rule(const RuleSample& place) {
     const PointRule& rule = *model_->rules[place.rule];
     const bool same_everywhere = rule.places().empty();
-    std::optional<RuleValue>& known =
-        same_everywhere ? affine_[static_cast<std::size_t>(place.rule)] : affine_.back();
+    std::optional<RuleValue>& known = same_everywhere ? affine_[place.rule] : affine_.back();
     if (!same_everywhere || !known)
         known = rule.evaluate({place.at, {}},
                               Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rule.parameters().size())));
@@ -176,9 +174,9 @@ AffineRow GridNlp::linear_rule_row(const RuleSample& place, const RuleValue& aff
                                               std::move(derivative.weights)}
                                   : combined(sum, 1.0, derivative);
     }
-    const PlacedRule& rule = model_->rules[static_cast<std::size_t>(place.rule)];
+    const PlacedRule& rule = model_->rules[place.rule];
     if (rule.datum == PlacedRule::Datum::zero || affine.gradient[0] == 0.0) return sum;
-    const auto& stretch = model_->design.stretches()[static_cast<std::size_t>(rule.stretch)];
+    const auto& stretch = model_->design.stretches()[rule.stretch];
     return combined(sum, -affine.gradient[0],
                     rule.datum == PlacedRule::Datum::begin ? stretch.from : stretch.to);
 }
@@ -245,9 +243,7 @@ void GridNlp::add_cost_terms() {
 }
 
 void GridNlp::follow_weights() {
-    const auto weight = [&](int variable) {
-        return model_->parameters[static_cast<std::size_t>(variable - design_size())].weight;
-    };
+    const auto weight = [&](int variable) { return model_->parameters[variable - design_size()].weight; };
     for (int variable = design_size(); variable < shape_.variables(); ++variable)
         linear_cost_[variable] = weight(variable);
     for (RmsTerm& term : rms_) {
@@ -389,7 +385,7 @@ std::string GridNlp::variable_name(int index) const {
 
 RowOrigin GridNlp::row_origin(int index) const {
     RowOrigin origin;
-    origin.limit = shape_.rows[static_cast<std::size_t>(index)].limit;
+    origin.limit = shape_.rows[index].limit;
     const int equalities = static_cast<int>(model_->design.equalities().size());
     const int conditions = equalities + static_cast<int>(model_->parameter_rows.size());
     if (index >= first_sample_row_) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid/cam_problem.hpp"
-#include "objectives/nlp_parts.hpp"
 
 namespace camopt {
 
@@ -83,28 +82,12 @@ void TiedProblem::set_weight(double weight) {
     grid_->set_weight(weight);
 }
 
-double TiedProblem::energy(const Eigen::VectorXd& x) const {
-    return energy_.value(x.head(energy_.linear.size()));
-}
-
 const Nlp& TiedProblem::grid() const {
     return *grid_;
 }
 
-Eigen::VectorXd TiedProblem::completed(const Eigen::VectorXd& x) const {
-    return problem_.completed(x);
-}
-
 double TiedProblem::objective(const Eigen::VectorXd& x) const {
     return grid_->cost(completed(x));
-}
-
-std::vector<Violation> TiedProblem::violations(const Eigen::VectorXd& x, double slack) const {
-    return problem_.violations(x, slack);
-}
-
-double TiedProblem::worst_of_limits(const Eigen::VectorXd& x) const {
-    return problem_.worst_of_limits(x);
 }
 
 /// The rows of the problem changed.
@@ -122,11 +105,6 @@ int TiedProblem::refine_pressed(std::span<const Violation> worst, const Eigen::V
     const int added = problem_.refine_pressed(worst, row_multipliers);
     follow(added);
     return added;
-}
-
-/// The problem's own bounds: a motion of at most this cost with the energy has at most this cost without it.
-Box TiedProblem::box(double incumbent, double relaxation) const {
-    return problem_.box(incumbent, relaxation);
 }
 
 }  // namespace camopt

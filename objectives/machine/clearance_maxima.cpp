@@ -2,9 +2,7 @@
 // The exact maxima of clearances: one polynomial between merged breakpoints; where an axis follows a law,
 // subdivision with f(u) ≤ max(f(a), f(b)) + (b − a)²/8 · max(−f'') on [a, b].
 #include "core/numbers/polynomial.hpp"
-#include "core/units.hpp"
 #include "objectives/machine/machine_problem.hpp"
-#include "splines/curve.hpp"
 
 namespace camopt {
 
@@ -101,7 +99,7 @@ void MachineProblem::merge_breaks(Clear& clear) const {
     const double from = clear.rule.from, until = from + clear.length;
     clear.breaks = {from, until};
     for (const int index : clear.rule.axes) {
-        const Block& block = blocks_[static_cast<std::size_t>(index)];
+        const Block& block = blocks_[index];
         for (const MotionFamily::Piece& piece : block.problem->model().design.pieces()) {
             double angle = block.spec.phase + piece.begin * block.spec.unit_angle;
             angle -= units::turn * std::floor((angle - from) / units::turn);
@@ -127,7 +125,7 @@ std::vector<Extremum> MachineProblem::maxima_of(const Clear& clear, const std::v
         along.polynomial[0] = clear.rule.at_least / clear.rule.scale;
         for (std::size_t k = 0; k < clear.rule.axes.size(); ++k) {
             const int index = clear.rule.axes[k];
-            const Block& block = blocks_[static_cast<std::size_t>(index)];
+            const Block& block = blocks_[index];
             const MotionFamily& design = block.problem->model().design;
             const double factor = -clear.rule.factors[k] * block.spec.lift / clear.rule.scale;
             const double wide = width / block.spec.unit_angle;
@@ -135,12 +133,12 @@ std::vector<Extremum> MachineProblem::maxima_of(const Clear& clear, const std::v
             const auto& piece =
                 design.pieces()[static_cast<std::size_t>(design.piece_of(middle, Side::right))];
             const auto stretch = static_cast<std::size_t>(piece.stretch);
-            const ChainPart& part = motions[static_cast<std::size_t>(index)].parts()[stretch];
+            const ChainPart& part = motions[index].parts()[stretch];
             if (!part.shape) {
                 along.add(Eigen::VectorXd::Constant(1, factor * part.y0));
             } else if (piece.segment >= 0) {
                 const auto& curve = dynamic_cast<const SplineCurve&>(*part.shape);
-                const double origin = curve.space().breakpoints()[static_cast<std::size_t>(piece.segment)];
+                const double origin = curve.space().breakpoints()[piece.segment];
                 const double local = x0 + design.stretches()[stretch].shift - origin;
                 along.add(factor * expanded(curve.derivative_polynomial(piece.segment, 0), local, wide));
             } else {

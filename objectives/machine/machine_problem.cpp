@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/machine/machine_problem.hpp"
 
-#include "core/errors.hpp"
-#include "objectives/machine/machine_grid.hpp"
-#include "objectives/nlp_parts.hpp"
-
 #include <iterator>
 #include <numeric>
 
@@ -23,6 +19,179 @@ double wrapped(double angle) {
 }
 
 }  // namespace
+
+/// The Nlp of the current rows.
+class MachineProblem::Grid final : public Nlp {
+ public:
+    explicit Grid(const MachineProblem& machine)
+        : machine_(machine),
+          row_of_(machine.blocks_.size() + machine.clearances_.size()),
+          clear_(machine.clearances_.size()) {
+        const auto rows = static_cast<Eigen::Index>(machine.rows_.size());
+        shape_.x_lower.resize(machine.variables_);
+        shape_.x_upper.resize(machine.variables_);
+        shape_.g_lower = Eigen::VectorXd::Constant(rows, -infinity);
+        shape_.g_upper = Eigen::VectorXd::Zero(rows);
+        shape_.rows.resize(machine.rows_.size());
+        shape_.convex = shape_.linear_cost = shape_.quadratic_cost = true;
+        for (std::size_t i = 0; i < machine.rows_.size(); ++i)
+            row_of_[machine.rows_[i].part].push_back(static_cast<int>(i));
+        for (int b = 0; b < machine.axes(); ++b) add_block_pattern(b);
+        add_clearances();
+    }
+
+    [[nodiscard]] double cost(const ConstVectorRef& x) const override {
+        double sum = 0.0;
+        for (int b = 0; b < machine_.axes(); ++b)
+            sum += machine_.blocks_[b].spec.weight * machine_.axis(b).grid().cost(machine_.axis_x(b, x));
+        return sum;
+    }
+    void gradient(const ConstVectorRef& x, VectorRef out) const override {
+        for (int b = 0; b < machine_.axes(); ++b) {
+            const Block& block = machine_.blocks_[b];
+            const Eigen::VectorXd own = machine_.axis_x(b, x);
+            Eigen::VectorXd slope(own.size());
+            block.problem->grid().gradient(own, slope);
+            out(block.columns) = block.spec.weight * slope;
+        }
+    }
+    void constraints(const ConstVectorRef& x, VectorRef out) const override {
+        for (int b = 0; b < machine_.axes(); ++b) {
+            const Nlp& grid = machine_.axis(b).grid();
+            Eigen::VectorXd values(grid.shape().constraints());
+            grid.constraints(machine_.axis_x(b, x), values);
+            out(row_of_[b]) = values;
+        }
+        for (std::size_t k = 0; k < clear_.size(); ++k)
+            for (std::size_t i = 0; i < clear_[k].size(); ++i) {
+                const Row& row = clear_[k][i];
+                double value = row.offset;
+                for (std::size_t j = 0; j < row.columns.size(); ++j)
+                    value += row.weights[j] * x[row.columns[j]];
+                out[row_of_[machine_.blocks_.size() + k][i]] = value;
+            }
+    }
+    void jacobian(const ConstVectorRef& x, std::span<double> out) const override {
+        std::size_t next = 0;
+        for (int b = 0; b < machine_.axes(); ++b) {
+            const Nlp& grid = machine_.axis(b).grid();
+            const auto count = static_cast<std::size_t>(grid.shape().jacobian.size());
+            grid.jacobian(machine_.axis_x(b, x), out.subspan(next, count));
+            next += count;
+        }
+        for (const std::vector<Row>& rows : clear_)
+            for (const Row& row : rows)
+                for (const double weight : row.weights) out[next++] = weight;
+    }
+    void hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
+                 std::span<double> out) const override {
+        std::size_t next = 0;
+        for (int b = 0; b < machine_.axes(); ++b) {
+            const Block& block = machine_.blocks_[b];
+            const Nlp& grid = block.problem->grid();
+            const auto count = static_cast<std::size_t>(grid.shape().hessian.size());
+            const Eigen::VectorXd own = lambda(row_of_[b]);
+            grid.hessian(machine_.axis_x(b, x), sigma * block.spec.weight, own, out.subspan(next, count));
+            next += count;
+        }
+    }
+    [[nodiscard]] std::string variable_name(int index) const override {
+        for (const Block& block : machine_.blocks_)
+            if (const auto found = std::ranges::find(block.columns, index); found != block.columns.end())
+                return block.spec.name + ": " +
+                       block.problem->grid().variable_name(static_cast<int>(found - block.columns.begin()));
+        return {};
+    }
+    [[nodiscard]] std::string row_name(int index) const override { return row_origin(index).text(); }
+    [[nodiscard]] RowOrigin row_origin(int index) const override {
+        const RowPlace& place = machine_.rows_[index];
+        const int clearance = place.part - machine_.axes();
+        if (clearance >= 0) {
+            const Clear& clear = machine_.clearances_[clearance];
+            RowOrigin origin;
+            origin.rule = clear.rule.name;
+            origin.at = clear.angles[place.row];
+            origin.limit = true;
+            origin.order = 0;
+            return origin;
+        }
+        const Block& block = machine_.blocks_[place.part];
+        RowOrigin origin = block.problem->grid().row_origin(place.row);
+        origin.rule = block.spec.name + ": " + origin.rule;
+        return origin;
+    }
+
+ private:
+    /// A clearance at one angle, affine in the designs.
+    struct Row {
+        std::vector<int> columns;
+        std::vector<double> weights;
+        double offset = 0.0;
+    };
+    [[nodiscard]] Row clearance_row(const Clear& clear, double angle) const {
+        Row row;
+        row.offset = clear.rule.at_least / clear.rule.scale;
+        for (std::size_t k = 0; k < clear.rule.axes.size(); ++k) {
+            const Block& block = machine_.blocks_[clear.rule.axes[k]];
+            const CamModel& model = block.problem->model();
+            const double size = -clear.rule.factors[k] * block.spec.lift / clear.rule.scale;
+            const AffineRow y = model.design.functional(machine_.axis_place(clear.rule.axes[k], angle), 0);
+            row.offset += size * y.offset;
+            for (std::size_t j = 0; j < y.columns.size(); ++j) {
+                if (y.weights[j] == 0.0) continue;
+                row.columns.push_back(block.columns[y.columns[j]]);
+                row.weights.push_back(size * y.weights[j] * variable_scale(model, y.columns[j]));
+            }
+        }
+        return row;
+    }
+    void add_block_pattern(int block) {
+        const Block& own = machine_.blocks_[block];
+        const NlpShape& shape = own.problem->grid().shape();
+        const std::vector<int>& rows = row_of_[block];
+        shape_.x_lower(own.columns) = shape.x_lower;
+        shape_.x_upper(own.columns) = shape.x_upper;
+        shape_.g_lower(rows) = shape.g_lower;
+        shape_.g_upper(rows) = shape.g_upper;
+        shape_.convex = shape_.convex && shape.convex;
+        shape_.linear_cost = shape_.linear_cost && shape.linear_cost;
+        shape_.quadratic_cost = shape_.quadratic_cost && shape.quadratic_cost;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            RowKind& kind = shape_.rows[rows[i]] = shape.rows[i];
+            if (kind.limit && !machine_.relaxed_.empty())
+                kind.limit = machine_.is_limit(own.spec.name + ": " +
+                                               own.problem->grid().row_origin(static_cast<int>(i)).rule);
+        }
+        for (const int row : shape.jacobian.rows) shape_.jacobian.rows.push_back(rows[row]);
+        for (const int column : shape.jacobian.columns)
+            shape_.jacobian.columns.push_back(own.columns[column]);
+        for (int k = 0; k < shape.hessian.size(); ++k) {
+            const auto entry = static_cast<std::size_t>(k);
+            const int row = own.columns[shape.hessian.rows[entry]];
+            const int column = own.columns[shape.hessian.columns[entry]];
+            shape_.hessian.rows.push_back(std::max(row, column));
+            shape_.hessian.columns.push_back(std::min(row, column));
+        }
+    }
+    void add_clearances() {
+        for (std::size_t k = 0; k < machine_.clearances_.size(); ++k) {
+            const Clear& clear = machine_.clearances_[k];
+            const std::vector<int>& rows = row_of_[machine_.blocks_.size() + k];
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                Row row = clearance_row(clear, clear.angles[i]);
+                shape_.rows[rows[i]] = {true, machine_.is_limit(clear.rule.name), 1.0};
+                shape_.jacobian.rows.insert(shape_.jacobian.rows.end(), row.columns.size(), rows[i]);
+                shape_.jacobian.columns.insert(shape_.jacobian.columns.end(), row.columns.begin(),
+                                               row.columns.end());
+                clear_[k].push_back(std::move(row));
+            }
+        }
+    }
+
+    const MachineProblem& machine_;
+    std::vector<std::vector<int>> row_of_;  ///< of each part's row, the machine's
+    std::vector<std::vector<Row>> clear_;   ///< of each clearance
+};
 
 MachineProblem::MachineProblem(std::vector<MachineBlock> blocks, std::vector<ClearanceRule> clearances) {
     for (MachineBlock& given : blocks) {
@@ -62,7 +231,7 @@ void MachineProblem::number_columns() {
     };
     std::vector<Entry> entries;
     for (int b = 0; b < axes(); ++b) {
-        Block& block = blocks_[static_cast<std::size_t>(b)];
+        Block& block = blocks_[b];
         const int size = block.problem->grid().shape().variables();
         const MotionFamily& design = block.problem->model().design;
         block.columns.resize(static_cast<std::size_t>(size));
@@ -75,13 +244,11 @@ void MachineProblem::number_columns() {
         }
     }
     std::ranges::stable_sort(entries, {}, &Entry::angle);
-    for (const Entry& entry : entries)
-        blocks_[static_cast<std::size_t>(entry.block)].columns[static_cast<std::size_t>(entry.variable)] =
-            variables_++;
+    for (const Entry& entry : entries) blocks_[entry.block].columns[entry.variable] = variables_++;
 }
 
 double MachineProblem::axis_place(int index, double angle) const {
-    const Block& block = blocks_[static_cast<std::size_t>(index)];
+    const Block& block = blocks_[index];
     const MotionFamily& design = block.problem->model().design;
     const double x = wrapped(angle - block.spec.phase) / block.spec.unit_angle;
     return std::clamp(design.begin() + x, design.begin(), design.end());
@@ -111,7 +278,7 @@ void MachineProblem::relax_only(std::string rule) {
 }
 
 Eigen::VectorXd MachineProblem::axis_x(int index, const Eigen::VectorXd& x) const {
-    return x(blocks_[static_cast<std::size_t>(index)].columns);
+    return x(blocks_[index].columns);
 }
 
 std::vector<MotionChain> MachineProblem::motions(const Eigen::VectorXd& x) const {
@@ -130,8 +297,7 @@ Eigen::VectorXd MachineProblem::start() const {
 
 Eigen::VectorXd MachineProblem::completed(const Eigen::VectorXd& x) const {
     Eigen::VectorXd full(variables_);
-    for (int b = 0; b < axes(); ++b)
-        full(blocks_[static_cast<std::size_t>(b)].columns) = axis(b).completed(axis_x(b, x));
+    for (int b = 0; b < axes(); ++b) full(blocks_[b].columns) = axis(b).completed(axis_x(b, x));
     return full;
 }
 
@@ -141,11 +307,11 @@ double MachineProblem::objective(const Eigen::VectorXd& x) const {
 
 double MachineProblem::displacement(int index, const MotionChain& motion, double angle) const {
     const double x = axis_place(index, angle);
-    return blocks_[static_cast<std::size_t>(index)].spec.lift * motion.at(x).derivative[0];
+    return blocks_[index].spec.lift * motion.at(x).derivative[0];
 }
 
 std::string MachineProblem::rule_name(int block, int rule) const {
-    const Block& own = blocks_[static_cast<std::size_t>(block)];
+    const Block& own = blocks_[block];
     const CamModel& model = own.problem->model();
     auto index = static_cast<std::size_t>(rule);
     std::string name;
@@ -165,7 +331,7 @@ std::vector<Violation> MachineProblem::violations(const Eigen::VectorXd& x, doub
         for (Violation& violation : axis(b).violations(axis_x(b, x), slack)) {
             if (violation.limit && !relaxed_.empty())
                 violation.limit = is_limit(rule_name(b, violation.rule));
-            violation.rule += blocks_[static_cast<std::size_t>(b)].first_rule;
+            violation.rule += blocks_[b].first_rule;
             found.push_back(std::move(violation));
         }
     if (!clearances_.empty()) {
@@ -193,8 +359,7 @@ double MachineProblem::worst_of_limits(const Eigen::VectorXd& x) const {
 
 Extremum MachineProblem::worst_of_clearance(int clearance, const Eigen::VectorXd& x) const {
     Extremum worst{-infinity, 0.0};
-    for (const Extremum& maximum :
-         maxima_of(clearances_[static_cast<std::size_t>(clearance)], motions(x), -infinity))
+    for (const Extremum& maximum : maxima_of(clearances_[clearance], motions(x), -infinity))
         if (maximum.value > worst.value) worst = maximum;
     worst.at = wrapped(worst.at);
     return worst;
@@ -212,7 +377,7 @@ int MachineProblem::refined(std::span<const Violation> worst, const Eigen::Vecto
     std::vector<std::vector<Violation>> own(blocks_.size());
     for (const Violation& violation : worst) {
         if (violation.rule >= first_clearance_) {
-            Clear& clear = clearances_[static_cast<std::size_t>(violation.rule - first_clearance_)];
+            Clear& clear = clearances_[violation.rule - first_clearance_];
             const int part = axes() + violation.rule - first_clearance_;
             if (row_multipliers) add_pressed(clear, part, violation.where.at, *row_multipliers);
             add_around(clear, violation.where.at);
@@ -302,7 +467,7 @@ bool MachineProblem::convex(double incumbent) const {
 }
 
 std::vector<double> MachineProblem::samples(int clearance) const {
-    return clearances_[static_cast<std::size_t>(clearance)].angles;
+    return clearances_[clearance].angles;
 }
 
 MachineOrigin MachineProblem::place(const RowOrigin& origin) const {

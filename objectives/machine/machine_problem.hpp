@@ -13,11 +13,8 @@
 // axes only. Rows: those of the axes' grids and of the clearances, in the order in which they were added.
 #pragma once
 
-#include "core/continuous_problem.hpp"
 #include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
-
-#include <map>
 
 namespace camopt {
 

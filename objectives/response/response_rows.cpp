@@ -45,7 +45,7 @@ void add_stretch(std::vector<AffinePiece>& pieces, const MotionFamily& family, c
     int last_shape = -1;
     for (const MotionFamily::Piece& piece : family.pieces()) {
         if (piece.begin < where.begin - same_event_x || piece.end > where.end + same_event_x) continue;
-        const MotionFamily::Stretch& stretch = family.stretches()[static_cast<std::size_t>(piece.stretch)];
+        const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];
         if (stretch.kind == StretchRequest::Kind::dwell) {
             pieces.push_back({piece.begin, piece.end - piece.begin, {}});
         } else if (stretch.kind == StretchRequest::Kind::spline) {
@@ -118,10 +118,6 @@ MatrixXd EventRows::state_at(const TrainAtSpeed& train, double x) const {
         return advanced(train, i, std::max(t, 1e-300));
     }
     return advanced(train, pieces_.size(), 0.0);
-}
-
-MatrixXd EventRows::state_at_end(const TrainAtSpeed& train) const {
-    return advanced(train, moving_, 0.0);
 }
 
 }  // namespace camopt

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/response/response_rule.hpp"
 
-#include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "scene/cost_table.hpp"
-#include "scene/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -118,6 +115,17 @@ class WorstSpeeds {
     std::array<Known, 3> known_;
 };
 
+AffineRow dense_row(const Eigen::RowVectorXd& weights) {
+    AffineRow row;
+    row.offset = weights[weights.size() - 1];
+    for (Eigen::Index k = 0; k + 1 < weights.size(); ++k) {
+        if (weights[k] == 0.0) continue;
+        row.columns.push_back(static_cast<int>(k));
+        row.weights.push_back(weights[k]);
+    }
+    return row;
+}
+
 class ResponseRule final : public WholeMotionRule {
  public:
     ResponseRule(const Scene& scene, Asked asked, std::vector<int> parameters,
@@ -132,11 +140,80 @@ class ResponseRule final : public WholeMotionRule {
     [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
     [[nodiscard]] bool limit() const override { return asked_.limit; }
     [[nodiscard]] double scale() const override { return 1.0; }
-    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override;
+    [[nodiscard]] std::vector<Place> maxima(const Motion& motion, const Eigen::VectorXd& q) const override {
+        const double own = q.size() > 0 ? q[0] : 0.0;
+        const auto events = speeds_->of(motion, asked_.kind);
+        std::vector<Place> all;
+        for (std::size_t event = 0; event < events->size(); ++event)
+            for (const SpeedMaximum& at : (*events)[event].speeds)
+                add_places(all, at.speed, event, (*events)[event].pieces, own);
+        return all;
+    }
     [[nodiscard]] AffineRow row(const MotionFamily& family, double at, Side side,
-                                std::span<const double> setting) const override;
-    [[nodiscard]] std::vector<Place> first() const override;
-    [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double> setting) const override;
+                                std::span<const double> setting) const override {
+        const auto train = train_at(scene_, setting[0]);
+        const EventRows& rows = rows_of(family, static_cast<std::size_t>(setting[1]));
+        AffineRow row;
+        double factor = 1.0 / asked_.size;
+        if (asked_.kind == ResponseKind::residual) {
+            row = residual_row(rows.state_at_end(*train), *train, setting);
+        } else {
+            const bool force = asked_.kind == ResponseKind::contact_force;
+            const auto& reading = force ? train->contact_force() : train->acceleration();
+            factor *= setting[2];
+            row = dense_row(reading.state.transpose() * rows.state_at(*train, at));
+            row.offset += reading.constant;
+            const double inside = std::clamp(at, family.begin(), family.end());
+            for (int order = 0; order < 3; ++order)
+                if (const double weight = reading.motion[order]; weight != 0.0)
+                    row = combined(row, weight, family.functional(inside, order, side));
+        }
+        row.offset *= factor;
+        for (double& weight : row.weights) weight *= factor;
+        if (asked_.limit)
+            row.offset += asked_.kind == ResponseKind::contact_force ? asked_.level / asked_.size : -1.0;
+        return row;
+    }
+    [[nodiscard]] std::vector<Place> first() const override {
+        const std::size_t modes =
+            asked_.kind == ResponseKind::residual
+                ? static_cast<std::size_t>(train_at(scene_, *scene_.motion.speed)->modes().rows())
+                : 0;
+        std::vector<Place> all;
+        for (std::size_t event = 0; event < events_.size(); ++event) {
+            const MotionEvent& one = events_[event];
+            for (const double speed : first_speeds(scene_, length_of(one))) {
+                const auto number = static_cast<double>(event);
+                if (asked_.kind == ResponseKind::residual) {
+                    std::vector<double> setting(2 + modes, 0.0);
+                    setting[0] = speed;
+                    setting[1] = number;
+                    for (std::vector<double>& turned : beside(setting))
+                        all.push_back({{0.0, end_of(one), Side::left}, std::move(turned)});
+                    continue;
+                }
+                for (const MotionStretch& stretch : one.moving)
+                    for (int k = 1; k <= first_places; ++k) {
+                        const double at =
+                            stretch.begin + (stretch.end - stretch.begin) * k / (first_places + 1);
+                        all.push_back({{0.0, at, Side::right}, {speed, number, -1.0}});
+                        if (asked_.kind == ResponseKind::acceleration)
+                            all.push_back({{0.0, at, Side::right}, {speed, number, 1.0}});
+                    }
+            }
+        }
+        return all;
+    }
+    [[nodiscard]] std::vector<std::vector<double>> beside(std::span<const double> setting) const override {
+        std::vector<std::vector<double>> all;
+        if (asked_.kind != ResponseKind::residual) return all;
+        for (int k = 0; k < directions; ++k) {
+            std::vector<double> turned(setting.begin(), setting.end());
+            for (std::size_t m = 2; m < turned.size(); ++m) turned[m] = units::turn * k / directions;
+            all.push_back(std::move(turned));
+        }
+        return all;
+    }
     [[nodiscard]] std::string remark(std::span<const double> setting) const override {
         const double rpm = setting[0] / units::revolution_per_minute;
         return events_.size() == 1 ? fmt::format("{:.6g} rpm", rpm)
@@ -145,10 +222,46 @@ class ResponseRule final : public WholeMotionRule {
 
  private:
     void add_places(std::vector<Place>& all, double speed, std::size_t event, const EventPieces& pieces,
-                    double q) const;
+                    double q) const {
+        const auto train = train_at(scene_, speed);
+        const EventResponse response(*train, pieces);
+        const auto number = static_cast<double>(event);
+        if (asked_.kind == ResponseKind::residual) {
+            const Eigen::VectorXcd modes = response.residual_modes();
+            std::vector<double> setting = {speed, number};
+            for (const std::complex<double>& mode : modes) setting.push_back(std::arg(mode));
+            all.push_back(
+                {{value_of(modes.cwiseAbs().sum(), q), end_of(events_[event]), Side::left}, setting});
+            return;
+        }
+        const bool force = asked_.kind == ResponseKind::contact_force;
+        const auto& reading = force ? train->contact_force() : train->acceleration();
+        for (const double sign : {1.0, -1.0}) {
+            if (force && sign > 0.0) continue;
+            std::vector<double> setting = {speed, number, sign};
+            // All violations of the rule, and the largest value in any case.
+            std::vector<Extremum> places = response.maxima(reading, sign, f_at(q), true);
+            if (places.empty()) places.push_back(response.largest(reading, sign, true));
+            for (const Extremum& place : places)
+                all.push_back({{value_of(place.value, q), place.at, place.side}, setting});
+        }
+    }
     [[nodiscard]] AffineRow residual_row(const Eigen::MatrixXd& state, const TrainAtSpeed& train,
-                                         std::span<const double> setting) const;
-    [[nodiscard]] const EventRows& rows_of(const MotionFamily& family, std::size_t event) const;
+                                         std::span<const double> setting) const {
+        Eigen::RowVectorXd direction = Eigen::RowVectorXd::Zero(state.rows());
+        for (Eigen::Index k = 0; k < train.modes().rows(); ++k) {
+            const double phase = setting[2 + static_cast<std::size_t>(k)];
+            direction += (std::polar(1.0, -phase) * train.modes().row(k)).real();
+        }
+        return dense_row(direction * state);
+    }
+    [[nodiscard]] const EventRows& rows_of(const MotionFamily& family, std::size_t event) const {
+        const std::lock_guard lock(mutex_);
+        if (rows_.empty())
+            for (const MotionEvent& one : events_)
+                rows_.emplace_back(family, one, *scene_.dynamics->formulas);
+        return rows_[event];
+    }
     /// f of the train → the rule: f / size − q, or f / level − 1, or (least + f) / size with f = −F.
     [[nodiscard]] double value_of(double f, double q) const {
         if (!asked_.limit) return f / asked_.size - q;
@@ -170,137 +283,6 @@ class ResponseRule final : public WholeMotionRule {
     mutable std::mutex mutex_;
     mutable std::vector<EventRows> rows_;
 };
-
-void ResponseRule::add_places(std::vector<Place>& all, double speed, std::size_t event,
-                              const EventPieces& pieces, double q) const {
-    const auto train = train_at(scene_, speed);
-    const EventResponse response(*train, pieces);
-    const auto number = static_cast<double>(event);
-    if (asked_.kind == ResponseKind::residual) {
-        const Eigen::VectorXcd modes = response.residual_modes();
-        std::vector<double> setting = {speed, number};
-        for (const std::complex<double>& mode : modes) setting.push_back(std::arg(mode));
-        all.push_back({{value_of(modes.cwiseAbs().sum(), q), end_of(events_[event]), Side::left}, setting});
-        return;
-    }
-    const bool force = asked_.kind == ResponseKind::contact_force;
-    const auto& reading = force ? train->contact_force() : train->acceleration();
-    for (const double sign : {1.0, -1.0}) {
-        if (force && sign > 0.0) continue;
-        std::vector<double> setting = {speed, number, sign};
-        // All violations of the rule, and the largest value in any case.
-        std::vector<Extremum> places = response.maxima(reading, sign, f_at(q), true);
-        if (places.empty()) places.push_back(response.largest(reading, sign, true));
-        for (const Extremum& place : places)
-            all.push_back({{value_of(place.value, q), place.at, place.side}, setting});
-    }
-}
-
-std::vector<WholeMotionRule::Place> ResponseRule::maxima(const Motion& motion,
-                                                         const Eigen::VectorXd& q) const {
-    const double own = q.size() > 0 ? q[0] : 0.0;
-    const auto events = speeds_->of(motion, asked_.kind);
-    std::vector<Place> all;
-    for (std::size_t event = 0; event < events->size(); ++event)
-        for (const SpeedMaximum& at : (*events)[event].speeds)
-            add_places(all, at.speed, event, (*events)[event].pieces, own);
-    return all;
-}
-
-std::vector<WholeMotionRule::Place> ResponseRule::first() const {
-    const std::size_t modes =
-        asked_.kind == ResponseKind::residual
-            ? static_cast<std::size_t>(train_at(scene_, *scene_.motion.speed)->modes().rows())
-            : 0;
-    std::vector<Place> all;
-    for (std::size_t event = 0; event < events_.size(); ++event) {
-        const MotionEvent& one = events_[event];
-        for (const double speed : first_speeds(scene_, length_of(one))) {
-            const auto number = static_cast<double>(event);
-            if (asked_.kind == ResponseKind::residual) {
-                std::vector<double> setting(2 + modes, 0.0);
-                setting[0] = speed;
-                setting[1] = number;
-                for (std::vector<double>& turned : beside(setting))
-                    all.push_back({{0.0, end_of(one), Side::left}, std::move(turned)});
-                continue;
-            }
-            for (const MotionStretch& stretch : one.moving)
-                for (int k = 1; k <= first_places; ++k) {
-                    const double at = stretch.begin + (stretch.end - stretch.begin) * k / (first_places + 1);
-                    all.push_back({{0.0, at, Side::right}, {speed, number, -1.0}});
-                    if (asked_.kind == ResponseKind::acceleration)
-                        all.push_back({{0.0, at, Side::right}, {speed, number, 1.0}});
-                }
-        }
-    }
-    return all;
-}
-
-const EventRows& ResponseRule::rows_of(const MotionFamily& family, std::size_t event) const {
-    const std::lock_guard lock(mutex_);
-    if (rows_.empty())
-        for (const MotionEvent& one : events_) rows_.emplace_back(family, one, *scene_.dynamics->formulas);
-    return rows_[event];
-}
-
-AffineRow dense_row(const Eigen::RowVectorXd& weights) {
-    AffineRow row;
-    row.offset = weights[weights.size() - 1];
-    for (Eigen::Index k = 0; k + 1 < weights.size(); ++k) {
-        if (weights[k] == 0.0) continue;
-        row.columns.push_back(static_cast<int>(k));
-        row.weights.push_back(weights[k]);
-    }
-    return row;
-}
-
-AffineRow ResponseRule::residual_row(const Eigen::MatrixXd& state, const TrainAtSpeed& train,
-                                     std::span<const double> setting) const {
-    Eigen::RowVectorXd direction = Eigen::RowVectorXd::Zero(state.rows());
-    for (Eigen::Index k = 0; k < train.modes().rows(); ++k) {
-        const double phase = setting[2 + static_cast<std::size_t>(k)];
-        direction += (std::polar(1.0, -phase) * train.modes().row(k)).real();
-    }
-    return dense_row(direction * state);
-}
-
-AffineRow ResponseRule::row(const MotionFamily& family, double at, Side side,
-                            std::span<const double> setting) const {
-    const auto train = train_at(scene_, setting[0]);
-    const EventRows& rows = rows_of(family, static_cast<std::size_t>(setting[1]));
-    AffineRow row;
-    double factor = 1.0 / asked_.size;
-    if (asked_.kind == ResponseKind::residual) {
-        row = residual_row(rows.state_at_end(*train), *train, setting);
-    } else {
-        const bool force = asked_.kind == ResponseKind::contact_force;
-        const auto& reading = force ? train->contact_force() : train->acceleration();
-        factor *= setting[2];
-        row = dense_row(reading.state.transpose() * rows.state_at(*train, at));
-        row.offset += reading.constant;
-        const double inside = std::clamp(at, family.begin(), family.end());
-        for (int order = 0; order < 3; ++order)
-            if (const double weight = reading.motion[static_cast<std::size_t>(order)]; weight != 0.0)
-                row = combined(row, weight, family.functional(inside, order, side));
-    }
-    row.offset *= factor;
-    for (double& weight : row.weights) weight *= factor;
-    if (asked_.limit)
-        row.offset += asked_.kind == ResponseKind::contact_force ? asked_.level / asked_.size : -1.0;
-    return row;
-}
-
-std::vector<std::vector<double>> ResponseRule::beside(std::span<const double> setting) const {
-    std::vector<std::vector<double>> all;
-    if (asked_.kind != ResponseKind::residual) return all;
-    for (int k = 0; k < directions; ++k) {
-        std::vector<double> turned(setting.begin(), setting.end());
-        for (std::size_t m = 2; m < turned.size(); ++m) turned[m] = units::turn * k / directions;
-        all.push_back(std::move(turned));
-    }
-    return all;
-}
 
 void add_response_rule(CamModel& model, const Scene& scene, const ResponseTerm& term,
                        const std::shared_ptr<WorstSpeeds>& speeds) {

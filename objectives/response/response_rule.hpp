@@ -13,10 +13,8 @@
 
 #include "objectives/response/train_figures.hpp"
 #include "objectives/rules/model.hpp"
-#include "objectives/rules/point_rule.hpp"
 #include "scene/limit_table.hpp"
 
-#include <map>
 #include <mutex>
 
 namespace camopt {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/response/train_figures.hpp"
 
-#include "core/errors.hpp"
-#include "core/units.hpp"
-
 namespace camopt {
 namespace {
 
@@ -100,14 +97,6 @@ EventResponse::EventResponse(const TrainAtSpeed& train, const EventPieces& piece
     states_.insert(states_.end(), ringing.begin(), ringing.end() - 1);
 }
 
-Eigen::VectorXcd EventResponse::residual_modes() const {
-    return train_.modes() * end_.cast<std::complex<double>>();
-}
-
-double EventResponse::residual() const {
-    return residual_modes().cwiseAbs().sum();
-}
-
 std::vector<Extremum> EventResponse::maxima(const TrainAtSpeed::Reading& reading, double sign, double floor,
                                             bool with_dwell) const {
     std::vector<Extremum> all;
@@ -182,10 +171,8 @@ std::vector<SpeedMaximum> maxima_over_speeds(const Scene& scene, double length,
     const double largest = std::ranges::max(samples, {}, &SpeedMaximum::value).value;
     std::vector<SpeedMaximum> found;
     for (int k = 0; k < count; ++k) {
-        const SpeedMaximum& here = samples[static_cast<std::size_t>(k)];
-        const auto value = [&](int i) {
-            return i < 0 || i >= count ? -infinity : samples[static_cast<std::size_t>(i)].value;
-        };
+        const SpeedMaximum& here = samples[k];
+        const auto value = [&](int i) { return i < 0 || i >= count ? -infinity : samples[i].value; };
         if (here.value < value(k - 1) || here.value < value(k + 1)) continue;
         if (here.value < largest - (1.0 - near_largest) * std::abs(largest)) continue;
         found.push_back(here);

@@ -3,12 +3,10 @@
 // response as rows of a family of motions.
 #pragma once
 
-#include "core/numbers/extremum.hpp"
 #include "scene/scene.hpp"
 #include "splines/motion_family.hpp"
 
 #include <complex>
-#include <map>
 
 namespace camopt {
 
@@ -46,9 +44,11 @@ class EventResponse {
     EventResponse(const TrainAtSpeed& train, const EventPieces& pieces);
 
     /// The amplitude after the event, in lifts: Σ over modes.
-    [[nodiscard]] double residual() const;
+    [[nodiscard]] double residual() const { return residual_modes().cwiseAbs().sum(); }
     /// Mode by mode with its phase.
-    [[nodiscard]] Eigen::VectorXcd residual_modes() const;
+    [[nodiscard]] Eigen::VectorXcd residual_modes() const {
+        return train_.modes() * end_.cast<std::complex<double>>();
+    }
     /// Local maxima of sign · output above `floor`; with_dwell: including the free vibration.
     [[nodiscard]] std::vector<Extremum> maxima(const TrainAtSpeed::Reading& reading, double sign,
                                                double floor, bool with_dwell) const;
@@ -94,7 +94,9 @@ class EventRows {
     /// X at x on the event, as states x (entries + 1): the last column does not depend on the entries.
     [[nodiscard]] Eigen::MatrixXd state_at(const TrainAtSpeed& train, double x) const;
     /// X at its end.
-    [[nodiscard]] Eigen::MatrixXd state_at_end(const TrainAtSpeed& train) const;
+    [[nodiscard]] Eigen::MatrixXd state_at_end(const TrainAtSpeed& train) const {
+        return advanced(train, moving_, 0.0);
+    }
 
  private:
     [[nodiscard]] Eigen::MatrixXd advanced(const TrainAtSpeed& train, std::size_t pieces, double rest) const;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contact force, camshaft torque and Hertz pressure, and the contact that the last two assume.
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/cam_rule.hpp"
 #include "scene/limit_table.hpp"
 
 namespace camopt::cam_limit_parts {

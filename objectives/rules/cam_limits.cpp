@@ -15,11 +15,7 @@ Limits::Limits(const Scene& scene, const CamVariables& variables)
 
 double Limits::roller(int station) const {
     const int index = cam().roller_radius_at(station);
-    return index < 0 ? 0.0 : dimensions()[static_cast<std::size_t>(index)];
-}
-
-double Limits::wider_by(int station) const {
-    return cam().surface_offset(dimensions(), station) - roller(station);
+    return index < 0 ? 0.0 : dimensions()[index];
 }
 
 void Limits::add_at(CamFormula formula, int station) {

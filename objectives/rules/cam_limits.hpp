@@ -23,9 +23,6 @@
 #pragma once
 
 #include "objectives/rules/cam_rule.hpp"
-#include "objectives/rules/model.hpp"
-#include "scene/cam_spec.hpp"
-#include "scene/scene.hpp"
 
 namespace camopt {
 
@@ -41,9 +38,11 @@ struct PressureLimits {
     /// Of rise and return.
     [[nodiscard]] std::optional<WrittenLimit> stricter() const;
     /// The smallest of all given ones: it holds where the follower rests.
-    [[nodiscard]] std::optional<WrittenLimit> at_rest() const;
+    [[nodiscard]] std::optional<WrittenLimit> at_rest() const {
+        return general_at_rest_alone() ? general : stricter();
+    }
     /// The general one is stricter than both that replace it: it holds at rest only.
-    [[nodiscard]] bool general_at_rest_alone() const;
+    [[nodiscard]] bool general_at_rest_alone() const { return general && general->value < stricter()->value; }
 };
 [[nodiscard]] PressureLimits pressure_limits(const LimitSpec& limits);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/cam_rule.hpp"
 #include "scene/motion/set_points.hpp"
 
 namespace camopt {
@@ -149,14 +148,6 @@ PressureLimits pressure_limits(const LimitSpec& limits) {
 std::optional<WrittenLimit> PressureLimits::stricter() const {
     if (!rise || !back) return rise ? rise : back;
     return rise->value <= back->value ? rise : back;
-}
-
-std::optional<WrittenLimit> PressureLimits::at_rest() const {
-    return general_at_rest_alone() ? general : stricter();
-}
-
-bool PressureLimits::general_at_rest_alone() const {
-    return general && general->value < stricter()->value;
 }
 
 }  // namespace camopt

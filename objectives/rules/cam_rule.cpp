@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/cam_rule.hpp"
 
-#include "core/errors.hpp"
-
 #include <fmt/format.h>
 
 namespace camopt {
@@ -69,7 +67,7 @@ std::optional<RangeOver> CamRule::range_over(std::span<const Interval> box, doub
                              RangeOver::variable(box[2], 2, unit[2]),
                              Interval(cam_->scale.unit_angle) * Interval(at)};
     for (std::size_t k = 0; k < active_.size(); ++k)
-        state.dimensions[static_cast<std::size_t>(active_[k])] =
+        state.dimensions[active_[k]] =
             RangeOver::variable(box[4 + k], 4 + static_cast<int>(k), cam_->variables[k].reference);
     return formula_.over({*cam_->cam.formulas, state});
 }

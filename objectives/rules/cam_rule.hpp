@@ -3,8 +3,6 @@
 #pragma once
 
 #include "objectives/rules/model.hpp"
-#include "objectives/rules/point_rule.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {
@@ -82,7 +80,7 @@ struct CamCallOver : EnclosedCall<RangeOver> {
     [[nodiscard]] const RangeOver& displacement() const { return state.s; }
     [[nodiscard]] const RangeOver& velocity() const { return state.velocity; }
     [[nodiscard]] const RangeOver& acceleration() const { return state.acceleration; }
-    [[nodiscard]] RangeOver angle() const { return RangeOver(state.theta); }
+    [[nodiscard]] RangeOver angle() const { return {state.theta}; }
     [[nodiscard]] const RangeOver& dimension(int index) const {
         return state.dimensions[static_cast<std::size_t>(index)];
     }
@@ -211,7 +209,9 @@ class Limits {
     /// Of the roller at a station, m; 0 without one.
     [[nodiscard]] double roller(int station) const;
     /// The surface is this much further from the roller's centre than its radius: half a groove's clearance.
-    [[nodiscard]] double wider_by(int station) const;
+    [[nodiscard]] double wider_by(int station) const {
+        return cam().surface_offset(dimensions(), station) - roller(station);
+    }
     /// The shape of a quantity.
     [[nodiscard]] bool is_linear(MechanismQuantity which) const {
         return cam().shape(which, setting()) == Curvature::linear;

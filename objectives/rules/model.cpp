@@ -20,21 +20,15 @@ std::vector<double> CamModel::mean_square_weights(int order) const {
 std::vector<double> CamVariables::dimensions_at(const Eigen::VectorXd& parameters) const {
     std::vector<double> own = cam.dimensions;
     for (const Variable& variable : variables)
-        own[static_cast<std::size_t>(variable.dimension)] =
-            variable.reference * parameters[variable.parameter];
+        own[variable.dimension] = variable.reference * parameters[variable.parameter];
     return own;
 }
 
 std::vector<double> CamVariables::dimensions_for(const Eigen::VectorXd& q) const {
     std::vector<double> own = cam.dimensions;
     for (std::size_t k = 0; k < variables.size(); ++k)
-        own[static_cast<std::size_t>(variables[k].dimension)] =
-            variables[k].reference * q[static_cast<Eigen::Index>(k)];
+        own[variables[k].dimension] = variables[k].reference * q[static_cast<Eigen::Index>(k)];
     return own;
-}
-
-bool CamVariables::is_variable(int dimension) const {
-    return std::ranges::find(variables, dimension, &Variable::dimension) != variables.end();
 }
 
 }  // namespace camopt

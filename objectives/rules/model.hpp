@@ -2,14 +2,9 @@
 // The optimization model: the cam of a problem, and the model as plain data.
 #pragma once
 
-#include "core/nlp.hpp"
 #include "objectives/rules/point_rule.hpp"
 #include "profiles/sampling.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "scene/drive_spec.hpp"
-#include "splines/motion_family.hpp"
-
-#include <Eigen/Core>
 
 #include <atomic>
 
@@ -33,7 +28,9 @@ struct CamVariables {
     /// The dimensions for a rule's own parameters q, one for each of the variables.
     [[nodiscard]] std::vector<double> dimensions_for(const Eigen::VectorXd& q) const;
     /// The dimension is variable.
-    [[nodiscard]] bool is_variable(int dimension) const;
+    [[nodiscard]] bool is_variable(int dimension) const {
+        return std::ranges::find(variables, dimension, &Variable::dimension) != variables.end();
+    }
 };
 
 // The optimization model as plain data: parameters, rules, rows on the parameters, and the cost

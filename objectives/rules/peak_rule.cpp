@@ -26,7 +26,10 @@ double BoundRule::scale_at(double x) const {
     // So close to the ends that y, which leaves them from rest, is below 1e-10 of its stroke.
     constexpr double at_the_end = 1e-9;
     const double along = std::clamp((x - bound_.begin) / (bound_.end - bound_.begin), 0.0, 1.0);
-    const double scale = std::pow(4.0 * along * (1.0 - along), bound_.contact);
+    const double from_ends = bound_.touches_begin && bound_.touches_end ? 4.0 * along * (1.0 - along)
+                             : bound_.touches_begin                     ? along
+                                                                        : 1.0 - along;
+    const double scale = std::pow(from_ends, bound_.contact);
     return scale > at_the_end ? scale : 0.0;
 }
 

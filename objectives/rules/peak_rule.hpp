@@ -23,6 +23,8 @@ class BoundRule final : public PointRule {
         /// 1 along the stroke.
         int contact = 0;
         double begin = 0.0, end = 1.0;
+        /// Active at one end only: by ξ^contact or (1 − ξ)^contact, so that the other end counts.
+        bool touches_begin = true, touches_end = true;
         /// Of y', y'' and 1: where any is not 0 their sum is bounded in place of sign · y^{(order)}; then
         /// `order` is 2.
         std::array<double, 3> weights{};

@@ -7,13 +7,9 @@
 #pragma once
 
 #include "core/errors.hpp"
-#include "core/motion.hpp"
 #include "core/nlp.hpp"
 #include "core/numbers/enclosures.hpp"
-#include "core/numbers/extremum.hpp"
 #include "splines/motion_family.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 
@@ -52,9 +48,7 @@ class PointRule {
     /// Affine in the point and in q: its continuous maxima are then exact.
     [[nodiscard]] virtual bool linear() const = 0;
     /// `least`, `most`: extremes of y over the motions in question; ±infinity: unknown.
-    [[nodiscard]] virtual Curvature curvature(double least, double most) const {
-        static_cast<void>(least);
-        static_cast<void>(most);
+    [[nodiscard]] virtual Curvature curvature(double /*least*/, double /*most*/) const {
         return linear() ? Curvature::linear : Curvature::general;
     }
     /// For any y, with the parameters at their values; everything if the rule has parameters.
@@ -75,37 +69,27 @@ class PointRule {
     /// Size of the limit: a value of `scale` is a violation of 100 %.
     [[nodiscard]] virtual double scale() const = 0;
     /// The same at one location; 0 where conditions of the motion make the rule active.
-    [[nodiscard]] virtual double scale_at(double x) const {
-        static_cast<void>(x);
-        return scale();
-    }
+    [[nodiscard]] virtual double scale_at(double /*x*/) const { return scale(); }
     /// Along a piece on which y to its third derivative are the polynomials `derivatives` of one variable:
     /// the rule as a polynomial of it, whose maxima are then exact. Nullopt if it is not one; optional for
     /// linear rules.
-    [[nodiscard]] virtual Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& derivatives,
-                                                const Eigen::VectorXd& q) const {
-        static_cast<void>(derivatives);
-        static_cast<void>(q);
+    [[nodiscard]] virtual Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& /*derivatives*/,
+                                                const Eigen::VectorXd& /*q*/) const {
         return {};
     }
     /// Along a stretch `x` on which y to its fourth derivative lie in `derivatives`: enclosures of the rule,
     /// its slope and its second derivative by x. Returns nullopt if no enclosure is implemented: the maxima
     /// are then sampled.
-    [[nodiscard]] virtual std::optional<RangeAlong> range_along(const Interval& x,
-                                                                const std::array<Interval, 5>& derivatives,
-                                                                const Eigen::VectorXd& q) const {
-        static_cast<void>(x);
-        static_cast<void>(derivatives);
-        static_cast<void>(q);
+    [[nodiscard]] virtual std::optional<RangeAlong> range_along(
+        const Interval& /*x*/, const std::array<Interval, 5>& /*derivatives*/,
+        const Eigen::VectorXd& /*q*/) const {
         return {};
     }
     /// Over a box of (y, y', y'', y''', q_1 … q_m) at x = `at`: enclosures of the rule times a positive
     /// factor, with its partials. The rule chooses a factor that reduces curvature. Returns nullopt if no
     /// enclosure is implemented; bounds then omit the rule.
-    [[nodiscard]] virtual std::optional<RangeOver> range_over(std::span<const Interval> box,
-                                                              double at) const {
-        static_cast<void>(box);
-        static_cast<void>(at);
+    [[nodiscard]] virtual std::optional<RangeOver> range_over(std::span<const Interval> /*box*/,
+                                                              double /*at*/) const {
         return {};
     }
     [[nodiscard]] virtual RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const = 0;
@@ -146,20 +130,15 @@ class WholeMotionRule : public PointRule {
     /// It is one row, that of first(): no motion needs another.
     [[nodiscard]] virtual bool is_one_row() const { return false; }
     /// Further settings whose rows are added together with those of this one.
-    [[nodiscard]] virtual std::vector<std::vector<double>> beside(std::span<const double> setting) const {
-        static_cast<void>(setting);
+    [[nodiscard]] virtual std::vector<std::vector<double>> beside(std::span<const double> /*setting*/) const {
         return {};
     }
     /// Identifies the row: "310 rpm".
-    [[nodiscard]] virtual std::string remark(std::span<const double> setting) const {
-        static_cast<void>(setting);
-        return {};
-    }
+    [[nodiscard]] virtual std::string remark(std::span<const double> /*setting*/) const { return {}; }
 
     /// Of a rule that is quadratic: (form − 1) / 2, a convex form of the entries of the family. It is then
     /// one row, and has no row().
-    [[nodiscard]] virtual std::optional<QuadraticForm> form(const MotionFamily& family) const {
-        static_cast<void>(family);
+    [[nodiscard]] virtual std::optional<QuadraticForm> form(const MotionFamily& /*family*/) const {
         return {};
     }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/disk_cam.hpp"
 
-#include "core/errors.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 

@@ -25,14 +25,8 @@
 // A cam with a geometry_fault may give NaN; nothing here throws for it.
 #pragma once
 
-#include "core/motion.hpp"
-#include "core/numbers/enclosures.hpp"
-#include "core/partials.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/cam_spec.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -9,10 +9,7 @@
 //   gradient = Jᵀ ∇f,   hessian = Jᵀ ∇²f J + ∂f/∂p ∇²p.
 #pragma once
 
-#include "core/partials.hpp"
 #include "profiles/disk/disk_cam.hpp"
-
-#include <Eigen/Core>
 
 #include <tuple>
 

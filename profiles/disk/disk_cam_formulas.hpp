@@ -10,7 +10,6 @@
 
 #include "core/errors.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "scene/cam_spec.hpp"
 
 namespace camopt::formulas {
 

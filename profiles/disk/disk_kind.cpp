@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/disk_spec.hpp"
 #include "scene/cam_kind.hpp"
-#include "scene/follower.hpp"
 
 #include <fmt/format.h>
 

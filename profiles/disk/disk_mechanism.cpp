@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/units.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/disk_spec.hpp"
 #include "scene/scene.hpp"
 
 #include <fmt/format.h>
@@ -185,14 +183,11 @@ class DiskMechanism final : public CamMechanism {
         const QuantityValue all = camopt::quantity(cam(state.dimensions), state.output, which, station);
         // The form's numbers are not variables of a quantity.
         std::array<int, quantity_variables> columns = {0, 1, 2};
-        for (std::size_t k = 0; k < active.size(); ++k)
-            columns[3 + k] = column_of(which_[static_cast<std::size_t>(active[k])]);
+        for (std::size_t k = 0; k < active.size(); ++k) columns[3 + k] = column_of(which_[active[k]]);
         MechanismValue value{all.value, MechanismValue::Gradient(size), MechanismValue::Hessian(size, size)};
         for (Eigen::Index i = 0; i < size; ++i) {
-            value.gradient[i] = all.gradient[columns[static_cast<std::size_t>(i)]];
-            for (Eigen::Index j = 0; j < size; ++j)
-                value.hessian(i, j) =
-                    all.hessian(columns[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
+            value.gradient[i] = all.gradient[columns[i]];
+            for (Eigen::Index j = 0; j < size; ++j) value.hessian(i, j) = all.hessian(columns[i], columns[j]);
         }
         return value;
     }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
-#include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 
 namespace camopt {

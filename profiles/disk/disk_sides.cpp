@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 
@@ -69,14 +68,12 @@ QuantityValue carried_over(const QuantityValue& own, const SecondDimensions& dim
     Eigen::Matrix<double, quantity_variables, quantity_variables> jacobian;
     jacobian.setZero();
     for (int k = 0; k < 3; ++k) jacobian(k, k) = -1.0;
-    for (int k = 0; k < dimension_count; ++k)
-        jacobian.row(3 + k) = dimensions[static_cast<std::size_t>(k)].gradient.transpose();
+    for (int k = 0; k < dimension_count; ++k) jacobian.row(3 + k) = dimensions[k].gradient.transpose();
     QuantityValue result;
     result.value = own.value;
     result.gradient = jacobian.transpose() * own.gradient;
     result.hessian = jacobian.transpose() * own.hessian * jacobian;
-    for (int k = 0; k < dimension_count; ++k)
-        result.hessian += own.gradient(3 + k) * dimensions[static_cast<std::size_t>(k)].hessian;
+    for (int k = 0; k < dimension_count; ++k) result.hessian += own.gradient(3 + k) * dimensions[k].hessian;
     return result;
 }
 

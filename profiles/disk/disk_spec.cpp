@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/disk_spec.hpp"
 
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "scene/key_row.hpp"
 #include "scene/scene.hpp"
 
@@ -163,7 +161,7 @@ DiskSpec disk_of(const CamSpec& cam) {
     disk.form.type = chosen(cam, "form", std::array{CamForm::open, CamForm::grooved, CamForm::conjugate});
     for (int i = 0; i < dimension_count; ++i)
         if (const Dimension* const found = cam.find(static_cast<DimensionIndex>(i)))
-            disk.dimensions[static_cast<std::size_t>(i)] = *found;
+            disk.dimensions[i] = *found;
     const auto given = [&](const char* name) {
         const Dimension* const found = cam.find(name);
         return found ? std::optional(found->low) : std::nullopt;

@@ -7,12 +7,9 @@
 #include "profiles/kinds/cam_kinds.hpp"
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
 #include "scene/scene.hpp"
 
 #include <fmt/format.h>
-
-#include <map>
 
 namespace camopt {
 

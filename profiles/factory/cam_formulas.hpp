@@ -4,7 +4,6 @@
 #pragma once
 
 #include "scene/cam_mechanism.hpp"
-#include "scene/cam_spec.hpp"
 
 namespace camopt {
 

@@ -2,7 +2,6 @@
 #include "core/errors.hpp"
 #include "core/word_of.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
-#include "profiles/inverse/inverse_mechanism.hpp"
 
 #include <fmt/format.h>
 

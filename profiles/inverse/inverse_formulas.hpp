@@ -5,8 +5,6 @@
 // independent variable of the roller's and the feeder's motion: time, or the cam angle.
 #pragma once
 
-#include "core/numbers/enclosures.hpp"
-#include "core/numbers/interval.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 namespace camopt::inverse {

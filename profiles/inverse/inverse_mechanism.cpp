@@ -2,7 +2,6 @@
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 #include "core/errors.hpp"
-#include "core/partials.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
 #include "scene/cam_flanks.hpp"
@@ -68,68 +67,6 @@ GuideNode node_at(std::span<const double> numbers, const FollowerState& output, 
     return wanted_guide(linkage_of(numbers), state_of(stroke_of(numbers), theta), feeder);
 }
 
-class InverseMechanism final : public CamMechanism {
- public:
-    [[nodiscard]] std::string type() const override { return inverse_type; }
-    [[nodiscard]] bool has_guide() const override { return true; }
-    [[nodiscard]] std::string undercut_words() const override {
-        return "a wall of the guide intersects itself there and does not guide the roller as designed. A "
-               "smaller roller or a longer stroke helps";
-    }
-    [[nodiscard]] std::string check_words(int points) const override {
-        return fmt::format("the roller pushes the body along {} points of the guide's walls", points);
-    }
-    [[nodiscard]] bool swings() const override { return false; }
-    [[nodiscard]] Rotation rotation() const override { return Rotation::counterclockwise; }
-    [[nodiscard]] int stations() const override { return station_count; }
-    [[nodiscard]] std::string station_name(int station) const override {
-        return station == 0 ? "left wall" : "right wall";
-    }
-    [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
-        return which == MechanismQuantity::regularity || station == 0;
-    }
-    [[nodiscard]] int roller_radius() const override {
-        return static_cast<int>(InverseNumber::roller_radius);
-    }
-    [[nodiscard]] bool planar() const override { return false; }
-    [[nodiscard]] double length(std::span<const double> numbers) const override {
-        return number(numbers, roller_end);
-    }
-    [[nodiscard]] std::string fault(std::span<const double> numbers, double least,
-                                    double most) const override;
-    [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
-                                          std::span<const int> active) const override {
-        if (node_at(state.dimensions, state.output, state.theta).fault != InverseFault::none) {
-            const auto size = static_cast<Eigen::Index>(3 + active.size());
-            return {nowhere, Eigen::VectorXd::Constant(size, nowhere),
-                    Eigen::MatrixXd::Constant(size, size, nowhere)};
-        }
-        return active.empty() ? expanded<4>(which, state, station, active)
-                              : expanded<4 + inverse_number_count>(which, state, station, active);
-    }
-    [[nodiscard]] std::optional<RangeOver> pressure_over(double limit, int sign,
-                                                         const MechanismStateOver& state,
-                                                         int station) const override;
-    [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
-                                                           int station) const override;
-    [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
-                                                           const MechanismStateAlong& state,
-                                                           int station) const override;
-    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
-    /// The rotation of the body given by its guide.
-    [[nodiscard]] double turned(const MechanismState& state) const override {
-        const GuideNode found = node_at(state.dimensions, state.output, state.theta);
-        return found.fault == InverseFault::none ? -found.node.angle : nowhere;
-    }
-    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
-    [[nodiscard]] std::optional<RollerGuide> guide(std::span<const double> numbers) const override;
-
- private:
-    template <int n>
-    static MechanismValue expanded(MechanismQuantity which, const MechanismState& state, int station,
-                                   std::span<const int> active);
-};
-
 /// A mechanism over a box: its roller, its linkage, its feeder without the derivatives of its motion.
 struct InverseOver {
     std::array<RangeOver, inverse_number_count> numbers;
@@ -158,149 +95,191 @@ struct InverseOver {
     [[nodiscard]] RangeOver ratio() const { return body(1.0, 0.0).velocity; }
 };
 
-/// Over cos φ · L |dθ/ds|: ∓ s' and a function of s.
-std::optional<RangeOver> InverseMechanism::pressure_over(double limit, int sign,
-                                                         const MechanismStateOver& state, int) const {
-    const InverseOver own(state);
-    const RangeOver lever = own.roller.distance * own.ratio(), turned = sign_of(lever);
-    const RangeOver cosine = cos(Interval(limit)), sine = sin(Interval(limit));
-    return -sign * (turned * state.velocity) - (sine * own.roller.velocity) / (cosine * (turned * lever));
-}
-
-/// margin − 1 ± r κ times (1 + L² ψ'²)^(3/2) L'²/(r L |dθ/ds|): linear in s''.
-std::optional<RangeOver> InverseMechanism::regularity_over(double margin, const MechanismStateOver& state,
-                                                           int station) const {
-    const InverseOver own(state);
-    const auto still = inverse::guide_bend<RangeOver>(own.roller, own.body(state.velocity, 0.0));
-    const RangeOver cubed = cube_of_root(squared(still.tangent) + RangeOver(1.0));
-    const RangeOver radius = own.numbers[static_cast<std::size_t>(InverseNumber::roller_radius)];
-    const RangeOver lever = own.roller.distance * own.ratio(), turned = sign_of(lever);
-    const RangeOver room = side_of(station) * still.top + (margin - 1.0) * (cubed / radius);
-    return room * squared(own.roller.velocity) / (turned * lever) -
-           side_of(station) * (turned * state.acceleration);
-}
-
-std::optional<RangeAlong> InverseMechanism::quantity_along(MechanismQuantity which,
+class InverseMechanism final : public CamMechanism {
+ public:
+    [[nodiscard]] std::string type() const override { return inverse_type; }
+    [[nodiscard]] bool has_guide() const override { return true; }
+    [[nodiscard]] std::string undercut_words() const override {
+        return "a wall of the guide intersects itself there and does not guide the roller as designed. A "
+               "smaller roller or a longer stroke helps";
+    }
+    [[nodiscard]] std::string check_words(int points) const override {
+        return fmt::format("the roller pushes the body along {} points of the guide's walls", points);
+    }
+    [[nodiscard]] bool swings() const override { return false; }
+    [[nodiscard]] Rotation rotation() const override { return Rotation::counterclockwise; }
+    [[nodiscard]] int stations() const override { return station_count; }
+    [[nodiscard]] std::string station_name(int station) const override {
+        return station == 0 ? "left wall" : "right wall";
+    }
+    [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
+        return which == MechanismQuantity::regularity || station == 0;
+    }
+    [[nodiscard]] int roller_radius() const override {
+        return static_cast<int>(InverseNumber::roller_radius);
+    }
+    [[nodiscard]] bool planar() const override { return false; }
+    [[nodiscard]] double length(std::span<const double> numbers) const override {
+        return number(numbers, roller_end);
+    }
+    [[nodiscard]] std::string fault(std::span<const double> numbers, double least,
+                                    double most) const override {
+        const double rest = number(numbers, roller_rest), from = number(numbers, roller_from),
+                     to = number(numbers, roller_end);
+        if (!(rest >= 0.0 && from > rest && to > from))
+            return fmt::format(
+                "the roller rests at {:.6g} m, is at {:.6g} m where the rise begins and at {:.6g} m at the "
+                "end of its stroke; these must ascend",
+                rest, from, to);
+        if (!(number(numbers, roller_angle) > 0.0)) return "the cam angle of the roller's stroke must be > 0";
+        try {
+            linkage_of(numbers).validate();
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        for (int i = 0; i <= reach_places; ++i) {
+            const double s = least + (most - least) * i / reach_places;
+            const InverseFault found = node_at(numbers, {s, 0.0, 0.0}, 0.0).fault;
+            if (found != InverseFault::none)
+                return fmt::format("the feeder's linkage does not reach displacement {:.6g} m: {}", s,
+                                   name_of(found));
+        }
+        return {};
+    }
+    [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
+                                          std::span<const int> active) const override {
+        if (node_at(state.dimensions, state.output, state.theta).fault != InverseFault::none) {
+            const auto size = static_cast<Eigen::Index>(3 + active.size());
+            return {nowhere, Eigen::VectorXd::Constant(size, nowhere),
+                    Eigen::MatrixXd::Constant(size, size, nowhere)};
+        }
+        return active.empty() ? expanded<4>(which, state, station, active)
+                              : expanded<4 + inverse_number_count>(which, state, station, active);
+    }
+    /// Over cos φ · L |dθ/ds|: ∓ s' and a function of s.
+    [[nodiscard]] std::optional<RangeOver> pressure_over(double limit, int sign,
+                                                         const MechanismStateOver& state,
+                                                         int /*station*/) const override {
+        const InverseOver own(state);
+        const RangeOver lever = own.roller.distance * own.ratio(), turned = sign_of(lever);
+        const RangeOver cosine = cos(Interval(limit)), sine = sin(Interval(limit));
+        return -sign * (turned * state.velocity) - (sine * own.roller.velocity) / (cosine * (turned * lever));
+    }
+    /// margin − 1 ± r κ times (1 + L² ψ'²)^(3/2) L'²/(r L |dθ/ds|): linear in s''.
+    [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
+                                                           int station) const override {
+        const InverseOver own(state);
+        const auto still = inverse::guide_bend<RangeOver>(own.roller, own.body(state.velocity, 0.0));
+        const RangeOver cubed = cube_of_root(squared(still.tangent) + RangeOver(1.0));
+        const RangeOver radius = own.numbers[static_cast<std::size_t>(InverseNumber::roller_radius)];
+        const RangeOver lever = own.roller.distance * own.ratio(), turned = sign_of(lever);
+        const RangeOver room = side_of(station) * still.top + (margin - 1.0) * (cubed / radius);
+        return room * squared(own.roller.velocity) / (turned * lever) -
+               side_of(station) * (turned * state.acceleration);
+    }
+    [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
                                                            const MechanismStateAlong& state,
-                                                           int station) const {
-    std::array<RangeAlong, inverse_number_count> numbers;
-    std::copy_n(state.dimensions.begin(), inverse_number_count, numbers.begin());
-    const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
-    return value_of<RangeAlong>(which, numbers, {state.s, state.velocity, state.acceleration}, state.theta,
-                                wall);
-}
-
-template <int n>
-MechanismValue InverseMechanism::expanded(MechanismQuantity which, const MechanismState& state, int station,
-                                          std::span<const int> active) {
-    std::array<SecondOrder<n>, inverse_number_count> numbers;
-    for (int i = 0; i < inverse_number_count; ++i) {
-        const auto place = static_cast<std::size_t>(i);
-        const double value = state.dimensions[place];
-        numbers[place] = n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : SecondOrder<n>(FirstOrder<n>(value));
+                                                           int station) const override {
+        std::array<RangeAlong, inverse_number_count> numbers;
+        std::copy_n(state.dimensions.begin(), inverse_number_count, numbers.begin());
+        const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
+        return value_of<RangeAlong>(which, numbers, {state.s, state.velocity, state.acceleration},
+                                    state.theta, wall);
     }
-    const inverse::Feeder<SecondOrder<n>> output{variable<n>(state.output.s, 0),
-                                                 variable<n>(state.output.velocity, 1),
-                                                 variable<n>(state.output.acceleration, 2)};
-    const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
-    const auto value =
-        value_of<SecondOrder<n>>(which, numbers, output, variable<n>(state.theta, angle_column), wall);
-    const auto size = static_cast<Eigen::Index>(3 + active.size());
-    const auto from = [&](Eigen::Index k) {
-        return k < 3 ? k : 4 + static_cast<Eigen::Index>(active[static_cast<std::size_t>(k - 3)]);
-    };
-    MechanismValue result{value.value().value(), Eigen::VectorXd(size), Eigen::MatrixXd(size, size)};
-    for (Eigen::Index a = 0; a < size; ++a) {
-        result.gradient(a) = value.value().derivatives()(from(a));
-        for (Eigen::Index b = 0; b < size; ++b)
-            result.hessian(a, b) = value.derivatives()(from(a)).derivatives()(from(b));
+    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
+                                       int station) const override {
+        const GuideNode found = node_at(state.dimensions, state.output, theta);
+        MechanismPoint point;
+        point.theta = theta;
+        point.pitch = point.contact = point.normal = Eigen::Vector3d::Constant(nowhere);
+        point.pressure_angle = point.pitch_curvature = point.cam_radius = point.regularity = nowhere;
+        if (found.fault != InverseFault::none) return point;
+        const PolarNode& node = found.node;
+        const double radius = number(state.dimensions, InverseNumber::roller_radius), side = side_of(station);
+        const double tangent = node.distance * node.slope, secant = std::sqrt(1.0 + tangent * tangent);
+        point.pressure_angle = std::atan(tangent);
+        const double direction = node.angle + point.pressure_angle;
+        const Eigen::Vector3d left(-std::sin(direction), std::cos(direction), 0.0);
+        point.pitch = {node.distance * std::cos(node.angle), node.distance * std::sin(node.angle), 0.0};
+        point.contact = point.pitch + side * radius * left;
+        point.normal = -side * left;  // out of the body, towards the roller
+        point.pitch_curvature = side * (node.distance * node.bend + node.slope * (2.0 + tangent * tangent)) /
+                                (secant * secant * secant);
+        point.cam_radius = 1.0 / point.pitch_curvature - radius;
+        point.regularity = 1.0 - radius * point.pitch_curvature;
+        return point;
     }
-    result.by_angle = value.value().derivatives()(angle_column);
-    return result;
-}
-
-std::string InverseMechanism::fault(std::span<const double> numbers, double least, double most) const {
-    const double rest = number(numbers, roller_rest), from = number(numbers, roller_from),
-                 to = number(numbers, roller_end);
-    if (!(rest >= 0.0 && from > rest && to > from))
-        return fmt::format(
-            "the roller rests at {:.6g} m, is at {:.6g} m where the rise begins and at {:.6g} m at the end "
-            "of its stroke; these must ascend",
-            rest, from, to);
-    if (!(number(numbers, roller_angle) > 0.0)) return "the cam angle of the roller's stroke must be > 0";
-    try {
-        linkage_of(numbers).validate();
-    } catch (const InputError& error) {
-        return error.what();
+    /// The rotation of the body given by its guide.
+    [[nodiscard]] double turned(const MechanismState& state) const override {
+        const GuideNode found = node_at(state.dimensions, state.output, state.theta);
+        return found.fault == InverseFault::none ? -found.node.angle : nowhere;
     }
-    for (int i = 0; i <= reach_places; ++i) {
-        const double s = least + (most - least) * i / reach_places;
-        const InverseFault found = node_at(numbers, {s, 0.0, 0.0}, 0.0).fault;
-        if (found != InverseFault::none)
-            return fmt::format("the feeder's linkage does not reach displacement {:.6g} m: {}", s,
-                               name_of(found));
+    /// Body with its pin, slotted rocker, feeder; the roller, which moves along +x.
+    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override {
+        using Kind = MechanismShape::Kind;
+        using Eigen::Vector2d;
+        const FeederLinkage linkage = linkage_of(state.dimensions);
+        const FeederMotion moved = feeder_motion(linkage, {turned(state), 0.0, 0.0});
+        if (moved.fault != InverseFault::none) return {};
+        const Vector2d pivot = linkage.rocker_pivot;
+        const double line = pivot.x() + linkage.feeder_offset, start = number(state.dimensions, feeder_start);
+        const Vector2d feeder(line, start + state.output.s);
+        const Vector2d roller(state_of(stroke_of(state.dimensions), state.theta).distance, 0.0);
+        return {{Kind::pivot, "body_pivot", {Vector2d::Zero()}},
+                {Kind::link, "body", {Vector2d::Zero(), moved.pin}},
+                {Kind::link, "rocker", {moved.pin, pivot, feeder}},
+                {Kind::pivot, "rocker_pivot", {pivot}},
+                {Kind::guide, "feeder", {Vector2d(line, start), feeder}},
+                {Kind::circle, "roller", {roller}, number(state.dimensions, InverseNumber::roller_radius)}};
     }
-    return {};
-}
+    /// The feeder's rest is where its displacement counts from.
+    [[nodiscard]] std::optional<RollerGuide> guide(std::span<const double> numbers) const override {
+        const FeederLinkage linkage = linkage_of(numbers);
+        const RollerStroke stroke = stroke_of(numbers);
+        RollerGuide guide;
+        guide.roller_radius = number(numbers, InverseNumber::roller_radius);
+        guide.distance = [stroke](double theta) { return state_of(stroke, theta).distance; };
+        guide.cam_angle = [stroke](double distance) { return time_at(stroke, distance); };
+        guide.angle = [linkage, start = number(numbers, feeder_start)](const FollowerState& output) {
+            return -body_motion(linkage, {output.s + start, output.velocity, output.acceleration}).body.angle;
+        };
+        guide.ratio = [linkage](double angle) {
+            return std::abs(feeder_motion(linkage, {-angle, 1.0, 0.0}).feeder.velocity);
+        };
+        return guide;
+    }
 
-MechanismPoint InverseMechanism::point(double theta, const MechanismState& state, int station) const {
-    const GuideNode found = node_at(state.dimensions, state.output, theta);
-    MechanismPoint point;
-    point.theta = theta;
-    point.pitch = point.contact = point.normal = Eigen::Vector3d::Constant(nowhere);
-    point.pressure_angle = point.pitch_curvature = point.cam_radius = point.regularity = nowhere;
-    if (found.fault != InverseFault::none) return point;
-    const PolarNode& node = found.node;
-    const double radius = number(state.dimensions, InverseNumber::roller_radius), side = side_of(station);
-    const double tangent = node.distance * node.slope, secant = std::sqrt(1.0 + tangent * tangent);
-    point.pressure_angle = std::atan(tangent);
-    const double direction = node.angle + point.pressure_angle;
-    const Eigen::Vector3d left(-std::sin(direction), std::cos(direction), 0.0);
-    point.pitch = {node.distance * std::cos(node.angle), node.distance * std::sin(node.angle), 0.0};
-    point.contact = point.pitch + side * radius * left;
-    point.normal = -side * left;  // out of the body, towards the roller
-    point.pitch_curvature = side * (node.distance * node.bend + node.slope * (2.0 + tangent * tangent)) /
-                            (secant * secant * secant);
-    point.cam_radius = 1.0 / point.pitch_curvature - radius;
-    point.regularity = 1.0 - radius * point.pitch_curvature;
-    return point;
-}
-
-/// Body with its pin, slotted rocker, feeder; the roller, which moves along +x.
-std::vector<MechanismShape> InverseMechanism::shapes(const MechanismState& state) const {
-    using Kind = MechanismShape::Kind;
-    using Eigen::Vector2d;
-    const FeederLinkage linkage = linkage_of(state.dimensions);
-    const FeederMotion moved = feeder_motion(linkage, {turned(state), 0.0, 0.0});
-    if (moved.fault != InverseFault::none) return {};
-    const Vector2d pivot = linkage.rocker_pivot;
-    const double line = pivot.x() + linkage.feeder_offset, start = number(state.dimensions, feeder_start);
-    const Vector2d feeder(line, start + state.output.s);
-    const Vector2d roller(state_of(stroke_of(state.dimensions), state.theta).distance, 0.0);
-    return {{Kind::pivot, "body_pivot", {Vector2d::Zero()}},
-            {Kind::link, "body", {Vector2d::Zero(), moved.pin}},
-            {Kind::link, "rocker", {moved.pin, pivot, feeder}},
-            {Kind::pivot, "rocker_pivot", {pivot}},
-            {Kind::guide, "feeder", {Vector2d(line, start), feeder}},
-            {Kind::circle, "roller", {roller}, number(state.dimensions, InverseNumber::roller_radius)}};
-}
-
-/// The feeder's rest is where its displacement counts from.
-std::optional<RollerGuide> InverseMechanism::guide(std::span<const double> numbers) const {
-    const FeederLinkage linkage = linkage_of(numbers);
-    const RollerStroke stroke = stroke_of(numbers);
-    RollerGuide guide;
-    guide.roller_radius = number(numbers, InverseNumber::roller_radius);
-    guide.distance = [stroke](double theta) { return state_of(stroke, theta).distance; };
-    guide.cam_angle = [stroke](double distance) { return time_at(stroke, distance); };
-    guide.angle = [linkage, start = number(numbers, feeder_start)](const FollowerState& output) {
-        return -body_motion(linkage, {output.s + start, output.velocity, output.acceleration}).body.angle;
-    };
-    guide.ratio = [linkage](double angle) {
-        return std::abs(feeder_motion(linkage, {-angle, 1.0, 0.0}).feeder.velocity);
-    };
-    return guide;
-}
+ private:
+    template <int n>
+    static MechanismValue expanded(MechanismQuantity which, const MechanismState& state, int station,
+                                   std::span<const int> active) {
+        std::array<SecondOrder<n>, inverse_number_count> numbers;
+        for (int i = 0; i < inverse_number_count; ++i) {
+            const auto place = static_cast<std::size_t>(i);
+            const double value = state.dimensions[place];
+            numbers[place] =
+                n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : SecondOrder<n>(FirstOrder<n>(value));
+        }
+        const inverse::Feeder<SecondOrder<n>> output{variable<n>(state.output.s, 0),
+                                                     variable<n>(state.output.velocity, 1),
+                                                     variable<n>(state.output.acceleration, 2)};
+        const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
+        const auto value =
+            value_of<SecondOrder<n>>(which, numbers, output, variable<n>(state.theta, angle_column), wall);
+        const auto size = static_cast<Eigen::Index>(3 + active.size());
+        const auto from = [&](Eigen::Index k) {
+            return k < 3 ? k : 4 + static_cast<Eigen::Index>(active[static_cast<std::size_t>(k - 3)]);
+        };
+        MechanismValue result{value.value().value(), Eigen::VectorXd(size), Eigen::MatrixXd(size, size)};
+        for (Eigen::Index a = 0; a < size; ++a) {
+            result.gradient(a) = value.value().derivatives()(from(a));
+            for (Eigen::Index b = 0; b < size; ++b)
+                result.hessian(a, b) = value.derivatives()(from(a)).derivatives()(from(b));
+        }
+        result.by_angle = value.value().derivatives()(angle_column);
+        return result;
+    }
+};
 
 }  // namespace
 

@@ -9,12 +9,7 @@
 // Mechanism Subjected by a Curvilinear Inverse Cam (I), corrected (docs/papers/000.md).
 #pragma once
 
-#include "core/motion.hpp"
-#include "core/numbers/extremum.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/cam_spec.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

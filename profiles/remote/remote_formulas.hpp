@@ -11,7 +11,6 @@
 #pragma once
 
 #include "profiles/remote/remote_cam.hpp"
-#include "profiles/remote/remote_spec.hpp"
 
 namespace camopt::remote {
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Quantities with exact partials by (s, s', s'', active dimensions): automatic differentiation, by two
 // dimensions at a time, so that the number of variables of one pass is small and known at compile time.
-#include "core/partials.hpp"
-#include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_formulas.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 namespace {

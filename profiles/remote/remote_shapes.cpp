@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The linkage as shapes to draw, and followed forwards by positions alone.
-#include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_formulas.hpp"
 
 namespace camopt {

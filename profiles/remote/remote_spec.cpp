@@ -2,7 +2,6 @@
 #include "profiles/remote/remote_spec.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 #include "core/word_of.hpp"
 #include "scene/cam_kind.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_cam.hpp"
 
-#include "core/errors.hpp"
 #include "core/word_of.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 

@@ -27,13 +27,9 @@
 // Sources: seeds 001 (OCRF) and 002 (barrel cam) with their formulas corrected (docs/papers).
 #pragma once
 
-#include "core/motion.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "scene/cam_flanks.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/cam_spec.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

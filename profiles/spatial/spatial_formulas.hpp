@@ -6,9 +6,7 @@
 #pragma once
 
 #include "core/errors.hpp"
-#include "core/numbers/interval.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
-#include "scene/cam_mechanism.hpp"
 
 namespace camopt::spatial_formulas {
 

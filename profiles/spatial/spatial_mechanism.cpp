@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 #include <fmt/format.h>

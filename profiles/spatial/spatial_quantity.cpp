@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The quantities of limits, expanded to second order by automatic differentiation. All seven variables of a
 // formula are those of the partials (q differs from s by a constant), so no chain rule is needed.
-#include "core/errors.hpp"
-#include "core/partials.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 namespace camopt {

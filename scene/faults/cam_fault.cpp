@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cam of a scene, the load of its follower, and the limits that a cam of this kind cannot have.
-#include "core/units.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
-#include "scene/key_row.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The [drive] table: its numbers, and what torque, speed and friction of the motor need.
-#include "core/units.hpp"
-#include "scene/cost_table.hpp"
 #include "scene/faults/scene_faults.hpp"
-#include "scene/key_row.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The [dynamics] table: its numbers, and the requirements of residual vibration and dynamic forces.
-#include "core/units.hpp"
-#include "scene/cost_table.hpp"
 #include "scene/faults/scene_faults.hpp"
-#include "scene/key_row.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Limits that need a speed, a cam or forces, and those that a follower cannot have.
-#include "core/text/names.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"

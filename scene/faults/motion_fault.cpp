@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The segments of a program: each separately, then their angles and their final displacement.
-#include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/key_row.hpp"
 

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Validation of a scene: numbers against their ranges in the order of the scene's members, then relations
 // between members.
-#include "core/units.hpp"
-#include "scene/cost_table.hpp"
 #include "scene/faults/scene_faults.hpp"
-#include "scene/key_row.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene.hpp"
 
 #include <fmt/ranges.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Validation of a measured motion: enough rows, ascending angles over the whole motion, the displacements of
 // the scene.
-#include "core/units.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/faults/scene_faults.hpp"
 

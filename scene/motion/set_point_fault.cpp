@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Set points and regions of all lists: locations inside their stretch, one per location, consistent values.
-#include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
-#include "scene/key_row.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/motion/set_points.hpp"
 
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
 

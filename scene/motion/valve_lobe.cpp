@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/numbers/extremum.hpp"
-#include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/key_row.hpp"
-#include "scene/valve_spec.hpp"
 
 #include <fmt/format.h>
 

@@ -18,11 +18,8 @@
 // (infeasible). The parts are the leaves of a binary tree of splits, so that together they cover everything.
 #pragma once
 
-#include "core/nlp.hpp"
 #include "core/numbers/interval.hpp"
 #include "solvers/certificate/certificate.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -10,11 +10,8 @@
 #pragma once
 
 #include "core/continuous_problem.hpp"
-#include "core/nlp.hpp"
-#include "core/numbers/extremum.hpp"
 #include "solvers/solver.hpp"
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <iosfwd>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "solvers/structured/structured_solver.hpp"
 

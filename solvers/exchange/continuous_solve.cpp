@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/continuous_problem.hpp"
-#include "solvers/certificate/certificate.hpp"
 #include "solvers/exchange/exchange.hpp"
-#include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 namespace camopt {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
-#include "solvers/certificate/certificate.hpp"
 #include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
@@ -105,10 +103,6 @@ Eigen::VectorXd ElasticProblem::completed(const Eigen::VectorXd& x) const {
     // limit violated.
     if (std::isfinite(base.violation)) full[x.size() - 1] = std::max(base.violation, -least_slack);
     return full;
-}
-
-double ElasticProblem::objective(const Eigen::VectorXd& x) const {
-    return std::max(judged(base_, x.head(x.size() - 1)).violation, -least_slack);
 }
 
 std::vector<Violation> ElasticProblem::violations(const Eigen::VectorXd& x, double slack) const {

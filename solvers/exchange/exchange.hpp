@@ -7,9 +7,7 @@
 // optimum remains a bound.
 #pragma once
 
-#include "core/continuous_problem.hpp"
 #include "solvers/certificate/certificate.hpp"
-#include "solvers/solver.hpp"
 
 namespace camopt {
 
@@ -84,7 +82,9 @@ class ElasticProblem final : public ContinuousProblem {
     [[nodiscard]] const Nlp& grid() const override;
     [[nodiscard]] Eigen::VectorXd start() const override;
     [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
-    [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] double objective(const Eigen::VectorXd& x) const override {
+        return std::max(judged(base_, x.head(x.size() - 1)).violation, -least_slack);
+    }
     [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
     [[nodiscard]] double worst_of_limits(const Eigen::VectorXd& x) const override;
     int refine(std::span<const Violation> worst) override;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/ipopt/ipopt_solver.hpp"
 
-#include "core/deadline.hpp"
 #include "core/errors.hpp"
-#include "solvers/backend_support.hpp"
 #include "solvers/chained_columns.hpp"
 #include "solvers/ipopt/ipopt_adapter.hpp"
 

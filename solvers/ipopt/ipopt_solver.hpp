@@ -12,7 +12,6 @@
 #pragma once
 
 #include "solvers/registry.hpp"
-#include "solvers/solver.hpp"
 
 namespace camopt {
 

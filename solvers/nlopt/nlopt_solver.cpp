@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/nlopt/nlopt_solver.hpp"
 
-#include "solvers/backend_support.hpp"
 #include "solvers/nlopt/nlopt_adapter.hpp"
 
 #include <fmt/core.h>

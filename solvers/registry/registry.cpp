@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/registry.hpp"
 
-#include "core/errors.hpp"
 #include "core/open_registry.hpp"
-#include "core/text/names.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
 #include "solvers/nlopt/nlopt_solver.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/active_set_step.hpp"
 
-#include "linear/sparse_symmetric.hpp"
-
 namespace camopt::structured {
 
 namespace {

@@ -16,8 +16,6 @@
 
 #include "solvers/structured/linearized_problem.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt::structured {
 
 class ActiveSetStep {

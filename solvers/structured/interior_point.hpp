@@ -3,12 +3,8 @@
 // searches by it for feasibility and boundedness.
 #pragma once
 
-#include "core/nlp.hpp"
 #include "linear/sparse_symmetric.hpp"
 #include "solvers/solver.hpp"
-
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 namespace camopt::structured {
 
@@ -110,6 +106,9 @@ struct InteriorPointLimits {
     int correctors = 2;      ///< centrality correctors per iteration, at most
     bool suspicious = true;  ///< stop at signs of infeasibility or unboundedness
     bool keep_path = false;  ///< requests InteriorPointResult::path
+    /// Every step reduces what is wrong at the point, even where rows are nearly dependent: few problems need
+    /// it, and others take several times as long with it.
+    bool exact_steps = false;
     Deadline deadline = {};
 };
 

@@ -123,28 +123,12 @@ void LinearizedProblem::constraints(const ConstVectorRef& u, VectorRef out) cons
         out[shape_.jacobian.rows[e]] += values_[e] * u[shape_.jacobian.columns[e]];
 }
 
-void LinearizedProblem::jacobian(const ConstVectorRef&, std::span<double> out) const {
-    std::copy(values_.begin(), values_.end(), out.begin());
-}
-
 void LinearizedProblem::hessian(const ConstVectorRef&, double sigma, const ConstVectorRef&,
                                 std::span<double> out) const {
     std::size_t k = 0;
     for (Index j = 0; j < model_.curvature.outerSize(); ++j)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(model_.curvature, j); entry; ++entry)
             out[k++] = sigma * model_.unit / model_.cost_unit * entry.value();
-}
-
-std::string LinearizedProblem::variable_name(int index) const {
-    return index < variables_ ? problem_.variable_name(index) : "common violation";
-}
-
-std::string LinearizedProblem::row_name(int index) const {
-    return problem_.row_name(source_row(index));
-}
-
-RowOrigin LinearizedProblem::row_origin(int index) const {
-    return problem_.row_origin(source_row(index));
 }
 
 int LinearizedProblem::source_row(int index) const {

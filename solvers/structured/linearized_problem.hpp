@@ -11,9 +11,6 @@
 #include "core/nlp.hpp"
 #include "linear/sparse_symmetric.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
 namespace camopt::structured {
 
 struct ActiveRows {
@@ -128,12 +125,20 @@ class LinearizedProblem final : public Nlp {
     [[nodiscard]] double cost(const ConstVectorRef& u) const override;
     void gradient(const ConstVectorRef& u, VectorRef out) const override;
     void constraints(const ConstVectorRef& u, VectorRef out) const override;
-    void jacobian(const ConstVectorRef&, std::span<double> out) const override;
+    void jacobian(const ConstVectorRef&, std::span<double> out) const override {
+        std::copy(values_.begin(), values_.end(), out.begin());
+    }
     void hessian(const ConstVectorRef&, double sigma, const ConstVectorRef&,
                  std::span<double> out) const override;
-    [[nodiscard]] std::string variable_name(int index) const override;
-    [[nodiscard]] std::string row_name(int index) const override;
-    [[nodiscard]] RowOrigin row_origin(int index) const override;
+    [[nodiscard]] std::string variable_name(int index) const override {
+        return index < variables_ ? problem_.variable_name(index) : "common violation";
+    }
+    [[nodiscard]] std::string row_name(int index) const override {
+        return problem_.row_name(source_row(index));
+    }
+    [[nodiscard]] RowOrigin row_origin(int index) const override {
+        return problem_.row_origin(source_row(index));
+    }
 
     [[nodiscard]] Eigen::VectorXd step_of(const Eigen::VectorXd& u) const;
     [[nodiscard]] double elastic_of(const Eigen::VectorXd& u) const;  ///< t
@@ -180,7 +185,9 @@ struct Stationarity {
     const RowMatrix& jacobian;
     const Eigen::VectorXd& multipliers;
 
-    [[nodiscard]] Eigen::VectorXd lagrangian_gradient() const;
+    [[nodiscard]] Eigen::VectorXd lagrangian_gradient() const {
+        return point.gradient + jacobian.transpose() * multipliers;
+    }
     /// ‖∇L + z‖∞ with the best z for the active bounds of x.
     [[nodiscard]] double error() const;
     /// Rows and bounds that carry a multiplier, unless the point is further than `reach` from them.

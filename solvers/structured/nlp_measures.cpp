@@ -43,10 +43,6 @@ double needed_penalty(const NlpShape& shape, const VectorXd& multipliers) {
     return needed;
 }
 
-VectorXd Stationarity::lagrangian_gradient() const {
-    return point.gradient + jacobian.transpose() * multipliers;
-}
-
 double Stationarity::error() const {
     const VectorXd rest = lagrangian_gradient();
     double worst = 0.0;

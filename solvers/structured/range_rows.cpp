@@ -83,7 +83,7 @@ class Drafting {
     /// Whether row i, with one side, is the twin of an earlier one; else it is stored for a later twin.
     bool joins_twin(int i) {
         if (!has_one_side(i)) return false;
-        int& waiting = waiting_[key_of(i) >> table_shift_];
+        int& waiting = waiting_[static_cast<std::size_t>(key_of(i) >> table_shift_)];
         if (waiting >= 0) {
             Draft& draft = drafts_[static_cast<std::size_t>(waiting)];
             if (become_twins(draft.core_row, i, draft)) {

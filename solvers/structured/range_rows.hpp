@@ -14,9 +14,6 @@
 
 #include "solvers/structured/interior_point.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
 namespace camopt::structured {
 
 struct RangeRows {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/active_set_step.hpp"
 #include "solvers/structured/sequential_solver.hpp"
-#include "solvers/structured/standard_form.hpp"
 
 namespace camopt::structured {
 
@@ -152,10 +151,6 @@ StepSolver::Steered StepSolver::solve_elastic(const NlpPoint& point, StepModel& 
 }
 
 using Eigen::Index;
-
-double SequentialRun::merit(const NlpPoint& point) const {
-    return point.cost + penalty_ * violation(point);
-}
 
 StepModel SequentialRun::step_model() const {
     StepModel model;

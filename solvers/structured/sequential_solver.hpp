@@ -13,13 +13,9 @@
 #pragma once
 
 #include "solvers/backend_support.hpp"
-#include "solvers/solver.hpp"
-#include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/linearized_problem.hpp"
 #include "solvers/structured/standard_form.hpp"
 #include "solvers/structured/structured_solver.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt::structured {
 
@@ -119,7 +115,9 @@ class SequentialRun {
     [[nodiscard]] bool saturates(const Step& step) const {
         return !shape_.convex && step.elastic > free_elastic;
     }
-    [[nodiscard]] double merit(const NlpPoint& point) const;
+    [[nodiscard]] double merit(const NlpPoint& point) const {
+        return point.cost + penalty_ * violation(point);
+    }
     /// Twice what makes it exact.
     [[nodiscard]] static double penalty_for(double needed) { return 2.0 * needed + 1e-6; }
     [[nodiscard]] bool kept(const NlpPoint& point) const {

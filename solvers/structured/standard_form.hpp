@@ -10,10 +10,7 @@
 // Source: Ruiz, A scaling algorithm to equilibrate both rows and columns norms in matrices, RAL-TR-2001-034.
 #pragma once
 
-#include "core/nlp.hpp"
 #include "solvers/structured/interior_point.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt::structured {
 

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/structured_solver.hpp"
 
-#include "core/errors.hpp"
 #include "core/word_of.hpp"
-#include "solvers/backend_support.hpp"
-#include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/sequential_solver.hpp"
-#include "solvers/structured/standard_form.hpp"
 
 #include <fmt/core.h>
 

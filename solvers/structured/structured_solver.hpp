@@ -30,9 +30,6 @@
 
 #include "linear/sparse_symmetric.hpp"
 #include "solvers/registry.hpp"
-#include "solvers/solver.hpp"
-
-#include <map>
 
 namespace camopt {
 

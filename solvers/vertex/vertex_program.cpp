@@ -176,10 +176,6 @@ bool VertexProgram::exchange(Eigen::Index leaving, Face entering, const Eigen::V
     return ++since_refactor_ < refactor_every || refactor();
 }
 
-Eigen::VectorXd VertexProgram::face_multipliers(const Eigen::VectorXd& cost) const {
-    return -(inverse_.transpose() * cost);
-}
-
 /// Dual simplex steps: the corner is optimal for the cost, but violates rows.
 VertexProgram::Outcome VertexProgram::reach_feasible(const Eigen::VectorXd& cost,
                                                      const SolveControl& control) {

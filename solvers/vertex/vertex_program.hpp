@@ -2,10 +2,7 @@
 // A simplex method for one linear program with many costs, for bounds over boxes, and its list of rows.
 #pragma once
 
-#include "core/numbers/extremum.hpp"
 #include "solvers/solver.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 
@@ -122,7 +119,9 @@ class VertexProgram {
     [[nodiscard]] bool exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& rise);
     [[nodiscard]] Outcome reach_feasible(const Eigen::VectorXd& cost, const SolveControl& control);
     [[nodiscard]] Outcome reach_optimal(const Eigen::VectorXd& cost, const SolveControl& control);
-    [[nodiscard]] Eigen::VectorXd face_multipliers(const Eigen::VectorXd& cost) const;
+    [[nodiscard]] Eigen::VectorXd face_multipliers(const Eigen::VectorXd& cost) const {
+        return -(inverse_.transpose() * cost);
+    }
     [[nodiscard]] VertexBound bound_at_corner(const Eigen::VectorXd& cost) const;
     [[nodiscard]] VertexBound infeasible_bound() const;
     [[nodiscard]] bool on_face(Face face) const;

@@ -15,9 +15,6 @@
 
 #include "objectives/grid/cam_problem.hpp"
 #include "solvers/certificate/box_proof.hpp"
-#include "solvers/solver.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/check/check_cam.hpp"
 
-#include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
 #include "studies/check/point_curve.hpp"
 
 namespace camopt {

@@ -2,8 +2,6 @@
 #include "studies/check/forward_check.hpp"
 
 #include "core/deadline.hpp"
-#include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/check/point_curve.hpp"
 

@@ -14,9 +14,6 @@
 #pragma once
 
 #include "scene/cam_spec.hpp"
-#include "scene/follower.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

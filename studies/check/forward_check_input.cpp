@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/check/forward_check_input.hpp"
 
-#include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
-#include "core/units.hpp"
-
 namespace camopt {
 
 namespace {

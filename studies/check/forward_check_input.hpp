@@ -6,12 +6,8 @@
 // forwards by positions alone.
 #pragma once
 
-#include "profiles/sampling.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "studies/check/forward_check.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

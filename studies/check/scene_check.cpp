@@ -2,8 +2,6 @@
 #include "studies/check/scene_check.hpp"
 
 #include "objectives/free_knots/free_knot_problem.hpp"
-#include "objectives/grid/cam_problem.hpp"
-#include "objectives/scene_model.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/measured/measured_fit.hpp"

@@ -3,12 +3,8 @@
 // its derivatives agree with differences.
 #pragma once
 
-#include "core/nlp.hpp"
 #include "objectives/rules/point_rule.hpp"
-#include "scene/scene.hpp"
 #include "studies/search/plan.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

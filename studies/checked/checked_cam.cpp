@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/checked/checked_cam.hpp"
 
-#include "core/errors.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/comparison.hpp"
 
-#include "core/errors.hpp"
-#include "core/numbers/interval.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/drive_rules.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/point_rule.hpp"
-#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"

@@ -7,11 +7,7 @@
 // its range). Units as in Solution; infinite peaks are infinite.
 #pragma once
 
-#include "core/motion.hpp"
-#include "scene/cam_mechanism.hpp"
-#include "scene/scene.hpp"
 #include "studies/delivered/scene_limits.hpp"
-#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 

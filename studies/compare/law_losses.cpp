@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/law_losses.hpp"
 
-#include "core/numbers/extremum.hpp"
-#include "objectives/scene_model.hpp"
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/search/planned_solve.hpp"
 

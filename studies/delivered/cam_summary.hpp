@@ -3,10 +3,7 @@
 // the samples too. What a kind has not, is absent.
 #pragma once
 
-#include "core/motion.hpp"
-#include "core/numbers/extremum.hpp"
 #include "profiles/sampling.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered.hpp"
 
-#include "core/units.hpp"
-
 #include <set>
 
 namespace camopt {
@@ -91,14 +89,6 @@ std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks) {
         rows.push_back({x, x >= end ? Side::left : Side::right});
     }
     return rows;
-}
-
-MotionPoint CamPoints::motion_at(double x) const {
-    return camopt::motion_at(motion_, std::clamp(x, motion_.begin(), motion_.end()));
-}
-
-const MechanismPoint& CamPoints::at(double x, int station) const {
-    return at(motion_at(x), station);
 }
 
 const MechanismPoint& CamPoints::at(const MotionPoint& motion, int station) const {

@@ -3,9 +3,6 @@
 #pragma once
 
 #include "objectives/drive_rules.hpp"
-#include "profiles/sampling.hpp"
-#include "splines/motion_chain.hpp"
-#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <tuple>
@@ -53,8 +50,12 @@ class CamPoints {
     [[nodiscard]] const MotionScale& scale() const { return scale_; }
 
     /// x beyond the motion: its end. The side after a breakpoint, at the end that before.
-    [[nodiscard]] MotionPoint motion_at(double x) const;
-    [[nodiscard]] const MechanismPoint& at(double x, int station = 0) const;
+    [[nodiscard]] MotionPoint motion_at(double x) const {
+        return camopt::motion_at(motion_, std::clamp(x, motion_.begin(), motion_.end()));
+    }
+    [[nodiscard]] const MechanismPoint& at(double x, int station = 0) const {
+        return at(motion_at(x), station);
+    }
     /// `motion`: of this motion, from either side.
     [[nodiscard]] const MechanismPoint& at(const MotionPoint& motion, int station) const;
 

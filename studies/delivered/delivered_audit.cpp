@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered_audit.hpp"
 
-#include "core/numbers/extremum.hpp"
 #include "scene/limit_table.hpp"
-#include "solvers/certificate/certificate.hpp"
-#include "splines/curve.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 
@@ -214,6 +211,16 @@ void tell_of_enclosures(Solution& solution) {
         (limit.verified ? certificate.verified : certificate.unverified).push_back(limit.key);
 }
 
+// Of the motion's peaks: a curve that moves less than this is measured by the motion, not by its own
+// rounding.
+constexpr double standstill = 1e-3;
+
+double size_of(const SplineCurve& curve, int order) {
+    return order == 0 ? curve.pieces().row(0).cwiseAbs().maxCoeff() : peak_of(curve, order).value;
+}
+
+}  // namespace
+
 void withdraw_motion(Solution& solution) {
     solution.motion.reset();
     solution.curve.reset();
@@ -226,16 +233,6 @@ void withdraw_motion(Solution& solution) {
     solution.constraints.clear();
     solution.certificate.objective = infinity;
 }
-
-// Of the motion's peaks: a curve that moves less than this is measured by the motion, not by its own
-// rounding.
-constexpr double standstill = 1e-3;
-
-double size_of(const SplineCurve& curve, int order) {
-    return order == 0 ? curve.pieces().row(0).cwiseAbs().maxCoeff() : peak_of(curve, order).value;
-}
-
-}  // namespace
 
 JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
     const std::vector<double>& breakpoints = curve.space().breakpoints();

@@ -58,6 +58,9 @@ void drop_idle_bound(Certificate& certificate);
 /// Where no motion was delivered there is no objective either.
 void audit_delivered(Solution& solution);
 
+/// Nothing is delivered: no motion, and nothing that was said of it.
+void withdraw_motion(Solution& solution);
+
 // Whether a delivered motion meets what its scene demands exactly: its ends and joints, the top of a rise and
 // return, displacements of a program, exact points, symmetry, ends without jerk. From the motion alone,
 // regardless of what the optimizer built in or eliminated.

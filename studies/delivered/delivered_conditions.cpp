@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/scene_model.hpp"
-#include "splines/curve.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/driven_mechanism.hpp"
 
-#include "core/numbers/extremum.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 

@@ -2,9 +2,7 @@
 // A cam of any kind along a motion: its points, and its limits enclosed.
 #pragma once
 
-#include "core/motion.hpp"
 #include "profiles/sampling.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {

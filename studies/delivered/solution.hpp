@@ -2,17 +2,11 @@
 // Everything known after a scene was solved: what output/ writes and what an embedder reads.
 #pragma once
 
-#include "core/motion.hpp"
-#include "core/nlp.hpp"
-#include "scene/scene.hpp"
 #include "solvers/certificate/certificate.hpp"
-#include "solvers/solver.hpp"
 #include "splines/curve.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/delivered/cam_summary.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/solution_parts.hpp"
 
-#include "core/units.hpp"
 #include "objectives/deviation_rules.hpp"
 #include "objectives/drive_rules.hpp"
-#include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "objectives/spring_rules.hpp"
-#include "scene/cost_table.hpp"
-#include "scene/limit_table.hpp"
 
 namespace camopt {
 

@@ -2,7 +2,6 @@
 // Set points and regions of a scene beside what a motion makes of them, in the units they were written in.
 #pragma once
 
-#include "core/motion.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/delivered/solution.hpp"
 

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/solution_report.hpp"
 
-#include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
-#include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/drive_rules.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
-#include "splines/curve.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_parts.hpp"

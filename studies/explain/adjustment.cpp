@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/adjustment.hpp"
 
-#include "core/units.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Angles, lift and displacements: what a user could change about the motion that was asked for. What a scene
 // file gives in units keeps its value in units, so that the file with the changed numbers is the scene.
-#include "core/units.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 

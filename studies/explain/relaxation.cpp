@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/motion/set_points.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
-#include "studies/explain/adjustment.hpp"
 #include "studies/explain/value_search.hpp"
 #include "studies/search/planned_solve.hpp"
 

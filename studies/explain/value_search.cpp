@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/value_search.hpp"
 
-#include "core/numbers/extremum.hpp"
-#include "objectives/grid/cam_problem.hpp"
-#include "objectives/scene_model.hpp"
-#include "solvers/exchange/exchange.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
-#include "studies/search/planned_solve.hpp"
 #include "studies/search/settled_scene.hpp"
 #include "studies/search/solve_steps.hpp"
 
@@ -252,7 +247,7 @@ Solution search(const Scene& scene, const Budget& budget) {
     Solution solution = answer(scene, budget, {.look = true});
     audit_delivered(solution);
     const Verdict verdict = solution.certificate.verdict;
-    if (verdict == Verdict::infeasible || verdict == Verdict::failed) solution.motion.reset();
+    if (verdict == Verdict::infeasible || verdict == Verdict::failed) withdraw_motion(solution);
     return solution;
 }
 

@@ -3,10 +3,6 @@
 // and by a solve, before that value is told to anyone.
 #pragma once
 
-#include "scene/scene.hpp"
-#include "solvers/solver.hpp"
-#include "splines/motion_chain.hpp"
-#include "studies/delivered/solution.hpp"
 #include "studies/explain/adjustment.hpp"
 
 namespace camopt {

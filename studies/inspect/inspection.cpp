@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/inspect/inspection.hpp"
 
-#include "core/errors.hpp"
-#include "core/units.hpp"
-#include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <Eigen/Geometry>

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/inverse/inverse_forward.hpp"
 
-#include "core/deadline.hpp"
-#include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
-#include "profiles/sampling.hpp"
 #include "scene/cam_flanks.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/delivered/driven_mechanism.hpp"
 
 #include <fmt/format.h>
 

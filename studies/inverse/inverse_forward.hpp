@@ -11,8 +11,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 struct GuideCheckInput {

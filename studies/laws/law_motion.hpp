@@ -12,11 +12,9 @@
 // interrupts it. Displacements in lifts, angles in x.
 #pragma once
 
-#include "core/motion.hpp"
 #include "motions/laws/law.hpp"
 #include "objectives/rules/model.hpp"
 #include "scene/scene.hpp"
-#include "splines/motion_chain.hpp"
 
 namespace camopt {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/machine/machine.hpp"
 
-#include "core/units.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/machine/machine_build.hpp"
 #include "studies/search/settled_scene.hpp"

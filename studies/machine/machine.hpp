@@ -12,8 +12,6 @@
 #pragma once
 
 #include "scene/machine_spec.hpp"
-#include "solvers/certificate/certificate.hpp"
-#include "solvers/solver.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/sweep/sweep_row.hpp"
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/machine/machine_build.hpp"
 
-#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/motion/set_points.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "objectives/machine/machine_problem.hpp"
-#include "solvers/exchange/exchange.hpp"
 #include "studies/machine/machine.hpp"
 #include "studies/search/planned_solve.hpp"
 

@@ -4,7 +4,6 @@
 //
 // A step takes an angle d from one segment of an axis and gives it to another one; d is halved where no step
 // helps. From several starts; the result is a local optimum, its proof is that of the angles found.
-#include "core/units.hpp"
 #include "studies/machine/machine_build.hpp"
 
 #include <fmt/format.h>

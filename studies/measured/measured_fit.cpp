@@ -2,11 +2,9 @@
 #include "studies/measured/measured_fit.hpp"
 
 #include "objectives/scene_model.hpp"
-#include "scene/scene.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
 
-#include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <fmt/format.h>
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "objectives/deviation_rules.hpp"
-#include "objectives/rules/model.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {

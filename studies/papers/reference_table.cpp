@@ -2,7 +2,6 @@
 #include "studies/papers/reference_table.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
-#include "splines/curve.hpp"
 #include "splines/design_vector.hpp"
 #include "studies/solve/solve.hpp"
 

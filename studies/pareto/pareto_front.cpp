@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/pareto/pareto_front.hpp"
 
-#include "core/errors.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/pareto/front_chain.hpp"
 #include "studies/search/planned_solve.hpp"

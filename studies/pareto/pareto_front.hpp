@@ -20,7 +20,6 @@
 // spaced points have no place. The order of the solves, hence every number, is fixed by the request alone.
 #pragma once
 
-#include "studies/delivered/solution.hpp"
 #include "studies/pareto/sweep_front.hpp"
 
 namespace camopt {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "studies/pareto/sweep_front.hpp"
 
-#include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 #include <fmt/format.h>
-
-#include <map>
 
 namespace camopt {
 

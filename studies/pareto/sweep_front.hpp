@@ -2,12 +2,8 @@
 // The Pareto front of a sweep.
 #pragma once
 
-#include "scene/cost_table.hpp"
-#include "scene/scene.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/sweep/sweep_row.hpp"
-
-#include <variant>
 
 namespace camopt {
 

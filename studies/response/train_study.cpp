@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/response/train_study.hpp"
 
-#include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
-#include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/response/train_figures.hpp"
-#include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/search/planned_solve.hpp"
 

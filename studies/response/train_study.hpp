@@ -3,8 +3,6 @@
 // from rest, and as a steady state where the turn is closed and damped.
 #pragma once
 
-#include "scene/scene.hpp"
-#include "solvers/solver.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/restored/restored_solution.hpp"
 
-#include "core/errors.hpp"
-#include "core/text/names.hpp"
-#include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
-#include "scene/motion/set_points.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"

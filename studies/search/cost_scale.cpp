@@ -4,8 +4,6 @@
 #include "scene/cost_table.hpp"
 #include "solvers/certificate/box_proof.hpp"
 
-#include <map>
-
 namespace camopt {
 
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/motion/set_points.hpp"
-#include "solvers/certificate/certificate.hpp"
 #include "studies/delivered/solution_report.hpp"
-#include "studies/search/planned_solve.hpp"
 #include "studies/search/solve_steps.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/free_knot_descent.hpp"
 
-#include "core/nlp.hpp"
-
 #include <fmt/format.h>
 
 namespace camopt {

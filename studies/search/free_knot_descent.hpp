@@ -11,7 +11,6 @@
 
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "solvers/exchange/exchange.hpp"
-#include "solvers/solver.hpp"
 
 namespace camopt {
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
-#include "solvers/certificate/certificate.hpp"
-#include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/scene_model.hpp"
-#include "solvers/certificate/certificate.hpp"
+#include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/solution_parts.hpp"
-#include "studies/search/planned_solve.hpp"
+#include "studies/search/settled_scene.hpp"
 #include "studies/search/solve_steps.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +9,33 @@
 namespace camopt {
 
 namespace {
+
+constexpr double contradiction = 1e-6;  // lifts: less is left to the solver, whose tolerance may allow it
+
+/// The segments at whose begin a motion passes a turning point at speed, with free strokes in the direction
+/// given or else taken. It may leave their range by no more than the tolerance δ, but the speed there is
+/// √(2 |y''| δ), which may gain 1e-4 of the objective.
+std::vector<std::size_t> passed_turning_points(const Scene& scene, const MotionFamily& family,
+                                               const MotionChain& motion,
+                                               std::vector<StrokeDirection> directions = {}) {
+    constexpr double standing = 1e-9;  // lifts, and lifts by x
+    std::size_t k = 0;
+    for (const StrokeRange& stroke : strokes_of(scene, family)) {
+        if (!stroke.is_free()) continue;
+        if (k == directions.size()) directions.push_back(StrokeDirection::open);
+        StrokeDirection& direction = directions[k++];
+        const double moved = motion.at(stroke.end, Side::left).derivative[0] -
+                             motion.at(stroke.begin, Side::right).derivative[0];
+        if (direction == StrokeDirection::open && std::abs(moved) > standing)
+            direction = moved > 0.0 ? StrokeDirection::rises : StrokeDirection::falls;
+    }
+    if (directions.empty()) return {};
+    std::vector<std::size_t> passed = turning_segments(scene.motion, directions);
+    std::erase_if(passed, [&](std::size_t i) {
+        return std::abs(motion.at(family.own_stretches()[i].begin, Side::right).derivative[1]) <= standing;
+    });
+    return passed;
+}
 
 /// Some directions given, and the best motion with them.
 struct Case {
@@ -21,25 +47,25 @@ struct Case {
 
     [[nodiscard]] bool infeasible() const { return solution.certificate.verdict == Verdict::infeasible; }
     [[nodiscard]] double objective() const {
-        return solution.motion ? solution.certificate.objective : infinity;
+        if (!solution.motion) return infinity;
+        return solution.certificate.objective;
     }
 };
 
 class DirectionSearch {
  public:
     DirectionSearch(const Scene& scene, const SolveControl& control)
-        : scene_(scene), control_(control), family_(scene_family(scene, DesignKind::states)) {
-        const std::vector<StrokeRange> strokes = strokes_of(scene, family_);
-        for (std::size_t k = 0; k < strokes.size(); ++k) {
-            if (!strokes[k].is_free()) continue;
-            free_.push_back(k);
-            members_.push_back(strokes[k].member);
-        }
+        : scene_(scene),
+          control_(control),
+          family_(scene_family(scene, DesignKind::states)),
+          strokes_(strokes_of(scene, family_)) {
+        for (std::size_t k = 0; k < strokes_.size(); ++k)
+            if (strokes_[k].is_free()) free_.push_back(k);
     }
 
     [[nodiscard]] Solution run() {
         const Stopwatch watch;
-        cases_.push_back(solved(std::vector(members_.size(), StrokeDirection::open), nullptr));
+        cases_.push_back(solved(std::vector(free_.size(), StrokeDirection::open), nullptr));
         if (cases_.front().leaves < 0) return std::move(cases_.front().solution);
         while (!control_.ending()) {
             const auto next = std::ranges::min_element(cases_, [&](const Case& one, const Case& other) {
@@ -58,12 +84,27 @@ class DirectionSearch {
     const Scene& scene_;
     const SolveControl& control_;
     MotionFamily family_;
-    std::vector<std::size_t> free_;     ///< the strokes whose displacement is free
-    std::vector<std::string> members_;  ///< their names
-    std::vector<Case> cases_;           ///< together they hold everything
+    std::vector<StrokeRange> strokes_;
+    std::vector<std::size_t> free_;  ///< those whose displacement is free
+    std::vector<Case> cases_;        ///< together they hold everything
     int solves_ = 0;
 
+    /// A case that the given displacements contradict: nothing to solve.
+    [[nodiscard]] Case contradicted(std::vector<StrokeDirection> directions, const Case& whole,
+                                    double apart) const {
+        Case part{std::move(directions), whole.solution};
+        withdraw_motion(part.solution);
+        forget_proof(part.solution.certificate);
+        report_contradicted_case(part.solution,
+                                 scene_.motion.monotone ? "motion.monotone" : "motion.within_lift", apart);
+        part.proof = std::make_shared<DualityProof>(*part.solution.certificate.proof);
+        return part;
+    }
+
     [[nodiscard]] Case solved(std::vector<StrokeDirection> directions, const Case* whole) {
+        const double apart = contradicting_directions(scene_.motion, directions);
+        if (whole != nullptr && apart > contradiction)
+            return contradicted(std::move(directions), *whole, apart);
         ++solves_;
         Case part{directions, solve_with_strokes(scene_, {true, directions}, control_)};
         const Certificate& certificate = part.solution.certificate;
@@ -83,7 +124,20 @@ class DirectionSearch {
             worst = excursions[free_[k]];
             part.leaves = static_cast<int>(k);
         }
+        if (part.leaves < 0) part.leaves = beside_passed_turning_point(part);
         return part;
+    }
+
+    /// A free stroke without a direction next to one; −1: none.
+    [[nodiscard]] int beside_passed_turning_point(const Case& part) const {
+        const int count = static_cast<int>(family_.own_stretches().size());
+        for (const std::size_t i :
+             passed_turning_points(scene_, family_, *part.solution.motion, part.directions))
+            for (const int segment : {static_cast<int>(i), (static_cast<int>(i) + count - 1) % count})
+                for (std::size_t k = 0; k < free_.size(); ++k)
+                    if (strokes_[free_[k]].stretch == segment && part.directions[k] == StrokeDirection::open)
+                        return static_cast<int>(k);
+        return -1;
     }
 
     [[nodiscard]] double best_objective() const {
@@ -112,10 +166,10 @@ class DirectionSearch {
 
     [[nodiscard]] CaseProof proof_of(const Case& part) const {
         std::vector<std::string> region;
-        for (std::size_t k = 0; k < members_.size(); ++k)
+        for (std::size_t k = 0; k < free_.size(); ++k)
             if (part.directions[k] != StrokeDirection::open)
                 region.push_back(fmt::format(
-                    "{} {}", members_[k],
+                    "{} {}", strokes_[free_[k]].member,
                     part.directions[k] == StrokeDirection::rises ? "rises or rests" : "falls or rests"));
         return {std::move(region), part.bound, part.infeasible(), part.proof};
     }
@@ -146,8 +200,7 @@ class DirectionSearch {
             scene_.motion.monotone ? "motion.monotone" : "motion.within_lift", solves_ - 1));
         if (!found) {
             if (nothing) return solution;
-            solution.motion.reset();
-            solution.curve.reset();
+            withdraw_motion(solution);
             certificate.verdict = Verdict::failed;
             certificate.reason = control_.stopped()  ? Reason::interrupted
                                  : control_.ending() ? Reason::time_limit
@@ -173,19 +226,20 @@ class DirectionSearch {
 bool leaves_its_strokes(const Solution& solution) {
     const Scene& scene = solution.scene;
     if (!solution.motion) return false;
-    const std::vector<double> excursions = excursions_of(scene, *family_of(solution), *solution.motion);
-    return std::ranges::any_of(excursions,
-                               [&](double excursion) { return excursion > scene.solver.tolerance; });
+    const auto family = family_of(solution);
+    return std::ranges::any_of(excursions_of(scene, *family, *solution.motion),
+                               [&](double excursion) { return excursion > scene.solver.tolerance; }) ||
+           !passed_turning_points(scene, *family, *solution.motion).empty();
 }
 
 Solution solve_held_strokes(const Scene& scene, const SolveControl& control) {
     return DirectionSearch(scene, control).run();
 }
 
-void take_bound_of_relaxation(Solution& solution, const Solution& relaxed) {
-    Certificate& certificate = solution.certificate;
+void take_bound_of_relaxation(Solution& held, const Solution& relaxed) {
+    Certificate& certificate = held.certificate;
     const Certificate& other = relaxed.certificate;
-    const bool delivered = solution.motion && certificate.verdict != Verdict::failed;
+    const bool delivered = held.motion && certificate.verdict != Verdict::failed;
     if (!delivered || !other.lower_bound) return;
     if (certificate.lower_bound && *certificate.lower_bound >= *other.lower_bound) return;
     certificate.lower_bound = std::min(*other.lower_bound, certificate.objective);
@@ -194,8 +248,8 @@ void take_bound_of_relaxation(Solution& solution, const Solution& relaxed) {
     certificate.proof = other.proof;
     certificate.cases = other.cases;
     certificate.box_proof = other.box_proof;
-    solution.solver.proof_source = relaxed.solver.proof_source;
-    if (*certificate.gap > solution.scene.solver.wanted_gap(solution.solver.convex)) return;
+    held.solver.proof_source = relaxed.solver.proof_source;
+    if (*certificate.gap > held.scene.solver.wanted_gap(held.solver.convex)) return;
     certificate.verdict = Verdict::optimal;
     certificate.reason = Reason::none;
 }

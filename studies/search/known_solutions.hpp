@@ -9,7 +9,6 @@
 // (another spline, another motion) are solved cold.
 #pragma once
 
-#include "objectives/grid/cam_problem.hpp"
 #include "studies/search/proved_optima.hpp"
 
 namespace camopt {

@@ -2,13 +2,10 @@
 #include "studies/search/plan.hpp"
 
 #include "objectives/free_knots/free_knot_problem.hpp"
-#include "objectives/scene_model.hpp"
-#include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/measured/measured_fit.hpp"
-#include "studies/search/planned_solve.hpp"
 #include "studies/search/solve_steps.hpp"
 
 namespace camopt {

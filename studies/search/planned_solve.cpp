@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/planned_solve.hpp"
 
-#include "objectives/grid/cam_problem.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
-#include "solvers/solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
@@ -24,12 +22,24 @@ constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
 // Where limits are steep a violation within the tolerance costs more than the gap: a finer search closes it.
 constexpr double finer = 1e-2, nearly_proved = 1e-4;
 
+bool is_proved(const ContinuousResult& result) {
+    return result.certificate.verdict == Verdict::optimal ||
+           result.certificate.verdict == Verdict::infeasible;
+}
+
+/// Solves again with other options; what proves more counts.
+void try_again(const PlannedRun& run, const Solver& solver, const ExchangeOptions& exchange,
+               const JudgeOptions& judge, CamProblem& problem, ContinuousResult& result) {
+    if (is_proved(result) || run.control.ending()) return;
+    ContinuousResult again = solve_continuous(problem, solver, exchange, judge, run.control);
+    if (again.certificate.verdict < result.certificate.verdict) result = std::move(again);
+}
+
 /// Problems whose numbers are hard: another backend tries from the same grid. It counts if it proves more.
 void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProblem& problem,
                      ContinuousResult& result, Solution& solution) {
     const Verdict verdict = result.certificate.verdict;
-    const bool proved = verdict == Verdict::optimal || verdict == Verdict::infeasible;
-    if (run.plan.next_solver.empty() || proved || run.control.ending()) return;
+    if (run.plan.next_solver.empty() || is_proved(result) || run.control.ending()) return;
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.backend.native.clear();  // they belong to the first backend
     exchange.backend.max_iterations = std::min(exchange.backend.max_iterations, most_iterations_of_next);
@@ -56,12 +66,16 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.staged = run.known.is_cold();
     ContinuousResult result = solve_continuous(problem, solver, exchange, judge, run.control);
-    const double gap = result.certificate.gap.value_or(infinity);
-    if (gap > judge.gap && gap <= nearly_proved && !run.control.ending()) {
+    const auto nearly = [&] { return result.certificate.gap.value_or(infinity) <= nearly_proved; };
+    // Where rows are nearly dependent, inexact steps end far off. From the same grid again.
+    if (run.plan.solver == "structured" && !nearly()) {
+        exchange.backend.exact_steps = true;
+        try_again(run, solver, exchange, judge, problem, result);
+    }
+    if (nearly()) {
         exchange.tolerance *= finer;
         exchange.backend.tolerance *= finer;
-        ContinuousResult again = solve_continuous(problem, solver, exchange, judge, run.control);
-        if (again.certificate.verdict < result.certificate.verdict) result = std::move(again);
+        try_again(run, solver, exchange, judge, problem, result);
     }
     try_next_solver(run, judge, problem, result, solution);
     run.known.keep(problem);

@@ -2,10 +2,8 @@
 // Executes the plan of a scene (plan.hpp), without the explanation of an infeasible one.
 #pragma once
 
-#include "objectives/rules/model.hpp"
 #include "objectives/scene_model.hpp"
 #include "solvers/exchange/exchange.hpp"
-#include "studies/delivered/solution.hpp"
 #include "studies/search/cost_scale.hpp"
 #include "studies/search/known_solutions.hpp"
 #include "studies/search/plan.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/proved_optima.hpp"
 
-#include "core/deadline.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/search/cost_scale.hpp"

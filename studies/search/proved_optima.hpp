@@ -19,10 +19,6 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-
 #include <list>
 #include <mutex>
 

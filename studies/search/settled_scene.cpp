@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/settled_scene.hpp"
 
-#include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
@@ -117,6 +116,11 @@ std::optional<RestConflict> impulse_conflict(const Scene& scene, const MotionFam
 }
 
 }  // namespace
+
+void report_contradicted_case(Solution& solution, const std::string& key, double apart) {
+    report_conflict_at(solution, {key, {}, apart}, Reason::limits_contradict);
+    solution.certificate.proof->rows = {key + ": the directions of the case and the given displacements"};
+}
 
 void report_redundant(Solution& solution, const MotionFamily& family) {
     for (const ConditionConflict& conflict : family.redundant())

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "objectives/rules/model.hpp"
-#include "splines/motion_family.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {
@@ -28,6 +27,9 @@ struct RestConflict {
 
 /// True: the solution is infeasible, and says by which limit and where.
 [[nodiscard]] bool report_rest_conflict(Solution& solution, const CamModel& model);
+
+/// Of a case of directions that the given displacements contradict (contradicting_directions).
+void report_contradicted_case(Solution& solution, const std::string& key, double apart);
 
 // A prescribed motion (MotionSpec::prescribed): only the dimensions of its cam may be free.
 

@@ -31,7 +31,7 @@ void break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& res
 [[nodiscard]] Solution solve_held_strokes(const Scene& scene, const SolveControl& control);
 
 /// Gives a solution the bound of a relaxation where that is the better one, and the verdict that follows.
-void take_bound_of_relaxation(Solution& solution, const Solution& relaxed);
+void take_bound_of_relaxation(Solution& held, const Solution& relaxed);
 
 // Scenes whose breakpoints are free: a search over breakpoints, then the ordinary solve on the best ones.
 //

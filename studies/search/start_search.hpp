@@ -11,8 +11,6 @@
 // the same minimum again.
 #pragma once
 
-#include "objectives/grid/cam_problem.hpp"
-#include "solvers/exchange/exchange.hpp"
 #include "studies/search/planned_solve.hpp"
 
 namespace camopt {

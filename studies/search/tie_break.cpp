@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/grid/cam_problem.hpp"
 #include "scene/cost_table.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/search/solve_steps.hpp"

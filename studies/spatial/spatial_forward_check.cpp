@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/spatial/spatial_forward_check.hpp"
 
-#include "core/deadline.hpp"
-#include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>

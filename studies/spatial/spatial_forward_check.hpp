@@ -6,13 +6,9 @@
 // of the follower, is found out. m, rad.
 #pragma once
 
-#include "core/motion.hpp"
-#include "profiles/sampling.hpp"
 #include "scene/cam_flanks.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/delivered/solution.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

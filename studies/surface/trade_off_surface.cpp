@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/surface/trade_off_surface.hpp"
 
-#include "core/errors.hpp"
 #include "core/word_of.hpp"
-#include "objectives/scene_model.hpp"
-#include "scene/cost_table.hpp"
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"

@@ -5,11 +5,8 @@
 // convex hull of the points lifted to their heights: triangles over the weights, each in a plane w · plane.
 #pragma once
 
-#include "solvers/solver.hpp"
 #include "studies/compare/law_losses.hpp"
 #include "studies/sweep/sweep_row.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/sweep_axis.hpp"
 
-#include "core/errors.hpp"
 #include "core/text/parsing.hpp"
-#include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/scene.hpp"
 
 #include <fmt/ranges.h>
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/sweep_plan.hpp"
 
-#include "core/errors.hpp"
-#include "objectives/scene_model.hpp"
-#include "scene/cost_table.hpp"
 #include "solvers/registry.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"

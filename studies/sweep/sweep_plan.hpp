@@ -6,8 +6,6 @@
 // in value. The first axis moves slowest.
 #pragma once
 
-#include "scene/scene.hpp"
-#include "solvers/solver.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "studies/sweep/sweep_row.hpp"

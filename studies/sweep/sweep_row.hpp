@@ -5,9 +5,6 @@
 // infeasible row) is absent, never a NaN.
 #pragma once
 
-#include "core/nlp.hpp"
-#include "core/units.hpp"
-#include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"
 #include "solvers/certificate/certificate.hpp"
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/valve/valve_report.hpp"
 
-#include "core/errors.hpp"
 #include "core/numbers/polynomial.hpp"
-#include "core/units.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>

@@ -26,8 +26,8 @@ std::array<Interval, 5> derivative_ranges(const Eigen::VectorXd& y, double left,
     // Taylor coefficients about the middle, and the magnitudes of their summands.
     std::array<double, most_degree + 1> taylor{}, size{};
     for (int k = 0; k <= degree; ++k) {
-        taylor[static_cast<std::size_t>(k)] = y[k];
-        size[static_cast<std::size_t>(k)] = std::abs(y[k]);
+        taylor[k] = y[k];
+        size[k] = std::abs(y[k]);
     }
     for (int i = 0; i < degree; ++i) {
         for (int k = degree - 1; k >= i; --k) {
@@ -42,14 +42,14 @@ std::array<Interval, 5> derivative_ranges(const Eigen::VectorXd& y, double left,
         for (int k = order; k <= degree; ++k) {
             double factor = 1.0;
             for (int j = 0; j < order; ++j) factor *= k - j;
-            const double term = factor * taylor[static_cast<std::size_t>(k)] * power;
-            sizes += factor * size[static_cast<std::size_t>(k)] * power;
+            const double term = factor * taylor[k] * power;
+            sizes += factor * size[k] * power;
             power *= half;
             const bool even = (k - order) % 2 == 0;
             low += k == order ? term : even ? std::min(0.0, term) : -std::abs(term);
             high += k == order ? term : even ? std::max(0.0, term) : std::abs(term);
         }
-        ranges[static_cast<std::size_t>(order)] = {low - rounding * sizes, high + rounding * sizes};
+        ranges[order] = {low - rounding * sizes, high + rounding * sizes};
     }
     return ranges;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/maxima/rule_maxima.hpp"
 
-#include "splines/curve.hpp"
-
 #include <iterator>
 
 namespace camopt {
@@ -186,7 +184,7 @@ std::vector<SmoothPiece> pieces_of(const ChainPart& part) {
 /// The displacement that is the origin of y for a placed rule.
 double datum_of(const PlacedRule& rule, const MotionFamily& family, const MotionChain& motion) {
     if (rule.datum == PlacedRule::Datum::zero) return 0.0;
-    const MotionFamily::Stretch& stretch = family.stretches()[static_cast<std::size_t>(rule.stretch)];
+    const MotionFamily::Stretch& stretch = family.stretches()[rule.stretch];
     return rule.datum == PlacedRule::Datum::begin ? motion.at(stretch.begin, Side::right).derivative[0]
                                                   : motion.at(stretch.end, Side::left).derivative[0];
 }
@@ -231,8 +229,7 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
             else
                 candidates.push_back({value.value, piece.begin, Side::right});
         } else if (stretch.kind == StretchRequest::Kind::spline) {
-            const auto& curve = dynamic_cast<const SplineCurve&>(
-                *motion.parts()[static_cast<std::size_t>(piece.stretch)].shape);
+            const auto& curve = dynamic_cast<const SplineCurve&>(*motion.parts()[piece.stretch].shape);
             const Eigen::VectorXd& polynomial = on_spline.along(curve, piece.segment);
             if (polynomial.size() > 0) {
                 add_candidates_on_spline(curve, polynomial, piece, stretch.shift, candidates);
@@ -241,7 +238,7 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
                            candidates);
             }
         } else {
-            const ChainPart& part = motion.parts()[static_cast<std::size_t>(piece.stretch)];
+            const ChainPart& part = motion.parts()[piece.stretch];
             curved.add({{piece.begin, piece.end}, {}, &part}, candidates);
         }
     }

@@ -7,12 +7,7 @@
 // found to round-off, with denser samples where a cubic approximates the rule poorly.
 #pragma once
 
-#include "core/numbers/extremum.hpp"
 #include "objectives/rules/model.hpp"
-#include "objectives/rules/point_rule.hpp"
-#include "splines/motion_chain.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "solvers/structured/interior_point.hpp"
 
 #include "solvers/structured/linearized_problem.hpp"
 #include "solvers/structured/newton/newton_step.hpp"

@@ -15,9 +15,11 @@ double inexactness(double tolerance) {
 double finest(double tolerance) {
     return std::min(1e-16, 1e-3 * tolerance);
 }
-// A direction is accepted if its residual is this part of its right-hand side, or of the tolerance.
-constexpr double good_residual = 1e-8;
+// A direction is accepted if its residual is this part of what is wrong at the point, which a step then still
+// reduces, or of the tolerance; unless steps must be exact, also of its right-hand side.
+constexpr double good_part = 0.1;
 constexpr double good_part_of_tolerance = 1e-3;
+constexpr double good_residual = 1e-8;
 // The full system pivots on free variables too, unlike the condensed one.
 constexpr double careful_shift = 1e-9;
 constexpr double largest_kkt_shift =
@@ -62,6 +64,7 @@ NewtonStep::NewtonStep(const ConvexModel& model, const RangeRows& ranges, const 
       ranges_(ranges),
       tolerance_(limits.tolerance),
       shift_(limits.shift),
+      exact_(limits.exact_steps),
       system_(model, ranges, limits.factor, limits.shift),
       hessian_(static_cast<std::size_t>(model.hessian.size())),
       inverse_gap_(ranges.sides()),
@@ -153,13 +156,20 @@ void NewtonStep::solve(const Iterate& point, double goal) {
     if (!careful_is_current_) accuracy = system_.solve(right_side_, goal, solution_);
     solved_ = std::isfinite(accuracy.residual);
     if (accuracy.reached) return;
-    double size = largest(right_side_.all);
-    for (Index b = 0; b < ranges_.sides(); ++b)  // forces as the equivalent slides
-        size = std::max(
-            size, ranges_.present[b] * std::abs(right_side_.force[b] * point.gap[b] * inverse_dual_[b]));
-    if (accuracy.residual <= std::max(good_residual * size, good_part_of_tolerance * tolerance_)) return;
+    double good = std::max(good_part * wrong_, good_part_of_tolerance * tolerance_);
+    if (!exact_) good = std::max(good, good_residual * size_of_right_side(point));
+    if (accuracy.residual <= good) return;
     if (!careful_is_current_ && !prepare_careful(point)) return;
     solve_carefully(accuracy.residual);
+}
+
+/// Its largest entry, forces as the equivalent slides.
+double NewtonStep::size_of_right_side(const Iterate& point) const {
+    double size = largest(right_side_.all);
+    for (Index b = 0; b < ranges_.sides(); ++b)
+        size = std::max(
+            size, ranges_.present[b] * std::abs(right_side_.force[b] * point.gap[b] * inverse_dual_[b]));
+    return size;
 }
 
 void NewtonStep::solve_carefully(double known_residual) {
@@ -212,8 +222,8 @@ void NewtonStep::direction(const Iterate& point, const DirectionRequest& request
         pass.bound = forces.bound = residuals.bound.data();
         right_side_.all.head(n) = -residuals.dual;
         right_side_.all.tail(equalities) = -residuals.equality;
-        const double wrong = std::max(largest(right_side_.all), residuals.mu);
-        goal_ = std::max(inexactness(tolerance_) * wrong, finest(tolerance_));
+        wrong_ = std::max(largest(right_side_.all), residuals.mu);
+        goal_ = std::max(inexactness(tolerance_) * wrong_, finest(tolerance_));
     } else {
         right_side_.all.setZero();
     }

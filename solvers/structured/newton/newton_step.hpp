@@ -4,12 +4,8 @@
 #pragma once
 
 #include "linear/compressed_rows.hpp"
-#include "linear/sparse_symmetric.hpp"
-#include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/newton/side_kernels.hpp"
 #include "solvers/structured/range_rows.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt::structured {
 
@@ -193,12 +189,14 @@ class NewtonStep {
     void evaluate(Iterate& at, SideResiduals pass, Residuals& out);
     [[nodiscard]] bool prepare_careful(const Iterate& point);
     void solve(const Iterate& point, double goal);
+    [[nodiscard]] double size_of_right_side(const Iterate& point) const;
     void solve_carefully(double known_residual);
 
     const ConvexModel& model_;
     const RangeRows& ranges_;
     double tolerance_;
     double shift_;
+    bool exact_;
     CondensedSystem system_;
     std::unique_ptr<KktSystem> careful_;  ///< used where the condensed system is too inaccurate
     bool careful_is_current_ = false;
@@ -207,7 +205,8 @@ class NewtonStep {
     Eigen::VectorXd variable_curvature_, row_flatness_;  ///< of the full system: Σ and D
     NewtonRightSide right_side_;
     NewtonUnknowns solution_;
-    double goal_ = 0.0;  ///< largest entry that the residual of a direction may have
+    double wrong_ = 0.0;  ///< largest residual at the point, or the mean product g z
+    double goal_ = 0.0;   ///< largest entry that the residual of a direction may have
     bool solved_ = false;
 };
 

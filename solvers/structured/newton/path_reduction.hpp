@@ -13,8 +13,6 @@
 
 #include "solvers/structured/interior_point.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt::structured {
 
 class PathReduction {
