@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/curve_chart.hpp"
 
-#include "core/errors.hpp"
 #include "output/chart/chart.hpp"
-#include "output/chart/svg_canvas.hpp"
-#include "output/view/number_text.hpp"
 #include "output/words/solution_text.hpp"
 
 #include <fmt/format.h>

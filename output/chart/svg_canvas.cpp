@@ -46,8 +46,7 @@ std::string power_words(int exponent) {
     static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     if (exponent == 0 || exponent == 1) return exponent == 0 ? "1" : "10";
     std::string text = exponent < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::abs(exponent)))
-        text += digits[static_cast<std::size_t>(digit - '0')];
+    for (const char digit : std::to_string(std::abs(exponent))) text += digits[digit - '0'];
     return text;
 }
 
@@ -101,10 +100,6 @@ void SvgCanvas::text(double x, double y, std::string_view words, std::string_vie
 void SvgCanvas::insert(double x, double y, std::string_view elements) {
     content_ +=
         fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", svg_number(x), svg_number(y), elements);
-}
-
-std::string SvgCanvas::finish() const {
-    return content_ + "</svg>\n";
 }
 
 double text_width(std::string_view words, double font_size, bool bold) {

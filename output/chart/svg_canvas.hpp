@@ -31,7 +31,7 @@ class SvgCanvas {
     void insert(double x, double y, std::string_view elements);
 
     [[nodiscard]] const std::string& elements() const { return content_; }
-    [[nodiscard]] std::string finish() const;
+    [[nodiscard]] std::string finish() const { return content_ + "</svg>\n"; }
 
  private:
     std::string content_;

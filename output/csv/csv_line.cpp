@@ -97,10 +97,6 @@ CsvLine& CsvLine::number(double value) {
     return *this;
 }
 
-CsvLine& CsvLine::number(const std::optional<double>& value) {
-    return value ? number(*value) : blank();
-}
-
 CsvLine& CsvLine::count(long value) {
     separate();
     text_ += std::to_string(value);

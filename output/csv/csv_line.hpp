@@ -11,7 +11,7 @@ class CsvLine {
     /// Quoted where it holds a comma, a quote or a line break.
     CsvLine& words(std::string_view text);
     CsvLine& number(double value);  ///< reads back as the same double; empty where not finite
-    CsvLine& number(const std::optional<double>& value);
+    CsvLine& number(const std::optional<double>& value) { return value ? number(*value) : blank(); }
     CsvLine& count(long value);
     CsvLine& blank(int cells = 1);
 

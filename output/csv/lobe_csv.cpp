@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/csv/lobe_csv.hpp"
 
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/view/shown_units.hpp"
 #include "studies/delivered/delivered.hpp"

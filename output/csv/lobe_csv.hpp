@@ -2,7 +2,6 @@
 // A valve lobe as a table for engine programs.
 #pragma once
 
-#include "core/units.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {

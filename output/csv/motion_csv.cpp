@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/csv/motion_csv.hpp"
 
-#include "core/errors.hpp"
 #include "core/text/parsing.hpp"
-#include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/view/columns.hpp"
-#include "output/view/number_text.hpp"
 
 #include <fmt/ranges.h>
 

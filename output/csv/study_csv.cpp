@@ -4,7 +4,6 @@
 #include "output/csv/csv_line.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/study_text.hpp"
-#include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/csv/sweep_csv.hpp"
 
-#include "core/errors.hpp"
 #include "core/text/parsing.hpp"
 #include "core/word_of.hpp"
 #include "output/csv/csv_line.hpp"
@@ -9,7 +8,6 @@
 
 #include <fmt/ranges.h>
 
-#include <initializer_list>
 #include <type_traits>
 
 namespace camopt {
@@ -211,7 +209,7 @@ SweepColumns read_columns(const CsvRecord& record, std::string_view name) {
 }
 
 bool is_dimension(const ParetoFront& front, int goal) {
-    return std::holds_alternative<DimensionIndex>(front.request.goals[static_cast<std::size_t>(goal)]) &&
+    return std::holds_alternative<DimensionIndex>(front.request.goals[goal]) &&
            !(goal == 0 && front.request.keep_weights);
 }
 
@@ -232,7 +230,7 @@ void add_point(CsvLine& line, const ParetoFront& front, const FrontPoint& point)
         line.blank();
     line.count(point.number).words(name_of(point.end));
     for (const int goal : {0, 1}) {
-        const double value = goal_value(front, goal, point.value[static_cast<std::size_t>(goal)]);
+        const double value = goal_value(front, goal, point.value[goal]);
         line.number(point.is_feasible() ? std::optional(value) : std::nullopt);
     }
     if (point.is_feasible())
@@ -310,7 +308,7 @@ const char* name_of(FrontEnd value) {
 }
 
 std::string goal_column(const ParetoFront& front, int goal) {
-    const std::string name = name_of(front.request.goals[static_cast<std::size_t>(goal)]);
+    const std::string name = name_of(front.request.goals[goal]);
     if (goal == 0 && front.request.keep_weights) return "weighted_" + name;
     return is_dimension(front, goal) ? name + "_mm" : name;
 }

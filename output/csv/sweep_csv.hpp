@@ -9,7 +9,6 @@
 
 #include "output/view/shown_units.hpp"
 #include "studies/pareto/pareto_front.hpp"
-#include "studies/sweep/sweep_row.hpp"
 
 namespace camopt {
 

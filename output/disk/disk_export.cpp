@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/disk/disk_export.hpp"
 
-#include "core/errors.hpp"
 #include "output/disk/disk_solid.hpp"
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/nc/milling/plane_passes.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -159,11 +157,6 @@ NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     task.surfaces.push_back(flank_surface(shape, "the cam's contour", -0.5 * options.thickness));
     add_outline(task, task.surfaces.front());
     return work;
-}
-
-CheckedProgram disk_nc(const ProfileShape& shape, const Machine& machine, const PostProcessor& post,
-                       const DiskNcOptions& options) {
-    return checked_program(machine, post, disk_nc_work(shape, options));
 }
 
 }  // namespace camopt

@@ -20,12 +20,8 @@ struct DiskNcOptions : MillingOptions {
     double tip_beyond = 1e-3;                    ///< m: the tip reaches so far below the cam, not of a groove
 };
 
-/// What is cut and what it is checked against; keeps a reference to the shape. Throws InputError for an open
-/// cam, for options that are not valid and for a blank that does not hold the cam.
+/// What is cut and what it is checked against, for checked_program(); keeps a reference to the shape. Throws
+/// InputError for an open cam, for options that are not valid and for a blank that does not hold the cam.
 [[nodiscard]] NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options);
-
-/// Throws like disk_nc_work. A program with a fault is returned with it.
-[[nodiscard]] CheckedProgram disk_nc(const ProfileShape& shape, const Machine& machine,
-                                     const PostProcessor& post, const DiskNcOptions& options);
 
 }  // namespace camopt

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "output/disk/disk_solid.hpp"
 
-#include "core/errors.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "output/sheet/sheet_painter.hpp"
-#include "output/surface/bspline_surface.hpp"
 #include "output/surface/mesh_cut.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -212,8 +209,7 @@ PlateEdge curve_through(const ProfileShape& shape, double begin, double end) {
         const BsplineSurface surface = bspline_surfaces(grid).front();
         double worst = 0.0;
         for (int i = 0; i + 1 < count; ++i) {
-            const double theta =
-                0.5 * (grid.u[static_cast<std::size_t>(i)] + grid.u[static_cast<std::size_t>(i) + 1]);
+            const double theta = 0.5 * (grid.u[i] + grid.u[static_cast<std::size_t>(i) + 1]);
             const MechanismPoint point = shape.at(theta);
             const Vector2d gap = surface.at(theta, 0.0).head<2>() - in_plane(point.contact);
             worst = std::max(worst, std::abs(gap.dot(in_plane(point.normal))));

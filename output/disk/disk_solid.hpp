@@ -8,7 +8,6 @@
 #include "output/drawing/profile_shape.hpp"
 #include "output/surface/step/step_solid.hpp"
 #include "output/surface/triangle_mesh.hpp"
-#include "scene/cam_spec.hpp"
 
 namespace camopt {
 

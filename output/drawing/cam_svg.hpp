@@ -5,7 +5,6 @@
 #pragma once
 
 #include "output/drawing/profile_shape.hpp"
-#include "output/view/view.hpp"
 
 namespace camopt {
 

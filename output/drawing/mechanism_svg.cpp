@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
 #include "output/drawing/cam_svg.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
-
-#include <tuple>
 
 namespace camopt {
 

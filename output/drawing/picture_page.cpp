@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/picture_page.hpp"
 
-#include "core/units.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/number_text.hpp"
-#include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
 
@@ -98,10 +95,6 @@ void LegendColumn::sample(const char* css_class, std::string_view words) {
     canvas_.line(picture_legend_left, y_ - 4, picture_legend_left + sample_length, y_ - 4, css_class);
     canvas_.text(picture_legend_left + sample_words, y_, words, "entry");
     y_ += step_;
-}
-
-void LegendColumn::value(std::string_view name, double length) {
-    value(name, std::string_view(length_.text(length)));
 }
 
 void LegendColumn::value(std::string_view name, std::string_view shown) {

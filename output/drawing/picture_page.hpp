@@ -5,10 +5,6 @@
 
 #include "output/chart/svg_canvas.hpp"
 #include "output/drawing/profile_shape.hpp"
-#include "output/view/shown_units.hpp"
-#include "studies/delivered/solution.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 
@@ -70,7 +66,7 @@ class LegendColumn {
 
     void heading(std::string_view words);
     void sample(const char* css_class, std::string_view words);
-    void value(std::string_view name, double length);
+    void value(std::string_view name, double length) { value(name, std::string_view(length_.text(length))); }
     void value(std::string_view name, std::string_view shown);
     void words(std::string_view text, const char* css_class = "entry");
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/profile_shape.hpp"
 
-#include "core/numbers/extremum.hpp"
-#include "studies/delivered/delivered.hpp"
-
 namespace camopt {
 
 namespace {
@@ -59,7 +56,7 @@ std::vector<ProfileShape> made_pieces(const ProfileShape& shape) {
     double least = HUGE_VAL;
     for (const std::vector<MechanismPoint>& piece : profile_pieces(second, rim_samples))
         for (const MechanismPoint& point : piece) least = std::min(least, point.contact.norm());
-    second.cam.dimensions[static_cast<std::size_t>(second.formulas().base_radius_index())] = least;
+    second.cam.dimensions[second.formulas().base_radius_index()] = least;
     return {std::move(first), std::move(second)};
 }
 

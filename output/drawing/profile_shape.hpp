@@ -6,13 +6,7 @@
 // follower rises along +y; it turns with the cam, by σθ about +z. All points lie at z = 0.
 #pragma once
 
-#include "core/motion.hpp"
-#include "core/units.hpp"
 #include "output/view/view.hpp"
-#include "profiles/sampling.hpp"
-#include "scene/cam_mechanism.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/units.hpp"
 #include "output/drawing/cam_svg.hpp"
 #include "output/drawing/picture_page.hpp"
-#include "output/drawing/profile_shape.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 

@@ -2,28 +2,25 @@
 #include "output/exports/exports.hpp"
 
 #include "core/errors.hpp"
+#include "core/platform/files.hpp"
 #include "core/text/text_file.hpp"
+#include "core/version.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_export.hpp"
 #include "output/disk/disk_solid.hpp"
-#include "output/drawing/profile_shape.hpp"
 #include "output/json/certificate_json.hpp"
+#include "output/json/json_text.hpp"
 #include "output/page/page_html.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/sheet/sheet_files.hpp"
 #include "output/spatial/cam_export.hpp"
-#include "output/surface/triangle_mesh.hpp"
 #include "output/toolpath/tool_path_svg.hpp"
-#include "output/view/shown_units.hpp"
-#include "studies/delivered/delivered.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/ranges.h>
 
-#include <cstdlib>
-#include <stdlib.h>
 #include <system_error>
 
 namespace camopt {
@@ -47,12 +44,7 @@ std::vector<ProfileShape> pieces_of(const Solution& solution) {
 /// A folder of this process alone, for libraries that only write files; removed with its contents.
 class PassingFolder {
  public:
-    PassingFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "camopt-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw InputError(fmt::format("cannot create a folder like {}", name));
-        path_ = name;
-    }
+    PassingFolder() = default;
     ~PassingFolder() {
         std::error_code ignored;
         std::filesystem::remove_all(path_, ignored);
@@ -64,7 +56,7 @@ class PassingFolder {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-    std::filesystem::path path_;
+    std::filesystem::path path_ = make_temporary_folder();
 };
 
 /// The flanks of a three-dimensional cam as the file of that name; kind: a member of CamExportOptions.
@@ -86,13 +78,32 @@ std::string solid_bytes(const Plate& plate) {
     return read_text_file(file);
 }
 
+/// Of the finishing pass: chords, printed digits and the stock that is left, with a tenth more as room for
+/// the proof; of every move: how deep it may enter the finished cam.
+std::string program_claims(const std::string& name, const Solution& solution, const CheckedProgram& program,
+                           double stock) {
+    constexpr double room = 1.1, printed = 2e-8;  // m
+    const double chords = room * (program.chord_deviation + program.poses.tip_rounding) + printed + stock;
+    return export_check_json(solution, {{"camopt", version()},
+                                        {"kind", "nc"},
+                                        {"file", name + ".nc"},
+                                        {"departure",
+                                         {{"profile_mm", millimetres_shown.of(chords)},
+                                          {"gouge_mm", millimetres_shown.of(program.most_depth)}}}});
+}
+
 ExportedProgram checked(const std::string& name, const Solution& solution, const NcWork& work,
                         const Machine& machine, const NcChoice& choice) {
     PostProcessor post = generic_post(machine);
     if (!choice.post.empty()) post = read_post(choice.post, std::move(post));
     const CheckedProgram program = checked_program(machine, post, work);
-    return {name, program.program.text, nc_check_text(program),
+    return {name,
+            program.program.text,
+            nc_check_text(program),
             tool_path_svg(program, work, machine, {work.job.title, shown_units(solution.scene).length}),
+            solution.cam->cam.formulas->is_plane_curve()
+                ? program_claims(name, solution, program, choice.stock)
+                : "",
             program.fault()};
 }
 
@@ -100,7 +111,7 @@ ExportedProgram program_of_flanks(const Solution& solution, const NcChoice& choi
     const CamFlanks cam = solved_flanks(solution);
     const MotionChain turn = whole_turn(solution);
     NcExportOptions options;
-    static_cast<MillingOptions&>(options) = choice;
+    static_cast<MillingOptions&>(options) = static_cast<const MillingOptions&>(choice);
     options.title = export_title(solution);
     options.cutter_diameter = choice.cutter_diameter;
     options.z_offset = choice.z_offset;
@@ -115,7 +126,7 @@ ExportedProgram program_of_disk(const Solution& solution, const ProfileShape& sh
                                 const ExportOptions& choices) {
     const DrawingSpec drawing = drawing_of(solution, shape, choices.plate);
     DiskNcOptions options;
-    static_cast<MillingOptions&>(options) = choices.nc;
+    static_cast<MillingOptions&>(options) = static_cast<const MillingOptions&>(choices.nc);
     options.title = piece_title(solution, piece);
     options.cutter_diameter = choices.nc.cutter_diameter;
     options.thickness = drawing.thickness.value();
@@ -184,11 +195,11 @@ class Exports {
         add("motion.csv", [this] { return motion_csv(solution_); });
         add("motion.svg", [this] { return motion_svg(solution_); });
         for (const PlcFormat& format : plc_formats())
-            for (const std::string& name : {format.file, format.text_file})
+            for (const std::string& name : {format.file, format.text_file, plc_check_name(format)})
                 if (!name.empty()) add(name, [this, &format, name] { return plc_bytes(format, name); });
     }
     void add_plane() {
-        std::vector<std::string> names = {"profile.dxf"};
+        std::vector<std::string> names = {"profile.dxf", "profile.check.json"};
         for (const CamFile& file : cam_file_list(solution_)) names.push_back(file.name);
         for (const std::string& name : names)
             add(name, [this, name] {
@@ -209,6 +220,7 @@ class Exports {
         add(name + ".stl",
             [&shape, drawing, title] { return stl_bytes(disk_mesh(shape, drawing()).mesh, title); });
         add_program(name, piece);
+        add(name + ".check.json", [this, piece] { return sound_program(piece).claims; });
     }
     void add_flanks() {
         const std::pair<const char*, bool CamExportOptions::*> kinds[] = {
@@ -220,13 +232,7 @@ class Exports {
         add_program("cam", 0);
     }
     void add_program(const std::string& name, std::size_t piece) {
-        add(name + ".nc", [this, piece] {
-            const ExportedProgram& program = programs().at(piece);
-            if (!program.fault.empty())
-                throw InputError(
-                    fmt::format("{}.nc: the NC program is refused: {}", program.name, program.fault));
-            return program.program;
-        });
+        add(name + ".nc", [this, piece] { return sound_program(piece).program; });
         add(name + "_nc_check.txt", [this, piece] { return programs().at(piece).check; });
         add(name + "_nc.svg", [this, piece] { return programs().at(piece).picture; });
     }
@@ -236,6 +242,13 @@ class Exports {
             throw InputError(fmt::format("points: found {}; allowed: 2 to {}", points, most_points));
         const PlcExport exported = plc_export(solution_, {format.key}, options_.plc);
         return std::ranges::find(exported.files, name, &PlcFile::name)->text;
+    }
+    [[nodiscard]] const ExportedProgram& sound_program(std::size_t piece) const {
+        const ExportedProgram& program = programs().at(piece);
+        if (!program.fault.empty())
+            throw InputError(
+                fmt::format("{}.nc: the NC program is refused: {}", program.name, program.fault));
+        return program;
     }
     [[nodiscard]] const std::vector<ExportedProgram>& programs() const {
         if (!programs_) programs_ = nc_programs(solution_, options_);

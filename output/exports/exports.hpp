@@ -6,6 +6,7 @@
 //   with a motion          motion.csv, motion.svg; an electronic cam of each controller (codesys.st, …,
 //                          output/plc/plc_format.hpp)
 //   plane cam              its points and pictures (output/report/cam_files.hpp), profile.dxf
+//   of these and cam.nc    NAME.check.json (docs/certificates.md)
 //   disk cam               drawing.pdf, drawing.svg, drawing.dxf (workshop drawing), cam.step, cam.stl,
 //   cam.nc,
 //                          cam_nc_check.txt, cam_nc.svg; of the second disk of a conjugate cam
@@ -15,14 +16,10 @@
 // m, rad, s in options; files are in mm and degrees. No file depends on another, nothing is solved.
 #pragma once
 
-#include "output/json/result_json.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 #include "output/plc/plc_format.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/sheet/cam_sheet.hpp"
-#include "studies/delivered/solution.hpp"
-
-#include <filesystem>
 
 namespace camopt {
 
@@ -50,6 +47,7 @@ struct ExportedProgram {
     std::string program;  ///< G-code
     std::string check;    ///< words for a machinist
     std::string picture;  ///< SVG: the path of the cutter
+    std::string claims;   ///< NAME.check.json; empty: none is made of such a cam
     std::string fault;    ///< why it must not run; empty: no reason was found
 };
 

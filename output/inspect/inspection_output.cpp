@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/inspect/inspection_output.hpp"
 
-#include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/chart/chart.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/json/json_text.hpp"
 #include "output/page/page_html.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -68,7 +66,7 @@ Json inspection_json(const Inspection& found, const std::string& title) {
          {unit.named("eccentricity_x"), unit},
          {unit.named("eccentricity_y"), unit}}};
     for (int k = 0; k < found.fitted; ++k) {
-        const auto& [name, shown] = parameters[static_cast<std::size_t>(k)];
+        const auto& [name, shown] = parameters[k];
         json["alignment"].push_back({{"alignment", name},
                                      {"value", shown.of(found.alignment[k])},
                                      {"standard_error", shown.of(found.error[k])}});

@@ -5,8 +5,6 @@
 #include "output/json/json_text.hpp"
 #include "solvers/certificate/box_proof.hpp"
 
-#include <map>
-
 namespace camopt {
 
 namespace {
@@ -56,7 +54,7 @@ Json cases_json(const std::vector<CaseProof>& cases) {
     std::map<const DualityProof*, int> written;
     Json list = Json::array();
     for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
-        const CaseProof& part = cases[static_cast<std::size_t>(i)];
+        const CaseProof& part = cases[i];
         const auto [known, fresh] = written.try_emplace(part.proof.get(), i);
         list.push_back({{"region", part.region},
                         {"infeasible", part.infeasible},

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
-#include "core/text/names.hpp"
 #include "core/text/text_file.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/json_text.hpp"
 #include "solvers/certificate/box_proof.hpp"
 
 #include <fmt/format.h>
-
-#include <initializer_list>
 
 namespace camopt {
 

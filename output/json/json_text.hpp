@@ -3,11 +3,8 @@
 // number that is not finite. Private to output/: the JSON library stays out of the public headers.
 #pragma once
 
-#include "core/numbers/extremum.hpp"
-#include "splines/motion_chain.hpp"
 #include "studies/delivered/solution.hpp"
 
-#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
 namespace camopt {
@@ -31,6 +28,10 @@ using Json = nlohmann::ordered_json;
 /// The delivered motion, complete: its splines as the polynomials they are, and how the parts are chained;
 /// input/result/ reads it back. Parts that share a spline name the same curve.
 [[nodiscard]] Json motion_json(const MotionChain& motion);
+
+/// NAME.check.json of an exported file: its claims, and the design that they compare it with. What
+/// scripts/verify-export reads (docs/certificates.md).
+[[nodiscard]] std::string export_check_json(const Solution& solution, Json claims);
 
 /// Breakpoints, knots and control points over x; null where there is none.
 [[nodiscard]] Json spline_json(const std::optional<SplineCurve>& curve);

@@ -6,7 +6,6 @@
 #include "output/view/columns.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/view/tables.hpp"
-#include "scene/cost_table.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/search/plan.hpp"
@@ -274,6 +273,15 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
         json["seconds"][phase.name] = number_json(solution.phases.*phase.seconds);
     json["notes"] = solution.notes;
     return json_text(json);
+}
+
+std::string export_check_json(const Solution& solution, Json claims) {
+    const Json cam = cam_json(solution);
+    claims["design"] = {{"reference", reference_json(solution)},
+                        {"segments", segments_json(solution)},
+                        {"motion", motion_json(*solution.motion)},
+                        {"cam", cam.is_null() ? cam : Json{{"dimensions", cam["dimensions"]}}}};
+    return json_text(claims);
 }
 
 }  // namespace camopt

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "core/motion.hpp"
-#include "core/units.hpp"
 #include "motions/laws/law.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/shown_units.hpp"
 #include "output/view/tables.hpp"
-#include "splines/curve.hpp"
 
 #include <fmt/format.h>
 

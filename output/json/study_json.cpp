@@ -5,7 +5,6 @@
 #include "output/json/json_text.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/study_text.hpp"
-#include "studies/delivered/scene_limits.hpp"
 
 namespace camopt {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/sweep_json.hpp"
 
-#include "core/errors.hpp"
 #include "output/json/json_text.hpp"
 
 #include <fmt/format.h>

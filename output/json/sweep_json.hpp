@@ -4,7 +4,6 @@
 
 #include "studies/surface/trade_off_surface.hpp"
 #include "studies/sweep/sweep_plan.hpp"
-#include "studies/sweep/sweep_row.hpp"
 
 namespace camopt {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/valve_json.hpp"
 
-#include "core/units.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/shown_units.hpp"
 

@@ -8,8 +8,6 @@
 #include "output/machine/machine_view.hpp"
 #include "output/page/page_html.hpp"
 #include "output/plc/plc_export.hpp"
-#include "output/report/result_folder.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 

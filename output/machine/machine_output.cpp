@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/machine/machine_output.hpp"
 
-#include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/json_text.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +20,7 @@ double degrees(double angle) {
 }
 
 const std::string& axis_name(const MachineSolution& solution, int index) {
-    return solution.spec.axes[static_cast<std::size_t>(index)].name;
+    return solution.spec.axes[index].name;
 }
 
 Json limited_json(const MachineSolution& solution) {

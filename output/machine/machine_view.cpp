@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "output/machine/machine_view.hpp"
 
-#include "core/errors.hpp"
 #include "core/text/printable.hpp"
-#include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/chart/chart.hpp"
 #include "output/view/key_words.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -78,7 +74,7 @@ Curve clearance_curve(const MachineView& view, std::size_t index, const std::vec
     for (const double angle : view.angles) {
         double sum = 0.0;
         for (std::size_t k = 0; k < spec.axes.size(); ++k)
-            sum += spec.factors[k] * along[static_cast<std::size_t>(spec.axes[k])].at(angle * units::degree);
+            sum += spec.factors[k] * along[spec.axes[k]].at(angle * units::degree);
         curve.values.push_back(sum / spec.unit_value);
     }
     const double at = spec.at_least / spec.unit_value;

@@ -4,8 +4,6 @@
 #include "core/units.hpp"
 #include "output/nc/requirement.hpp"
 
-#include <fmt/format.h>
-
 namespace camopt {
 
 namespace {
@@ -62,10 +60,6 @@ void Blank::validate() const {
 double Blank::support(const Eigen::Vector3d& direction) const {
     return radius * std::hypot(direction.x(), direction.y()) +
            std::max(direction.z() * lower, direction.z() * upper);
-}
-
-double Blank::reach() const {
-    return std::hypot(radius, std::max(std::abs(lower), std::abs(upper)));
 }
 
 void BlankChoice::validate() const {

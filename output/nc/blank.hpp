@@ -8,8 +8,6 @@
 
 #include "output/nc/machine.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 struct Blank {
@@ -20,7 +18,9 @@ struct Blank {
     /// The greatest d · p of its points; `direction` need not be a unit vector.
     [[nodiscard]] double support(const Eigen::Vector3d& direction) const;
     /// From the origin of the cam frame to its farthest point.
-    [[nodiscard]] double reach() const;
+    [[nodiscard]] double reach() const {
+        return std::hypot(radius, std::max(std::abs(lower), std::abs(upper)));
+    }
 };
 
 /// What the user says of a blank; the rest is the cam's extent and the allowance.

@@ -2,7 +2,6 @@
 #include "output/nc/checked_program.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 
 #include <fmt/format.h>
 

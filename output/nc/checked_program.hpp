@@ -5,13 +5,8 @@
 
 #include "output/nc/block_angles.hpp"
 #include "output/nc/cutter_compensation.hpp"
-#include "output/nc/finished_cam.hpp"
 #include "output/nc/nc_check.hpp"
-#include "output/nc/nc_program.hpp"
 #include "output/nc/nc_travel.hpp"
-#include "output/nc/post_processor.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -9,11 +9,7 @@
 #pragma once
 
 #include "output/nc/finished_cam.hpp"
-#include "output/nc/machine.hpp"
 #include "output/nc/nc_program.hpp"
-#include "output/nc/nc_reader.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -15,7 +15,6 @@
 #pragma once
 
 #include "output/nc/blank.hpp"
-#include "output/nc/machine.hpp"
 
 namespace camopt {
 

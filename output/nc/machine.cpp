@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/machine.hpp"
 
-#include "core/errors.hpp"
 #include "output/nc/requirement.hpp"
-
-#include <fmt/format.h>
 
 namespace camopt {
 

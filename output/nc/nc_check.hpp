@@ -12,10 +12,7 @@
 // m, rad, s.
 #pragma once
 
-#include "output/nc/machine.hpp"
 #include "output/nc/nc_reader.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/nc_program.hpp"
 
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/nc/cutter_compensation.hpp"
 #include "output/nc/nc_writer.hpp"
 #include "output/nc/requirement.hpp"
-
-#include <fmt/format.h>
 
 #include <charconv>
 

@@ -13,11 +13,7 @@
 #pragma once
 
 #include "output/nc/blank.hpp"
-#include "output/nc/machine.hpp"
 #include "output/nc/nc_reader.hpp"
-#include "output/nc/post_processor.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

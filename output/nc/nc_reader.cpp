@@ -2,7 +2,6 @@
 #include "output/nc/nc_reader.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 
 #include <fmt/format.h>
 

@@ -7,10 +7,7 @@
 // line: a check that skips what it does not know checks nothing.
 #pragma once
 
-#include "output/nc/machine.hpp"
 #include "output/nc/post_processor.hpp"
-
-#include <Eigen/Core>
 
 namespace camopt {
 

@@ -2,7 +2,6 @@
 #include "output/nc/nc_travel.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/nc/cutter_compensation.hpp"
 
 #include <fmt/format.h>

@@ -13,9 +13,7 @@
 // the piece within L / 2. Pieces are halved until that decides. m, rad.
 #pragma once
 
-#include "output/nc/blank.hpp"
 #include "output/nc/finished_cam.hpp"
-#include "output/nc/machine.hpp"
 #include "output/nc/nc_reader.hpp"
 
 namespace camopt {

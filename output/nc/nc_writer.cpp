@@ -2,7 +2,6 @@
 #include "output/nc/nc_writer.hpp"
 
 #include "core/text/printable.hpp"
-#include "core/units.hpp"
 
 #include <fmt/format.h>
 
@@ -79,6 +78,14 @@ std::string NcWriter::axis_word(std::size_t axis, double value, bool always) {
     return word;
 }
 
+/// "X = x", of other signs and origins "A = -rotary + 180": how the program's numbers follow from the cam.
+std::string NcWriter::axis_formula(const MachineAxis& axis) const {
+    const PostAxis& post = post_axis(post_, axis);
+    const double offset = post.offset / printed_unit(post_, axis.kind);
+    return fmt::format("{} = {}{}", post.letter, post.sign < 0 ? "-" : "", axis.key) +
+           (offset == 0.0 ? "" : fmt::format(" {} {:g}", offset < 0.0 ? '-' : '+', std::abs(offset)));
+}
+
 std::string NcWriter::axis_words(const Eigen::VectorXd& values) {
     std::string words;
     for (std::size_t i = 0; i < machine_.axes().size(); ++i)
@@ -102,8 +109,8 @@ void NcWriter::begin(const NcJob& job, double plane) {
     comment(fmt::format("machine: {}, post-processor: {}", machine_.name(), post_.name));
     std::string letters;
     for (const MachineAxis& axis : machine_.axes())
-        letters += fmt::format("{}{} = {} in {}", letters.empty() ? "" : ", ", post_axis(post_, axis).letter,
-                               axis.key, axis.kind == AxisKind::linear ? length : "deg");
+        letters += fmt::format("{}{} in {}", letters.empty() ? "" : ", ", axis_formula(axis),
+                               axis.kind == AxisKind::linear ? length : "deg");
     comment(letters);
     comment(post_.feed_mode == FeedMode::inverse_time
                 ? "feed: G93, F = 1 / minutes of the block, plunging: G94"
@@ -156,14 +163,6 @@ void NcWriter::along_the_tool(double height, double feed) {
     line("G1" + axis_word(2, height, true) + " F" + number(per_minute, post_.feed_decimals));
 }
 
-void NcWriter::plunge(const NcStep& first, double feed) {
-    along_the_tool(first.values(2), feed);
-}
-
-bool NcWriter::mirrored() const {
-    return post_axis(post_, machine_.axes()[0]).sign * post_axis(post_, machine_.axes()[1]).sign < 0;
-}
-
 /// I and J: from where the block begins.
 std::string NcWriter::arc_words(const NcArc& arc) const {
     const double unit = metres_of(post_.unit);
@@ -179,10 +178,6 @@ std::string NcWriter::arc_words(const NcArc& arc) const {
 void NcWriter::compensate(CompensationSide side, int offset_register) {
     const bool left = (side == CompensationSide::left) != mirrored();
     before_block_ = fmt::format("{} D{} ", left ? "G41" : "G42", offset_register);
-}
-
-void NcWriter::end_compensation() {
-    before_block_ = "G40 ";
 }
 
 void NcWriter::cut(const NcStep& step, double seconds, double feed, const NcArc* arc) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/version.hpp"
-#include "output/page/page_html.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/view/peak_comparison.hpp"
-#include "output/view/tables.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The cam and its mechanism at every cam angle, from what the leaf of its kind says of itself: points, how
 // far the cam frame has turned, parts.
-#include "core/units.hpp"
 #include "core/word_of.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/number_text.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <Eigen/Geometry>
@@ -152,8 +150,7 @@ Json circles_of(const PlaneCourse& course) {
     all.push_back({{"name", "base circle"}, {"radius", rounded_json(course.length.of(base))}});
     if (const int roller = formulas.roller_radius(); roller >= 0)
         all.push_back({{"name", "prime circle"},
-                       {"radius", rounded_json(course.length.of(
-                                      base + course.cam().dimensions[static_cast<std::size_t>(roller)]))}});
+                       {"radius", rounded_json(course.length.of(base + course.cam().dimensions[roller]))}});
     return all;
 }
 

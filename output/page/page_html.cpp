@@ -14,6 +14,9 @@ namespace {
 constexpr std::array page_scripts = {"assets/charts.js", "assets/drawing.js", "assets/solid.js",
                                      "assets/tables.js", "assets/study.js",   "assets/page.js"};
 
+/// Added to the sources of scripts.
+constexpr const char* engine_policy = " 'wasm-unsafe-eval'; worker-src blob:";
+
 /// "<" begins nothing then: no end of the script, no comment. What a terminal would obey is escaped as JSON
 /// does it.
 std::string script_json(std::string_view text) {
@@ -70,6 +73,11 @@ std::string filled(std::string_view skeleton, const std::vector<PagePart>& parts
 
 }  // namespace
 
+std::string page_block(const PageBlock& block) {
+    return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>", block.id,
+                       script_json(block.json));
+}
+
 std::string page_html(const PageHtml& page) {
     std::string styles = style(page_asset("vendor/uPlot.min.css")) + style(page_asset("assets/page.css"));
     for (const std::string& text : page.styles) styles += style(text);
@@ -79,11 +87,16 @@ std::string page_html(const PageHtml& page) {
     if (page.solids) scripts += script(page_asset("vendor/three.min.js"), page.nonce);
     for (const char* const name : page_scripts) scripts += script(page_asset(name), page.nonce);
     for (const std::string& text : page.scripts) scripts += script(text, page.nonce);
-    return filled(page_asset("assets/page.html"), {{"@CONNECT@", xml_text(page.connect)},
+    std::string blocks;
+    for (const PageBlock& block : page.blocks) blocks += page_block(block) + "\n";
+    if (!page.engine.empty())
+        scripts += fmt::format("<script type=\"text/plain\" id=\"engine\">{}</script>\n", page.engine);
+    return filled(page_asset("assets/page.html"), {{"@ENGINE@", page.engine.empty() ? "" : engine_policy},
+                                                   {"@CONNECT@", xml_text(page.connect)},
                                                    {"@TITLE@", xml_text(page.title)},
                                                    {"@STYLES@", std::move(styles)},
                                                    {"@DATA@", script_json(page.data)},
-                                                   {"@SCRIPTS@", std::move(scripts)}});
+                                                   {"@SCRIPTS@", blocks + scripts}});
 }
 
 std::string report_html(const View& view, const RunOrigin& origin) {

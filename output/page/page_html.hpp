@@ -44,11 +44,8 @@
 //   scene         file, text (TOML), lines[] (the scene in words)
 #pragma once
 
-#include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/tables.hpp"
-#include "output/view/view.hpp"
-#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 
@@ -92,6 +89,12 @@ struct PageDataOptions {
 // A page as one HTML file that loads nothing from anywhere: styles, scripts and data stand in it. Its policy
 // (Content-Security-Policy) lets it load nothing either, regardless of the data.
 
+/// JSON for the page's scripts, as the text of an element; what could end it is written otherwise.
+struct PageBlock {
+    std::string id, json;
+};
+[[nodiscard]] std::string page_block(const PageBlock& block);
+
 struct PageHtml {
     std::string title;
     std::string data;     ///< JSON (page_html.hpp); any text: what could end a script is written otherwise
@@ -102,6 +105,9 @@ struct PageHtml {
     std::string connect = "'none'";
     /// Of the scripts, for a policy that a server sends; empty: none.
     std::string nonce = {};
+    std::vector<PageBlock> blocks = {};
+    /// A WebAssembly module for a Worker, gzip, base64: the last element of the page. Empty: none may run.
+    std::string engine = {};
 };
 
 [[nodiscard]] std::string page_html(const PageHtml& page);

@@ -3,10 +3,7 @@
 #pragma once
 
 #include "output/json/json_text.hpp"
-#include "output/json/result_json.hpp"
 #include "output/page/page_html.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/view.hpp"
 
 namespace camopt {
 
@@ -38,11 +35,13 @@ class StudyPage {
 
     /// headline, and sentences below it; tone as in page_html.hpp.
     void set_verdict(std::string_view tone, std::string_view headline,
-                     const std::vector<std::string>& sentences);
+                     const std::vector<std::string>& sentences) {
+        page_["verdict"] = {{"key", tone}, {"tone", tone}, {"headline", headline}, {"sentences", sentences}};
+    }
     void add_item(std::string_view name, int number, std::string_view tone);
     /// One value an item, in their order.
     void add_column(std::string_view key, std::string_view title, Json values, bool left = false);
-    void set_axes(std::string_view x, std::string_view y);
+    void set_axes(std::string_view x, std::string_view y) { page_["axes"] = {{"x", x}, {"y", y}}; }
     void set_picture(std::string_view svg);
     void set_overlay(Json overlay) { page_["overlay"] = std::move(overlay); }
     /// The scene as text, and of every item the settings KEY=VALUE that make its own of it; none: it has
@@ -51,7 +50,9 @@ class StudyPage {
                     std::span<const std::optional<std::vector<std::string>>> settings);
     /// Instead of scenes: what a click says, and the command that solves an item's scene but for the settings
     /// in the item's name ("row 7: KEY=VALUE, KEY=VALUE").
-    void set_without_scenes(std::string_view words, std::string_view command);
+    void set_without_scenes(std::string_view words, std::string_view command) {
+        page_["without_scenes"] = {{"words", words}, {"command", command}};
+    }
     /// The whole page.
     [[nodiscard]] std::string html() const;
 

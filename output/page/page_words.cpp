@@ -5,12 +5,9 @@
 #include "output/page/page_parts.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
-#include "output/view/tables.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
-#include "studies/compare/comparison.hpp"
 
 #include <fmt/ranges.h>
 
@@ -136,7 +133,7 @@ Json figures_part(const Solution& solution) {
         all.push_back({{"name", name}, {"value", value}, {"at", degrees_at(solution, x) + " deg"}});
     };
     for (int order = 1; order <= 3; ++order) {
-        const ShownDerivative& shown = units.motion[static_cast<std::size_t>(order)];
+        const ShownDerivative& shown = units.motion[order];
         const Extremum peak = signed_peaks(solution, order).largest;
         add("peak " + shown.name, shown.first.normalised_text(peak.value, value_digits), peak.at);
     }

@@ -3,12 +3,8 @@
 
 #include "output/csv/sweep_csv.hpp"
 #include "output/page/page_parts.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
-#include "scene/cost_table.hpp"
-#include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/ranges.h>
 
@@ -91,7 +87,7 @@ std::vector<std::string> front_settings(const FrontPoint& point, const FrontRequ
             settings.push_back(
                 setting_text(fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(d))), weight));
     if (!point.cap) return settings;
-    const FrontGoal& capped = request.goals[static_cast<std::size_t>(1 - point.minimized)];
+    const FrontGoal& capped = request.goals[1 - point.minimized];
     if (const auto* const figure = std::get_if<FrontFigure>(&capped)) {
         settings.push_back(setting_text(fmt::format("limits.{}", name_of(*figure)), *point.cap));
     } else if (scene.cam) {

@@ -20,7 +20,6 @@
 #include "output/chart/sweep/sweep_svg.hpp"
 #include "output/json/result_json.hpp"
 #include "output/json/sweep_json.hpp"
-#include "studies/compare/comparison.hpp"
 
 namespace camopt {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/version.hpp"
 #include "input/scene_reader.hpp"
-#include "output/page/page_html.hpp"
 #include "output/page/page_parts.hpp"
 
 #include <fmt/format.h>
@@ -49,11 +48,6 @@ StudyPage::StudyPage(std::string_view kind, std::string_view title) {
              {"scene", nullptr}};
 }
 
-void StudyPage::set_verdict(std::string_view tone, std::string_view headline,
-                            const std::vector<std::string>& sentences) {
-    page_["verdict"] = {{"key", tone}, {"tone", tone}, {"headline", headline}, {"sentences", sentences}};
-}
-
 void StudyPage::add_item(std::string_view name, int number, std::string_view tone) {
     page_["items"]["names"].push_back(name);
     page_["items"]["numbers"].push_back(number);
@@ -63,10 +57,6 @@ void StudyPage::add_item(std::string_view name, int number, std::string_view ton
 void StudyPage::add_column(std::string_view key, std::string_view title, Json values, bool left) {
     page_["columns"].push_back(
         {{"key", key}, {"title", title}, {"left", left}, {"values", std::move(values)}});
-}
-
-void StudyPage::set_axes(std::string_view x, std::string_view y) {
-    page_["axes"] = {{"x", x}, {"y", y}};
 }
 
 void StudyPage::set_picture(std::string_view svg) {
@@ -95,10 +85,6 @@ void StudyPage::set_scenes(const RunOrigin& origin,
         edits.push_back(edits_between(base, text));
     }
     if (!base.empty()) page_["scenes"]["edits"] = std::move(edits);
-}
-
-void StudyPage::set_without_scenes(std::string_view words, std::string_view command) {
-    page_["without_scenes"] = {{"words", words}, {"command", command}};
 }
 
 std::string StudyPage::html() const {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/plc/cam_pieces.hpp"
 
-#include "core/errors.hpp"
 #include "core/numbers/polynomial.hpp"
-#include "core/units.hpp"
 #include "output/view/shown_units.hpp"
 #include "splines/curve.hpp"
 
@@ -93,8 +91,7 @@ double shape_place(const SplineCurve& curve, double own) {
 }
 
 constexpr double same_joint_degree = 1e-9;  // joints of motion and table that are one but for rounding
-constexpr int law_places = 64;
-constexpr int law_sections = 60;
+constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();  // of the numbers that are added
 
 void keep_larger(CamDifference& largest, const CamDifference& found) {
     if (found.value > largest.value) largest = found;
@@ -111,48 +108,91 @@ Eigen::VectorXd scaled_difference(const std::vector<double>& a, const std::vecto
     return difference;
 }
 
+std::vector<double> magnitudes(std::vector<double> numbers, double sign = 1.0) {
+    for (double& number : numbers) number = sign * std::abs(number);
+    return numbers;
+}
+
+double magnitude(const Interval& range) {
+    return std::max(-range.lower, range.upper);
+}
+
 CamDifference polynomial_difference(const std::vector<double>& exact, const CamPiece& piece,
                                     const MasterStretch& stretch, int order) {
     const double h = stretch.to - stretch.from;
-    Eigen::VectorXd d = scaled_difference(exact, polynomial_about(piece, stretch.from), h);
+    const std::vector<double> about = polynomial_about(piece, stretch.from);
+    Eigen::VectorXd d = scaled_difference(exact, about, h);
+    Eigen::VectorXd sizes = rounding * scaled_difference(magnitudes(exact), magnitudes(about, -1.0), h);
     double scale = 1.0;
-    for (int r = 0; r < order; ++r, scale /= h) d = differentiated(d);
+    for (int r = 0; r < order; ++r, scale /= h) {
+        d = differentiated(d);
+        sizes = differentiated(sizes);
+    }
     std::vector<double> places = sign_changes(differentiated(d), 0.0, 1.0);
     places.insert(places.end(), {0.0, 1.0});
     CamDifference largest{0.0, stretch.from};
     for (const double u : places)
         keep_larger(largest, {scale * std::abs(evaluate_polynomial(d, u)), stretch.from + u * h});
+    largest.value += scale * sizes.sum();
     return largest;
 }
 
-CamDifference searched_difference(const MasterCurve& curve, const CamPiece& piece,
-                                  const MasterStretch& stretch, int order) {
-    const double h = stretch.to - stretch.from;
-    const auto difference = [&](double u) {
-        const double theta = u >= 1.0 ? stretch.to : stretch.from + u * h;
-        const Side inside = u > 0.5 ? Side::left : Side::right;  // at an end, and within rounding of it
-        return std::abs(curve.at(theta, inside)[static_cast<std::size_t>(order)] -
-                        value_of(piece, theta, order));
-    };
-    CamDifference largest{difference(0.0), stretch.from};
-    keep_larger(largest, {difference(1.0), stretch.to});
-    std::array<double, law_places + 1> at{};
-    for (int i = 0; i <= law_places; ++i)
-        at[static_cast<std::size_t>(i)] = difference(static_cast<double>(i) / law_places);
-    for (std::size_t i = 0; i <= law_places; ++i) {
-        const std::size_t below = i == 0 ? 0 : i - 1, above = std::min<std::size_t>(i + 1, law_places);
-        if (at[i] < at[below] || at[i] < at[above]) continue;
-        const GoldenSection top = golden_maximum(difference, static_cast<double>(below) / law_places,
-                                                 static_cast<double>(above) / law_places, law_sections);
-        keep_larger(largest, {top.value(), stretch.from + top.place() * h});
+/// |d|, d = motion − piece of that order, over a part of the stretch, from its middle m and half its width w:
+/// Σ |d^(k)(m)| w^(k−r) / (k−r)! to k = 3, and the largest |d''''| for the rest.
+struct LawPart {
+    double from = 0.0, to = 0.0, bound = 0.0, in_the_middle = 0.0;
+
+    LawPart(const MasterCurve& curve, const CamPiece& piece, const MasterStretch& part, int order)
+        : from(part.from), to(part.to) {
+        const double middle = 0.5 * (from + to), w = 0.5 * (to - from);
+        const std::array<Interval, 5> over = curve.ranges(part);
+        const std::array<double, 4> own = curve.at(middle, Side::left);
+        const CamPiece sizes{piece.begin, piece.end, magnitudes(piece.coefficients)};
+        double weight = 1.0;
+        for (int k = order; k < 4; ++k) {
+            const double lost =
+                rounding * (magnitude(over[k]) + value_of(sizes, middle, k) + (k == 0 ? curve.lift() : 0.0));
+            const double here = std::abs(own[k] - value_of(piece, middle, k)) + lost;
+            if (k == order) in_the_middle = here;
+            bound += weight * here;
+            weight *= w / (k - order + 1);
+        }
+        Interval fourth(0.0);
+        for (int k = piece.degree(); k >= 4; --k)
+            fourth = fourth * Interval(from - piece.begin, to - piece.begin) +
+                     Interval(piece.coefficients[k] * k * (k - 1) * (k - 2) * (k - 3));
+        bound += weight * magnitude(over[4] - fourth);
     }
-    return largest;
+};
+
+/// A proved bound, above the largest value found by at most `close`. The part with the largest bound is
+/// halved, as long as it is above what is known.
+CamDifference enclosed_difference(const MasterCurve& curve, const CamPiece& piece,
+                                  const MasterStretch& stretch, int order, double known) {
+    constexpr double close = 0.02;
+    constexpr std::size_t most_parts = 4000;
+    std::vector<LawPart> parts = {{curve, piece, stretch, order}};
+    double found = 0.0;
+    while (true) {
+        const LawPart worst = parts.front();
+        found = std::max(found, worst.in_the_middle);
+        if (worst.bound <= std::max(known, (1.0 + close) * found) || parts.size() == most_parts)
+            return {worst.bound, 0.5 * (worst.from + worst.to)};
+        std::ranges::pop_heap(parts, {}, &LawPart::bound);
+        parts.pop_back();
+        const double middle = 0.5 * (worst.from + worst.to);
+        for (const MasterStretch& half :
+             {MasterStretch{worst.from, middle}, MasterStretch{middle, worst.to}}) {
+            parts.emplace_back(curve, piece, half, order);
+            std::ranges::push_heap(parts, {}, &LawPart::bound);
+        }
+    }
 }
 
 CamDifference difference_without_joint(const MasterCurve& curve, const CamPiece& piece,
-                                       const MasterStretch& stretch, int order) {
+                                       const MasterStretch& stretch, int order, double known) {
     const std::vector<double> exact = curve.polynomial(stretch.from, Side::right);
-    return exact.empty() ? searched_difference(curve, piece, stretch, order)
+    return exact.empty() ? enclosed_difference(curve, piece, stretch, order, known)
                          : polynomial_difference(exact, piece, stretch, order);
 }
 
@@ -176,7 +216,7 @@ double value_of(const CamPiece& piece, double theta, int order) {
     const double t = theta - piece.begin;
     double value = 0.0;
     for (int k = piece.degree(); k >= order; --k) {
-        double factor = piece.coefficients[static_cast<std::size_t>(k)];
+        double factor = piece.coefficients[k];
         for (int i = 0; i < order; ++i) factor *= k - i;
         value = value * t + factor;
     }
@@ -193,25 +233,30 @@ std::vector<double> polynomial_about(const CamPiece& piece, double theta) {
     return coefficients;
 }
 
+// What the controller would make of the numbers without rounding: differences of near ones lose digits.
+using Wide = long double;
+
 CamPiece cubic_between(const EndState& from, const EndState& to) {
-    const double h = to.theta - from.theta, rise = to.s - from.s;
+    const Wide h = Wide(to.theta) - from.theta, rise = Wide(to.s) - from.s;
+    const Wide v0 = from.v, v1 = to.v;
     return {from.theta,
             to.theta,
-            {from.s, from.v, (3.0 * rise / h - 2.0 * from.v - to.v) / h,
-             (from.v + to.v - 2.0 * rise / h) / (h * h)}};
+            {from.s, from.v, static_cast<double>((3 * rise / h - 2 * v0 - v1) / h),
+             static_cast<double>((v0 + v1 - 2 * rise / h) / (h * h))}};
 }
 
 CamPiece quintic_between(const EndState& from, const EndState& to) {
-    const double h = to.theta - from.theta;
+    const Wide h = Wide(to.theta) - from.theta;
     // What the parabola of the begin leaves open at the end, each by its own power of h.
-    const double s = to.s - from.s - h * (from.v + h * from.a / 2.0);
-    const double v = h * (to.v - from.v - h * from.a);
-    const double a = h * h * (to.a - from.a);
-    return {
-        from.theta,
-        to.theta,
-        {from.s, from.v, from.a / 2.0, (10.0 * s - 4.0 * v + 0.5 * a) / (h * h * h),
-         (-15.0 * s + 7.0 * v - a) / (h * h * h * h), (6.0 * s - 3.0 * v + 0.5 * a) / (h * h * h * h * h)}};
+    const Wide s = to.s - (from.s + h * (from.v + h * from.a / 2));
+    const Wide v = h * (to.v - (from.v + h * from.a));
+    const Wide a = h * h * (Wide(to.a) - from.a);
+    const Wide cube = h * h * h;
+    return {from.theta,
+            to.theta,
+            {from.s, from.v, from.a / 2.0, static_cast<double>((10 * s - 4 * v + a / 2) / cube),
+             static_cast<double>((-15 * s + 7 * v - a) / (cube * h)),
+             static_cast<double>((6 * s - 3 * v + a / 2) / (cube * h * h))}};
 }
 
 std::vector<CamPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& options) {
@@ -290,8 +335,17 @@ std::vector<double> MasterCurve::polynomial(double theta, Side side) const {
     return coefficients;
 }
 
-double MasterCurve::travel() const {
-    return at(end(), Side::left)[0] - at(0.0, Side::right)[0];
+std::array<Interval, 5> MasterCurve::ranges(const MasterStretch& stretch) const {
+    const double from = place(stretch.from), to = place(stretch.to);
+    const auto part = std::ranges::find_if(
+        turn_.parts(), [middle = 0.5 * (from + to)](const ChainPart& one) { return middle < one.end; });
+    const auto own = ranges_of(*part, {from, to});
+    if (!own) throw InputError("an electronic cam: a law without enclosures");
+    std::array<Interval, 5> found;
+    double scale = lift_;
+    for (std::size_t r = 0; r < found.size(); ++r, scale /= degrees_per_x_)
+        found[r] = Interval(scale) * (*own)[r];
+    return found;
 }
 
 bool MasterCurve::closes() const {
@@ -300,15 +354,19 @@ bool MasterCurve::closes() const {
 }
 
 CamDifference largest_difference(const MasterCurve& curve, const CamPiece& piece,
-                                 const MasterStretch& stretch, int order) {
+                                 const MasterStretch& stretch, int order, double known) {
     CamDifference largest{0.0, stretch.from};
+    const auto add = [&](const MasterStretch& part) {
+        keep_larger(largest,
+                    difference_without_joint(curve, piece, part, order, std::max(known, largest.value)));
+    };
     double from = stretch.from;
     for (const double joint : curve.breakpoints()) {
         if (joint <= from + same_joint_degree || joint >= stretch.to - same_joint_degree) continue;
-        keep_larger(largest, difference_without_joint(curve, piece, {from, joint}, order));
+        add({from, joint});
         from = joint;
     }
-    keep_larger(largest, difference_without_joint(curve, piece, {from, stretch.to}, order));
+    add({from, stretch.to});
     return largest;
 }
 
@@ -324,8 +382,8 @@ std::array<CamDifference, 4> cam_loss(const MasterCurve& curve, const std::vecto
     for (const CamPiece& piece : pieces) {
         const MasterStretch stretch{joint_at(piece.begin), joint_at(piece.end)};
         for (int order = 0; order < orders; ++order)
-            keep_larger(largest[static_cast<std::size_t>(order)],
-                        largest_difference(curve, piece, stretch, order));
+            keep_larger(largest[order],
+                        largest_difference(curve, piece, stretch, order, largest[order].value));
     }
     return largest;
 }

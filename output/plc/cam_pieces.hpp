@@ -5,11 +5,14 @@
 // degree 3 its s, s': where the motion is a polynomial of no higher degree, the piece is that polynomial.
 #pragma once
 
-#include "core/numbers/extremum.hpp"
 #include "scene/scene.hpp"
 #include "splines/motion_chain.hpp"
 
 namespace camopt {
+
+struct MasterStretch {
+    double from = 0.0, to = 0.0;  ///< deg
+};
 
 // A delivered motion as an electronic cam sees it: the slave over the master, one revolution, dwells too.
 //
@@ -31,12 +34,15 @@ class MasterCurve {
     /// polynomial there (a law).
     [[nodiscard]] std::vector<double> polynomial(double theta, Side side) const;
 
+    /// Enclosures of s to s'''' along a stretch of a law between two breakpoints.
+    [[nodiscard]] std::array<Interval, 5> ranges(const MasterStretch& stretch) const;
+
     [[nodiscard]] double lift() const { return lift_; }  ///< mm or deg
     [[nodiscard]] bool swings() const { return swings_; }
     [[nodiscard]] const char* slave_unit() const { return swings_ ? "deg" : "mm"; }
     [[nodiscard]] double degrees_per_x() const { return degrees_per_x_; }
     /// The slave at the end less the slave at 0: 0 where the cam closes.
-    [[nodiscard]] double travel() const;
+    [[nodiscard]] double travel() const { return at(end(), Side::left)[0] - at(0.0, Side::right)[0]; }
     [[nodiscard]] bool closes() const;
 
  private:
@@ -82,22 +88,19 @@ struct FitOptions {
 // How far an electronic cam is from the motion it stands for: over one revolution, not at samples.
 //
 // On a stretch where the motion is a polynomial the difference is one, and its greatest magnitude is found
-// from the sign changes of its derivative: exact but for rounding. On a stretch of a law it is searched for
-// between 64 places, each top by golden sections. Units as in MasterCurve.
+// from the sign changes of its derivative. On a stretch of a law it is bounded by enclosures, at most a
+// fiftieth above the truth. What rounding may hide is added. Units as in MasterCurve.
 
 struct CamDifference {
     double value = 0.0;  ///< magnitude
     double at = 0.0;     ///< deg
 };
 
-struct MasterStretch {
-    double from = 0.0, to = 0.0;  ///< deg
-};
-
 /// Largest |motion − piece| of the derivative of that order (0 … 3) on a stretch. Without a breakpoint of the
-/// motion inside, but where stretches between them are looked at one after another.
+/// motion inside, but where stretches between them are looked at one after another. `known`: what need not be
+/// exceeded; a smaller difference is any bound below it.
 [[nodiscard]] CamDifference largest_difference(const MasterCurve& curve, const CamPiece& piece,
-                                               const MasterStretch& stretch, int order);
+                                               const MasterStretch& stretch, int order, double known = 0.0);
 
 /// Of the first `orders` of s, s', s'', s''' over the turn. Throws InputError where the pieces leave a gap,
 /// overlap, or do not go from 0 to the end.

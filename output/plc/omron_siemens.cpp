@@ -8,7 +8,6 @@
 //
 // A point stands every PhasePitch from the node before and at the node. Between points the table is straight,
 // so it has no acceleration. Phase 0, displacement 0 is its first point.
-#include "core/errors.hpp"
 #include "output/plc/plc_format.hpp"
 #include "output/plc/structured_text.hpp"
 
@@ -98,7 +97,7 @@ constexpr int profile_dwell = 2, profile_poly5 = 5;
 
 bool rests_throughout(const CamPiece& piece) {
     for (int k = 1; k <= piece.degree(); ++k)
-        if (piece.coefficients[static_cast<std::size_t>(k)] != 0.0) return false;
+        if (piece.coefficients[k] != 0.0) return false;
     return true;
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/plc/plc_export.hpp"
 
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "core/version.hpp"
+#include "output/json/json_text.hpp"
 #include "output/plc/structured_text.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
@@ -157,6 +155,12 @@ ordered_json format_json(const Solution& solution, const MasterCurve& curve, con
     return json;
 }
 
+std::string check_json(const Solution& solution, const MasterCurve& curve, const PlcResult& result) {
+    ordered_json json{{"camopt", version()}, {"kind", "electronic cam"}};
+    json.update(format_json(solution, curve, result));
+    return export_check_json(solution, std::move(json));
+}
+
 /// Lines without a comment sign.
 std::vector<std::string> plc_header(const Solution& solution, const MasterCurve& curve,
                                     const PlcResult& result) {
@@ -199,8 +203,7 @@ std::string plc_json(const Solution& solution, const MasterCurve& curve,
                         {"closes", curve.closes()}}},
                       {"formats", ordered_json::array()}};
     for (const PlcResult& result : results) json["formats"].push_back(format_json(solution, curve, result));
-    constexpr int indent = 2;
-    return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return json_text(json);
 }
 
 constexpr double lossless_displacement = 1e-12;  // of the lift
@@ -300,6 +303,7 @@ class PlcWriter {
         table.header = plc_header(solution_, curve_, result);
         files.push_back({format.file, format.write(table)});
         if (!format.text_file.empty()) files.push_back({format.text_file, format.write_text(table)});
+        files.push_back({plc_check_name(format), check_json(solution_, curve_, result)});
         return result;
     }
 
@@ -323,6 +327,10 @@ class PlcWriter {
 };
 
 }  // namespace
+
+std::string plc_check_name(const PlcFormat& format) {
+    return format.file.substr(0, format.file.rfind('.')) + ".check.json";
+}
 
 double figure_not_exceeded(double value) {
     if (!(value > 0.0)) return 0.0;

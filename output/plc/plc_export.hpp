@@ -11,11 +11,11 @@
 //     "degree", "units": {"master_deg", "slave"}, "slave_at_start", "verdict", "drift_per_turn",
 //     "loss": [{ "quantity": "s" | "v" | "a" | "j", "per_degree", "shown", "unit", "at_deg", "of_peak" }] }]
 //     }
+// NAME.check.json: the row of one format, "kind": "electronic cam", and its design (export_check_json).
 // per_degree: slave units by degʳ. a and j are null where a table is made of straight lines. Figures of the
 // loss are rounded up to three digits.
 #pragma once
 
-#include "output/plc/cam_pieces.hpp"
 #include "output/plc/plc_format.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -47,6 +47,9 @@ struct PlcExport {
 /// has.
 [[nodiscard]] PlcExport plc_export(const Solution& solution, const std::vector<std::string>& formats,
                                    const PlcOptions& options);
+
+/// "codesys.check.json".
+[[nodiscard]] std::string plc_check_name(const PlcFormat& format);
 
 /// To three digits, away from zero.
 [[nodiscard]] double figure_not_exceeded(double value);

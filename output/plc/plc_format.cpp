@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/plc/plc_format.hpp"
 
-#include "core/errors.hpp"
-
 #include <fmt/ranges.h>
 
 namespace camopt {

@@ -4,7 +4,6 @@
 //
 // from_deg, to_deg, s, v, a, j (at from_deg; by the degree), c0 … c5: s = Σ c_k (θ − from_deg)^k. Lines that
 // begin with # are comments.
-#include "core/errors.hpp"
 #include "output/plc/plc_format.hpp"
 #include "output/plc/structured_text.hpp"
 

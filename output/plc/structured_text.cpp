@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/plc/structured_text.hpp"
 
-#include "core/errors.hpp"
 #include "core/text/parsing.hpp"
 
 #include <fmt/format.h>

@@ -7,8 +7,6 @@
 
 #include "output/plc/cam_pieces.hpp"
 
-#include <map>
-
 namespace camopt {
 
 /// "10.0", "1.5e-07": reads back as the same double; no minus before zero.

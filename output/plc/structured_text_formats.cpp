@@ -3,7 +3,6 @@
 // function.
 //
 // FunctionType rules the stretch that begins at a point; POLYNOM5_MM takes s, s', s'' of both ends.
-#include "core/errors.hpp"
 #include "output/plc/plc_format.hpp"
 #include "output/plc/structured_text.hpp"
 

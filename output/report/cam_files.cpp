@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "output/report/cam_files.hpp"
 
-#include "core/errors.hpp"
+#include "core/version.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/drawing/cam_svg.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
+#include "output/json/json_text.hpp"
 #include "output/view/cam_words.hpp"
-#include "studies/delivered/delivered.hpp"
 
 namespace camopt {
 
@@ -16,6 +16,7 @@ namespace {
 using enum CamView;
 
 constexpr const char* drawing_name = "profile.dxf";
+constexpr const char* check_name = "profile.check.json";
 const CamFile force_file = {diagram, "forces.svg", "Force, torque and pressure", ""};
 
 /// The files of a kind and what makes them.
@@ -57,9 +58,10 @@ const std::array<KindFiles, 4>& kinds() {
 /// Null where there are none.
 const KindFiles* kind_of(const Solution& solution) {
     if (!solution.cam) return nullptr;
-    const auto* const found = std::ranges::find_if(
-        kinds(), [&](const KindFiles& kind) { return kind.is_it(*solution.cam->cam.formulas); });
-    return found == kinds().end() ? nullptr : &*found;
+    const std::span all(kinds());
+    const auto found = std::ranges::find_if(
+        all, [&](const KindFiles& kind) { return kind.is_it(*solution.cam->cam.formulas); });
+    return found == all.end() ? nullptr : &*found;
 }
 
 constexpr int left_wall = 0, right_wall = 1;  // stations of the mechanism
@@ -68,6 +70,16 @@ std::vector<DeliveredRow> counted_rows(const View& view, const CamFileOptions& o
     ProfileSampling sampling = default_sampling(*view.delivered.cam);
     if (options.points) sampling.count = options.points;
     return profile_rows(view.solution, view.delivered, sampling, station);
+}
+
+/// Arcs within the tolerance and the printed digits, with a twentieth more as room for the proof.
+std::string drawing_claims(const Solution& solution, double tolerance, bool has_pitch) {
+    constexpr double room = 1.05, printed = 1e-8;  // m
+    const double most = millimetres_shown.of(room * tolerance + printed);
+    Json departure = {{"profile_mm", most}};
+    if (has_pitch) departure["pitch_mm"] = most;
+    return export_check_json(
+        solution, {{"camopt", version()}, {"kind", "dxf"}, {"file", drawing_name}, {"departure", departure}});
 }
 
 }  // namespace
@@ -87,8 +99,13 @@ std::vector<CamFile> cam_files(const View& view, const CamFileOptions& options) 
     std::vector<std::string> texts = kind_of(solution)->texts(view, options);
     if (is_loaded(solution.cam->summary)) texts.push_back(force_diagrams_svg(view));
     for (std::size_t i = 0; i < files.size(); ++i) files[i].text = std::move(texts[i]);
-    if (options.drawing)
-        files.push_back({drawing, drawing_name, "", cam_dxf(view, options.dxf_tolerance).text});
+    if (options.drawing) {
+        ProfileDxf drawn = cam_dxf(view, options.dxf_tolerance);
+        const bool has_pitch = drawn.pitch_arcs > 0;
+        files.push_back({drawing, drawing_name, "", std::move(drawn.text)});
+        files.push_back(
+            {drawing, check_name, "", drawing_claims(solution, options.dxf_tolerance, has_pitch)});
+    }
     return files;
 }
 
@@ -102,7 +119,7 @@ std::string cam_view(const View& view, CamView shown, CamFileOptions options) {
 }
 
 std::vector<std::string> cam_file_names() {
-    std::vector<std::string> names = {drawing_name, force_file.name};
+    std::vector<std::string> names = {drawing_name, check_name, force_file.name};
     for (const KindFiles& kind : kinds())
         for (const CamFile& file : kind.files) names.push_back(file.name);
     return names;

@@ -10,7 +10,6 @@
 #pragma once
 
 #include "output/view/view.hpp"
-#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 

@@ -5,7 +5,6 @@
 #include "output/report/cam_files.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
 #include "output/words/solution_text.hpp"

@@ -2,6 +2,7 @@
 #include "output/report/result_folder.hpp"
 
 #include "core/errors.hpp"
+#include "core/platform/files.hpp"
 #include "core/text/parsing.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
@@ -18,11 +19,7 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <csignal>
-#include <sys/types.h>
 #include <system_error>
-#include <unistd.h>
 
 namespace camopt {
 
@@ -159,7 +156,7 @@ void remove_leftovers(const std::filesystem::path& folder) {
         if (!name.starts_with(begin) || !name.ends_with(end)) continue;
         const auto process =
             integer_in(std::string_view(name).substr(begin.size(), name.size() - begin.size() - end.size()));
-        const bool gone = process && ::kill(static_cast<::pid_t>(*process), 0) != 0 && errno == ESRCH;
+        const bool gone = process && process_has_ended(*process);
         if (gone) std::filesystem::remove_all(entry.path(), ignored);
     }
 }
@@ -220,7 +217,7 @@ ResultFolder read_result_folder(const std::filesystem::path& folder, const Scene
 }
 
 FolderUpdate::FolderUpdate(std::filesystem::path folder)
-    : folder_(std::move(folder)), aside_(folder_ / fmt::format(".camopt-{}.tmp", ::getpid())) {
+    : folder_(std::move(folder)), aside_(folder_ / fmt::format(".camopt-{}.tmp", process_number())) {
     prepare_folder(folder_);
     remove_leftovers(folder_);
     std::error_code ignored;

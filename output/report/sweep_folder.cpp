@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/report/sweep_folder.hpp"
 
-#include "core/errors.hpp"
 #include "core/text/text_file.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/report/result_folder.hpp"
-#include "studies/pareto/sweep_front.hpp"
 
 #include <fmt/format.h>
 
@@ -105,8 +103,7 @@ std::vector<SweepRow> SweepFolder::read_chunk(int chunk) const {
     bool complete = table.columns.keys == identity().columns.keys &&
                     table.columns.dimensions == identity().columns.dimensions &&
                     static_cast<int>(table.rows.size()) == range.size();
-    for (int i = 0; complete && i < range.size(); ++i)
-        complete = table.rows[static_cast<std::size_t>(i)].number == range.begin + i;
+    for (int i = 0; complete && i < range.size(); ++i) complete = table.rows[i].number == range.begin + i;
     if (!complete)
         throw InputError(
             fmt::format("{}: found other rows than {} to {} of this sweep; delete the file and "

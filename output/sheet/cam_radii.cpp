@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What of a disk cam a drawing measures.
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/cam_sheet.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 

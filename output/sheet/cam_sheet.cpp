@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/cam_sheet.hpp"
 
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/sheet_painter.hpp"
-#include "output/view/number_text.hpp"
 #include "scene/limit_table.hpp"
-#include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
 

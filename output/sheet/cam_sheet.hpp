@@ -13,7 +13,6 @@
 
 #include "output/drawing/profile_shape.hpp"
 #include "output/sheet/sheet.hpp"
-#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/sheet.hpp"
 
-#include "core/errors.hpp"
 #include "core/text/printable.hpp"
 #include "output/view/shown_units.hpp"
 

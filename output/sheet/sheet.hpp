@@ -9,8 +9,6 @@
 #include "core/units.hpp"
 #include "output/drawing/arc_chain.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 enum class SheetSpace { paper, model };

@@ -2,7 +2,6 @@
 #include "output/sheet/sheet_files.hpp"
 
 #include "core/text/printable.hpp"
-#include "core/units.hpp"
 #include "core/word_of.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/printable.hpp"
-#include "core/units.hpp"
 #include "output/sheet/sheet_painter.hpp"
 
 namespace camopt {
@@ -126,10 +125,6 @@ void add_frame(Sheet& sheet, const TitleBlock& title, const std::string& mass, P
     add_projection_symbol(sheet, corner + Vector2d(symbol, 0.5 * row), projection);
     sheet.rectangle(block_layer, SheetPen::thick, corner,
                     corner + Vector2d(title_block_width, title_block_height), SheetSpace::paper);
-}
-
-int SheetTable::blocks() const {
-    return (static_cast<int>(rows.size()) + rows_a_block - 1) / rows_a_block;
 }
 
 double SheetTable::width() const {

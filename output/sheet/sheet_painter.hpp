@@ -72,7 +72,9 @@ struct SheetTable {
     std::vector<std::vector<std::string>> rows;
     int rows_a_block = 36;
 
-    [[nodiscard]] int blocks() const;
+    [[nodiscard]] int blocks() const {
+        return (static_cast<int>(rows.size()) + rows_a_block - 1) / rows_a_block;
+    }
     [[nodiscard]] double width() const;
 };
 /// `top_left`: of its box.

@@ -2,14 +2,10 @@
 #include "output/spatial/cam_export.hpp"
 
 #include "core/text/text_file.hpp"
-#include "core/units.hpp"
-#include "output/chart/svg_canvas.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/surface/step/step_file.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -153,8 +149,8 @@ std::vector<PaintedMesh> painted_indexing_cam(TriangleMesh body, TriangleMesh ro
     TriangleMesh ends{body.vertices, {}};
     for (const double z : {low.z(), high.z()})
         std::erase_if(body.triangles, [&](const std::array<int, 3>& corners) {
-            const bool in_end = std::ranges::all_of(
-                corners, [&](int i) { return body.vertices[static_cast<std::size_t>(i)].z() == z; });
+            const bool in_end =
+                std::ranges::all_of(corners, [&](int i) { return body.vertices[i].z() == z; });
             if (in_end) ends.triangles.push_back(corners);
             return in_end;
         });

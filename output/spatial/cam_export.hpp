@@ -3,12 +3,9 @@
 // scene/cam_flanks.hpp; mm in files.
 #pragma once
 
-#include "output/nc/machine.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 #include "output/surface/triangle_mesh.hpp"
 #include "scene/cam_flanks.hpp"
-
-#include <filesystem>
 
 namespace camopt {
 
@@ -47,16 +44,12 @@ struct NcExportOptions : MillingOptions {
 /// Four axes where the roller stands square to the cam's axis, else five.
 [[nodiscard]] std::unique_ptr<Machine> machine_for(const CamFlanks& cam, double z_offset);
 
-/// What is cut and what it is checked against. The cam's extent is that of both flanks along the whole roller
-/// and, of an indexing cam, that of its body (indexing_body.hpp). Throws InputError for options that are not
-/// valid and for a blank that the groove does not reach into.
+/// What is cut and what it is checked against, for checked_program(): at five heights of the roller, both
+/// flanks. The cam's extent is that of both flanks along the whole roller and, of an indexing cam, that of
+/// its body (indexing_body.hpp). Throws InputError for options that are not valid and for a blank that the
+/// groove does not reach into.
 [[nodiscard]] NcWork nc_work(const CamFlanks& cam, const FollowerMotion& motion,
                              const NcExportOptions& options);
-
-/// Checked at five heights of the roller, both flanks. Throws InputError for options that are not valid.
-[[nodiscard]] CheckedProgram nc_export(const CamFlanks& cam, const FollowerMotion& motion,
-                                       const Machine& machine, const PostProcessor& post,
-                                       const NcExportOptions& options);
 
 // The roller of a three-dimensional cam as the NC programs want it (output/nc/machine.hpp).
 

@@ -3,7 +3,6 @@
 // surfaces, solids. Frame of scene/cam_flanks.hpp; m inside, mm in texts.
 #pragma once
 
-#include "output/surface/bspline_surface.hpp"
 #include "output/surface/triangle_mesh.hpp"
 #include "scene/cam_flanks.hpp"
 

@@ -76,10 +76,9 @@ class Surface {
         const Place leaves_before{leaves.front().z, leaves.front().polar - turned, {}};
         for (int n = -turn_; n < count(); ++n) {
             const int next = n + turn_, beyond = next - count() + 1;
-            const Place from = n < 0 ? between(came.front(), came_later, share_of(next))
-                                     : tops_[static_cast<std::size_t>(n)].back();
-            const Place to = beyond > 0 ? between(leaves_before, leaves.back(), share_of(beyond))
-                                        : tops_[static_cast<std::size_t>(next)].front();
+            const Place from = n < 0 ? between(came.front(), came_later, share_of(next)) : tops_[n].back();
+            const Place to =
+                beyond > 0 ? between(leaves_before, leaves.back(), share_of(beyond)) : tops_[next].front();
             lands.push_back(land(from, to));
         }
         add_strip(all, lands);

@@ -19,8 +19,6 @@
 #include "output/surface/triangle_mesh.hpp"
 #include "scene/cam_flanks.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 /// Below the roller's far end, that it does not rub on the floor of its groove.

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
-#include "core/units.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/view/shown_units.hpp"
 

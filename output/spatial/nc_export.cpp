@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
-#include "core/units.hpp"
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/view/shown_units.hpp"
-#include "scene/cam_flanks.hpp"
 
 #include <fmt/format.h>
 
@@ -238,11 +235,6 @@ NcWork nc_work(const CamFlanks& cam, const FollowerMotion& motion, const NcExpor
     }
     if (groove.indexing()) add_surface("the floor of the groove", groove.floor());
     return work;
-}
-
-CheckedProgram nc_export(const CamFlanks& cam, const FollowerMotion& motion, const Machine& machine,
-                         const PostProcessor& post, const NcExportOptions& options) {
-    return checked_program(machine, post, nc_work(cam, motion, options));
 }
 
 RollerPath roller_path(const CamFlanks& cam, const FollowerMotion& motion) {

@@ -87,7 +87,7 @@ BsplineSurface patch(const SurfaceGrid& grid, std::size_t from, std::size_t to) 
             interpolated(u, surface.knots_u, surface.degree_u, along_v.transpose()).transpose();
         for (Eigen::Index r = 0; r < rows; ++r)
             for (Eigen::Index c = 0; c < columns; ++c)
-                surface.poles[static_cast<std::size_t>(r * columns + c)](coordinate) = poles(r, c);
+                surface.poles[r * columns + c](coordinate) = poles(r, c);
     }
     return surface;
 }

@@ -199,7 +199,7 @@ class EarCutter {
     double area_ = 0.0;
 
     [[nodiscard]] int corner(std::size_t at) const { return ring_[at % ring_.size()]; }
-    [[nodiscard]] const Vector2d& place(int index) const { return points_[static_cast<std::size_t>(index)]; }
+    [[nodiscard]] const Vector2d& place(int index) const { return points_[index]; }
 
     /// Where lines lie on each other but for rounding no corner is an ear: the flattest goes.
     [[nodiscard]] std::size_t flattest() const {
@@ -233,8 +233,7 @@ class EarCutter {
         }
         std::ranges::sort(bridges, {}, &Bridge::length);
         for (const Bridge& bridge : bridges) {
-            const Vector2d &from = outline[static_cast<std::size_t>(bridge.outer)],
-                           &to = hole[static_cast<std::size_t>(bridge.inner)];
+            const Vector2d &from = outline[bridge.outer], &to = hole[bridge.inner];
             if (crosses(from, to, outline) || crosses(from, to, hole)) continue;
             const int first = static_cast<int>(outline.size()), count = static_cast<int>(hole.size());
             std::vector<int> around;

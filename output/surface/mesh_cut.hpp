@@ -4,8 +4,6 @@
 
 #include "output/surface/triangle_mesh.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 struct Bore {

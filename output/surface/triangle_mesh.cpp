@@ -24,9 +24,7 @@ constexpr double same_length = 1e-6;
 /// first.
 void add_cell(TriangleMesh& mesh, std::array<int, 4> c) {
     const auto& p = mesh.vertices;
-    const auto length = [&](int i, int k) {
-        return (p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(k)]).squaredNorm();
-    };
+    const auto length = [&](int i, int k) { return (p[i] - p[k]).squaredNorm(); };
     if (length(c[0], c[2]) <= (1.0 + 2.0 * same_length) * length(c[1], c[3])) {
         mesh.triangles.push_back({c[0], c[1], c[2]});
         mesh.triangles.push_back({c[0], c[2], c[3]});
@@ -38,7 +36,7 @@ void add_cell(TriangleMesh& mesh, std::array<int, 4> c) {
 
 void add_cap(TriangleMesh& mesh, int first, int corners, bool turned) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (int i = 0; i < corners; ++i) mean += mesh.vertices[static_cast<std::size_t>(first + i)];
+    for (int i = 0; i < corners; ++i) mean += mesh.vertices[first + i];
     const int middle = static_cast<int>(mesh.vertices.size());
     mesh.vertices.push_back(mean / corners);
     for (int i = 0; i < corners; ++i) {
@@ -104,7 +102,7 @@ void add_facets(std::vector<Facet>& facets, const PaintedMesh& part, const Camer
                 bool has_revolved) {
     for (const auto& t : part.mesh.triangles) {
         std::array<Eigen::Vector3d, 3> p;
-        for (std::size_t i = 0; i < 3; ++i) p[i] = part.mesh.vertices[static_cast<std::size_t>(t[i])];
+        for (std::size_t i = 0; i < 3; ++i) p[i] = part.mesh.vertices[t[i]];
         const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
         if (!(normal.dot(camera.eye) > 0.0)) continue;
         Facet facet;
@@ -190,9 +188,7 @@ void append(TriangleMesh& mesh, const TriangleMesh& part) {
 double volume(const TriangleMesh& mesh) {
     double six_fold = 0.0;
     for (const auto& t : mesh.triangles) {
-        const Eigen::Vector3d &a = mesh.vertices[static_cast<std::size_t>(t[0])],
-                              &b = mesh.vertices[static_cast<std::size_t>(t[1])],
-                              &c = mesh.vertices[static_cast<std::size_t>(t[2])];
+        const Eigen::Vector3d &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
         six_fold += a.dot(b.cross(c));
     }
     return six_fold / 6.0;
@@ -206,8 +202,7 @@ std::string stl_bytes(const TriangleMesh& mesh, const std::string& title) {
     add_bytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
     for (const auto& triangle : mesh.triangles) {
         std::array<Eigen::Vector3d, 3> corner;
-        for (std::size_t i = 0; i < 3; ++i)
-            corner[i] = mesh.vertices[static_cast<std::size_t>(triangle[i])] / units::millimetre;
+        for (std::size_t i = 0; i < 3; ++i) corner[i] = mesh.vertices[triangle[i]] / units::millimetre;
         add_vector(bytes, (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized());
         for (const Eigen::Vector3d& point : corner) add_vector(bytes, point);
         bytes.append(2, '\0');

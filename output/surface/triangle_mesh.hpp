@@ -7,8 +7,6 @@
 
 #include "output/surface/bspline_surface.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 struct TriangleMesh {

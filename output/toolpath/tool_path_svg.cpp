@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/toolpath/tool_path_svg.hpp"
 
-#include "core/units.hpp"
 #include "core/word_of.hpp"
 #include "output/chart/svg_canvas.hpp"
-#include "output/nc/cutter_compensation.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Quantities of the cam by the cam angle: pressure angle, curvature, regularity, loads. The extremes that are
 // marked are those of the summary, so that pictures and tables name the same angles.
-#include "core/units.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/view.hpp"
 #include "scene/limit_table.hpp"
@@ -35,7 +34,7 @@ void add_limit(Curve& curve, const View& view, double at, int outside, std::stri
 
 /// Of one station, or of the station where the magnitude is largest (`least`: where the value is least).
 double over_stations(const DeliveredRow& row, int station, const PointFigure& figure, bool least) {
-    if (station != every_station) return figure(row.cam[static_cast<std::size_t>(station)]);
+    if (station != every_station) return figure(row.cam[station]);
     double worst = std::nan("");
     for (const MechanismPoint& point : row.cam) {
         const double value = figure(point);
@@ -70,8 +69,7 @@ Curve pressure_curve(const View& view, int station) {
     const CamSummary& summary = view.solution.cam->summary;
     std::vector<std::optional<CamExtreme>> extremes = {summary.pressure_angle, summary.rise_pressure_angle,
                                                        summary.return_pressure_angle};
-    if (station != every_station)
-        extremes = {summary.sides[static_cast<std::size_t>(station)].pressure_angle};
+    if (station != every_station) extremes = {summary.sides[station].pressure_angle};
     for (const auto& extreme : extremes)
         if (extreme && extreme->value > 0.0)
             add_mark(curve, view, extreme, sign_at(curve, view, extreme->at));
@@ -103,7 +101,7 @@ Curve curvature_curve(const View& view, int station) {
         mark(convex_radius(summary), 1.0);
         mark(summary.concave_radius, -1.0);
     } else {
-        const SideSummary& side = summary.sides[static_cast<std::size_t>(station)];
+        const SideSummary& side = summary.sides[station];
         mark(side.convex_radius, 1.0);
         mark(side.concave_radius, -1.0);
     }

@@ -2,7 +2,6 @@
 #include "output/view/cam_words.hpp"
 
 #include "output/view/key_words.hpp"
-#include "scene/cam_mechanism.hpp"
 
 #include <fmt/format.h>
 

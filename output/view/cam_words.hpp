@@ -2,9 +2,7 @@
 // The cam of a solution in words, of any kind: dimensions and figures, in the units of shown_units.hpp.
 #pragma once
 
-#include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
-#include "scene/cam_spec.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {
@@ -37,10 +35,10 @@ struct DimensionValue {
 /// figure is one row of cam_words.cpp.
 template <class Summary>
 struct FigureRow {
-    const char* key;   ///< in result.json, with its unit: "pressure_angle_deg"
-    const char* name;  ///< for people: "largest pressure angle"
-    ShownUnit ShownUnits::*unit;
-    std::optional<CamExtreme> (*of)(const Summary& summary);
+    const char* key = nullptr;   ///< in result.json, with its unit: "pressure_angle_deg"
+    const char* name = nullptr;  ///< for people: "largest pressure angle"
+    ShownUnit ShownUnits::*unit = nullptr;
+    std::optional<CamExtreme> (*of)(const Summary& summary) = nullptr;
     const char *key_of_moment = nullptr, *name_of_moment = nullptr;  ///< where the follower swings
     bool of_direct_cams = false;
     bool only_where_found = false;  ///< result.json has no key without it

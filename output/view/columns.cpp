@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/columns.hpp"
 
-#include "core/numbers/extremum.hpp"
-#include "core/units.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
 #include <iterator>
-#include <stdexcept>
 
 namespace camopt {
 

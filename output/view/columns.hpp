@@ -3,9 +3,7 @@
 // physical peaks of result.json choose from them. A new column is one row of columns.cpp.
 #pragma once
 
-#include "core/motion.hpp"
 #include "objectives/drive_rules.hpp"
-#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Torque and speed of the motor by the angle of the master, beside those of the reference law.
-#include "objectives/drive_rules.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/view.hpp"
 

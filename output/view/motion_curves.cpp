@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Displacement, velocity, acceleration and jerk by the cam angle, with limits, peaks and set points.
-#include "objectives/motion_bounds.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/tables.hpp"
 #include "output/view/view.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
-#include "splines/curve.hpp"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/peak_comparison.hpp"
 
-#include "core/numbers/extremum.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/number_text.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -62,17 +59,9 @@ std::vector<PeakRow> peak_comparison(const Solution& solution, const ReferenceMo
     };
 }
 
-std::string PeakRow::first_text(int digits) const {
-    return shown ? shown->first.normalised_text(sides.largest.value, digits) : std::string{};
-}
-
 std::string PeakRow::beside_text(int digits) const {
     return shown && shown->beside ? shown->beside->normalised_text(sides.largest.value, digits)
                                   : std::string{};
-}
-
-std::string PeakRow::change() const {
-    return reference ? change_text(optimum.value, *reference) : "–";
 }
 
 std::string PeakRow::opposite_text(int digits) const {
@@ -118,7 +107,7 @@ std::vector<Excursion> excursions(const Solution& solution) {
     const Motion& motion = *solution.motion;
     if (solution.segments.empty()) add_excursions(all, motion, {}, motion.begin(), motion.end());
     for (int i = 0; i < static_cast<int>(solution.segments.size()); ++i) {
-        const SegmentReport& segment = solution.segments[static_cast<std::size_t>(i)];
+        const SegmentReport& segment = solution.segments[i];
         const auto [low, high] = std::minmax(segment.from, segment.to);
         if (segment.kind == SegmentKind::spline)
             add_excursions(all, motion, {low, high, i}, segment.begin, segment.end);

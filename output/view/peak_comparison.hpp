@@ -2,9 +2,7 @@
 // The peaks of the optimum beside those of the reference and of the best curve of any kind: one row a peak.
 #pragma once
 
-#include "core/motion.hpp"
 #include "output/view/shown_units.hpp"
-#include "scene/scene.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/laws/law_motion.hpp"
 
@@ -68,9 +66,15 @@ struct PeakRow {
     std::optional<ShownDerivative> shown;  ///< the units of `motion`; none: it has but the normalised value
     SignedPeaks sides = {};                ///< `motion` with its sign, and the peak of the other sign
 
-    [[nodiscard]] std::string first_text(int digits = 6) const;   ///< "−512.3 mm/s"
+    /// "−512.3 mm/s"
+    [[nodiscard]] std::string first_text(int digits = 6) const {
+        return shown ? shown->first.normalised_text(sides.largest.value, digits) : std::string{};
+    }
     [[nodiscard]] std::string beside_text(int digits = 6) const;  ///< "−16.3 mm/rad"; empty: nothing beside
-    [[nodiscard]] std::string change() const;  ///< against the reference: "−2.6 %"; "–"
+    /// Against the reference: "−2.6 %"; "–".
+    [[nodiscard]] std::string change() const {
+        return reference ? change_text(optimum.value, *reference) : "–";
+    }
     /// "480 mm/s": the peak of the other sign; empty: there is none.
     [[nodiscard]] std::string opposite_text(int digits = 6) const;
 };

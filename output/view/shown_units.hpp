@@ -13,7 +13,6 @@
 // columns say: mm and N (file_units).
 #pragma once
 
-#include "core/units.hpp"
 #include "output/view/number_text.hpp"
 #include "scene/scene.hpp"
 

@@ -5,9 +5,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
-#include "output/view/shown_units.hpp"
 #include "output/view/valve_tables.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/scene_limits.hpp"
@@ -64,7 +62,8 @@ TextTable dimension_table(const Solution& solution) {
 
 constexpr const char* peak_note =
     "Peaks are exact, not sampled. Normalised: by lift and rise angle, of a program by each spline segment's "
-    "own angle and displacement; those of the whole motion include the law segments.";
+    "own angle and displacement (the lift where that is free); those of the whole motion include the law "
+    "segments.";
 
 /// What stands in the column of the curve of least objective; empty where there is none.
 std::string any_curve_note(const Solution& solution) {
@@ -154,8 +153,8 @@ TextTable segment_table(const Solution& solution) {
 }
 
 const char* segment_table_note() {
-    return "V, A, J: by the segment's own angle and displacement. Joint: the highest derivative that is "
-           "continuous where the segment begins, 3 at most.";
+    return "V, A, J: by the segment's own angle and displacement, a free one by the lift. Joint: the highest "
+           "derivative that is continuous where the segment begins, 3 at most.";
 }
 
 TextTable set_point_table(const Solution& solution) {

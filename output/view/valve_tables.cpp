@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/valve_tables.hpp"
 
-#include "core/units.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>

@@ -22,10 +22,6 @@ View::View(const Solution& shown)
     if (solution.cam) add(cam_curves(*this));
 }
 
-std::string View::title(const char* untitled) const {
-    return solution.scene.title.empty() ? untitled : solution.scene.title;
-}
-
 std::vector<double> View::along(const Motion& motion, const MotionUnit& unit) const {
     constexpr double rounding = 1e-9;  // of its length: its ends may be sums of other angles
     std::vector<double> values;

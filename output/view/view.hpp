@@ -8,7 +8,6 @@
 
 #include "output/view/shown_units.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 
@@ -75,7 +74,9 @@ struct View {
 
     [[nodiscard]] double degrees(double x) const { return units.degrees_per_x * x; }
     /// The scene's title, or this.
-    [[nodiscard]] std::string title(const char* untitled) const;
+    [[nodiscard]] std::string title(const char* untitled) const {
+        return solution.scene.title.empty() ? untitled : solution.scene.title;
+    }
     /// A derivative of another motion at the rows, in that unit; NaN outside of it.
     [[nodiscard]] std::vector<double> along(const Motion& motion, const MotionUnit& unit) const;
 };

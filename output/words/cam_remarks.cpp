@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/numbers/extremum.hpp"
-#include "core/units.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
-#include "profiles/sampling.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
@@ -198,7 +192,7 @@ std::string play_remark(const Solution& solution, const ForwardCheckReport::Play
     if (!play.least_groove_width)
         return fmt::format("Both rollers at once: the sum of the gaps at both disks is {}.", range);
     const DrivenMechanism& cam = solution.cam->cam;
-    const double roller = cam.dimensions[static_cast<std::size_t>(cam.formulas->roller_radius())];
+    const double roller = cam.dimensions[cam.formulas->roller_radius()];
     const double clearance = 2.0 * (cam.formulas->surface_offset(cam.dimensions, 0) - roller);
     const bool fits = *play.least_groove_width >= 2.0 * roller * (1.0 - moves_as_designed);
     return fmt::format(

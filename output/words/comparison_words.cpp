@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/units.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/study_text.hpp"
-#include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 
@@ -76,10 +73,6 @@ std::string base_words(const Comparison& comparison, const ComparisonRow& row) {
     return fixed_text(length.of(*row.base->radius), comparison.optimum.scene.length_unit == LengthUnit::inch
                                                         ? base_decimals_of_inches
                                                         : base_decimals);
-}
-
-std::string PhysicalPeak::text(const ComparisonRow& row) const {
-    return fixed_text(value(row), decimals);
 }
 
 std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison) {

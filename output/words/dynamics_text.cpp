@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/units.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 
 #include <fmt/format.h>

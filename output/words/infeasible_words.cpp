@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/units.hpp"
 #include "output/view/key_words.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "scene/motion/set_points.hpp"
@@ -92,8 +90,12 @@ std::string law_at(const MotionSpec& motion, double x) {
     return {};
 }
 
-/// The law that all rows of a limit lie in; empty where some do not.
+/// The law that all rows of a limit lie in; empty where some do not, and of caps on the peaks of splines,
+/// which have no place.
 std::string law_of(const OneLimit& limit, const MotionSpec& motion) {
+    constexpr std::array<std::string_view, 3> caps = {"limits.velocity", "limits.acceleration",
+                                                      "limits.jerk"};
+    if (std::ranges::find(caps, limit.rows.front().key) != caps.end()) return "";
     const std::string law = law_at(motion, limit.rows.front().at);
     const bool all = std::ranges::all_of(
         limit.rows, [&](const ConflictReport& row) { return law_at(motion, row.at) == law; });
@@ -179,8 +181,7 @@ void tell_set_points(std::vector<std::string>& all, const Solution& solution) {
             solution.explanation->set_points.end())
             continue;
         for (int order = 0; order < 3; ++order)
-            if (point.wanted[static_cast<std::size_t>(order)])
-                words.push_back(words_of(motion, point, order));
+            if (point.wanted[order]) words.push_back(words_of(motion, point, order));
     }
     if (words.empty()) return;
     const bool one = solution.explanation->set_points.size() == 1;

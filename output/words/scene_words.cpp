@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/printable.hpp"
-#include "core/units.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
-#include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 #include "scene/written_limits.hpp"
@@ -15,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <type_traits>
-#include <variant>
 
 namespace camopt {
 
@@ -161,8 +156,7 @@ std::string corridor_line(const Scene& scene) {
     std::string text;
     for (const MotionBound& bound : motion_bounds(scene))
         if (bound.corridor >= 0)
-            append(text, fmt::format("{} {} {} from {} to {} deg",
-                                     shown.motion[static_cast<std::size_t>(bound.order)].name,
+            append(text, fmt::format("{} {} {} from {} to {} deg", shown.motion[bound.order].name,
                                      bound.sign < 0 ? ">=" : "<=",
                                      bound.unit.empty() ? short_text(bound.given)
                                                         : short_text(bound.given) + " " + bound.unit,
@@ -356,8 +350,7 @@ std::string objective_line(const ObjectiveSpec& objective) {
     for (const ResponseTerm& row : response_terms()) term(row.weight_in(objective), words_of(row.name));
     const std::size_t of_motion = terms.size();
     for (int i = 0; i < dimension_count; ++i)
-        term(objective.dimensions[static_cast<std::size_t>(i)],
-             words_of(name_of(static_cast<DimensionIndex>(i))));
+        term(objective.dimensions[i], words_of(name_of(static_cast<DimensionIndex>(i))));
     if (terms.empty()) return "Objective: none";
     return fmt::format(
         "Objective: the least {}, each divided by {}{}{}", terms, reference_text(objective.reference),

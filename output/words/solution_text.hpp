@@ -2,8 +2,6 @@
 // A solution in words: for the terminal, the picture and the report.
 #pragma once
 
-#include "scene/scene.hpp"
-#include "studies/delivered/solution.hpp"
 #include "studies/response/train_study.hpp"
 
 #include <filesystem>

@@ -8,8 +8,6 @@
 
 #include <fmt/ranges.h>
 
-#include <map>
-
 namespace camopt {
 
 namespace {
@@ -46,7 +44,7 @@ std::string physical_text(const SweepTable& table, const SweepRow& row, const Sc
     for (const auto& [figure, order] :
          {std::pair(SweepFigure::velocity, 1), std::pair(SweepFigure::acceleration, 2),
           std::pair(SweepFigure::jerk, 3)}) {
-        const MotionUnit& unit = shown.motion[static_cast<std::size_t>(order)].first;
+        const MotionUnit& unit = shown.motion[order].first;
         if (const std::optional<double>& peak = row.figure(figure))
             text +=
                 fmt::format("{}{} {}", text.empty() ? "" : ", ", unit.symbol, unit.normalised_text(*peak));

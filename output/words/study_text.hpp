@@ -3,7 +3,6 @@
 #pragma once
 
 #include "output/view/number_text.hpp"
-#include "scene/scene.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/papers/paper_report.hpp"
 #include "studies/search/plan.hpp"
@@ -53,7 +52,9 @@ struct PhysicalPeak {
     std::function<double(const ComparisonRow&)> value;
     int decimals = 0;  ///< of all rows: four figures of the largest
 
-    [[nodiscard]] std::string text(const ComparisonRow& row) const;
+    [[nodiscard]] std::string text(const ComparisonRow& row) const {
+        return fixed_text(value(row), decimals);
+    }
 };
 [[nodiscard]] std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison);
 

@@ -2,8 +2,6 @@
 #include "output/chart/chart.hpp"
 #include "output/chart/studies/study_svg.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -33,7 +31,7 @@ GoalAxis figure_axis(const Scene& scene, const CostTerm& term) {
 
 GoalAxis goal_axis(const ParetoPicture& picture, int goal) {
     const FrontRequest& request = picture.front.request;
-    const FrontGoal& which = request.goals[static_cast<std::size_t>(goal)];
+    const FrontGoal& which = request.goals[goal];
     if (goal == 0 && request.keep_weights)
         return {words_of(name_of(request.goals[0])) + " and the scene’s other weights", 1.0};
     if (std::holds_alternative<DimensionIndex>(which)) {
@@ -48,7 +46,7 @@ std::string goal_title(const ParetoPicture& picture, int goal) {
 }
 
 double shown(const ParetoPicture& picture, const FrontPoint& point, int goal) {
-    return goal_axis(picture, goal).factor * point.value[static_cast<std::size_t>(goal)];
+    return goal_axis(picture, goal).factor * point.value[goal];
 }
 
 bool is_drawn(const FrontPoint& point) {
@@ -175,10 +173,9 @@ std::string end_sentence(const ParetoPicture& picture) {
     std::string text;
     for (const FrontPoint& point : front.points) {
         if (point.end == FrontEnd::cut_off)
-            text += fmt::format(
-                "Cut off where {} is {} times its least. ",
-                words_of(name_of(front.request.goals[static_cast<std::size_t>(1 - point.minimized)])),
-                short_text(front.request.cut_off, 3));
+            text += fmt::format("Cut off where {} is {} times its least. ",
+                                words_of(name_of(front.request.goals[1 - point.minimized])),
+                                short_text(front.request.cut_off, 3));
         if (point.end == FrontEnd::beyond)
             text += fmt::format("Beyond: {} {} at {} {}. ", goal_title(picture, 0),
                                 short_text(shown(picture, point, 0), 5), goal_title(picture, 1),

@@ -3,7 +3,6 @@
 
 #include "output/chart/chart.hpp"
 #include "output/csv/study_csv.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/sweep/sweep_svg.hpp"
 
-#include "core/units.hpp"
 #include "output/chart/chart.hpp"
-#include "output/chart/svg_canvas.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 #include <fmt/format.h>
@@ -75,7 +71,7 @@ std::array<double, 3> shares_of(const SweepTable& table, const SweepRow& row) {
     std::array<double, 3> shares{};
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const auto key = std::ranges::find(table.columns.keys, peak_weights[i]);
-        shares[i] = row.settings[static_cast<std::size_t>(key - table.columns.keys.begin())];
+        shares[i] = row.settings[key - table.columns.keys.begin()];
     }
     const double sum = shares[0] + shares[1] + shares[2];
     for (double& share : shares) share /= sum;

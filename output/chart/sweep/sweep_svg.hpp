@@ -8,7 +8,6 @@
 // its number.
 #pragma once
 
-#include "scene/scene.hpp"
 #include "studies/compare/law_losses.hpp"
 #include "studies/sweep/sweep_row.hpp"
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/dxf/cam_dxf.hpp"
 
-#include "core/errors.hpp"
-#include "core/numbers/extremum.hpp"
-#include "core/units.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
 
 namespace camopt {

@@ -9,7 +9,6 @@
 
 #include "output/drawing/arc_chain.hpp"
 #include "output/drawing/profile_shape.hpp"
-#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/dxf/dxf_drawing.hpp"
 
-#include "core/errors.hpp"
-#include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/ranges.h>

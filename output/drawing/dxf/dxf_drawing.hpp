@@ -8,8 +8,6 @@
 
 #include "output/drawing/arc_chain.hpp"
 
-#include <Eigen/Core>
-
 namespace camopt {
 
 /// How far axes are drawn beyond the largest radius: this times it.

@@ -2,7 +2,6 @@
 #include "output/nc/milling/groove_passes.hpp"
 
 #include "core/errors.hpp"
-#include "core/units.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -11,7 +11,6 @@
 // climbing. m, rad.
 #pragma once
 
-#include "output/nc/machine.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 
 namespace camopt {

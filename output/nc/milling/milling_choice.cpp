@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/milling/milling_choice.hpp"
 
-#include "core/errors.hpp"
-#include "core/units.hpp"
-#include "output/nc/machine.hpp"
 #include "output/nc/requirement.hpp"
-
-#include <fmt/format.h>
 
 namespace camopt {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/milling/plane_passes.hpp"
 
-#include "core/units.hpp"
-
 #include <fmt/format.h>
 
 namespace camopt {

@@ -11,7 +11,6 @@
 // spindle turns clockwise. m, rad; frame of ToolPose, the cam's upper face at z = 0.
 #pragma once
 
-#include "output/nc/machine.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 
 namespace camopt {
