@@ -10,7 +10,7 @@ from .motion_bounds import lost_area
 from .prescribed import limits_at, state_at
 from .runs import Row
 from .strokes import farthest, stroke_of
-from .train_rows import use_ringing_rows
+from .phase_rows import add_phase_row, use_phase_rows
 
 
 MOST_LEANING = 30           # tangents whose slopes are chosen anew
@@ -36,8 +36,9 @@ class Bound:
 
     Any motion at all is then either no better than `incumbent`, or not below the bound."""
 
-    def __init__(self, problem, incumbent, relaxed, curve=None):
+    def __init__(self, problem, incumbent, relaxed, curve=None, rising=None):
         self.problem, self.incumbent, self.curve = problem, incumbent, curve
+        self.rising = rising or {}  # of strokes whose displacement is free: whether they rise, in the case that is judged
         self.functions = [{} for _ in problem.runs]
         self.constant = Fraction(0)
         self.peaks = [Fraction(0)] * len(problem.terms)   # multipliers that lean on each peak
@@ -45,13 +46,13 @@ class Bound:
         self.relaxed, self.left_out = relaxed, {}
         self.rows, self.remainders, self.tangents = [], [], []
         self.area = Fraction(0), []  # the lost area in the objective: a number, and a function of each run
-        self.ringing = []  # rows of an elastic follower's vibration: train_rows.py
+        self.ringing = []  # rows of amplitudes: phase_rows.py
         self.motor = MotorRows(self) if problem.drive else None
         self.highest = FARTHEST
         for _ in range(3 if any(term.kind == "area" for term in problem.terms) else 1):  # less area is lost the higher y can be
             self.most = [self.most_of(term) for term in problem.terms]
             self.supremum = [self.supremum_of(run) for run in problem.runs]
-            self.highest = max([own[0] for own in self.supremum] + [abs(s.to) for s in problem.stretches])
+            self.highest = max([own[0] for own in self.supremum] + [abs(s.to) for s in problem.stretches if s.to is not None])
         self.own_peaks()
 
     def most_of(self, term):
@@ -84,8 +85,8 @@ class Bound:
         length = run.space.breakpoints[-1] - run.space.breakpoints[0]
         for order, size in self.motor.bounded(run, length) if self.motor else ():
             lower(order, size)
-        ends = max(abs(s) for s in run.ends())
-        ends = max([ends] + [abs(level + run.level(s)) for s in run.stretches for level in (s.start, s.to)])
+        ends = max(self.problem.farthest_level if None in (level, end) else max(abs(end), abs(level + run.level(s)))
+                   for end in run.ends() for s in run.stretches for level in (s.start, s.to))
         for order, size in self.bounded_by_sides(run, length, ends):
             lower(order, size)
         for term, most in zip(self.problem.terms, self.most):
@@ -167,8 +168,10 @@ class Bound:
             return  # conditions, limits of peaks, the area: their multipliers are chosen here
         if multiplier < 0:
             raise Refuted(f"{row['name']}: a multiplier below 0 of a row that has no lower side")
-        if self.problem.train and origin["rule"].startswith(("residual", "limits.residual_")):
-            return self.ringing.append((origin, multiplier))
+        if add_phase_row(self, origin, multiplier):
+            return None
+        if origin["rule"] == "deviation" and self.problem.table:
+            return self.use(self.problem.table.row(origin["remark"]), multiplier)
         if self.motor and self.motor.takes(origin):
             return self.motor.add(origin, multiplier)
         at, side = number(origin["at"]), origin.get("side", "right")
@@ -218,9 +221,14 @@ class Bound:
 
     def row_beside_splines(self, name, rule, order, sign, at, side):
         """A bound or a cap of the motion where it is prescribed, along a law or in a dwell: a row without control points."""
-        state, stretch = state_at(self.problem, at, side)
+        stretch = self.problem.stretch_at(self.problem.folded(at, side), side)
+        if stretch is None:
+            raise Refuted(f"{name}: outside the motion")
+        rests = stretch.kind == "dwell" and order
+        if stretch.free and not rests:
+            return None
         for most, scale in [own[2:] for own in limits_at(self.problem, rule, at, stretch) if own[:2] == (order, sign)][:1]:
-            reached = min(sign * end for end in ends_of(state[order]))
+            reached = 0 if rests else min(sign * end for end in ends_of(state_at(self.problem, at, side)[0][order]))
             return Row(name, 0, {}, (most - reached) / scale + self.relaxed), Fraction(1)
         return None
 
@@ -248,13 +256,27 @@ class Bound:
         the range."""
         at = self.problem.folded(at, side)
         stroke = stroke_of(self.problem, stretch, at) if run is not None else None
+        i = self.problem.stretches.index(stretch) if stroke else None
         if stroke is None or not sign:
             return None
-        moved, length = abs(stroke.to - stroke.start), stroke.end - stroke.begin
+        if stretch.free and i not in self.rising:
+            raise Refuted(f"{name}: the case leaves open whether the stroke rises")
+        moved, length = stroke.moved, stroke.end - stroke.begin
+        rises = self.rising[i] if stretch.free else stroke.to > stroke.start
+        function = {j: w * sign for j, w in run.space.functional(at, order, side).items()}
+        along = (at - stroke.begin) / length
+        from_ends = 4 * along * (1 - along)
         if rule == "motion.monotone":
-            if not self.problem.motion.get("monotone", False) or order != 1 or sign != (-1 if stroke.to > stroke.start else 1):
+            if not self.problem.motion.get("monotone", False) or order != 1 or sign != (-1 if rises else 1):
                 raise Refuted(f"{name}: the scene has no such rule")
             scale, most = moved / length, Fraction(0)
+        elif stretch.free:
+            if not self.problem.motion.get("within_lift", True) or order != 0:
+                raise Refuted(f"{name}: the scene has no such rule")
+            at_end = rises == (sign > 0)
+            end, from_ends = self.problem.level_at(i + at_end), 1 - along if at_end else along
+            add_to(function, {key: w for key, w in end.items() if key}, -sign)
+            scale, most = moved, sign * (end.get(None, Fraction(0)) + run.level(stretch))
         else:
             ends = stroke.least, stroke.most
             if not self.problem.motion.get("within_lift", True) or order != 0:
@@ -263,12 +285,10 @@ class Bound:
                 return None
             scale = max(moved, STATED) if None in ends else stroke.most - stroke.least
             most = sign * (ends[sign > 0] + run.level(stretch))
-        along = (at - stroke.begin) / length
-        near = (4 * along * (1 - along))**(3 - order)  # camopt's row is this much larger
+        near = from_ends**(3 - order)  # camopt's row is this much larger
         if near <= 0:
             return None
-        function = {j: w * sign / scale for j, w in run.space.functional(at, order, side).items()}
-        return Row(name, k, function, most / scale + self.relaxed * near), 1 / near
+        return Row(name, k, {j: w / scale for j, w in function.items()}, most / scale + self.relaxed * near), 1 / near
 
     def leave_out(self, rule, multiplier):
         """A row that is not used only weakens the bound."""
@@ -295,6 +315,10 @@ class Bound:
         length = sum((w for run in curve.pieces for _, w, _, _ in run), Fraction(0))
         tangents = {}
         for t, term in enumerate(problem.terms):
+            if term.kind == "deviation_rms":
+                row = problem.table.tangent(curve, t)
+                if row:
+                    self.use(row, term.weight)
             if term.kind != "rms" or not term.weight:
                 continue
             tangents[t] = [{} for _ in problem.runs]
@@ -325,19 +349,20 @@ class Bound:
     def slopes_that_fit(self, free):
         """By how much the slopes of these tangents are to be larger. Light ones would turn far to stand in for heavy ones
         beside them: that is damped in proportion."""
-        columns = [(row.run, self.problem.runs[row.run].space.functional(at, 0, side), multiplier)
+        columns = [({row.run: self.problem.runs[row.run].space.functional(at, 0, side)}, multiplier)
                    for row, multiplier, at, side in free]
-        return self.fitted(columns, [free[0][1] / t[1] for t in free], [(t[0], t[1]) for t in self.tangents])
+        return self.fitted(columns, [free[0][1] / t[1] for t in free], [(t[0].functions(), t[1]) for t in self.tangents])
 
     def fitted(self, columns, damping, beside):
-        """Factors of these functions (run, function, times what) with which the rows so far and the rows (row, multiplier) beside
+        """Factors of these functions ({run: function}, times what) with which the rows so far and those (functions, multiplier) beside
         leave as little as can be of a function of the control points: least squares, steadied."""
         rests, functions = [Conditions(run.conditions) for run in self.problem.runs], [dict(f) for f in self.functions]
-        for row, multiplier in beside:
-            add_to(functions[row.run], row.function, multiplier)
+        for own, multiplier in beside:
+            for k, function in own.items():
+                add_to(functions[k], function, multiplier)
         left = {(k, j): w for k, rest in enumerate(rests) for j, w in rest.reduced(functions[k], Fraction(0))[0].items()}
-        reduced = [{(k, j): number(float(factor * w)) for j, w in rests[k].reduced(dict(function), Fraction(0))[0].items()}
-                   for k, function, factor in columns]
+        reduced = [{(k, j): number(float(factor * w)) for k, function in own.items()
+                    for j, w in rests[k].reduced(dict(function), Fraction(0))[0].items()} for own, factor in columns]
         matrix = [[inner(a, b) for b in reduced] + [-inner(a, left)] for a in reduced]
         for i, line in enumerate(matrix):
             line[i] *= 1 + STEADY * number(float(damping[i]))
@@ -347,9 +372,9 @@ class Bound:
         """What follows from all rows used."""
         self.lean_tangents()
         if self.ringing:
-            use_ringing_rows(self)
+            use_phase_rows(self)
             if self.motor:
-                self.left_out.setdefault("the residual together with a motor", Fraction(0))  # other phases could say more
+                self.left_out.setdefault("amplitudes together with a motor", Fraction(0))  # other phases could say more
         if self.motor:
             self.motor.use_limit(cost)
         total, most_refined = self.total(cost), 3
@@ -378,17 +403,16 @@ class Bound:
     def refine(self):
         """Rows near the ends of strokes are stored to few digits. Any multipliers will do: those of the heaviest rows that
         differ from each other are corrected, by least squares, such that less is left of a function of the control points."""
-        rests = [run.conditions_in_top() for run in self.problem.runs]
+        runs = self.problem.runs
+        rest = self.together(lambda run, row: run.in_top(row))
 
-        def left_of(k, function):
-            rest = rests[k].reduced(self.problem.runs[k].in_top(function), Fraction(0))[0]
-            return {(k, j): number(float(w)) for j, w in rest.items() if w}
+        def left_of(functions):
+            own = rest.reduced(self.named({k: runs[k].in_top(function) for k, function in functions.items()}), Fraction(0))[0]
+            return {key: number(float(w)) for key, w in own.items() if w}
 
-        left, columns = {}, []
-        for k, function in enumerate(self.functions):
-            left |= left_of(k, function)
+        left, columns = left_of(dict(enumerate(self.functions))), []
         for row, multiplier in sorted((own for own in self.rows if own[0].function and own[1] > 0), key=lambda own: -own[1]):
-            column = {key: w for k, function in row.functions().items() for key, w in left_of(k, function).items()}
+            column = left_of(row.functions())
             size = number(float(inner(column, column))**0.5)
             if size and len(columns) < MOST_LEANING and \
                     not any(abs(inner(column, other)) > SAME_DIRECTION * size * norm for _, _, other, norm in columns):
@@ -415,11 +439,38 @@ class Bound:
         if self.problem.cam:
             total += self.problem.cam.least(self.leaning, cost)
         self.residual = Fraction(0)
+        if self.problem.free:
+            return total + self.under_together()
         for run, function, supremum in zip(self.problem.runs, self.functions, self.supremum):
             constant, residual = self.under(run, dict(function), supremum)
             total += constant - residual
             self.residual += residual
         return total
+
+    @staticmethod
+    def named(functions):
+        """Functions of the runs, {run: function}, as one."""
+        whole = {}
+        for k, function in functions.items():
+            add_to(whole, {(k if j >= 0 else None, j): w for j, w in function.items()})
+        return whole
+
+    def together(self, seen=lambda run, row: row):
+        """The conditions of all runs, which displacements that are free join."""
+        return Conditions([(self.named({k: seen(run, row)}), value, name) for k, run in enumerate(self.problem.runs)
+                           for row, value, name in run.conditions])
+
+    def under_together(self):
+        """Below what all functions together are not."""
+        conditions = self.together()
+        if conditions.contradiction:
+            raise Unverified("conditions that contradict each other")
+        function, constant = conditions.reduced(self.named(dict(enumerate(self.functions))), Fraction(0))
+        self.residual = sum((abs(w) for (k, _), w in function.items() if k is None), Fraction(0)) * self.problem.farthest_level
+        for k, (run, supremum) in enumerate(zip(self.problem.runs, self.supremum)):
+            self.residual += self.by_parts(run, {j: w for (own, j), w in function.items() if own == k}, supremum)[0]
+        self.remainders.append(None)
+        return -constant - self.residual
 
     def under(self, run, function, supremum):
         """(constant, residual): the function of the spline is at least constant - residual."""
@@ -430,6 +481,13 @@ class Bound:
             raise Unverified("conditions that contradict each other")
         original = dict(function)
         function, constant = conditions.reduced(function, Fraction(0))
+        best, remainder = self.by_parts(run, function, supremum)
+        self.remainders.append((conditions, original, remainder))
+        return -constant, best
+
+    def by_parts(self, run, function, supremum):
+        """(the largest that a function of the control points can be, the order of the derivative by whose control points that is found
+        and how)."""
         weights = [function.get(j, Fraction(0)) for j in range(run.space.size)]
         best, rest, starts = None, Fraction(0), []
         for order in range(0, min(3, run.space.continuity + 1) + 1):
@@ -449,8 +507,7 @@ class Bound:
                 best, remainder = bound, (order, weights, starts, supremum[order] * run.space.spread(order))
         if best is None:
             raise Unverified("nothing bounds the motion")
-        self.remainders.append((conditions, original, remainder))
-        return -constant, best
+        return best, remainder
 
     def under_in_top(self, run, function, supremum):
         """The same where some segments are far narrower than others: conditions solved in control points of a
@@ -464,9 +521,9 @@ class Bound:
         self.remainders.append(None)
         return -constant, sum((abs(w) * (most[j] if j < top else size) for j, w in function.items() if w), Fraction(0))
 
-    @staticmethod
-    def at_start(run, order, supremum):
+    def at_start(self, run, order, supremum):
         """|y^(order)| at the start of the run."""
         if order == 0:
-            return abs(run.stretches[0].start)
+            start = run.stretches[0].start
+            return self.problem.farthest_level if start is None else abs(start)
         return supremum[order] if run.is_ring() or order > 2 else abs(run.states[0][order - 1])

@@ -22,7 +22,7 @@ from fractions import Fraction
 
 from . import enclosures
 from .conditions import Conditions
-from .disk_rules import constant
+from .laws import constant
 from .exact import ORDERS, STATED, Refuted, Unverified, add_to, number
 
 ROUNDED = Fraction(1, 2**44)   # what the sums of a step may be off by in the file, relative: it was rounded outward
@@ -95,6 +95,8 @@ class BoxProof:
                  for i, t in enumerate(self.problem.terms) if t.kind == "peak"}
         peaks |= {name: i for i, t in enumerate(self.problem.terms)
                   for name, kind in (("peak torque", "torque"), ("area", "area")) if t.kind == kind}
+        if self.problem.free:
+            raise Unverified("a bound over boxes next to displacements that are free")
         for j, name in enumerate(self.proof["variables"]):
             point = re.fullmatch(r"c\[(\d+)\](?: of run (\d+))?", name)
             if point:
@@ -109,7 +111,7 @@ class BoxProof:
                 raise Refuted(f"the variable {name} stands twice")
             self.variables.append(variable)
             self.place[variable] = j
-        self.conditions, self.points = [], []
+        self.conditions, self.points, self.fixed = [], [], {}
         for k, run in enumerate(self.problem.runs):
             conditions = Conditions(run.conditions)
             if conditions.contradiction:
@@ -119,9 +121,12 @@ class BoxProof:
                 if j not in numbers and ("c", k, j) not in self.place:
                     raise Unverified("a bound over boxes in other variables than control points")
             self.conditions.append(conditions)
-            self.points.append(numbers)
+            self.points.append({j: value for j, value in numbers.items() if ("c", k, j) not in self.place})
+            self.fixed.update({("c", k, j): value for j, value in numbers.items()})
 
     def range_of(self, variable):
+        if variable in self.fixed:
+            return (self.fixed[variable],) * 2
         if variable[0] == "c":
             return self.ranges_of_run(variable[1])[0][variable[2]]
         if variable[0] == "peak":
@@ -370,7 +375,10 @@ class BoxProof:
             return [lambda z: sign * z[1] * z[2] - z[4]], [self.place["peak", i]]
         if cam is None or cam.rules is None:
             return [], []
-        return cam.formulas_at(origin, at), [self.place["dimension", name] for name in cam.rules.searched]
+        formulas = cam.formulas_at(origin, at)
+        if cam.kind == "disk" and rule.endswith("pressure_angle_deg"):  # in m
+            formulas = [lambda z, f=f: f(z) * constant(cam.rules.reach()) for f in formulas]
+        return formulas, [self.place["dimension", name] for name in cam.rules.searched]
 
     def box_of_plane(self, step, index, states, parameters):
         """What the steps that the plane names prove of z, as far as they can be followed here. The file's box must say no

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: MIT
 """Cams whose limits are checked."""
 import itertools
-import math
 from fractions import Fraction
 
 from . import enclosures
 from .inverse_rules import InverseRules
 from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
-from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides, constant
+from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides
 from .exact import (
-    KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, exactly, largest_magnitude, middle_of, number, root, tangent, times)
+    KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, exactly, largest_magnitude, middle_of, number, root, times)
 from .forces import Forces
-from .laws import at_time, parts_along
+from .harmonics import Harmonics
+from .laws import at_time, constant, parts_along
 from .motion_bounds import keeps
 from .runs import Row
-from .units import angle_of, dimension_of, enclosed, quantity
+from .units import angle_of, dimension_of, enclosed, in_unit
 
 
 DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat": ("base_radius",),
@@ -24,8 +24,8 @@ DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat"
               "oscillating_flat": ("base_radius", "center_distance", "face_offset")}
 
 
-FORCES = ("contact_force_min_n", "contact_force_min_lbf", "torque_max_nm")
-LOADED = (*FORCES, "hertz_pressure_max_mpa")
+LOADED = "contact_force_min_n", "torque_max_nm", "hertz_pressure_max_mpa"
+STRAIGHT = Fraction(1, 10**25)  # slopes that differ by less do so by rounding
 OTHER_RULES = {"barrel": SpatialRules, "cylindrical": SpatialRules, "remote": RemoteRules, "inverse": InverseRules}
 
 
@@ -44,22 +44,26 @@ class Cam:
         self.cost = exactly(Fraction(0))  # of the dimensions as they were found
         if self.kind != "disk":
             return self.be_other(scene, result, weights)
-        if self.swings and (any(weights.values()) or any(isinstance(v, dict) for v in cam.values())):
-            raise Unverified("dimensions of this kind of cam in the objective, or searched")
         self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
         given = {name: dimension_of(cam, name) for name in DIMENSIONS[self.follower]}
         self.searched = {name: size for name, size in given.items() if isinstance(size, tuple)}
-        self.weights = {name: weight / self.lift for name, weight in weights.items()}
+        unit = self.lift
+        if self.swings:  # times the centre distance, the middle of its range
+            distance = given["center_distance"]
+            unit = in_unit(problem.lift, "rad") * (sum(distance) / 2 if isinstance(distance, tuple) else distance)
+            if self.follower == "oscillating_flat" and "base_radius" in self.searched:
+                raise Unverified("the base radius of a flat face on an arm, where it is searched")
+        self.weights = {name: weight / unit for name, weight in weights.items()}
         self.sizes = {name: self.found(result, name) for name in given}
-        if "offset" in self.searched or (self.searched and given.get("offset")):
-            raise Unverified("an offset that is searched, or together with dimensions that are")
-        self.offset = given.get("offset", Fraction(0))
-        self.base, self.roller = (self.sizes.get(name, Fraction(0)) for name in ("base_radius", "roller_radius"))
+        if "offset" in self.searched and self.weights["offset"]:
+            raise Unverified("an offset that is searched and in the objective")
         self.fixed = sum((self.weights[name] * abs(given[name]) for name in given if name not in self.searched),
                          Fraction(0))
         self.cost = exactly(self.fixed + sum((self.weights[name] * self.sizes[name] for name in self.searched
                                               if self.sizes[name] is not None), Fraction(0)))
-        self.forces = Forces(problem, scene) if "forces" in scene and not self.swings else None
+        self.forces = Forces(problem, scene) if "forces" in scene else None
+        if any(key.startswith("spring_harmonic_") for key in problem.limits):
+            problem.harmonics = Harmonics(problem, scene)
         self.beta = enclosed(problem.unit_angle)
         self.width = self.width_of(cam, scene)
         self.pressure = self.pressure_limits()
@@ -137,21 +141,15 @@ class Cam:
         found = []
         for name in ("pressure_angle", "rise_pressure_angle", "return_pressure_angle"):
             value = angle_of(self.problem.limits, name)
-            if value and value[1] != "deg":
-                raise Unverified("a pressure angle in radians")
             found.append(value and value[0])
         general, up, down = found
         return up if up is not None else general, down if down is not None else general
-
-    def start(self, base):
-        square = (base + self.roller)**2 - self.offset**2
-        return root(square) if self.offset else exactly(base + self.roller)
 
     @staticmethod
     def width_of(cam, scene):
         """(low, high) around half the width of a flat face, of a round one that of its chord beside the contact line; or None."""
         half, radius = dimension_of(cam, "face_half_width"), dimension_of(cam, "face_radius")
-        contact = quantity(scene.get("forces", {}), "contact_width") if radius else Fraction(0)
+        contact = number(scene.get("forces", {}).get("contact_width_m", 0))
         return root(radius**2 - contact**2 / 4) if radius else exactly(half) if half else None
 
     def least_cost(self):
@@ -170,59 +168,49 @@ class Cam:
     def row(self, bound, k, run, name, origin, at):
         """(the row, factor of its multiplier), or None where this checker does not use it. Irrational numbers are taken
         at their middle, and what that can change is added to what the row may reach."""
-        rule, order, sign = origin["rule"], origin.get("order"), origin.get("sign", 0)
-        side = origin.get("side", "right")
+        rule, sign, side = origin["rule"], origin.get("sign", 0), origin.get("side", "right")
         if not self.judged or bound.relaxed:
             return None
-        most_y, space = bound.supremum[k][0], run.space
-        function = {}
-
-        def add(derivative_order, weight):
-            add_to(function, space.functional(at, derivative_order, side), weight)
-
-        if self.swings or self.form == "conjugate":  # and what moves in space
-            return self.row_of_arm(bound, k, run, name, origin, at)
-        if rule.endswith("pressure_angle_deg") and order == 1 and sign:
-            limit = self.pressure[0 if sign > 0 else 1]
-            if limit is None or self.follower == "translating_flat":
-                return None
-            # sign (s' - sense e) <= tan (start + s), times beta / lift.
-            steep = times(tangent(limit), self.beta)
-            middle, half = middle_of(steep)
-            add(1, Fraction(sign))
-            add(0, -middle)
-            lean = max(sign * self.sense * self.offset * b for b in self.beta) / self.lift
-            factor = math.cos(math.radians(float(limit))) * float(self.lift / self.rules.reach()) / float(self.beta[0])
-            if self.searched:
-                fixed = sum(self.sizes[n] for n in ("base_radius", "roller_radius")
-                            if n in self.sizes and n not in self.searched)
-                most = max(s * fixed for s in steep) / self.lift + half * most_y + \
-                    half * sum(high for _, high in self.searched.values()) / self.lift
-                return Row(name, k, function, most, None, dict.fromkeys(self.searched, -middle / self.lift)), \
-                    number(factor)
-            most = steep[1] * self.start(self.base)[1] / self.lift + lean + half * most_y
-            return Row(name, k, function, most), number(factor)
-        if rule in ("cam.face_half_width", "cam.face_radius") and order == 1 and sign and self.width:
-            add(1, Fraction(sign))
+        if rule in ("cam.face_half_width", "cam.face_radius") and origin.get("order") == 1 and sign and self.width:
+            function = {j: sign * w for j, w in run.space.functional(at, 1, side).items()}
             return Row(name, k, function, self.width[1] * self.beta[1] / self.lift), \
                 self.lift / self.width[1] / number(float(self.beta[0]))
-        if rule.startswith("limits.cam_radius_min") and self.follower == "translating_flat" and not self.searched:
-            # -(base + s + s'') <= -least, times beta^2 / lift.
-            square = times(self.beta, self.beta)
-            middle, half = middle_of(square)
-            add(2, Fraction(-1))
-            add(0, -middle)
-            room = (self.base - dimension_of(self.problem.limits, "cam_radius_min")) / self.lift
-            most = max(room * b for b in square) + half * most_y
-            return Row(name, k, function, most), number(float(self.lift / self.base / square[0]))
-        if rule.startswith("limits.contact_force_min"):
-            forces, speed = self.forces, self.problem.turns_per_second()
-            unit = forces.unit(self.problem)
-            add(2, -forces.mass * speed**2 * self.lift / unit)
-            add(1, -forces.damping * speed * self.lift / unit)
-            add(0, -forces.rate * self.lift / unit)
-            return Row(name, k, function, (forces.preload + forces.load_at(at, side) - forces.least) / unit), Fraction(1)
-        return None
+        if self.kind != "disk" and self.searched:
+            return None
+        formulas = self.formulas_at(origin, at)
+        if bound.curve is not None and len(formulas) > 1:
+            # Which of several rules of one name is not said: the one that the motion comes nearest to.
+            values = [bound.curve.value_at(k, at, side, order) for order in range(3)]
+            place = [enclosures.interval(v)[0] for v in values] + [0]
+            formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
+        for formula in formulas[:1] if bound.curve is not None or len(formulas) == 1 else []:
+            row = self.linear_row(bound, k, run, name, formula, at, side)
+            if row is not None:
+                return row, 1 / self.row_size()
+        return self.row_of_arm(bound, k, run, name, origin, at, formulas)
+
+    def linear_row(self, bound, k, run, name, formula, at, side):
+        """A rule whose slopes are the same all over a box is linear; None where they differ."""
+        box = [enclosures.interval(Fraction(-1), Fraction(1))] * 3 + [(0, 0)] + [(0, enclosures.ONE)] * len(self.searched)
+        try:
+            found = enclosures.over_box(formula, box)
+            still = enclosures.at_place(formula, [0] * len(box))
+        except Unverified:
+            return None
+        slopes = {i: middle_of(tuple(enclosures.fraction(end) for end in ends)) for i, ends in found.slopes.items()}
+        if any(half > STRAIGHT * max(1, abs(middle)) for middle, half in slopes.values()):
+            return None
+        function, searched, most = {}, {}, -enclosures.fraction(still.value[0])
+        for i, (middle, half) in slopes.items():
+            if i > 3:
+                dimension = list(self.searched)[i - 4]
+                searched[dimension] = middle / self.searched[dimension][1]
+            elif bound.supremum[k][i] is None:
+                return None
+            else:
+                add_to(function, run.space.functional(at, i, side), middle)
+            most += half * (bound.supremum[k][i] if i < 4 else 1)
+        return Row(name, k, function, most, None, searched)
 
     # -- limits of the delivered motion
 
@@ -234,7 +222,11 @@ class Cam:
         laws = [s for s in self.problem.stretches if s.kind == "law"]
         rests = [s for s in self.problem.stretches if s.kind == "dwell"]
         for key in self.problem.limits:
-            if key.split("_")[0] in ORDERS:
+            if key.split("_")[0] in ORDERS or key == "spring_harmonics":
+                continue
+            if key.startswith("spring_harmonic_"):
+                self.problem.harmonics.keep(curve)
+                kept.append("limits." + key)
                 continue
             keep = self.keeper_of(key)
             if keep is None:
@@ -246,9 +238,7 @@ class Cam:
                 continue
             keep(curve)
             kept.append("limits." + key)
-        if self.width and self.swings:
-            missing.append("cam.face_half_width of an arm")
-        elif self.width:
+        if self.width:
             most = self.width[0] * (1 + KEPT) * self.beta[0] / self.lift
             if largest_magnitude(curve.along(1))[1] > most or \
                     not all(keeps(law, 1, sign, most, law.begin, law.end) for law in laws for sign in (1, -1)):
@@ -263,10 +253,7 @@ class Cam:
             return (lambda curve: self.keep_formulas(curve, key, formulas, more)) if formulas else None
         if key.endswith("pressure_angle_deg"):
             return (lambda curve: None) if self.follower == "translating_flat" else lambda curve: self.keep_pressure(curve, key)
-        if key in FORCES and self.swings or key.startswith("hertz_pressure_max") and (
-                self.follower != "translating_roller" if self.form == "open" else self.forces and not self.forces.is_constant()):
-            return None
-        if self.follower == "translating_flat" and not key.startswith(("cam_radius_min", *FORCES)):
+        if key in LOADED and self.form != "open" and self.forces and not self.forces.is_constant():
             return None
         formulas = self.as_found.formulas("limits." + key)
         return (lambda curve: self.keep_formulas(curve, key, formulas)) if formulas else None
@@ -333,7 +320,7 @@ class Cam:
                 if any(enclosures.at_place(f, rest).value[1] > 0 for f in self.as_found.pressures(least, sign)):
                     raise Refuted("the pressure angle at rest passes its limit")
 
-    def row_of_arm(self, bound, k, run, name, origin, at):
+    def row_of_arm(self, bound, k, run, name, origin, at, formulas):
         """Rows of an arm. Where a rule is convex, camopt's rows are its tangents: here the tangent at the delivered motion,
         lowered as far as it must be to lie under the rule wherever a motion can be."""
         rule, sign, side = origin["rule"], origin.get("sign", 0), origin.get("side", "right")
@@ -343,21 +330,22 @@ class Cam:
             function = {j: -self.sense * middle * w for j, w in run.space.functional(at, 1, side).items()}
             return Row(name, k, function, FACE_TURNS + half * bound.supremum[k][1]), Fraction(1)
         if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None or \
-                self.kind in ("remote", "inverse") or self.searched:
+                self.kind in ("remote", "inverse"):
             return None
-        values = [bound.curve.value_at(k, at, side, order) for order in range(2)]
+        dimensions = [(name, self.sizes[name] / high, low / high) for name, (low, high) in self.searched.items()]
+        values = [bound.curve.value_at(k, at, side, order) for order in range(2)] + [size for _, size, _ in dimensions]
         place = [enclosures.interval(v)[0] for v in values]
         ranges = [self.displacements(bound, k, at), (-bound.supremum[k][1], bound.supremum[k][1])]
-        formulas = [lambda numbers, f=f: f(numbers + [constant(0)])
-                    for f in self.rules.formulas(rule, 1, sign, origin.get("remark", ""))]
-        # Which of several rules of one name is not said: the one that the motion comes nearest to.
-        formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
-        for pressure in formulas[:1]:
+        ranges += [tuple(sorted((low, Fraction(1)))) for _, _, low in dimensions]
+        for formula in formulas[:1]:
+            def pressure(numbers, formula=formula):
+                return formula(numbers[:2] + [constant(0), constant(0)] + numbers[2:])
+
             found = enclosures.tangent_at(pressure, place)
-            slopes = [enclosures.fraction(sum(found.slopes.get(i, (0, 0))) // 2) for i in range(2)]
+            slopes = [enclosures.fraction(sum(found.slopes.get(i, (0, 0))) // 2) for i in range(len(values))]
 
             def leaning(by, pressure=pressure, slopes=tuple(slopes)):
-                return self.row_under(pressure, [slopes[0] + by, slopes[1]], place, ranges,
+                return self.row_under(pressure, [slopes[0] + by, *slopes[1:]], place, ranges,
                                       (name, k, run, at, side))
             row = leaning(Fraction(0))
             if row is None:
@@ -366,14 +354,13 @@ class Cam:
             return row, 1 / self.row_size()
         return None
 
-    @staticmethod
-    def row_under(rule, slopes, place, ranges, where):
+    def row_under(self, rule, slopes, place, ranges, where):
         """slopes . (y, y') + constant <= rule in these ranges as a row; None where the slopes fit too badly."""
         name, k, run, at, side = where
         factors = [constant(s) for s in slopes]
 
         def above(numbers):
-            return rule(numbers) - factors[0] * numbers[0] - factors[1] * numbers[1]
+            return rule(numbers) - sum((f * z for f, z in zip(factors, numbers)), constant(0))
         ends = [enclosures.interval(*r) for r in ranges]
         touching, lowest = enclosures.at_place(above, place).value[0], None
         for below in (Fraction(1, 10**12), Fraction(1, 10**9), Fraction(1, 10**6)):
@@ -382,9 +369,10 @@ class Cam:
         if lowest is None:
             return None
         function = {}
-        for order, slope in enumerate(slopes):
+        for order, slope in enumerate(slopes[:2]):
             add_to(function, run.space.functional(at, order, side), slope)
-        return Row(name, k, function, -enclosures.fraction(lowest))
+        searched = {name: slope / high for slope, (name, (_, high)) in zip(slopes[2:], self.searched.items())}
+        return Row(name, k, function, -enclosures.fraction(lowest), None, searched)
 
     def row_size(self):
         """What rows of arms and of cams in space are divided by beyond the formulas here."""

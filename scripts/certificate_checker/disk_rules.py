@@ -9,16 +9,13 @@ v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''.
 from fractions import Fraction
 
 from .enclosures import Over
-from .exact import PI, Unverified, exactly, middle_of, number, tangent, times
+from .exact import PI, exactly, middle_of, number, tangent, times
 from .forces import Forces
-from .units import dimension_of, enclosed, quantity
+from .laws import constant
+from .units import dimension_of, enclosed
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
 TOUCHES = Fraction(1, 10**6)      # contact: regularity, and height over the centre in parts of the cam's length
-
-
-def constant(value):
-    return Over.number(Fraction(value))
 
 
 class Side:
@@ -47,7 +44,7 @@ class DiskRules:
         self.roller = follower in ("translating_roller", "oscillating_roller")
         # On the follower at the cam angle that is looked at, N: set anew where it is not the same everywhere.
         self.load = constant(0)
-        if "forces" in scene and not self.swings:
+        if "forces" in scene:
             self.load = constant(Forces(problem, scene).points[0][1])
 
     @staticmethod
@@ -158,7 +155,7 @@ class DiskRules:
         for start, make in (("cam_radius_min_", self.convex_radius), ("concave_radius_min_", self.concave_radius)):
             if name.startswith(start):
                 return make(dimension_of(self.limits, start[:-1]))
-        if name.startswith("contact_force_min_") and not self.swings:
+        if name == "contact_force_min_n":
             return self.contact()
         if name == "undercut_margin":
             return self.margin(number(self.limits[name]))
@@ -171,9 +168,7 @@ class DiskRules:
 
     def reach(self):
         """The length by which pressure angles and heights are measured."""
-        if self.swings:
-            return self.dimensions["center_distance"]
-        ends = [self.dimensions["base_radius"], self.dimensions["roller_radius"]]
+        ends = [self.dimensions[name] for name in (("center_distance",) if self.swings else ("base_radius", "roller_radius"))]
         return sum((sum(e) / 2 if isinstance(e, tuple) else e for e in ends), Fraction(0))
 
     def pressure(self, limit, sign):
@@ -232,11 +227,10 @@ class DiskRules:
         return lambda numbers: constant(TOUCHES) - self.pitch(numbers)[1] * inverse
 
     def force(self, numbers):
-        """F = mass speed^2 s'' + damping speed s' + rate s + preload + load; of an arm the moment."""
-        rate, preload, swing, drag = self.pressing()
-        lift = Over.number(*self.lift)
-        return numbers[2] * Over.number(*swing) + numbers[1] * Over.number(*drag) + numbers[0] * lift * constant(rate) + \
-            constant(preload) + self.load
+        """F = mass speed^2 s'' + damping speed s' + rate s + preload + load; of an arm the moment, at that angle."""
+        own, speed = Forces(self.problem, self.problem.scene), self.problem.turns_per_second()
+        return numbers[2] * constant(own.mass * speed**2 * own.lift) + numbers[1] * constant(own.damping * speed * own.lift) + \
+            numbers[0] * constant(own.rate * own.lift) + constant(own.preload) + self.load
 
     def contact(self):
         """F >= least."""
@@ -244,35 +238,28 @@ class DiskRules:
         inverse = constant(1 / forces.unit(self.problem))
         return lambda numbers: (constant(forces.least) - self.force(numbers)) * inverse - self.room
 
-    def pressing(self):
-        """Rate, preload and the enclosures of mass speed^2 lift and damping speed lift."""
-        forces, speed = self.forces, self.problem.turns_per_second()
-        if self.swings:
-            known = ("inertia_kg_m2", "contact_width_mm", "contact_width_m")
-            if any(key not in known and "modulus" not in key and "poisson" not in key for key in forces):
-                raise Unverified("a spring or a preload on an arm")
-            return Fraction(0), Fraction(0), times(exactly(number(forces["inertia_kg_m2"]) * speed**2), self.lift), \
-                exactly(Fraction(0))
-        own = Forces(self.problem, self.problem.scene)
-        return own.rate, own.preload, times(exactly(own.mass * speed**2), self.lift), \
-            times(exactly(own.damping * speed), self.lift)
-
     def hertz(self, most):
         """F <= carried * radius * lever, carried = pi b C most^2, in parts of a unit of force (of an arm: of a moment). A roller
         of radius r lies on its side with the radius r (1 - R curvature) / (1 - (R - r) curvature), R to the surface."""
-        if not self.roller:
+        if self.follower == "translating_knife":
             return None
         compliance = Fraction(0)
         for side in ("cam", "follower"):
-            if any(key.startswith(f"{side}_modulus") and not key.endswith("_gpa") for key in self.forces):
-                raise Unverified("moduli of elasticity in another unit than GPa")
             poisson = number(self.forces.get(f"{side}_poisson", Fraction(3, 10)))
             compliance += (1 - poisson**2) / (number(self.forces.get(f"{side}_modulus_gpa", 210)) * 10**9)
-        width = quantity(self.forces, "contact_width")
-        _, preload, swing, _ = self.pressing()
-        load = Fraction(0) if self.swings else Forces(self.problem, self.problem.scene).largest_load()
-        unit = middle_of((max(preload, (swing[0] + load) / 100, Fraction(1, 1000)),) * 2)[0]
-        carried = Over.number(*times(PI, exactly(compliance * width * most**2 / unit)))
+        own = Forces(self.problem, self.problem.scene)
+        swing = own.mass * self.problem.turns_per_second()**2 * own.lift
+        unit = middle_of((max(own.preload, (swing + own.largest_load()) / 100, Fraction(1, 1000)),) * 2)[0]
+        carried = Over.number(*times(PI, exactly(compliance * number(self.forces["contact_width_m"]) * most**2 / unit)))
+
+        def flat(numbers):
+            if self.swings:  # the cam's radius and the lever, the contact's distance from the pivot's foot on the face
+                turning, along, radius = self.face(numbers)
+                radius, lever = radius * turning.inverse(), along * turning.inverse()
+            else:
+                s, _, bend = self.states(numbers)
+                radius, lever = self.sizes(numbers)["base_radius"] + s + bend, constant(1)
+            return self.force(numbers) * constant(1 / unit) - carried * radius * lever - self.room
 
         def rule(numbers):
             curvature, speed = self.curvature(numbers)
@@ -282,7 +269,7 @@ class DiskRules:
             if self.side.wider:
                 press = press * (constant(1) - constant(self.side.wider) * curvature)
             return press - carried * radius * arm * along * speed.inverse() - self.room
-        return rule
+        return rule if self.roller else flat
 
     def torque(self, sign):
         """sign F s' / most - 1."""

@@ -19,13 +19,12 @@ from .drive_laws import largest_along, square_along
 from .enclosures import ends_of
 from .exact import (
     KEPT, PI_ITSELF, STATED, Refuted, Unverified, combination, derivative, integral, largest, number, product, root, shifted)
-from .laws import SYMMETRIC
+from .laws import END_VELOCITIES
 from .motion_bounds import SIDES
 from .prescribed import state_at
 from .runs import Peak, Stretch
-from .units import FORCE, INCH, LENGTHS, POUND, POUND_FORCE, angle_of, in_unit
+from .units import FORCE, LENGTHS, MOMENTS, POUND, angle_of, in_unit
 
-MOMENTS = {"nm": Fraction(1), "lbf_in": POUND_FORCE * INCH}
 SPEEDS = {"rpm": PI_ITSELF / 30, "rad_s": Fraction(1)}
 TRAVELS = {f"{unit}_per_rev": size for unit, size in (*LENGTHS.items(), ("deg", PI_ITSELF / 180), ("rad", Fraction(1)))}
 UNITS = {"load_mass": {"kg": Fraction(1), "lb": POUND}, "load_inertia": {"kg_m2": Fraction(1)},
@@ -61,11 +60,11 @@ class Rule:
 
 
 def slope_at_ends(stretch):
-    """y' at both ends of a dwell or a law; None: a spline, which begins and ends as what is beside it."""
-    if stretch.kind == "law" and stretch.law not in SYMMETRIC:
-        raise Unverified(f"a motor along the law {stretch.law}")
-    moves = stretch.kind == "law" and stretch.law == "constant_velocity"
-    return None if stretch.kind == "spline" else (stretch.to - stretch.start) / (stretch.end - stretch.begin) if moves else Fraction(0)
+    """y' at both ends of a dwell or a law; of a spline, which begins and ends as what is beside it, None."""
+    if stretch.kind == "spline":
+        return None, None
+    return tuple(Fraction(end) * (stretch.to - stretch.start) / (stretch.end - stretch.begin)
+                 for end in END_VELOCITIES.get(stretch.law if stretch.kind == "law" else None, (0, 0)))
 
 
 class Drive:
@@ -294,7 +293,7 @@ class Drive:
         if self.problem.type != "program" or not self.problem.wraps or self.problem.continuity < 1:
             return False
         for before, after in zip(self.spans, self.spans[1:] + self.spans[:1]):
-            slopes = {slope_at_ends(span.stretch) for span in (before, after)} - {None}
+            slopes = {slope_at_ends(before.stretch)[1], slope_at_ends(after.stretch)[0]} - {None}
             turns = not slopes and before.way * after.way < 0
             if len(slopes) > 1 or (before.constant != after.constant and slopes != {0} and not turns):
                 return False

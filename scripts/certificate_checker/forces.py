@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""The load of a follower that is pushed straight: mass, spring, preload, viscous damping, and a load over the cam angle."""
+"""The load of a follower: mass, spring, preload, viscous damping, and a load over the cam angle; of an arm inertia and moments."""
 from fractions import Fraction
 
 from .exact import number
-from .units import in_unit, quantity, unit_of
+from .units import in_unit
+
 
 class Forces:
-    """F = mass speed^2 s'' + damping speed s' + rate s + preload + load, in N; speed in unit angles a second."""
+    """F = mass speed^2 s'' + damping speed s' + rate s + preload + load, in N; speed in unit angles a second. Of an arm s is an angle
+    in rad, F a moment in N m."""
 
     def __init__(self, problem, scene):
         given = scene.get("forces", {})
         self.mass, self.rate, self.preload, self.damping = (
-            quantity(given, name) for name in ("mass", "spring_rate", "preload", "damping"))
-        self.least = quantity(problem.limits, "contact_force_min")
-        self.width = quantity(given, "contact_width")
+            number(given.get(name, 0)) for name in ("mass_kg", "spring_rate_n_m", "preload_n", "damping_n_s_m"))
+        self.least = number(problem.limits.get("contact_force_min_n", 0))
+        self.lift = in_unit(problem.lift, "rad")
         self.end = problem.stretches[-1].end * problem.copies
         self.points = self.points_of(problem, given)  # (x, load), ascending over one turn of the cam
         self.turn = self.points[-1][0] - self.points[0][0]
@@ -21,12 +23,11 @@ class Forces:
     @staticmethod
     def points_of(problem, given):
         """The last point passes on to the first of the next turn."""
-        key, size = unit_of(given, "load")
-        value = given[key] if key else 0
+        value = given.get("load_n", 0)
         if not isinstance(value, list):
-            return [(Fraction(0), number(value) * size if key else Fraction(0))]
+            return [(Fraction(0), number(value))]
         degree = in_unit((Fraction(1), "deg"), problem.unit_angle[1]) / problem.unit_angle[0]
-        points = [(number(angle) * degree, number(load) * size) for angle, load in value]
+        points = [(number(angle) * degree, number(load)) for angle, load in value]
         turn = points[0][0] + 360 * degree
         return points + ([(turn, points[0][1])] if points[-1][0] < turn else [])
 
@@ -58,5 +59,5 @@ class Forces:
 
     def unit(self, problem):
         """What camopt divides a row of the contact force by."""
-        swing = self.largest_load() + self.mass * problem.turns_per_second()**2 * problem.lift[0]
+        swing = self.largest_load() + self.mass * problem.turns_per_second()**2 * self.lift
         return max(abs(self.least), self.preload, swing, Fraction(1, 1000))

@@ -15,7 +15,8 @@ by L: psi' = -theta'/L', psi'' = -(theta'' + psi' L'') / L'^2. Its walls are reg
 """
 from fractions import Fraction
 
-from .disk_rules import DiskRules, constant
+from .disk_rules import DiskRules
+from .laws import constant
 from .enclosures import Over
 from .exact import Unverified, exactly, number, tangent
 from .plane_vectors import across, divided, dot, plus, scaled, sign_of

@@ -6,10 +6,10 @@ KNOWN_TABLES = {"title", "motion", "spline", "objective", "cam", "linkage", "for
                 "solver", "dynamics", "drive"}
 KNOWN_TERMS = {"velocity", "acceleration", "jerk", "area", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break",
                "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset", "motor_torque",
-               "motor_torque_rms"}
+               "motor_torque_rms", "deviation", "deviation_rms"}
 KNOWN_LIMITS = ("velocity", "acceleration", "jerk", "pressure_angle", "rise_pressure_angle", "return_pressure_angle", "cam_radius_min",
-                "concave_radius_min", "undercut_margin", "contact_force_min", "torque_max", "hertz_pressure_max", "residual",
-                "dynamic_contact_force_min", "motor_torque", "motor_torque_rms", "motor_speed", "motor_curve")
+                "concave_radius_min", "undercut_margin", "contact_force_min", "contact_moment_min", "torque_max", "hertz_pressure_max",
+                "residual", "spring_harmonic", "dynamic_contact_force_min", "motor_torque", "motor_torque_rms", "motor_speed", "motor_curve")
 
 
 KNOWN_OF_MOTION = ("type", "lift_", "rise_", "return_", "speed_", "symmetric", "within_lift", "monotone", "via", "start", "end",
@@ -17,10 +17,11 @@ KNOWN_OF_MOTION = ("type", "lift_", "rise_", "return_", "speed_", "symmetric", "
 
 
 KNOWN_KEYS = {"spline": ("degree", "segments", "breakpoints", "knots", "continuity", "end_jerk", "design"),
-              "measured": ("table", "columns", "decimal", "theta", "s_", "step_", "zero", "angles", "use", "name"),
+              "measured": ("table", "columns", "decimal", "theta", "s_", "step_", "zero", "angles", "outliers", "use", "norm",
+                           "name"),
               "segments": ("kind", "angle_", "law", "to", "via", "end"),
-              "via": ("at", "from_", "to_", "displacement", "velocity", "acceleration"),
-              "corridor": ("from_", "to_", "displacement", "velocity", "acceleration", "jerk"),
+              "via": ("at", "from", "to", "displacement", "velocity", "acceleration"),
+              "corridor": ("from", "to", "displacement", "velocity", "acceleration", "jerk"),
               "start": ("velocity", "acceleration"), "end": ("velocity", "acceleration"),
               "machine": ("speed_",), "axis": ("name", "scene", "phase_"),
               "clearance": ("between", "factors", "at_least_", "from_", "to_")}
@@ -55,8 +56,6 @@ def name_what_is_unknown(scene):
     """A table, a key or a term that nothing below looks at would pass unseen."""
     for table in sorted(set(scene) - KNOWN_TABLES):
         raise Unverified(f"[{table}]")
-    if scene.get("measured", {}).get("use") == "nearest":
-        raise Unverified("the distance from a measured table")
     for term in sorted(set(scene.get("objective", {})) - KNOWN_TERMS):
         raise Unverified(f"objective.{term}")
     name_unknown_limits(scene)
@@ -64,7 +63,7 @@ def name_what_is_unknown(scene):
     for tables, path in ((scene.get("spline", {}), "spline"), (scene.get("measured", {}), "measured"),
                          *((motion.get(key, []), f"motion.{key}") for key in ("segments", "via", "corridor", "start", "end"))):
         name_unknown_keys_of(tables, path)
-    if scene.get("measured", {}).get("use", "compare") not in ("compare", "start"):
+    if scene.get("measured", {}).get("use", "compare") not in ("compare", "start", "nearest"):
         raise Unverified(f"measured.use = {scene['measured']['use']}")
     if motion["type"] not in ("DRD", "RR", "program"):
         raise Unverified(f'motion.type = "{motion["type"]}"')

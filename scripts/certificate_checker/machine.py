@@ -8,17 +8,16 @@ from . import enclosures
 from .bound import Bound
 from .cam import Cam
 from .conditions import Conditions
-from .disk_rules import constant
 from .drive import Drive
 from .enclosures import ends_of
 from .exact import KEPT, Refuted, SAME_PLACE, STATED, Unverified, add_to, combination, largest, number, shifted
 from .known import name_unknown_of_machine, name_what_is_unknown
-from .laws import POLYNOMIALS, at_time, parts_along
+from .laws import POLYNOMIALS, at_time, constant, parts_along
 from .motion import Curve
 from .prescribed import state_at
 from .problem import Problem
 from .references import references_of
-from .units import LENGTHS, angle_of, in_unit
+from .units import LENGTHS, angle_of, in_known_units, in_unit, with_known_rule
 from .valve import as_program
 
 TURN = Fraction(360)
@@ -34,6 +33,7 @@ class Axis:
         self.name = written["name"]
         self.scene = as_program(tomllib.loads((folder / f"{self.name}.toml").read_text(), parse_float=Fraction))
         name_what_is_unknown(self.scene)
+        self.scene = in_known_units(self.scene)
         motion = {k: v for k, v in self.scene["motion"].items() if not k.startswith("speed_")}
         if speed is not None:
             motion["speed_rpm"] = speed
@@ -256,7 +256,7 @@ def judge_machine(folder, report, outcome_of):
     """`outcome_of`: of the result folder of one axis."""
     machine = tomllib.loads((folder / "machine.toml").read_text(), parse_float=Fraction)
     result = json.loads((folder / "machine.json").read_text(), parse_float=Fraction)
-    certificate = json.loads((folder / "certificate.json").read_text())
+    certificate = json.loads((folder / "certificate.json").read_text(), object_hook=with_known_rule)
     name_unknown_of_machine(machine)
     verdict, impossible, (least, most) = result["verdict"], result["impossible_above_rpm"], speeds_of(machine)
     claims = [verdict, f"{len(machine['axis'])} axes"]
@@ -291,7 +291,7 @@ def judge_machine(folder, report, outcome_of):
     if impossible is not None:
         if number(impossible) <= number(result["speed_rpm"]):
             raise Refuted("motions are delivered at a speed that is said to be impossible")
-        proof = json.loads((folder / "impossible.json").read_text())["proof"]
+        proof = json.loads((folder / "impossible.json").read_text(), object_hook=with_known_rule)["proof"]
         axes, clearances = at(number(impossible))
         judge_impossible(axes, clearances, proof, report)
         missing += not_above(axes) if verdict == "optimal" else []

@@ -152,6 +152,9 @@ class Curve:
             lost, functions = lost_area(problem)
             lost += sum((w * control[j] for control, f in zip(self.control, functions) for j, w in f.items()), Fraction(0))
             return lost / term.reference, lost / term.reference
+        if term.kind.startswith("deviation"):
+            low, high = problem.table.figure(self, term.kind)
+            return low / term.reference, high / term.reference
         if term.kind == "residual":
             low, high = problem.train.residual(self)
             return low / term.reference, high / term.reference
@@ -211,16 +214,17 @@ class Curve:
                     if stroke is None:
                         continue
                     part = shifted(p, a - begin)
-                    moved = stroke.to - stroke.start
-                    if monotone and moved:
-                        rules = [([-c * (stroke.end - stroke.begin) / moved for c in derivative(part)], Fraction(0))]
+                    if monotone and stroke.moved:
+                        way = (stroke.end - stroke.begin) / (stroke.moved if stroke.to >= stroke.start else -stroke.moved)
+                        rules = [([-c * way for c in derivative(part)], Fraction(0))]
                     else:
-                        size = max(abs(moved), Fraction(1))
+                        size = max(stroke.moved, Fraction(1))
                         rules = [([sign * c / size for c in part], (end + run.level(stretch)) * sign / size)
                                  for sign, end in ((-1, stroke.least), (1, stroke.most)) if end is not None]
                     for rule, most in rules:
-                        if largest([(rule, b - a)])[1] > most + room:
-                            raise Refuted(f"a stroke {'turns back' if monotone else 'leaves its range'}")
+                        excess = largest([(rule, b - a)])[1] - most
+                        if excess > room:
+                            raise Refuted(f"a stroke {'turns back' if monotone else 'leaves its range'} by {float(excess):.1e}")
                     kept.add("motion.monotone" if monotone else "motion.within_lift")
         return sorted(kept)
 

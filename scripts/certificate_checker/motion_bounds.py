@@ -3,13 +3,11 @@
 from fractions import Fraction
 
 from . import enclosures
-from .disk_rules import constant
 from .exact import KEPT, ORDERS, Refuted, Unverified, add_to, derivative, integral, largest, number, shifted
-from .laws import POLYNOMIALS, SYMMETRIC, parts_along
+from .laws import JUMPING, SYMMETRIC, constant, mean_of, parts_along
 
 TYPICAL = (1, 2, 6, 60)  # of y ... y''' over one lift: what a bound near 0 is measured by
 SIDES = {"min": -1, "max": 1}
-JUMPING = ("parabolic", "simple_harmonic")  # laws whose y'' jumps
 
 
 class MotionBound:
@@ -102,13 +100,7 @@ def keeps(stretch, order, sign, most, begin, end):
 # -- the lost area: 1 - the mean displacement in lifts
 
 def mean_of_law(stretch):
-    if stretch.law in POLYNOMIALS:
-        share = integral([Fraction(c) for c in POLYNOMIALS[stretch.law]], Fraction(1))
-    elif stretch.law in SYMMETRIC:
-        share = Fraction(1, 2)
-    else:
-        raise Unverified(f"the area under the law {stretch.law}")
-    return stretch.start + share * (stretch.to - stretch.start)
+    return stretch.start + mean_of(stretch.law) * (stretch.to - stretch.start)
 
 
 def lost_area(problem):
@@ -129,13 +121,17 @@ def lost_area(problem):
 
 
 def area_reference(problem):
-    """The scene's number, or the lost area of the reference law on the strokes of the scene: every law that this checker knows is
-    symmetric about its middle."""
+    """The scene's number, or the lost area of the reference law on the strokes of the scene: a law that is symmetric about its middle, or
+    any on a rise."""
+    if problem.free:
+        raise Unverified("the area next to displacements that are free")
     asked = problem.objective.get("reference", "modified_sine")
     if isinstance(asked, dict):
         if "area" not in asked:
             raise Unverified("objective.reference without area")
         return number(asked["area"])
+    if problem.type == "DRD":
+        return 1 - mean_of(asked)
     if asked not in SYMMETRIC:
         raise Unverified(f"the area of the law {asked}, which the objective divides by")
     if problem.type != "program":

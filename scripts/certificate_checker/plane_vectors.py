@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Vectors (x, y) of enclosed numbers, and signs of numbers that are enclosed."""
-from .disk_rules import constant
+from .laws import constant
 from .exact import Unverified
 
 

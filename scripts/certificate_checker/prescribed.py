@@ -2,12 +2,10 @@
 """Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
 from fractions import Fraction
 
-from .disk_rules import constant
 from .enclosures import ends_of
 from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, number, root, tangent
-from .laws import parts_along
+from .laws import JUMPING, constant, law_peak, parts_along
 from .units import dimension_of
-from .references import law_peak
 
 
 def is_prescribed(scene):
@@ -38,6 +36,8 @@ def state_at(problem, at, side):
     stretch = problem.stretch_at(at, side)
     if stretch is None:
         raise Refuted(f"a row speaks of x = {float(at)}, outside the motion")
+    if None in (stretch.start, stretch.to):
+        raise Unverified("rows where a displacement that is free rests, or along a law from or to it")
     v = min(max((at - stretch.begin) / (stretch.end - stretch.begin), Fraction(0)), Fraction(1))
     parts = parts_along(stretch, 4)
     begin, _, motion = next((part for part in parts if v < part[1] or (v == part[1] and side == "left")), parts[-1])
@@ -82,6 +82,9 @@ def passes(problem, rule, at, side):
     if problem.drive and rule.startswith("limits.motor_"):
         return problem.drive.passes(rule, at, side)
     own = [limit[:3] for limit in limits_at(problem, rule, at, stretch)]
+    signs = {sign for order, sign, _ in own if order == 3 and rule.startswith("limits.")}
+    if stretch.kind == "law" and stretch.law in JUMPING and (len(signs) == 2 or (signs and stretch.law != "simple_harmonic")):
+        return True  # y'' jumps at an end of the law (of all but simple_harmonic up and down)
     if problem.cam and rule.startswith("cam.face_") and problem.cam.width:
         own += [(1, sign, problem.cam.width[1] * problem.cam.beta[1] / problem.cam.lift) for sign in (1, -1)]
     if own:
@@ -132,7 +135,7 @@ def least_dimension(cam, origin, state, name):
         highest = lift * s[1] + max(lift * b / square for b in bend for square in squares)
         return dimension_of(cam.problem.limits, "cam_radius_min") - highest
     limit = cam.pressure[0 if sign > 0 else 1] if sign else None
-    if rule.endswith("pressure_angle_deg") and limit is not None and not cam.offset and cam.follower != "translating_flat":
+    if rule.endswith("pressure_angle_deg") and limit is not None and not cam.sizes.get("offset") and cam.follower != "translating_flat":
         # sign s' <= tan (base + roller + s)
         least = min(sign * lift * v / b for v in slope for b in cam.beta)
         return min(least / steep for steep in tangent(limit)) - fixed - lift * s[1]

@@ -3,8 +3,9 @@
 import itertools
 from fractions import Fraction
 
-from .exact import ORDERS, SAME_PLACE, Unverified, add_to, number
-from .laws import END_VELOCITIES
+from .exact import ORDERS, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
+from .laws import ends_of_law
+from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
 from .motion_bounds import area_reference, motion_bounds
 from .runs import Peak, Run, Stretch
 from .spaces import Space
@@ -16,8 +17,12 @@ CLOSE = Fraction(1, 10**6)  # set points nearer than this, in x, fix a slope tha
 class Problem:
     """What the scene asks for. x counts in rises (programs: in angles of the first spline segment), y in lifts."""
 
-    def __init__(self, scene, references, breakpoints_found=None):
-        self.scene = scene
+    def __init__(self, scene, references, breakpoints_found=None, displacements=None, rises=None):
+        """`displacements`: at each joint, where the scene leaves them free; empty: they remain free; None: that is not judged.
+        `rises`: {segment: whether it rises} of a case."""
+        self.scene, self.displacements, self.rises = scene, displacements, rises or {}
+        self.ranges = None  # the scene with the ranges of angles that are searched
+        self.free, self.farthest_level = set(), None  # joints whose displacement the scene leaves free, and how far it may be
         self.motion = scene["motion"]
         self.spline = scene.get("spline", {})
         self.limits = scene.get("limits", {})
@@ -41,8 +46,10 @@ class Problem:
         self.bounds = motion_bounds(self)
         self.references = references
         self.terms = self.terms_of(references)
+        self.table = MeasuredTable(self) if any(term.kind in DEVIATIONS for term in self.terms) else None
         self.cam, self.left_out = None, {}
         self.train = None  # an elastic follower
+        self.harmonics = None  # of the lift, where they are limited
         self.drive = None  # a motor in place of a cam
 
     def least_cost(self):
@@ -105,7 +112,7 @@ class Problem:
             return name, Fraction(1)
         power = "" if order == 1 else str(order)
         size, kind = self.lift
-        for unit, length in (LENGTHS if kind == "m" else {kind: Fraction(1)}).items():
+        for unit, length in (LENGTHS if kind == "m" else {unit: in_unit((Fraction(1), unit), kind) for unit in ("deg", "rad")}).items():
             key = f"{name}_{unit}_s{power}"
             if key in table:
                 return key, length / (size * self.turns_per_second()**order)
@@ -206,7 +213,8 @@ class Problem:
         self.wraps = closed is True or closed == "relative"
         levels = self.levels(segments, closed is True)
         for i, segment in enumerate(segments):
-            self.stretches.append(Stretch(segment["kind"], joints[i], joints[i + 1], levels[i], levels[i + 1]))
+            self.stretches.append(Stretch(segment["kind"], joints[i], joints[i + 1], levels[i], levels[i + 1],
+                                          not self.free.isdisjoint((i, i + 1))))
             self.stretches[-1].law = segment.get("law")
         groups = [[i for i, _ in group] for kind, group in itertools.groupby(enumerate(kinds), lambda own: own[1])
                   if kind == "spline"]
@@ -234,9 +242,30 @@ class Problem:
         for i in reversed(order):
             if segments[i]["kind"] == "dwell" and known[i + 1] is not None:
                 known[i] = known[i + 1]
-        if None in known:
+        self.free = {j for j, level in enumerate(known) if level is None}
+        if self.free and (self.displacements is None or self.motion.get("closed") == "relative"):
             raise Unverified("displacements that are free")
+        given = [level for level in known if level is not None]
+        least, most = min(given), max(given)
+        span = max(Fraction(1), most - least)
+        self.farthest_level = max(abs(least - span), abs(most + span))
+        for j in sorted(self.free) if self.displacements else ():
+            found = min(max(self.displacements[j], least - span), most + span)
+            if abs(found - self.displacements[j]) > STATED:
+                raise Refuted(f"the displacement {float(self.displacements[j])} is further than one span beyond those given")
+            known[j] = known[j - 1] if segments[j - 1]["kind"] == "dwell" else found
         return known
+
+    def level_at(self, joint):
+        """The displacement there as a function of those that are free: {-their joint: weight, None: a number}."""
+        level = self.stretches[joint - 1].to if joint else Fraction(0)
+        while level is None and self.stretches[joint - 1].kind == "dwell":
+            joint -= 1
+        return {-joint: Fraction(1)} if level is None else {None: level}
+
+    def largest(self, value):
+        """The largest magnitude of a number or of a function of displacements that are free."""
+        return sum(abs(w) * (self.farthest_level if key else 1) for key, w in value.items()) if isinstance(value, dict) else value
 
     def add_run(self, segments, group, passed, curves):
         """The run of the segments that `group` counts; those of `passed` follow the start of the next turn."""
@@ -252,16 +281,19 @@ class Problem:
             self.close(run)
         else:
             for place, neighbour in ((0, group[0] - 1), (1, group[-1] + 1)):
-                run.states[place] = self.state_beside(neighbour, place)
-                at, side = points[-place], ("right", "left")[place]
-                for order, value in enumerate((run.ends()[place], *run.states[place])):
+                state = self.state_beside(neighbour, place)
+                run.states[place] = tuple(self.largest(value) for value in state)
+                at, side, level = points[-place], ("right", "left")[place], run.ends()[place]
+                level = self.level_at(group[-1] + 1 if place else group[0]) if level is None else level
+                for order, value in enumerate((level, *state)):
                     run.demand(at, order, side, value, "state at the end of a spline")
         for i, following in zip(group, group[1:] + group[:1]):
             if following == group[0] and not run.is_ring():
                 break
             if following != group[0]:
                 own = self.stretches[i]
-                run.demand(run.begin_of(own) + own.end - own.begin, 0, "left", own.to + run.level(own), "displacement at a joint")
+                level = self.level_at(i + 1) if own.to is None else own.to + run.level(own)
+                run.demand(run.begin_of(own) + own.end - own.begin, 0, "left", level, "displacement at a joint")
             if self.turns_back(segments, i, following):
                 run.demand(run.begin_of(self.stretches[following]), 1, "right", Fraction(0), "turning point")
         self.end_jerk(run)
@@ -290,13 +322,14 @@ class Problem:
                 return self.state_at_end(neighbour > 0)
             neighbour %= len(self.stretches)
         own = self.stretches[neighbour]
-        if own.kind != "law" or own.law in ("cycloidal", "polynomial_345", "polynomial_4567", "polynomial_56789", "modified_sine",
-                                            "modified_trapezoid"):
+        if own.kind != "law":
             return Fraction(0), Fraction(0)
-        if own.law in END_VELOCITIES:  # without acceleration
-            slope = END_VELOCITIES[own.law][0 if after else 1]
-            return slope * (own.to - own.start) / (own.end - own.begin), Fraction(0)
-        raise Unverified(f"a spline next to the law {own.law}")
+        factors = [ends_of_law(own.law, order)[0 if after else 1] / (own.end - own.begin)**order for order in (1, 2)]
+        if own.start is not None and own.to is not None:
+            return tuple(factor * (own.to - own.start) for factor in factors)
+        moved = self.level_at(neighbour + 1)
+        add_to(moved, self.level_at(neighbour), -1)
+        return tuple({key: factor * w for key, w in moved.items()} if factor else Fraction(0) for factor in factors)
 
     def turns_back(self, segments, i, following):
         """Two splines that reverse the motion, neither of which may pass the joint between them."""
@@ -308,8 +341,12 @@ class Problem:
                for point in segments[j].get("via", []) for key in point):
             return False
 
-        before, after = self.stretches[i], self.stretches[following]
-        return (before.to - before.start) * (after.to - after.start) < 0
+        return self.moved(i) * self.moved(following) < 0
+
+    def moved(self, i):
+        """By a stroke; of a free one 1 or -1 in the direction of the case, 0: not known."""
+        own = self.stretches[i]
+        return {True: 1, False: -1, None: 0}[self.rises.get(i)] if own.free else own.to - own.start
 
     def folded(self, x, side):
         """The place in the part of the turn that is repeated."""
@@ -379,12 +416,11 @@ class Problem:
             if velocity is None:
                 continue
             run.demand(at, 1, side, velocity, "via")
-            if region:  # a straight line: every higher derivative of the one piece vanishes
-                run.demand(at, 2, "right", Fraction(0), "via")
-                for order in range(3, self.degree + 1):
-                    run.demand(at, order, "right", Fraction(0), "via")
-                if run.space.segment_of(at, "right")[0] != run.space.segment_of(until, "left")[0]:
-                    raise Unverified("a region of constant velocity over several pieces")
+            if region:  # a straight line: every higher derivative of its pieces vanishes
+                first, last = (run.space.segment_of(x, side)[0] for x, side in ((at, "right"), (until, "left")))
+                for x in run.space.breakpoints[first:last + 1]:
+                    for order in range(2, self.degree + 1):
+                        run.demand(x, order, "right", Fraction(0), "via")
 
     # -- objective and limits
 
@@ -407,7 +443,7 @@ class Problem:
             terms.append(Peak("area", 0, number(self.objective["area"]), area_reference(self)))
         if number(self.objective.get("torque", 0)):
             terms.append(Peak("torque", 2, number(self.objective["torque"]), references["torque"]))
-        return terms
+        return terms + deviation_terms(self)
 
     def rms_weight(self, stretch, order):
         return 1 / stretch.scale(order)**2

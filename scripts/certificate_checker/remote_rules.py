@@ -21,7 +21,8 @@ The roller's centre moves across u, the common normal is (C_u - s l w', C_a) / |
 """
 from fractions import Fraction
 
-from .disk_rules import DiskRules, constant
+from .disk_rules import DiskRules
+from .laws import constant
 from .enclosures import Over
 from .exact import Unverified, number, tangent
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned

@@ -3,20 +3,19 @@
 from fractions import Fraction
 
 from .conditions import Conditions
-from .exact import Unverified
+from .exact import add_to
 
 
 class Stretch:
-    """A part of the motion: a dwell, a law, or a spline between two displacements (None: what the spline makes)."""
+    """A part of the motion: a dwell, a law, or a spline between two displacements (None: not known). `free`: the scene leaves one of
+    them open."""
 
-    def __init__(self, kind, begin, end, start, to):
-        self.kind, self.begin, self.end, self.start, self.to = kind, begin, end, start, to
+    def __init__(self, kind, begin, end, start, to, free=False):
+        self.kind, self.begin, self.end, self.start, self.to, self.free = kind, begin, end, start, to, free
 
     def scale(self, order):
         """y^(order) is this times what V, A and J of the stretch measure."""
-        if self.start is None or self.to is None:
-            raise Unverified("displacements that are free")
-        displacement = abs(self.to - self.start)
+        displacement = Fraction(1) if self.free else abs(self.to - self.start)
         if displacement < Fraction(1, 10**9):
             displacement = Fraction(1)
         return displacement / (self.end - self.begin)**order
@@ -45,8 +44,9 @@ class Run:
         return self.raised if stretch in self.passed else Fraction(0)
 
     def ends(self):
-        """Its own y at both ends."""
-        return self.stretches[0].start, self.stretches[-1].to + self.level(self.stretches[-1])
+        """Its own y at both ends (None: not known)."""
+        last = self.stretches[-1]
+        return self.stretches[0].start, None if last.to is None else last.to + self.level(last)
 
     def begin_of(self, stretch):
         """Its own x where a stretch begins."""
@@ -70,13 +70,18 @@ class Run:
         for order in range(1, self.top() + 1):
             start, weights = self.space.raised(weights, order)
             starts.append(start)
-        return {j: w for j, w in enumerate(starts + weights) if w}
+        return {j: w for j, w in enumerate(starts + weights) if w} | {j: w for j, w in row.items() if j < 0}
 
     def conditions_in_top(self):
         return Conditions([(self.in_top(row), value, name) for row, value, name in self.conditions])
 
     def demand(self, x, order, side, value, name):
-        self.conditions.append((self.space.functional(x, order, side), value, name))
+        """`value`: a number, or a function of displacements that are free (Problem.level_at)."""
+        row = self.space.functional(x, order, side)
+        if isinstance(value, dict):
+            add_to(row, {key: w for key, w in value.items() if key is not None}, -1)
+            value = value.get(None, Fraction(0))
+        self.conditions.append((row, value, name))
 
 
 class Peak:

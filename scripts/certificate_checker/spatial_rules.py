@@ -7,7 +7,7 @@ is regular where  1 - r (A . n - 2 F M) / W^2 - (r M / W)^2 > 0,  n the flank's 
 """
 from fractions import Fraction
 
-from .disk_rules import constant
+from .laws import constant
 from .enclosures import Over
 from .plane_vectors import sign_of
 from .exact import PI, exactly, number, tangent, times

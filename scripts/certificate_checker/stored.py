@@ -35,7 +35,8 @@ def factor_of(proof, problem):
     then are in other units, and its multipliers are all smaller (or larger) by this factor."""
     for name, cost in zip(proof["variables"], proof["cost"]):
         for term in problem.terms:
-            if term.weight and term.kind == "peak" and name == "peak " + next(n for n, o in ORDERS.items() if o == term.order) and cost:
+            own = "peak " + next(n for n, o in ORDERS.items() if o == term.order) if term.kind == "peak" else term.kind
+            if term.weight and name == own and own.startswith(("peak", "deviation")) and cost and term.kind != "deviation_rms":
                 return term.weight / number(cost)
     return Fraction(1)
 
@@ -64,6 +65,8 @@ def check_box(proof, result, problem, factor):
 
 def strokes_at(result, problem, name, order):
     """What a state of a breakpoint, "y''[3] of run 2", may be in units of: of one stroke, or of two that join there."""
+    if problem.type == "RR":  # beyond the top in units of the return
+        return [Fraction(1), 1 / (problem.stretches[0].end - 1)**order]
     if len(problem.stretches) == 1 or not order:
         return [Fraction(1)]
     index, _, run = name.split("[")[1].partition("]")

@@ -8,11 +8,13 @@ SLOW = STATED  # lifts by x: what passes a place no faster does not leave the ra
 
 
 class Stroke:
-    """From `start` to `to` between `begin` and `end`; `least` and `most` are what it keeps between, None where it may leave."""
+    """From `start` to `to` between `begin` and `end`; `least` and `most` are what it keeps between, None where it may leave. It is
+    measured by its displacement, one that is free by the lift."""
 
-    def __init__(self, begin, end, start, to):
+    def __init__(self, begin, end, start, to, free=False):
         self.begin, self.end, self.start, self.to = begin, end, start, to
-        self.least, self.most = min(start, to), max(start, to)
+        self.least, self.most = (None, None) if None in (start, to) else (min(start, to), max(start, to))
+        self.moved = Fraction(1) if free else abs(to - start)
 
 
 def stroke_of(problem, stretch, at):
@@ -26,16 +28,19 @@ def stroke_of(problem, stretch, at):
         via, width, begin = problem.motion.get("via", []), Fraction(1), Fraction(0)
     else:
         i = problem.stretches.index(stretch)
-        found = Stroke(stretch.begin, stretch.end, stretch.start, stretch.to)
+        found = Stroke(stretch.begin, stretch.end, stretch.start, stretch.to, stretch.free)
         slopes = [slope_beside(problem, i - 1, 0), slope_beside(problem, i + 1, 1)]
         via, width, begin = problem.motion["segments"][i].get("via", []), stretch.end - stretch.begin, stretch.begin
     passed = [p for point in via for p in passed_points(problem, point, begin, width, found)]
+    if stretch.free:
+        return None if passed else found
     return found if set_range(found, passed, slopes) else None
 
 
 def slope_beside(problem, neighbour, after):
     if 0 <= neighbour < len(problem.stretches) or problem.wraps:
-        if problem.stretches[neighbour % len(problem.stretches)].kind == "spline":
+        beside = problem.stretches[neighbour % len(problem.stretches)]
+        if beside.kind == "spline" or beside.free:
             return Fraction(0)
     return problem.state_beside(neighbour, after)[0]
 

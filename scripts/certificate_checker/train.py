@@ -22,18 +22,16 @@ After the last breakpoint, at rest, nothing of the second sum is left: there E =
 
 The force on the cam in units of K lift:  s P / (K lift) + s (1 - s) y + 2 z / w (1 - s) y' - s e - 2 z / w e'.
 """
+import itertools
 from fractions import Fraction
 
 from . import enclosures
-from .disk_rules import constant
 from .enclosures import Complex, Over
 from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, times, value_at
-from .laws import at_time, harmonic
+from .laws import at_time, constant, harmonic
 from .runs import Peak
 from .units import in_unit
 
-FORCES = {"n_mm": 1000, "n_m": 1}
-AMPLITUDES = {"um": Fraction(1, 10**6), "mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}
 SAME_PEAK = Fraction(1, 10**11)  # a largest amplitude is enclosed to this part of it
 PLACES = 64                      # speeds at which the largest one is looked for
 KNOWN = ("mass_kg", "natural_frequency_hz", "natural_frequency_rad_s", "stiffness", "damping_ratio", "damping_n_s_m",
@@ -48,9 +46,12 @@ class Train:
         for key in given:
             if not key.startswith(KNOWN):
                 raise Unverified(f"dynamics.{key}")
-        if problem.lift[1] != "m" or problem.type not in ("DRD", "RR"):
-            raise Unverified("an elastic follower that swings, or of a program")
-        mass, back = number(given["mass_kg"]), self.rate(given, "return_spring")
+        # What is between two dwells starts from rest: each run is one such event.
+        if any(s.kind == "law" for s in problem.stretches) or any(run.raised or run.is_ring() or run.states[0][0] or run.states[1][0]
+                                                                  for run in problem.runs):
+            raise Unverified("an elastic follower along laws, or that is not at rest at the ends of its splines")
+        self.lift = in_unit(problem.lift, "rad")
+        mass, back = number(given["mass_kg"]), number(given.get("return_spring_n_m", 0))
         self.frequency = self.frequency_of(given, mass, back)
         square = self.frequency.square()
         self.stiffness = constant(mass) * square                       # K
@@ -61,14 +62,9 @@ class Train:
         if self.damping.value[1] >= enclosures.ONE:
             raise Unverified("an elastic follower that is damped above critical")
         self.ring = (constant(1) - self.damping.square()).root()       # sqrt(1 - z^2)
-        self.preload = constant(number(given.get("preload_n", 0)) / problem.lift[0]) * self.stiffness.inverse()
+        self.preload = constant(number(given.get("preload_n", 0)) / self.lift) * self.stiffness.inverse()
         self.times = self.times_of(given)
         self.memory = {}
-
-    @staticmethod
-    def rate(given, name):
-        return sum((number(given[f"{name}_{unit}"]) * size for unit, size in FORCES.items() if f"{name}_{unit}" in given),
-                   Fraction(0))
 
     def frequency_of(self, given, mass, back):
         """sqrt(K / m), rad/s."""
@@ -76,7 +72,7 @@ class Train:
             return Over.number(*times(PI, exactly(2 * number(given["natural_frequency_hz"]))))
         if "natural_frequency_rad_s" in given:
             return constant(number(given["natural_frequency_rad_s"]))
-        return constant((self.rate(given, "stiffness") + back) / mass).root()
+        return constant((number(given["stiffness_n_m"]) + back) / mass).root()
 
     def times_of(self, given):
         """Seconds of a unit of x, (shortest, longest)."""
@@ -163,10 +159,15 @@ class Train:
 
     def residual(self, curve):
         """(low, high) around the largest amplitude after the motion, over the speeds of the range."""
-        if "residual" not in self.memory:
-            jumps = self.jumps_of([(p, w) for p, w, _, _ in curve.pieces[0]])
-            self.memory["residual"] = self.largest(lambda z: self.amplitude_square(self.rung(jumps, z[0])[-1], z[0]))
-        return self.memory["residual"]
+        own = [self.residual_after(curve, k) for k in range(len(curve.pieces))]
+        return max(low for low, _ in own), max(high for _, high in own)
+
+    def residual_after(self, curve, k):
+        """The same after one run."""
+        if k not in self.memory:
+            jumps = self.jumps_of([(p, w) for p, w, _, _ in curve.pieces[k]])
+            self.memory[k] = self.largest(lambda z: self.amplitude_square(self.rung(jumps, z[0])[-1], z[0]))
+        return self.memory[k]
 
     def residual_of_law(self, law):
         """The same of one rise by a law of the catalogue. y'' = a + b sin g t + c cos g t: with h = exp(i g t) the integral of
@@ -176,13 +177,13 @@ class Train:
         def formula(z):
             exponent = self.exponent(z[0])[0]
             total = Complex(constant(0), constant(0))
-            for width, a, b, c, g in parts:
+            for width, a, waves, _ in parts:
                 t = constant(width)
                 gone = exponent.scaled(t * constant(Fraction(1, 4))).exponential()
                 gone = gone * gone
                 gone = gone * gone
                 own = (gone - Complex(constant(1), constant(0))) * exponent.inverse().scaled(a)
-                for sign in (1, -1):
+                for sign, (g, b, c) in itertools.product((1, -1), waves):
                     turn = Complex(constant(0), constant(sign) * g)
                     spun = (turn.scaled(t).exponential() - gone) * (turn - exponent).inverse()
                     own = own + spun * Complex(c * half, constant(-sign) * b * half)
@@ -214,12 +215,12 @@ class Train:
 
     # -- limits of the delivered motion
 
-    def keep_force(self, curve, least):
-        """The force on the cam, N, along the motion at every speed, and in the dwells beside it."""
-        wanted = constant(least * (1 - KEPT) / self.problem.lift[0]) * self.stiffness.inverse()
+    def keep_force(self, curve, least, k):
+        """The force on the cam, N, along a run at every speed, and in the dwells beside it."""
+        wanted = constant(least * (1 - KEPT) / self.lift) * self.stiffness.inverse()
         rest, two = constant(1) - self.share, constant(2)
         ends = [enclosures.interval(self.times[0])[0], enclosures.interval(self.times[1])[1]]
-        jumps, known = self.jumps_of([(p, w) for p, w, _, _ in curve.pieces[0]]), {}
+        jumps, known = self.jumps_of([(p, w) for p, w, _, _ in curve.pieces[k]]), {}
 
         def begun(i, time):
             key = time.value, bool(time.slopes)
@@ -227,7 +228,7 @@ class Train:
                 known[key] = self.rung(jumps, time)
             return known[key][i]
 
-        for i, (p, width, _, _) in enumerate(curve.pieces[0]):
+        for i, (p, width, _, _) in enumerate(curve.pieces[k]):
             orders = [[constant(c) for c in derivative(p, order)] for order in range(6)]
 
             def room(z, i=i, orders=orders):
@@ -248,10 +249,10 @@ class Train:
                 raise Refuted("limits.dynamic_contact_force_min_n is passed")
         # At rest, and while it rings: |e| <= amplitude, |e'| <= w amplitude.
         still = self.share * self.preload - wanted
-        amplitude = Over.number(Fraction(0), self.residual(curve)[1])
-        run = self.problem.runs[0]
-        ringing = still + self.share * rest * constant(run.stretches[-1].to) - amplitude * (self.share + two * self.damping)
-        if still.value[0] < 0 or ringing.value[0] < 0:
+        amplitude = Over.number(Fraction(0), self.residual_after(curve, k)[1])
+        begin, end = (self.share * rest * constant(level) for level in self.problem.runs[k].ends())
+        ringing = still + end - amplitude * (self.share + two * self.damping)
+        if (still + begin).value[0] < 0 or ringing.value[0] < 0:
             raise Refuted("limits.dynamic_contact_force_min_n is passed in a dwell")
 
     def keep_limits(self, curve):
@@ -259,7 +260,8 @@ class Train:
         kept, missing = [], []
         for key, value in self.problem.limits.items():
             if key == "dynamic_contact_force_min_n":
-                self.keep_force(curve, number(value))
+                for k in range(len(curve.pieces)):
+                    self.keep_force(curve, number(value), k)
                 kept.append("limits." + key)
             elif key.startswith("dynamic_"):
                 missing.append("limits." + key)
@@ -267,10 +269,7 @@ class Train:
 
     def residual_limit(self):
         """In lifts, None: there is none."""
-        for unit, size in AMPLITUDES.items():
-            if f"residual_{unit}" in self.problem.limits:
-                return number(self.problem.limits[f"residual_{unit}"]) * size / self.problem.lift[0]
-        return None
+        return self.problem.in_lifts(self.problem.limits, "residual")
 
     def residual_reference(self, stated):
         """What the objective divides the residual by."""

@@ -6,26 +6,63 @@ from .exact import PI, PI_ITSELF, Unverified, exactly, number, times
 
 INCH, POUND, POUND_FORCE = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction("4.4482216152605")
 LENGTHS = {"mm": Fraction(1, 1000), "m": Fraction(1), "in": INCH}
-FORCE = {"n": 1, "lbf": POUND_FORCE}
-UNITS = {"mass": {"kg": 1, "lb": POUND}, "spring_rate": {"n_mm": 1000, "n_m": 1, "lbf_in": POUND_FORCE / INCH},
-         "preload": FORCE, "damping": {"n_s_m": 1}, "load": FORCE, "contact_width": LENGTHS, "contact_force_min": FORCE}
+FORCE = {"n": Fraction(1), "lbf": POUND_FORCE}
+MOMENTS = {"nm": Fraction(1), "lbf_in": POUND_FORCE * INCH}
+RADIAN = 180 / PI_ITSELF  # deg
+PRESSURES = {"mpa": Fraction(1), "gpa": Fraction(1000), "pa": Fraction(1, 10**6), "ksi": POUND_FORCE / INCH**2 / 1000}
+MODULI = {unit: size / 1000 for unit, size in PRESSURES.items()}
+RATES = {"n_m": 1, "n_mm": 1000, "lbf_in": POUND_FORCE / INCH, "n_m_rad": 1, "nm_rad": 1, "nm_deg": RADIAN}
+DAMPING = {"n_s_m": 1, "nm_s_rad": 1}
+MASSES = [("mass_kg", "mass", {"kg": 1, "lb": POUND}), ("mass_kg", "inertia", {"kg_m2": 1})]
+TRAIN = MASSES + [("damping_n_s_m", "damping", DAMPING), ("preload_n", "preload", FORCE | MOMENTS)] + [
+    (f"{name}_n_m", name, RATES) for name in ("stiffness", "return_spring")]
+# Table: (the key that the checker knows, its name and units in a scene, each in units of the known one). An arm's moments stand for
+# forces, its inertia for a mass.
+SPELLINGS = {
+    "limits": [(f"{side}pressure_angle_deg", f"{side}pressure_angle", {"rad": RADIAN}) for side in ("", "rise_", "return_")] +
+              [("contact_force_min_n", "contact_force_min", FORCE), ("contact_force_min_n", "contact_moment_min", MOMENTS),
+               ("torque_max_nm", "torque_max", MOMENTS), ("hertz_pressure_max_mpa", "hertz_pressure_max", PRESSURES),
+               ("residual_mm", "residual", {"um": Fraction(1, 1000)}), ("spring_harmonic_mm", "spring_harmonic", {"um": Fraction(1, 1000)}),
+               ("dynamic_contact_force_min_n", "dynamic_contact_force_min", FORCE | MOMENTS)],
+    "forces": MASSES + [("spring_rate_n_m", "spring_rate", RATES), ("preload_n", "preload", FORCE | MOMENTS),
+                        ("damping_n_s_m", "damping", DAMPING), ("load_n", "load", FORCE | MOMENTS)] +
+              [(f"{part}_modulus_gpa", f"{part}_modulus", MODULI) for part in ("cam", "follower")] +
+              [("contact_width_m", "contact_width", LENGTHS), ("spring_frequency_hz", "spring_frequency", {"rad_s": 1 / (2 * PI_ITSELF)})],
+    "dynamics": TRAIN + [("speed_range_rpm", "speed_range", {"rad_s": 30 / PI_ITSELF})],
+}
+KNOWN_KEYS = {table: {f"{name}_{unit}": (known, Fraction(size)) for known, name, units in rows for unit, size in units.items()}
+              for table, rows in SPELLINGS.items()}
 
 
-def unit_of(table, name):
-    """(the key of a quantity, SI of one in its unit), or (None, None)."""
-    for unit, size in UNITS[name].items():
-        if f"{name}_{unit}" in table:
-            return f"{name}_{unit}", Fraction(size)
-    found = [key for key in table if key.startswith(name + "_")]
-    if found:
-        raise Unverified(f"{found[0]}: this unit")
-    return None, None
+def scaled(value, size):
+    """Of a number, of a list of numbers, or of pairs (an angle, a number)."""
+    if isinstance(value, list):
+        return [[v[0], number(v[1]) * size] if isinstance(v, list) else number(v) * size for v in value]
+    return number(value) * size
 
 
-def quantity(table, name):
-    """SI; 0 where it is not given."""
-    key, size = unit_of(table, name)
-    return number(table[key]) * size if key else Fraction(0)
+def in_known_units(scene):
+    """The scene with limits, forces and masses in the units that the checker knows."""
+    def converted(table, known):
+        return {known.get(key, (key, None))[0]: scaled(value, known[key][1]) if key in known else value for key, value in table.items()}
+
+    tables = {name: converted(scene[name], known) for name, known in KNOWN_KEYS.items() if name in scene}
+    if "stage" in scene.get("dynamics", {}):
+        tables["dynamics"]["stage"] = [converted(stage, KNOWN_KEYS["dynamics"]) for stage in scene["dynamics"]["stage"]]
+    return scene | tables
+
+
+def with_known_rule(table):
+    """Of a row in a certificate, whose rule is the key of a limit as the scene has it, perhaps after "axis: "."""
+    if isinstance(table.get("rule"), str):
+        axis, _, key = table["rule"].rpartition(": limits.")
+        if not axis and key.startswith("limits."):
+            axis, key = None, key.removeprefix("limits.")
+        written, space, more = key.partition(" ")
+        if axis != "" and written in KNOWN_KEYS["limits"]:
+            before = "limits." if axis is None else axis + ": limits."
+            table["rule"] = before + KNOWN_KEYS["limits"][written][0] + space + more
+    return table
 
 
 def dimension_of(table, *names):
@@ -64,7 +101,5 @@ def in_unit(angle, unit):
 
 
 def ratio(a, b):
-    """Of two angles in one unit. Degrees and radians mixed have no exact ratio."""
-    if a[1] != b[1]:
-        raise Unverified("angles in degrees and in radians in one scene")
-    return a[0] / b[0]
+    """Of two angles; of degrees and radians with pi to 35 digits."""
+    return in_unit(a, b[1]) / b[0]

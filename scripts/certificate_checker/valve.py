@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 """A valve lobe as the program it stands for, with rational numbers.
 
-s = (valve lift + lash) / ratio of the follower; a ramp of height h and velocity v is the law run_in over 2h/3v to h/3 and a
-constant velocity over 2h/3v; the flank goes from its end to the nose through s(checking height), t after the ramp's end,
-or as given, on the ramp where that is not below it. In t the jerk 60 L/D^3 up to the acceleration 4 L/D^2 reaches that point, L the
-lift and D the angle from the point to the nose. Strokes are monotone.
+s = (valve lift + lash) / ratio of the follower, of one that swings / the valve's arm, an angle; a ramp of height h and velocity v is
+the law run_in over 2h/3v to h/3 and a constant velocity over 2h/3v; the flank goes from its end to the nose through s(checking height),
+t after the ramp's end, or as given, on the ramp where that is not below it. In t the jerk 60 L/D^3 up to the acceleration 4 L/D^2
+reaches that point, L the lift and D the angle from the point to the nose. Strokes are monotone.
 """
 from fractions import Fraction
 
 from .exact import Unverified, number
-from .units import LENGTHS, angle_of, dimension_of
+from .units import LENGTHS, RADIAN, angle_of, dimension_of, in_unit
 
 OF_VALVES = ("type", "lift_", "rocker_ratio", "valve_arm_", "lash_", "duration_", "opening_", "closing_ramp", "checking_height_",
              "centerline_", "engine_speed_", "speed_", "corridor")
@@ -19,16 +19,17 @@ OF_RAMPS = ("height_", "velocity_", "end_")
 def degrees(table, name):
     """None where it is not given."""
     angle = angle_of(table, name)
-    if angle and angle[1] != "deg":
-        raise Unverified(f"{name}_rad of a valve lobe")
-    return angle and angle[0]
+    return angle and in_unit(angle, "deg")
 
 
 def ramp_of(table):
-    """(height, m; velocity, m by degree; end or None)."""
-    for unit, length in LENGTHS.items():
-        if f"velocity_{unit}_deg" in table:
-            return dimension_of(table, "height"), number(table[f"velocity_{unit}_deg"]) * length, degrees(table, "end")
+    """(height, m or rad; velocity, the same by degree; end or None)."""
+    height = angle_of(table, "height")
+    height = in_unit(height, "rad") if height else dimension_of(table, "height")
+    for unit, size in (*LENGTHS.items(), ("deg", 1 / RADIAN)):
+        for by, step in (("deg", 1), ("rad", RADIAN)):
+            if f"velocity_{unit}_{by}" in table:
+                return height, number(table[f"velocity_{unit}_{by}"]) * size / step, degrees(table, "end")
     raise Unverified("the velocity of a ramp in this unit")
 
 
@@ -56,9 +57,8 @@ def as_program(scene):
     for key in sorted(set(ramps[0]) | set(ramps[1])):
         if not key.startswith(OF_RAMPS):
             raise Unverified(f"motion.opening_ramp.{key}")
-    if any(key.startswith("valve_arm_") for key in motion):
-        raise Unverified("a valve lobe whose follower swings")
-    ratio, lash = number(motion.get("rocker_ratio", 1)), dimension_of(motion, "lash")
+    arm, lash = dimension_of(motion, "valve_arm"), dimension_of(motion, "lash")
+    ratio = arm or number(motion.get("rocker_ratio", 1))
     lift, checking = ((dimension_of(motion, name) + lash) / ratio for name in ("lift", "checking_height"))
     duration, opening = degrees(motion, "duration"), degrees(motion, "opening")
     opening = duration / 2 if opening is None else opening
@@ -89,4 +89,4 @@ def as_program(scene):
     for unit in ("rpm", "rad_s"):
         if f"engine_speed_{unit}" in motion:
             kept[f"speed_{unit}"] = number(motion[f"engine_speed_{unit}"]) / 2
-    return {**scene, "motion": {"type": "program", "lift_m": lift, "monotone": True, "segments": segments, **kept}}
+    return {**scene, "motion": {"type": "program", "lift_rad" if arm else "lift_m": lift, "monotone": True, "segments": segments, **kept}}

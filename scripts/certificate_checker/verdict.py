@@ -6,19 +6,21 @@ import tomllib
 from fractions import Fraction
 from pathlib import Path
 
-from .any_curve import any_curve_bound
+from .any_curve import any_curve_bound, require_no_curve
 from .bound import Bound
 from .box_proof import BoxProof
 from .cam import Cam
+from .cases import by_angles, by_direction, displacements_found, judge_cases, relaxed_by, searched_angles, with_angles
 from .conditions import Conditions
 from .drive import Drive, TERMS as MOTOR_TERMS
 from .exact import KEPT, NOT_CONVEX, Refuted, STATED, Unverified, number
 from .known import name_what_is_unknown
 from .machine import judge_machine
+from .measured import KINDS as DEVIATIONS
 from .motion import Curve
 from .prescribed import bound_of, is_prescribed, judge_passed_limit
 from .problem import Problem
-from .units import angle_of, in_unit
+from .units import angle_of, in_known_units, in_unit, with_known_rule
 from .references import references_of
 from .stored import check_box, factor_of, stored_bound
 from .train import Train
@@ -62,32 +64,44 @@ def close(stated, low, high):
     return low - room <= stated <= high + room
 
 
-def with_angles_found(scene, result):
-    """(the scene with the angles that were found in place of their ranges, whether there are any). They lie in their ranges
-    and fill the turn."""
-    segments, searched = [dict(s) for s in scene["motion"].get("segments", [])], False
-    for segment, found in zip(segments, result.get("segments") or []):
-        for unit in ("deg", "rad"):
-            given = segment.get(f"angle_{unit}")
-            if not isinstance(given, dict):
-                continue
-            angle, searched = in_unit((number(found["angle_deg"]), "deg"), unit), True
-            if not number(given["min"]) * (1 - STATED) <= angle <= number(given["max"]) * (1 + STATED):
-                raise Refuted(f"an angle of {found['angle_deg']} deg is outside its range")
-            segment[f"angle_{unit}"] = angle
-    if not searched:
-        return scene, False
-    turn = sum(in_unit(angle_of(segment, "angle"), "deg") for segment in segments)
+def with_angles_found(scene, ranges, result):
+    """The scene with the angles that were found in place of their ranges. They lie in these and fill the turn."""
+    found = {i: number(result["segments"][i]["angle_deg"]) for i in ranges}
+    for i, (_, (least, most)) in ranges.items():
+        if not least * (1 - STATED) <= found[i] <= most * (1 + STATED):
+            raise Refuted(f"an angle of {float(found[i])} deg is outside its range")
+    scene = with_angles(scene, found)
+    turn = sum(in_unit(angle_of(segment, "angle"), "deg") for segment in scene["motion"]["segments"])
     if scene["motion"].get("closed", True) and abs(1 - turn / 360) > STATED:
         raise Refuted("the angles found do not add up to a turn")
-    return scene | {"motion": scene["motion"] | {"segments": segments}}, True
+    return scene
+
+
+def free_breakpoints(scene, result):
+    """Those of the delivered motion where the scene leaves them free; else None."""
+    if scene.get("spline", {}).get("knots") != "free" or not result["motion"]:
+        return None
+    found = [number(x) for x in result["motion"]["curves"][0]["breakpoints"]]
+    if any(b <= a for a, b in zip(found, found[1:])) or found[0] != 0:
+        raise Refuted("the breakpoints do not ascend")
+    return found
+
+
+def delivered_problem(scene, references, result):
+    """With the angles, breakpoints and displacements that were found."""
+    ranges = searched_angles(scene)
+    own = with_angles_found(scene, ranges, result) if ranges else scene
+    problem = Problem(own, references, free_breakpoints(scene, result), displacements_found(result) if result["motion"] else [])
+    problem.ranges = scene if ranges else None
+    return problem
 
 
 def judge(folder, report, vipr_path):
     scene = as_program(tomllib.loads((folder / "scene.toml").read_text(), parse_float=Fraction))
-    result = json.loads((folder / "result.json").read_text())
-    certificate = json.loads((folder / "certificate.json").read_text())
     name_what_is_unknown(scene)
+    scene = in_known_units(scene)
+    result = json.loads((folder / "result.json").read_text())
+    certificate = json.loads((folder / "certificate.json").read_text(), object_hook=with_known_rule)
     verdict, proof = certificate["verdict"], certificate["proof"]
     report.say(f"claimed: {verdict}, objective {certificate['objective']}, bound {certificate['lower_bound']}")
     agree(certificate, result)
@@ -97,16 +111,15 @@ def judge(folder, report, vipr_path):
         raise Refuted("a motion is delivered where there is said to be none")
     if verdict != "infeasible" and result["motion"] is None:
         raise Refuted("no motion is delivered")
-    found = None
-    if scene.get("spline", {}).get("knots") == "free" and result["motion"]:
-        found = [number(x) for x in result["motion"]["curves"][0]["breakpoints"]]
-        given = sorted(found)
-        if found != given or len(set(given)) != len(given) or given[0] != 0:
-            raise Refuted("the breakpoints do not ascend")
-    scene, angles_searched = with_angles_found(scene, result) if result["motion"] else (scene, False)
-    if angles_searched and certificate["proof_kind"] != "none":
-        raise Unverified("a bound over angles that are searched")
-    problem = Problem(scene, references_of(scene, result["reference"]), found)
+    references, ranges = references_of(scene, result["reference"]), searched_angles(scene)
+    if verdict == "infeasible" and certificate["proof_kind"] == "any_curve_limit":
+        return require_no_curve(Problem(scene, references, [Fraction(0), Fraction(1)]), report)
+    if ranges and verdict == "infeasible":
+        return require_empty(*judge_cases(by_angles(scene, references, cases_of(certificate)), cases_of(certificate), None, None, report))
+    problem = delivered_problem(scene, references, result)
+    scene = problem.scene
+    if problem.free and verdict == "infeasible":
+        return judge_infeasible(problem, proof, report, vipr_path, certificate["cases"])
     if "cam" in scene:
         problem.cam = Cam(problem, scene, result)
     if "dynamics" in scene:
@@ -119,9 +132,7 @@ def judge(folder, report, vipr_path):
         problem.terms += problem.drive.terms
     elif any(number(problem.objective.get(name, 0)) for name in MOTOR_TERMS):
         raise Unverified("terms of a motor without [drive]")
-    relaxed = number(proof["limits_relaxed_by"]) if proof else Fraction(0)
-    if relaxed < 0 or relaxed > KEPT * 100:
-        raise Refuted(f"limits are relaxed by {float(relaxed)}")
+    relaxed = relaxed_by(proof) if proof else Fraction(0)
     if verdict == "infeasible":
         if is_prescribed(scene):
             return judge_passed_limit(problem, proof, report)
@@ -131,7 +142,28 @@ def judge(folder, report, vipr_path):
     return judge_motion(problem, certificate, result, relaxed, report, vipr_path)
 
 
-def judge_infeasible(problem, proof, report, vipr_path):
+def with_free_displacements(problem):
+    """What bounds are of, where the scene leaves displacements free: the delivered motion has only some of them."""
+    if not problem.free:
+        return problem
+    if problem.train or problem.drive or (problem.cam and (problem.cam.searched or any(problem.cam.cost))):
+        raise Unverified("the bound of displacements that are free next to searched dimensions, [drive] or [dynamics]")
+    return Problem(problem.scene, problem.references, problem.breakpoints_found, [])
+
+
+def cases_of(certificate):
+    """One proof is a case that is the whole."""
+    return certificate["cases"] or [{"proof": certificate["proof"], "proof_of_case": 0}]
+
+
+def require_empty(value, left_out):
+    """No case has a motion."""
+    if value is None:
+        return []
+    raise Unverified("rows of " + ", ".join(sorted(left_out))) if left_out else Refuted("the cases do not prove that there is no motion")
+
+
+def judge_infeasible(problem, proof, report, vipr_path, cases=None):
     for run in problem.runs:
         conditions = Conditions(run.conditions)
         contradiction = conditions.contradiction
@@ -140,6 +172,8 @@ def judge_infeasible(problem, proof, report, vipr_path):
         if contradiction:
             report.say(f"conditions contradict each other ({contradiction[0]}): no spline of the space meets them")
             return []
+    if cases:
+        return require_empty(*judge_cases(by_direction(problem, cases), cases, None, None, report))
     if proof is None:
         raise Unverified("infeasibility without a stored proof")
     if proof["statement"] != "least_common_violation":
@@ -167,7 +201,7 @@ def judge_empty_boxes(problem, boxes, report):
 
 def write_vipr(path, bound, problem, cost, value):
     if path and None in bound.remainders:
-        print("no VIPR file is written: breakpoints too close together", file=sys.stderr)
+        print("no VIPR file is written: breakpoints too close together, or free displacements", file=sys.stderr)
     elif path:
         Path(path).write_text(vipr(bound, problem, cost, value))
 
@@ -180,7 +214,7 @@ def judge_objective(problem, certificate, result, report):
                    ", ".join(f"{float(r):.0e}" for r in curve.relative) + " (of y, y', y'', y''', relative)")
     else:
         report.say("motion: prescribed, laws and dwells")
-    check_area(problem, curve, result)
+    check_terms(problem, curve, result)
     low, high = curve.objective()
     stated = number(certificate["objective"])
     report.say(f"objective: between {float(low):.15g} and {float(high):.15g}")
@@ -189,13 +223,13 @@ def judge_objective(problem, certificate, result, report):
     return curve, high
 
 
-def check_area(problem, curve, result):
-    """The figures of the lost area that the result states."""
+def check_terms(problem, curve, result):
+    """The figures of the lost area and of the distances from a table that the result states."""
     for term in problem.terms:
-        stated = next((t for t in result.get("own_terms") or [] if t["name"] == "area"), None)
-        if term.kind == "area" and (stated is None or not close(number(stated["reference"]), term.reference, term.reference) or
+        stated = next((t for t in result.get("own_terms") or [] if t["name"] == term.kind), None)
+        if term.kind in ("area", *DEVIATIONS) and (stated is None or not close(number(stated["reference"]), term.reference, term.reference) or
                                     not close(number(stated["value"]), *(v * term.reference for v in curve.term(term)))):
-            raise Refuted("the lost area is not that of the motion")
+            raise Refuted(f"the stated {term.kind} is not that of the motion")
 
 
 def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
@@ -227,9 +261,15 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
     not_convex = "gap" not in problem.solver and not result["solver"]["convex"]
     allowed_gap = allowed * (NOT_CONVEX if not_convex else 1)
     rest = Fraction(0)  # what multipliers leave, bounded by less than the file knows
-    if certificate["proof_kind"] == "boxes":
-        if "boxes" not in certificate:
-            raise Unverified("a proof by cases")
+    if problem.ranges or (certificate["proof_kind"] == "boxes" and certificate["cases"]):
+        if "boxes" in certificate or certificate["proof_kind"] not in ("boxes", "duality"):
+            raise Unverified("a bound over angles that are searched, over boxes of motions")
+        cases, free = cases_of(certificate), with_free_displacements(problem)
+        parts = by_angles(problem.ranges, problem.references, cases) if problem.ranges else by_direction(free, cases)
+        value, left_out = judge_cases(parts, cases, high, None if problem.ranges else curve, report)
+        value = high if value is None else min(value, high)
+        report.say(f"bound: no motion of the scene is below {float(value):.15g}")
+    elif certificate["proof_kind"] == "boxes":
         boxes, allowed = certificate["boxes"], allowed_gap
         if number(bound_stated) > number(boxes["bound"]):
             raise Refuted("the lower bound is above that of the boxes")
@@ -253,7 +293,7 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
     else:
         factor = factor_of(proof, problem)
         check_box(proof, result, problem, factor)
-        bound = Bound(problem, high, relaxed, curve)
+        bound = Bound(with_free_displacements(problem), high, relaxed, curve)
         for row in proof["rows"]:
             bound.add_row(row, factor)
         bound.add_root_mean_squares(curve)
@@ -273,7 +313,7 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
         if left_out:
             raise Unverified("rows of " + ", ".join(sorted(left_out)))
         raise Refuted(f"optimal is not proved: the gap is {float(high - value):.1e}, allowed {float(allowed_gap):.1e}")
-    if certificate["proof_kind"] == "duality" and problem.runs:
+    if certificate["proof_kind"] == "duality" and problem.runs and not problem.ranges:
         write_vipr(vipr_path, bound, problem, True, value)
     return missing
 

@@ -5,6 +5,14 @@ from fractions import Fraction
 from .exact import add_to
 
 
+def once(rows):
+    """Each row with all of its multiplier: a correction of it is a further entry, and may be negative."""
+    totals = {}
+    for row, multiplier in rows:
+        totals[id(row)] = row, totals.get(id(row), (row, 0))[1] + multiplier
+    return list(totals.values())
+
+
 def vipr(bound, problem, cost, proved):
     """The bound as a certificate in the VIPR format, version 1.0: the linear program over the control points and the
     peaks, and the one combination of its rows that proves the bound (or that there is no motion)."""
@@ -36,7 +44,7 @@ def vipr(bound, problem, cost, proved):
         else:
             add("L", high, {variable: Fraction(1)}, lean)
     bounds = len(rows)
-    for row, multiplier in bound.rows:
+    for row, multiplier in once(bound.rows):
         weights = {first[k] + j: w for k, function in row.functions().items() for j, w in function.items()}
         if row.peak is not None:
             weights[peaks + row.peak] = Fraction(-1)
