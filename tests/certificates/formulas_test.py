@@ -7,19 +7,21 @@ from fractions import Fraction
 from types import SimpleNamespace
 
 import checker
+from plane_samples import guide_of
 
 sys.path.insert(0, str(checker.ROOT / "scripts"))
 from certificate_checker import enclosures  # noqa: E402
-from certificate_checker.disk_rules import constant  # noqa: E402
+from certificate_checker.laws import constant  # noqa: E402
 from certificate_checker.inverse_rules import InverseRules  # noqa: E402
 from certificate_checker.problem import Problem  # noqa: E402
 from certificate_checker.remote_rules import RemoteRules  # noqa: E402
 from certificate_checker.spatial_rules import SpatialRules  # noqa: E402
 from certificate_checker.train import Train  # noqa: E402
+from certificate_checker.units import in_known_units  # noqa: E402
 
 
 def scene_of(name):
-    return tomllib.loads((checker.ROOT / "scenes" / f"{name}.toml").read_text(), parse_float=Fraction)
+    return in_known_units(tomllib.loads((checker.ROOT / "scenes" / f"{name}.toml").read_text(), parse_float=Fraction))
 
 
 def problem_of(scene, lift, rise):
@@ -71,17 +73,7 @@ def feeder():
     motion = [0.3, 1.4, 0.5, -0.8]
 
     def guide(x):
-        """(L, psi) at a place, in inches."""
-        y = cam["feeder_start_in"] + lift * sum(c * x**k for k, c in enumerate(motion))
-        slope = (y - cam["rocker_pivot_y_in"]) / cam["feeder_offset_in"]
-        turn, pivot = math.atan(slope), (cam["rocker_pivot_x_in"], cam["rocker_pivot_y_in"])
-        e = -math.cos(turn), -math.sin(turn)
-        foot = e[0] * pivot[0] + e[1] * pivot[1]
-        reach = -foot - math.sqrt(foot**2 + cam["pin_distance_in"]**2 - pivot[0]**2 - pivot[1]**2)
-        theta = math.atan2(pivot[1] + reach * e[1], pivot[0] + reach * e[0])
-        rest, end, stroke = cam["roller_rest_in"], cam["roller_end_in"], math.radians(cam["roller_angle_deg"])
-        at = stroke * math.sqrt((cam["roller_from_in"] - rest) / (end - rest)) + x * rise
-        return rest + (end - rest) * (at / stroke)**2, -theta
+        return guide_of(cam, lift * sum(c * x**k for k, c in enumerate(motion)), x * rise)
 
     x, h = 0.4, 1e-4
     (l0, p0), (l1, p1), (l2, p2) = guide(x - h), guide(x), guide(x + h)

@@ -31,6 +31,33 @@ SLIDE = ('[motion]\ntype = "DRD"\nlift_mm = 100\nrise_deg = 144\nspeed_rpm = 200
 TURNTABLE = ("[drive]\nload_inertia_kg_m2 = 0.2\nmotor_inertia_kg_m2 = 1e-4\ntransmission_deg_per_rev = 36\nviscous_nm_s_rad = 0.3\n"
              "moment_nm = 1.5\n")
 
+
+
+def lifts(count):
+    """Of a lobe over one revolution, one every 360/count degrees from its middle on, with deviations of a few micrometres."""
+    way = [max(0.0, 1 - abs(360 * k / count - 180) / 110) for k in range(count)]
+    return [round(10 * u**3 * (10 - 15 * u + 6 * u * u) + (k * 7 % 5 - 2) / 500, 4) for k, u in enumerate(way)]
+
+
+RISE_ROWS = ('[motion]\ntype = "DRD"\nlift_mm = 12\nrise_deg = 90\nspeed_rpm = 240\n[spline]\nsegments = 6\n[measured]\nuse = "nearest"\n'
+             "theta_deg = [90, 80, 70, 60, 50, 40, 30, 20, 10, 0]\n"
+             "s_mm = [12, 11.91, 11.22, 9.68, 7.31, 4.65, 2.38, 0.74, 0.12, 0]\n")
+LOBE_ROWS = ('[motion]\ntype = "program"\nlift_mm = 10\nspeed_rpm = 100\n' + DWELL + "angle_deg = 60\n" + SPLINE + "angle_deg = 120\nto = 1\n" +
+             LAW + 'law = "polynomial_345"\nangle_deg = 120\nto = 0\n' + DWELL + "angle_deg = 60\n[spline]\nsegments = 8\n[measured]\n"
+             f'zero = {{ deg = 180 }}\nstep_deg = 7.5\ns_mm = {lifts(48)[24:] + lifts(48)[:24]}\n')
+STROKE = SPLINE + "angle_deg = "
+FREE = ('[motion]\ntype = "program"\nlift_mm = 14\nspeed_rpm = 100\n' + DWELL + "angle_deg = 20\n" + STROKE + "100\nto = 1\n" + STROKE +
+        "30\n" + DWELL + "angle_deg = 10\n" + STROKE + "40\nto = 0.3\n" + STROKE + "60\n" + DWELL + "angle_deg = 40\n" + STROKE +
+        "60\nto = 0\n" + OBJECTIVE)
+FREE_LAW = ('[motion]\ntype = "program"\nlift_mm = 14\n' + DWELL + "angle_deg = 90\n" + STROKE + "10\n" + LAW +
+            'law = "constant_velocity"\nangle_deg = 95\n' + STROKE + "10\nto_mm = 14\n" + STROKE + "155\n[spline]\nsegments = 8\n[objective]\n"
+            "acceleration = 0.7\njerk = 0.3\n")
+RANGE = "angle_deg = { min = 40, max = 150 }\n"
+ANGLES = ('[motion]\ntype = "program"\nlift_mm = 14\nspeed_rpm = 100\n' + DWELL + "angle_deg = 60\n" + SPLINE + RANGE + "to = 1\n" + DWELL +
+          "angle_deg = { min = 30, max = 50 }\n" + SPLINE + RANGE + "to = 0.05\n" + LAW + 'law = "cycloidal"\nangle_deg = 60\nto = 0\n'
+          "[objective]\nacceleration = 1\nvelocity = 0.2\n[spline]\nsegments = 12\n[limits]\n")
+CURVE = '[motion]\ntype = "DRD"\n[spline]\nknots = "free"\nsegments = 8\n[objective]\n'
+
 # Name: (scene, verdict).
 TEXTS = {
     "ends_drd": ('[motion]\ntype = "DRD"\nlift_mm = 10\nrise_deg = 90\nspeed_rpm = 60\nstart = { velocity_mm_s = 20 }\n'
@@ -107,6 +134,21 @@ TEXTS = {
                      "[objective]\nmotor_torque_rms = 1\nacceleration = 0.1\n", "optimal"),
     "drive_prescribed": (PRESCRIBED + "[drive]\nload_mass_kg = 3\ntransmission_mm_per_rev = 20\nfriction_n = 12\n[limits]\n"
                          "motor_curve = [[0, 0.9], [2500, 0.5]]\nmotor_torque_rms_nm = 0.5\n[objective]\nmotor_torque = 1\n", "optimal"),
+    "nearest": (RISE_ROWS + "[limits]\nacceleration_m_s2 = 18.6\n", "optimal"),
+    "nearest_rms": (RISE_ROWS + 'norm = "rms"\n[limits]\nacceleration_m_s2 = 18.6\n', "optimal"),
+    "nearest_lobe": (LOBE_ROWS + "[objective]\ndeviation = 0.2\njerk = 1\nreference = { deviation = 0.002, jerk = 60 }\n", "optimal"),
+    "nearest_lobe_rms": (LOBE_ROWS + "[objective]\ndeviation_rms = 0.5\njerk = 1\n", "optimal"),
+    "free": (FREE.replace("lift_mm", "within_lift = false\nlift_mm"), "optimal"),
+    "free_law": (FREE_LAW, "optimal"),
+    "free_cases": (FREE.replace("lift_mm", "monotone = true\nlift_mm") + "[limits]\nacceleration_m_s2 = 8\n", "optimal"),
+    "free_within": (FREE.replace("30\n", "30\nvia = [{ at = 0.5, acceleration = 10 }]\n", 1), "optimal"),
+    "angles": (ANGLES + "jerk_m_s3 = 150\n", "optimal"),
+    "angles_one": (ANGLES + "acceleration = 8\n", "optimal"),
+    "angles_no": (ANGLES + "jerk_m_s3 = 60\n", "infeasible"),
+    "curve": (CURVE + "velocity = 0.5\nacceleration = 0.5\n[limits]\njerk = 80\n", "optimal"),
+    "curve_jerk": (CURVE + "jerk = 1\n[limits]\nvelocity = 1.8\n", "optimal"),
+    "curve_no": (CURVE + "jerk = 1\n[limits]\nvelocity = 1.5\nacceleration = 6\njerk = 60\n", "infeasible"),
+    "free_no": (FREE + "[limits]\nacceleration_m_s2 = 1\n", "infeasible"),
     "drive_prescribed_no": (PRESCRIBED + "[drive]\nload_mass_kg = 3\ntransmission_mm_per_rev = 20\n[limits]\nmotor_torque_nm = 0.3\n",
                             "infeasible"),
 }
@@ -161,6 +203,20 @@ CHANGES = [
     ("drive_prescribed", "[2500, 0.5]", "[2500, 0.1]"), ("drive_prescribed", "rms_nm = 0.5", "rms_nm = 0.2"),
     ("drive_prescribed", "friction_n = 12", "friction_n = 13"),
     ("drive_prescribed_no", "torque_nm = 0.3", "torque_nm = 3"),
+    ("free", "to = 0.3", "to = 0.31"), ("free", "to = 1\n", "to = 1.01\n"), ("free_law", "to_mm = 14", "to_mm = 13.9"),
+    ("free_law", "angle_deg = 155\n", "angle_deg = 155\nto = 0.1\n"), ("free_cases", "to = 0.3", "to = 0.31"),
+    ("free_cases", "m_s2 = 8", "m_s2 = 8.1"), ("free_within", "acceleration = 10", "acceleration = 9.9"), ("free_no", "m_s2 = 1\n", "m_s2 = 8\n"),
+    ("angles", "max = 50", "max = 30"), ("angles", "to = 0.05", "to = 0.06"), ("angles", "jerk_m_s3 = 150", "jerk_m_s3 = 140"),
+    ("angles", "angle_deg = 60\nto = 0\n", "angle_deg = 59\nto = 0\n"), ("angles_one", "velocity = 0.2", "velocity = 0.21"),
+    ("angles_no", "jerk_m_s3 = 60", "jerk_m_s3 = 100"), ("angles_no", "max = 150", "max = 152"),
+    ("curve", "jerk = 80", "jerk = 81"), ("curve", "velocity = 0.5", "velocity = 0.51"), ("curve_jerk", "velocity = 1.8", "velocity = 1.81"),
+    ("curve_no", "jerk = 60", "jerk = 90"), ("curve_no", "velocity = 1.5", "velocity = 1.7"),
+    ("nearest", "4.65,", "4.652,"), ("nearest", "50, 40, 30", "50, 40.01, 30"), ("nearest", "m_s2 = 18.6", "m_s2 = 18.5"),
+    ("nearest", "use = \"nearest\"", "use = \"nearest\"\nnorm = \"rms\""), ("nearest_rms", "4.65,", "4.652,"),
+    ("nearest_rms", "12, 11.91", "12.1, 11.91"),
+    ("nearest_rms", "m_s2 = 18.6", "m_s2 = 18.5"), ("nearest_lobe", "deg = 180 }", "deg = 180.1 }"), ("nearest_lobe", "= 0.002", "= 0.0021"),
+    ("nearest_lobe", "step_deg = 7.5", "step_deg = 7.51"), ("nearest_lobe_rms", "rms = 0.5", "rms = 0.51"),
+    ("nearest_lobe_rms", "deg = 180 }", "deg = 179.9 }"),
 ]
 
 # (scene, what stands in its scene.toml, what it is replaced by, what the checker names): it says nothing of what it does not know.
@@ -170,4 +226,5 @@ UNKNOWN = [
     ("drive_no", "[limits]\n", "[limits]\npressure_angle_deg = 30\n", "limits.pressure_angle_deg"),
     ("drive_no", "[limits]\n", "[limits]\nspring_harmonic_um = 20\n", "limits.spring_harmonic_um"),
     ("drive_no", "[spline]\n", "[spline]\ntension = 1\n", "spline.tension"),
+    ("nearest", 'use = "nearest"', 'use = "nearest"\noutliers = "exclude"', "rows are left out"),
 ]

@@ -63,9 +63,8 @@ def dominates(sense, right, weights, asked):
     return sense == "E" and right == asked[1]
 
 
-def check(text):
-    """The relation that is proved: ("infeasible", None) or ("bound", lower bound). Raises Invalid."""
-    words = Words(text)
+def program(words):
+    """The linear program to minimize: (names of the variables, objective, [(sense, right side, weights)])."""
     words.expect("VER")
     words.expect("1.0")
     words.expect("VAR")
@@ -78,7 +77,13 @@ def check(text):
     objective = words.pairs(int(words.next()))
     words.expect("CON")
     count, _ = int(words.next()), words.next()
-    constraints = [words.constraint(objective) for _ in range(count)]
+    return variables, objective, [words.constraint(objective) for _ in range(count)]
+
+
+def check(text):
+    """The relation that is proved: ("infeasible", None) or ("bound", lower bound). Raises Invalid."""
+    words = Words(text)
+    variables, objective, constraints = program(words)
     words.expect("RTP")
     kind = words.next()
     bounds = (words.next(), words.next()) if kind == "range" else None

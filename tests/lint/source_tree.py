@@ -60,6 +60,8 @@ MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps", "bindings"}
 MAY_INCLUDE["benchmarks"] = EVERY_MODULE | {"apps"}  # what of it costs time is measured by itself
 MAY_INCLUDE["tests"] = MAY_INCLUDE["tests"] | {"benchmarks"}  # tests run the quick rows of the stability table
 
+MAY_INCLUDE["cmake"] = set()  # what a compiler's runtime lacks (cmake/platforms/wasm): nothing of camopt
+
 
 def module_of(path):
     """The module a file belongs to: its folder, or the leaf below it ("profiles/inverse")."""

@@ -59,5 +59,25 @@ TEST(ProgramFamily, UniformBreakpointsDivideEachSegment) {
     EXPECT_NEAR(family.end() * unit / degree, 360.0, 1e-10);
 }
 
+/// A free displacement whose direction is given turns back where a given one goes the other way.
+TEST(ProgramFamily, DirectionsTurnBackAtJoints) {
+    Scene scene;
+    scene.motion.type = MotionType::program;
+    scene.motion.segments = {{SegmentKind::spline, 100.0 * degree, "", {}},
+                             {SegmentKind::spline, 80.0 * degree, "", 1.0},
+                             {SegmentKind::spline, 120.0 * degree, "", 0.0},
+                             {SegmentKind::dwell, 60.0 * degree, "", {}}};
+    using enum StrokeDirection;
+    const auto conditions = [&](const std::vector<StrokeDirection>& directions) {
+        return scene_family(scene, DesignKind::states, directions).equalities().size();
+    };
+    const std::size_t none = conditions({});
+    EXPECT_EQ(conditions({open, open}), none);
+    EXPECT_EQ(conditions({rises, rises}), none + 1);  // the top
+    EXPECT_EQ(conditions({falls, rises}), none + 2);  // and the free joint
+    EXPECT_EQ(conditions({rises, falls}), none + 1);
+    EXPECT_EQ(conditions({open, falls}), none);
+}
+
 }  // namespace program_family_test
 }  // namespace camopt

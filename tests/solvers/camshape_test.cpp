@@ -5,6 +5,7 @@
 
 #include "core/nlp.hpp"
 #include "solvers/registry.hpp"
+#include "tests/support/derivative_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include "core/nlp.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/test_problems.hpp"
+#include "tests/support/derivative_check.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

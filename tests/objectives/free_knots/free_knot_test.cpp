@@ -5,6 +5,7 @@
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "solvers/exchange/exchange.hpp"
+#include "tests/support/derivative_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "objectives/machine/machine_problem.hpp"
 
 #include "objectives/scene_model.hpp"
+#include "tests/support/derivative_check.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "tests/objectives/rules/plane_check.hpp"
+#include "tests/support/derivative_check.hpp"
 
 #include <gtest/gtest.h>
 

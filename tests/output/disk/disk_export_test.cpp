@@ -26,8 +26,8 @@ TEST(DiskNc, IsCheckedAlongTheContour) {
     options.chord_tolerance = 2e-6;
     for (const double stock : {0.0, 0.3 * millimetre}) {
         options.stock = stock;
-        const CheckedProgram result =
-            disk_nc(harmonic_disk(10.0 * millimetre), *machine, generic_post(*machine), options);
+        const CheckedProgram result = checked_program(
+            *machine, generic_post(*machine), disk_nc_work(harmonic_disk(10.0 * millimetre), options));
         EXPECT_TRUE(result.poses.within_rounding);
         EXPECT_LE(result.chord_deviation, options.chord_tolerance);
         ASSERT_EQ(result.surfaces.size(), 1u);
@@ -103,9 +103,10 @@ TEST(NcGouge, LargeCutterInHollowIsRefused) {
     options.milling.full_depth = true;
     options.chord_tolerance = 1e-5;
     options.cutter_diameter = 30.0 * millimetre;
-    EXPECT_EQ(disk_nc(shape, *machine, generic_post(*machine), options).fault(), "");
+    EXPECT_EQ(checked_program(*machine, generic_post(*machine), disk_nc_work(shape, options)).fault(), "");
     options.cutter_diameter = 60.0 * millimetre;
-    const CheckedProgram gouges = disk_nc(shape, *machine, generic_post(*machine), options);
+    const CheckedProgram gouges =
+        checked_program(*machine, generic_post(*machine), disk_nc_work(shape, options));
     EXPECT_NE(gouges.fault().find("enters the finished cam"), std::string::npos) << gouges.fault();
     EXPECT_NE(nc_check_text(gouges).find("REFUSED: line "), std::string::npos);
 }
@@ -119,7 +120,8 @@ TEST(NcComments, ATitleStaysAComment) {
     options.milling.full_depth = true;
     options.chord_tolerance = 1e-4;
     options.title = "cam)\nG0 Z-50 (\x1b[31m";
-    const CheckedProgram program = disk_nc(harmonic_disk(10.0 * millimetre), *machine, post, options);
+    const CheckedProgram program =
+        checked_program(*machine, post, disk_nc_work(harmonic_disk(10.0 * millimetre), options));
     EXPECT_EQ(program.fault(), "");
     EXPECT_EQ(program.program.text.find("\nG0 Z-50"), std::string::npos);
     EXPECT_EQ(program.program.text.find('\x1b'), std::string::npos);
@@ -128,14 +130,20 @@ TEST(NcComments, ATitleStaysAComment) {
 TEST(DiskExport, RefusesWhatCannotBeMade) {
     const auto machine = plane_milling_machine();
     const PostProcessor post = generic_post(*machine);
-    EXPECT_THROW(static_cast<void>(disk_nc(harmonic_disk(0.01, 2.0), *machine, post, {})), InputError);
+    EXPECT_THROW(
+        static_cast<void>(checked_program(*machine, post, disk_nc_work(harmonic_disk(0.01, 2.0), {}))),
+        InputError);
     DiskNcOptions options;
     options.thickness = 0.0;
-    EXPECT_THROW(static_cast<void>(disk_nc(harmonic_disk(0.01), *machine, post, options)), InputError);
+    EXPECT_THROW(
+        static_cast<void>(checked_program(*machine, post, disk_nc_work(harmonic_disk(0.01), options))),
+        InputError);
     const auto refused = [&](auto change) {
         DiskNcOptions wrong;
         change(wrong);
-        EXPECT_THROW(static_cast<void>(disk_nc(harmonic_disk(0.01), *machine, post, wrong)), InputError);
+        EXPECT_THROW(
+            static_cast<void>(checked_program(*machine, post, disk_nc_work(harmonic_disk(0.01), wrong))),
+            InputError);
     };
     refused([](DiskNcOptions& wrong) { wrong.blank.radius = 0.045; });  // the cam reaches 50 mm
     refused([](DiskNcOptions& wrong) { wrong.blank.upper = -0.001; });

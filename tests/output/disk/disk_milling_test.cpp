@@ -292,7 +292,8 @@ TEST(DiskMilling, RefusesWhatIsOutsideItsRange) {
         DiskNcOptions options = coarse();
         change(options.milling);
         try {
-            static_cast<void>(disk_nc(shape, *machine, generic_post(*machine), options));
+            static_cast<void>(
+                checked_program(*machine, generic_post(*machine), disk_nc_work(shape, options)));
         } catch (const InputError& error) {
             return error.what();
         }

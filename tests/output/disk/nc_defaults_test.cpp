@@ -100,8 +100,8 @@ TEST(NcDefaults, DrumsAreRoughedInLayers) {
         const SpatialCam cam = test::translating_cam();
         options.cutter_diameter = share * 2.0 * cam[SpatialDimension::roller_radius];
         const auto machine = machine_for(cam, options.z_offset);
-        const CheckedProgram program =
-            nc_export(cam, test::translating_motion(), *machine, generic_post(*machine), options);
+        const CheckedProgram program = checked_program(*machine, generic_post(*machine),
+                                                       nc_work(cam, test::translating_motion(), options));
         EXPECT_EQ(program.fault(), "");
         const std::string& text = program.program.text;
         EXPECT_NE(text.find("(pass: roughing, layer 1 of "), std::string::npos);

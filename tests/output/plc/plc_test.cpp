@@ -40,7 +40,7 @@ TEST(CamPieces, ReproduceCubicsAndReportLoss) {
     for (const int degree : {3, 5}) {
         std::vector<CamPiece> pieces = fitted_pieces(curve, {.degree = degree});
         ASSERT_EQ(pieces.size(), 5U);
-        EXPECT_LT(cam_loss(curve, pieces)[0].value, 1e-14);
+        EXPECT_LT(cam_loss(curve, pieces)[0].value, 3e-13);  // rounding included
         pieces[2].coefficients[1] += 1e-3;  // the error grows along the piece, which is 22.5 deg long
         const std::array<CamDifference, 4> loss = cam_loss(curve, pieces);
         EXPECT_NEAR(loss[0].value, 22.5e-3, 1e-12);
@@ -159,7 +159,7 @@ TEST(PlcExport, FilesAreAscii) {
     solution.scene.title = "Stößel\n// (* 10² *)";
     const PlcExport exported = plc_export(solution, plc_format_keys(), {});
     for (const PlcFile& file : exported.files) {
-        if (file.name == "plc.json") continue;
+        if (file.name.ends_with(".json")) continue;
         EXPECT_TRUE(std::ranges::all_of(file.text, [](char c) {
             return c == '\n' || (c >= ' ' && c <= '~');
         })) << file.name;

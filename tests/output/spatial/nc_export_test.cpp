@@ -21,7 +21,7 @@ using test::millimetre;
 
 CheckedProgram exported(const SpatialCam& cam, const FollowerMotion& motion, const NcExportOptions& options) {
     const auto machine = machine_for(cam, options.z_offset);
-    return nc_export(cam, motion, *machine, generic_post(*machine), options);
+    return checked_program(*machine, generic_post(*machine), nc_work(cam, motion, options));
 }
 
 TEST(NcExport, RollerSizedCutterIsBlockExact) {

@@ -118,7 +118,7 @@ TEST(NcRapids, HeightsFollowGivenBlank) {
     options.blank.radius = 0.4;
     options.clearance = 0.03;
     options.safe_distance = 0.005;
-    const CheckedProgram program = nc_export(one.cam, one.motion, *machine, post, options);
+    const CheckedProgram program = checked_program(*machine, post, nc_work(one.cam, one.motion, options));
     EXPECT_EQ(program.fault(), "");
     const std::string& text = program.program.text;
     EXPECT_NE(text.find("diameter 800.000 mm"), std::string::npos) << text.substr(0, 800);
@@ -128,12 +128,15 @@ TEST(NcRapids, HeightsFollowGivenBlank) {
     EXPECT_NE(text.find("\nG0 Z405.0000\n"), std::string::npos);
     for (const double inside : {-0.01, 0.0, 0.004, static_cast<double>(NAN)}) {
         options.clearance = inside;
-        EXPECT_THROW(static_cast<void>(nc_export(one.cam, one.motion, *machine, post, options)), InputError)
+        EXPECT_THROW(
+            static_cast<void>(checked_program(*machine, post, nc_work(one.cam, one.motion, options))),
+            InputError)
             << inside;
     }
     options.clearance = 0.02;
     options.blank.radius = 0.05;  // the groove lies above it
-    EXPECT_THROW(static_cast<void>(nc_export(one.cam, one.motion, *machine, post, options)), InputError);
+    EXPECT_THROW(static_cast<void>(checked_program(*machine, post, nc_work(one.cam, one.motion, options))),
+                 InputError);
 }
 
 }  // namespace spoiled_program_test

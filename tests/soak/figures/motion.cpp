@@ -116,6 +116,20 @@ double unit_angle_of(const SceneNumbers& scene) {
     return 1.0;
 }
 
+/// Whether the scene says the displacement at each joint of a program: with `to`, through a dwell, at the end
+/// of a closed one.
+std::vector<bool> given_levels(const SceneNumbers& scene) {
+    const std::size_t count = scene.segments.size();
+    std::vector<bool> given(count + 1, false);
+    given.front() = true;
+    for (std::size_t k = 0; k < count; ++k)
+        given[k + 1] = scene.segments[k].kind == "dwell" ? given[k] : scene.segments[k].to.has_value();
+    if (!scene.closed) return given;
+    given.back() = true;
+    for (std::size_t k = count; k > 0 && scene.segments[k - 1].kind == "dwell"; --k) given[k - 1] = true;
+    return given;
+}
+
 }  // namespace
 
 std::array<long double, 4> Piece::at(long double x) const {
@@ -153,12 +167,13 @@ Motion delivered_motion(const SceneNumbers& scene, const Outcome& outcome) {
         add_spline(motion, *outcome.spline, 0);
         return motion;
     }
+    const std::vector<bool> given = given_levels(scene);
     for (const PublishedSegment& segment : outcome.segments) {
         const long double begin = segment.start / motion.unit_angle;
         const auto index = static_cast<int>(motion.stretches.size());
         motion.stretches.push_back({segment.kind, begin, begin + segment.angle / motion.unit_angle,
-                                    segment.from, segment.to,
-                                    segment.spline ? segment.spline->continuity : 0});
+                                    segment.from, segment.to, segment.spline ? segment.spline->continuity : 0,
+                                    !given[index] || !given[index + 1]});
         if (segment.spline)
             add_spline(motion, *segment.spline, index);
         else if (segment.kind == "law")

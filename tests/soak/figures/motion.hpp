@@ -30,6 +30,7 @@ struct Stretch {
     std::string kind;  ///< "spline", "law", "dwell"
     long double begin = 0, end = 1, from = 0, to = 1;
     int continuity = 0;
+    bool free = false;  ///< its displacement is not the scene's
 };
 
 struct Motion {

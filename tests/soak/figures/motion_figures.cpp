@@ -61,7 +61,7 @@ MotionFigures figures_of(const Motion& motion) {
         const Stretch& stretch = motion.stretches[index];
         const bool whole = motion.stretches.size() == 1;
         const long double angle = whole ? 1 : stretch.end - stretch.begin;
-        const long double rise = whole ? 1 : std::abs(stretch.to - stretch.from);
+        const long double rise = whole || stretch.free ? 1 : std::abs(stretch.to - stretch.from);
         const long double width = piece.end - piece.begin;
         std::array<Polynomial, 4> derivative;
         derivative[0] = piece.y;

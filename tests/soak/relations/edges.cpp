@@ -138,6 +138,9 @@ Finding compare_relaxed(Trial& trial) {
             cut_intervals(changed, trial.numbers().breakpoints, static_cast<std::size_t>(std::lround(value)));
         else if (!set_path(changed, row.key, whole ? std::to_string(std::lround(value)) : number_text(value)))
             return std::nullopt;
+        const double part = (value - row.given) / (row.solved - row.given);  // what changes with it is linear
+        for (const auto& [key, given, solved] : row.also)
+            if (!set_path(changed, key, number_text(given + part * (solved - given)))) return std::nullopt;
         return trial.solve(changed);
     };
     const auto with = solve_at(whole ? 0.0 : 1e-6 * size);

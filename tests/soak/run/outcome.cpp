@@ -95,6 +95,11 @@ void read_limits(const json& result, Outcome& outcome) {
         if (!row.contains("key") || !given) continue;
         outcome.relaxation.push_back({text_of(row.at("key")), *given,
                                       row.contains("needed") ? number_of(row.at("needed")) : std::nullopt});
+        if (!row.contains("also")) continue;
+        outcome.relaxation.back().solved = row.at("solved");
+        for (const json& other : row.at("also"))
+            outcome.relaxation.back().also.push_back(
+                {other.at("key"), other.at("given"), other.at("solved")});
     }
 }
 
@@ -143,6 +148,11 @@ void read_certificate_text(const std::string& text, Outcome& outcome) {
     outcome.repeatable += file.dump();
     if (const auto boxes = file.find("boxes"); boxes != file.end() && !boxes->is_null())
         outcome.has_box_proof = !boxes->at("steps").empty();
+    if (const json& cases = file.at("cases"); !cases.is_null() && !cases.empty())
+        outcome.has_box_proof = std::ranges::all_of(cases, [&](const json& one) {
+            const json& at = one.at("proof_of_case");
+            return !at.is_null() && !cases.at(at.get<std::size_t>()).at("proof").is_null();
+        });
     const json& proof = file.at("proof");
     if (proof.is_null()) return;
     Proof found;

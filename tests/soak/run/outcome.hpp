@@ -33,6 +33,12 @@ struct PublishedRelaxation {
     std::string key;
     double given = 0.0;
     std::optional<double> needed;
+    double solved = 0.0;  ///< what the values of `also` belong to
+    struct Companion {
+        std::string key;
+        double given = 0.0, solved = 0.0;
+    };
+    std::vector<Companion> also = {};  ///< what changes with it
 };
 
 struct ProofRow {
@@ -69,7 +75,8 @@ struct Outcome {
     /// Searches for what would help that the clock ended, as result.json says.
     std::vector<std::string> unsettled;
     std::optional<Proof> proof;
-    bool has_box_proof = false;  ///< the certificate holds the steps of a proof over boxes
+    bool has_box_proof =
+        false;  ///< the certificate holds the steps of a proof over boxes, or those of all cases
     double processor_seconds = 0.0, wall_seconds = 0.0;
     /// Both texts without what may differ between two identical calls: seconds.
     std::string repeatable;

@@ -7,6 +7,7 @@
 #include "solvers/registry.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "tests/solvers/structured/structured_curved_problems.hpp"
+#include "tests/support/derivative_check.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

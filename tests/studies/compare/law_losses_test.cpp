@@ -204,7 +204,7 @@ TEST(LawLosses, WhatIsStoppedIsUnsettled) {
     const Scene scene = paper_objective(MotionType::drd, 3, 8);
     int unsettled = 0;
     bool complete = false;
-    for (double most = 50.0; !complete; most *= 1.3) {
+    for (double most = 50.0; !complete; most *= 1.12) {
         int polls = 0;
         SolveControl control;
         control.stop_requested = [&] { return ++polls > most; };

@@ -6,6 +6,7 @@
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -128,6 +129,28 @@ TEST(WithinLift, ProgramReversalsAreTurningPoints) {
     }
 }
 
+/// Of a closed program of splines alone the start of the turn is a joint like any other.
+TEST(WithinLift, RingTurnsBackWhereItStarts) {
+    for (const char* const design : {"coefficients", "states"}) {
+        std::array<double, 2> objectives{};
+        for (const bool reversed : {false, true}) {
+            const Solution solution = solve(input::read_scene(
+                fmt::format(
+                    "[motion]\ntype = \"program\"\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = {}\n"
+                    "to = 0.25\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = {}\nto = 0\n[spline]\n"
+                    "degree = 3\nsegments = 4\ndesign = \"{}\"\n[objective]\nacceleration = 0.1\njerk = "
+                    "0.5\n",
+                    reversed ? 275 : 85, reversed ? 85 : 275, design),
+                "ring.toml", known_names()));
+            ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << design << ' ' << reversed;
+            EXPECT_NEAR(solution.motion->at(0.0, Side::right).derivative[1], 0.0, 1e-12);
+            expect_within(solution, 0.0, 0.25);
+            objectives[reversed] = solution.certificate.objective;
+        }
+        EXPECT_NEAR(objectives[0], objectives[1], 1e-9) << design;
+    }
+}
+
 /// Between a law that rises at its end and one that falls there has to be an overshoot.
 TEST(WithinLift, IsOpenNextToOutwardMotion) {
     Scene scene;
@@ -184,6 +207,27 @@ TEST(FreeDisplacement, VanishingStrokeIsNotCalledOptimal) {
                             0.3 * jerk / solution.reference_peaks.jerk.value + 1e-9)
             << blend;
     }
+}
+
+/// A stroke from 0.25 that falls and one to 1 that falls after it contradict each other: no case has that
+/// motion.
+TEST(FreeDisplacement, CasesExcludeTheOtherDirection) {
+    const Solution solution =
+        solve(input::read_scene("[motion]\ntype = \"program\"\n[[motion.segments]]\nkind = \"law\"\nlaw = "
+                                "\"cycloidal\"\nangle_deg = 63\nto = "
+                                "0.25\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = "
+                                "58\n[[motion.segments]]\nkind = \"spline\"\n"
+                                "angle_deg = 96\nto = 1\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = "
+                                "77\nto = 0\n[[motion.segments]]\n"
+                                "kind = \"dwell\"\nangle_deg = 66\n[spline]\ndegree = 3\nbreakpoints = [0, "
+                                "0.166, 0.315, 0.685, 0.87, 0.906, 1]\n"
+                                "[objective]\nvelocity = 0.3\nacceleration = 0.85\n",
+                                "cases.toml", known_names()));
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
+    ASSERT_EQ(solution.certificate.cases.size(), 3U);
+    EXPECT_TRUE(std::ranges::any_of(solution.certificate.cases, &CaseProof::infeasible));
+    EXPECT_LE(*solution.certificate.gap, 1e-8);
+    EXPECT_NEAR(solution.motion->at(solution.segments[1].end, Side::left).derivative[1], 0.0, 1e-9);
 }
 
 TEST(UnequalStrokes, AreProvedWhereTheyFailed) {

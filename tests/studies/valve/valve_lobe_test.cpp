@@ -172,6 +172,22 @@ TEST(ValveLobe, LiftOffSpeedLeavesNoForce) {
     EXPECT_NEAR(*report.nose_radius, (17.0 + 9.7) * millimetre + bend, 1e-9);
 }
 
+TEST(ValveLobe, StructuredSolverNeedsNoSuccessor) {
+    // Rows of the limits meet in nearly dependent places: a direction must be more accurate than its length
+    // asks.
+    const std::string limits =
+        "[limits]\nacceleration_mm_deg2 = { min = -0.012, max = 0.020 }\njerk_mm_deg3 = 0.005\n"
+        "contact_force_min_n = 60\ncam_radius_min_mm = 2\n"
+        "[cam]\ntype = \"disk\"\nfollower = \"translating_flat\"\nbase_radius_mm = 18\nface_radius_mm = 16\n"
+        "[forces]\nmass_kg = 0.11\nspring_rate_n_mm = 28\npreload_n = 260\ncontact_width_mm = 13\n";
+    for (const int segments : {20, 24, 28, 32}) {
+        const Solution solution =
+            optimum_of(lobe + fmt::format("[spline]\nsegments = {}\n[objective]\narea = 1\n", segments) +
+                       limits + "[solver]\nname = \"structured\"\n");
+        EXPECT_LE(*solution.certificate.gap, 2e-7) << segments;
+    }
+}
+
 TEST(ValveLobe, OverlapOfIntakeAndExhaust) {
     const auto with_centerline = [](const std::string& number) {
         std::string text = lobe + rest;

@@ -137,6 +137,12 @@ TEST(PostProcessor, ShapesTheText) {
         "%\n");
     EXPECT_EQ(program.blocks, 1);
     EXPECT_NEAR(program.seconds, 1.0, 1e-12);
+    post.axes["x"].sign = -1;
+    post.axes["tilt"].offset = -90.0 * units::degree;
+    EXPECT_NE(nc_program(*machine, post, job)
+                  .text.find("(X = -x in mm, Y = y in mm, Z = z in mm, C = rotary "
+                             "in deg, B = tilt - 90 in deg)\n"),
+              std::string::npos);
 }
 
 TEST(PostProcessor, RefusesLinesThatAreNotAscii) {

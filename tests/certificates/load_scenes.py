@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""Scenes of moments, other units, swinging lobes, harmonics, laws and elastic programs, and changes that make what was claimed false."""
+from motion_scenes import DWELL, FLAT, FORCES, LAW, PRESCRIBED, ROLLER, SPLINE
+
+OBJECTIVE = "[objective]\nacceleration = 1\njerk = 0.2\n[spline]\nsegments = 12\n"
+ARM = ('[cam]\ntype = "disk"\nfollower = "oscillating_roller"\nbase_radius_mm = 30\nroller_radius_mm = 8\ncenter_distance_mm = 60\n'
+       "arm_length_mm = 50\n")
+MOMENTS = ("[forces]\ninertia_kg_m2 = 2e-4\nspring_rate_nm_rad = 8\npreload_nm = 3\ndamping_nm_s_rad = 0.01\ncontact_width_mm = 10\n"
+           "load_nm = [[0, 0], [90, 0.5], [200, 0]]\n")
+SWINGING = '[motion]\ntype = "RR"\nlift_deg = 12\nrise_deg = 90\nspeed_rpm = 2000\n' + OBJECTIVE + ARM + MOMENTS
+LOBE = ('[motion]\ntype = "valve"\nlift_mm = 9.5\nlash_mm = 0.2\nduration_crank_deg = 248\nchecking_height_mm = 0.15\n'
+        "engine_speed_rpm = 6500\n")
+AREA = "[spline]\nsegments = 16\n[objective]\narea = 1\n"
+RAMP = "opening_ramp = { height_mm = 0.30, velocity_mm_deg = 0.012 }\n"
+TAPPET = "[forces]\nmass_kg = 0.11\nspring_rate_n_mm = 28\npreload_n = 260\ncontact_width_mm = 13\nspring_frequency_hz = 400\n"
+FINGER = LOBE + "valve_arm_mm = 40\nopening_ramp = { height_deg = 0.4, velocity_deg_deg = 0.016 }\n" + AREA
+HARMONIC = ('[motion]\ntype = "RR"\nlift_mm = 9\nrise_deg = 65\nspeed_rpm = 3000\n[spline]\nsegments = 16\n[objective]\n'
+            "acceleration = 0.8\njerk = 0.2\n" + FLAT + "base_radius_mm = 18\n" + TAPPET + "[limits]\nspring_harmonic_um = 60\n")
+STROKES = ('[motion]\ntype = "program"\nlift_mm = 10\nspeed_rpm = 200\n' + SPLINE + "angle_deg = 120\nto = 1\n" + DWELL + "angle_deg = 60\n" +
+           SPLINE + "angle_deg = 100\nto = 0\n" + DWELL + "angle_deg = 80\n")
+RISE = '[motion]\ntype = "DRD"\nlift_mm = 20\nrise_deg = 80\n' + OBJECTIVE.replace("[spline]", "base_radius = 0.3\n[spline]")
+
+
+def beside(law):
+    return ('[motion]\ntype = "program"\nlift_mm = 10\nspeed_rpm = 200\n' + SPLINE + "angle_deg = 120\nto = 1\n" + LAW +
+            f'law = "{law}"\nangle_deg = 120\nto = 0\n' + DWELL + "angle_deg = 120\n" + OBJECTIVE)
+
+
+# Name: (scene, verdict).
+TEXTS = {
+    "angles_mixed": ('[motion]\ntype = "RR"\nlift_mm = 10\nrise_deg = 100\nreturn_rad = 1.5\nspeed_rad_s = 20.94\n' + OBJECTIVE +
+                     "[limits]\nvelocity_mm_s = 250\n", "optimal"),
+    "pressure_rad": ('[motion]\ntype = "DRD"\nlift_mm = 20\nrise_rad = 1.2\n' + OBJECTIVE + ROLLER + "[limits]\npressure_angle_rad = 0.35\n",
+                     "optimal"),
+    "imperial_loads": ('[motion]\ntype = "RR"\nlift_mm = 12\nrise_deg = 110\nspeed_rpm = 400\n[spline]\nsegments = 12\n[objective]\n'
+                       "acceleration = 1\n" + ROLLER + FORCES + "cam_modulus_ksi = 30000\n[limits]\ntorque_max_lbf_in = 16.5\n"
+                       "hertz_pressure_max_ksi = 60\n", "optimal"),
+    "arm_moment": (SWINGING + "[limits]\ncontact_moment_min_nm = 1.5\npressure_angle_deg = 45\n", "optimal"),
+    "arm_torque": (SWINGING + "[limits]\ntorque_max_nm = 0.95\n", "optimal"),
+    "arm_hertz": (SWINGING + "[limits]\nhertz_pressure_max_mpa = 280\n", "optimal"),
+    "arm_searched": (SWINGING.replace("radius_mm = 30", "radius_mm = { min = 20, max = 50 }").replace("[spline]", "base_radius = 0.3\n[spline]")
+                     .replace('"RR"', '"DRD"') + "[limits]\npressure_angle_deg = 18\n", "optimal"),
+    "offset": (RISE + ROLLER.replace("= 40", "= { min = 10, max = 80 }") + "offset_mm = 8\n[limits]\npressure_angle_deg = 30\n", "optimal"),
+    "flat_hertz": ('[motion]\ntype = "RR"\nlift_mm = 9\nrise_deg = 65\nspeed_rpm = 3000\n[spline]\nsegments = 12\n[objective]\njerk = 1\n' +
+                   FLAT + "base_radius_mm = 30\n" + TAPPET + "[limits]\nhertz_pressure_max_mpa = 400\n", "optimal"),
+    "finger": (FINGER + "[limits]\nacceleration_deg_deg2 = { min = -0.02, max = 0.04 }\n", "optimal"),
+    "finger_loaded": (FINGER + "[limits]\nacceleration_deg_deg2 = { min = -0.02, max = 0.04 }\ncontact_moment_min_nm = 10\n" +
+                      ARM.replace("= 30", "= 18").replace("= 50", "= 40").replace("= 60", "= 45") +
+                      "[forces]\ninertia_kg_m2 = 1e-4\nspring_rate_nm_rad = 40\npreload_nm = 12\n", "optimal"),
+    "lobe_rad": (LOBE.replace("crank_deg = 248", "rad = 2.16") + "opening_ramp = { height_mm = 0.30, velocity_mm_rad = 0.7 }\n" + AREA +
+                 "[limits]\nacceleration_mm_deg2 = { min = -0.012, max = 0.020 }\n", "optimal"),
+    "lobe_roller": (LOBE + RAMP + AREA + ROLLER.replace("40", "18") + TAPPET + "[limits]\nconcave_radius_min_mm = 60\n"
+                    "acceleration_mm_deg2 = { min = -0.012, max = 0.020 }\nhertz_pressure_max_mpa = 900\n", "optimal"),
+    "harmonic": (HARMONIC, "optimal"),
+    "harmonic_no": (HARMONIC + "acceleration = 5\n", "infeasible"),
+    "harmonic_lobe": (LOBE + RAMP + AREA + FLAT + "base_radius_mm = 18\nface_radius_mm = 16\n" + TAPPET + "[limits]\nspring_harmonic_um = 60\n"
+                      "spring_harmonics = { min = 7, max = 9 }\nacceleration_mm_deg2 = { min = -0.012, max = 0.020 }\n", "optimal"),
+    "beside_sine": (beside("simple_harmonic") + "[limits]\nvelocity_mm_s = 220\n", "optimal"),
+    "beside_split": (beside("asymmetric_parabolic"), "optimal"),
+    "reference_law": ('[motion]\ntype = "DRD"\n[spline]\nsegments = 12\n[objective]\nvelocity = 0.5\nacceleration = 0.5\narea = 0.1\n'
+                      'reference = "one_dwell_cycloidal"\n', "optimal"),
+    "prescribed_rms": (PRESCRIBED.replace("cycloidal", "gutman_13") + "[objective]\nvelocity = 1\nrms_acceleration = 0.2\nrms_jerk = 0.1\n"
+                       "[limits]\nacceleration_m_s2 = 42\n", "optimal"),
+    "jerk_jumps": (PRESCRIBED.replace("cycloidal", "parabolic") + "[objective]\nvelocity = 1\n[limits]\njerk = 100\n", "infeasible"),
+    "long_region": ('[motion]\ntype = "DRD"\nvia = [{ from = 0.3, to = 0.7, velocity = 1.2 }]\n[spline]\nbreakpoints = [0, 0.1, 0.2, 0.3, 0.4,'
+                    " 0.5, 0.6, 0.7, 0.8, 0.9, 1]\n[objective]\nacceleration = 1\n", "optimal"),
+    "elastic_program": (STROKES + OBJECTIVE + "[dynamics]\nmass_lb = 4.4\nnatural_frequency_hz = 30\ndamping_ratio = 0.02\n"
+                        "[limits]\nresidual_um = 100\n", "optimal"),
+    "elastic_arm": ('[motion]\ntype = "DRD"\nlift_deg = 10\nrise_deg = 90\nspeed_rpm = 200\n' + OBJECTIVE + "[dynamics]\ninertia_kg_m2 = 0.2\n"
+                    "stiffness_nm_rad = 3000\ndamping_ratio = 0.02\nspeed_range_rad_s = [20, 21]\n[limits]\nresidual_deg = 0.1\n", "optimal"),
+}
+
+# (scene, what is in its scene.toml, what it is replaced by): the files then claim what is not so.
+CHANGES = [
+    ("angles_mixed", "return_rad = 1.5", "return_rad = 1.51"), ("angles_mixed", "speed_rad_s = 20.94", "speed_rad_s = 21"),
+    ("angles_mixed", "mm_s = 250", "mm_s = 251"), ("pressure_rad", "_rad = 0.35", "_rad = 0.349"), ("pressure_rad", "_rad = 0.35", "_rad = 0.351"),
+    ("imperial_loads", "lbf_in = 16.5", "lbf_in = 16"), ("imperial_loads", "_ksi = 60", "_ksi = 50"),
+    ("imperial_loads", "modulus_ksi = 30000", "modulus_ksi = 300000"),
+    ("arm_moment", "min_nm = 1.5", "min_nm = 1.6"), ("arm_moment", "nm_rad = 8", "nm_rad = 7.9"), ("arm_moment", "[90, 0.5]", "[90, 0.4]"),
+    ("arm_torque", "max_nm = 0.95", "max_nm = 0.9"), ("arm_torque", "s_rad = 0.01", "s_rad = 0.02"),
+    ("arm_hertz", "_mpa = 280", "_mpa = 270"), ("arm_hertz", "width_mm = 10", "width_mm = 5"),
+    ("arm_searched", "angle_deg = 18", "angle_deg = 17.9"), ("arm_searched", "angle_deg = 18", "angle_deg = 18.1"),
+    ("arm_searched", "base_radius = 0.3", "base_radius = 0.31"), ("offset", "offset_mm = 8", "offset_mm = 7.9"), ("flat_hertz", "_mpa = 400", "_mpa = 300"),
+    ("finger", "arm_mm = 40", "arm_mm = 40.1"), ("finger", "height_deg = 0.4", "height_deg = 0.41"), ("finger", "min = -0.02", "min = -0.0201"),
+    ("finger_loaded", "min_nm = 10", "min_nm = 13"), ("finger_loaded", "max = 0.04", "max = 0.041"),
+    ("lobe_rad", "mm_rad = 0.7", "mm_rad = 0.701"), ("lobe_rad", "rad = 2.16", "rad = 2.161"), ("lobe_roller", "_mpa = 900", "_mpa = 500"),
+    ("lobe_roller", "radius_min_mm = 60", "radius_min_mm = 90"),
+    ("harmonic", "_um = 60", "_um = 59"), ("harmonic", "_um = 60", "_um = 61"),
+    ("harmonic_no", "_um = 60", "_um = 90"), ("harmonic_no", "acceleration = 5", "acceleration = 9"),
+    ("harmonic_lobe", "_um = 60", "_um = 20"), ("harmonic_lobe", "{ min = 7", "{ min = 3"),
+    ("beside_sine", "simple_harmonic", "cycloidal"), ("beside_sine", "simple_harmonic", "parabolic"), ("beside_sine", "_s = 220", "_s = 150"),
+    ("beside_split", "asymmetric_parabolic", "parabolic"),
+    ("reference_law", "one_dwell_cycloidal", "one_dwell_modified_sine"), ("prescribed_rms", "gutman_13", "freudenstein_13"),
+    ("prescribed_rms", "_s2 = 42", "_s2 = 30"), ("jerk_jumps", "parabolic", "cycloidal"), ("long_region", "to = 0.7", "to = 0.8"),
+    ("long_region", "velocity = 1.2", "velocity = 1.21"),
+    ("elastic_program", "_um = 100", "_um = 99"), ("elastic_program", "_hz = 30", "_hz = 29"), ("elastic_arm", "residual_deg = 0.1", "residual_deg = 0.05"),
+    ("elastic_arm", "[20, 21]", "[20, 23]"),
+]
