@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""build.py ROOT PROGRAM OUT: the documentation site in OUT/html. scripts/site calls it with what it needs at hand.
+"""build.py ROOT PROGRAM OUT PAGE: the documentation site in OUT/html. scripts/site calls it with what it needs; PAGE
+(camopt.html) is offered as "Try it" where it is there.
 
 OUT/pages is what Sphinx reads, made anew each time; OUT/solved keeps the results of the gallery's scenes."""
 
@@ -20,7 +21,7 @@ import tree
 HERE = pathlib.Path(__file__).parent
 # Sections of the site: the pages of docs/ in the order in which one reads them. What is in none is in the last.
 SECTIONS = [
-    ("Using camopt", ["scene_file", "results", "report", "compare", "sweep", "cams", "programs", "nc", "plc"]),
+    ("Using camopt", ["try", "scene_file", "results", "report", "compare", "sweep", "cams", "programs", "nc", "plc"]),
     ("Reference", ["reference/scene", "reference/laws", "reference/solvers", "api/index", "embedding"]),
     ("Examples", ["gallery/index", "notebooks/index", "notebooks_cpp/README"]),
     ("Theory", ["method", "stability", "theory/pressure_angle"]),
@@ -63,7 +64,17 @@ def add_contents(out):
     index.write_text(text, encoding="utf-8")
 
 
-def write_pages(root, program, out, work):
+TRY = """# Try it
+
+The studio with its solver in one page: it runs in this browser, without a server and without a connection.
+
+<p><a class="try" href="camopt.html"><strong>Open the studio</strong></a> &nbsp; or save the link's file and open it from disk.</p>
+
+What it can do: [the offline page](docs/report.md#the-offline-page).
+"""
+
+
+def write_pages(root, program, out, work, offline):
     shutil.rmtree(out, ignore_errors=True)
     (out / "_static").mkdir(parents=True)
     for name in ("conf.py", "camopt.css"):
@@ -75,6 +86,10 @@ def write_pages(root, program, out, work):
     pages.write("reference/scene.md", keys.page(program))
     pages.write("reference/laws.md", keys.laws_page(program))
     pages.write("reference/solvers.md", keys.solvers_page(program))
+    if offline.is_file():
+        pages.write("try.md", TRY)
+    else:
+        step(f"no {offline.name} (scripts/offline_page makes it): the site is without \"Try it\"")
     pages.write("notebooks/index.md", notebooks.index(notebooks.write(root, out, pages)))
     step("pages of the tree")
     headers, names = api.Reference(root, out, work / "doxygen").write()
@@ -101,10 +116,12 @@ def run_sphinx(out, html, version):
 
 
 def main():
-    root, program, work = (pathlib.Path(word).resolve() for word in sys.argv[1:])
+    root, program, work, offline = (pathlib.Path(word).resolve() for word in sys.argv[1:])
     words = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
-    write_pages(root, program, work / "pages", work)
+    write_pages(root, program, work / "pages", work, offline)
     run_sphinx(work / "pages", work / "html", re.search(r"\d+(\.\d+)+", words).group())
+    if offline.is_file():
+        shutil.copy(offline, work / "html/camopt.html")
     status = subprocess.run([sys.executable, "-B", HERE / "dead_links.py", work / "html"]).returncode
     step("links")
     if status == 0:
