@@ -88,9 +88,10 @@ void write_program(const ExportedProgram& program, FolderUpdate& folder, Exporte
     if (result.fault.empty()) result.fault = program.fault;
     folder.remove_earlier(program.name + ".nc");  // it does not go with this check
     folder.remove_earlier(program.name + ".check.json");
-    if (program.fault.empty()) folder.write(program.name + ".nc", program.program);
-    if (program.fault.empty() && !program.claims.empty())
+    if (program.fault.empty()) {
+        folder.write(program.name + ".nc", program.program);
         folder.write(program.name + ".check.json", program.claims);
+    }
     folder.write(program.name + "_nc_check.txt", program.check);
     folder.write(program.name + "_nc.svg", program.picture);
 }

@@ -79,16 +79,20 @@ std::string solid_bytes(const Plate& plate) {
 }
 
 /// Of the finishing pass: chords, printed digits and the stock that is left, with a tenth more as room for
-/// the proof; of every move: how deep it may enter the finished cam.
+/// the proof; of every move: how deep it may enter the finished cam. "path_mm": of the cutter's axis, at
+/// either end of its working length.
 std::string program_claims(const std::string& name, const Solution& solution, const CheckedProgram& program,
-                           double stock) {
+                           const NcWork& work, double stock) {
     constexpr double room = 1.1, printed = 2e-8;  // m
-    const double chords = room * (program.chord_deviation + program.poses.tip_rounding) + printed + stock;
+    const NcPoseCheck& poses = program.poses;
+    const double rounding = poses.tip_rounding + poses.axis_rounding * work.task.blocks.working_length;
+    const double chords = room * (program.chord_deviation + rounding) + printed + stock;
+    const bool is_plane = solution.cam->cam.formulas->is_plane_curve();
     return export_check_json(solution, {{"camopt", version()},
                                         {"kind", "nc"},
                                         {"file", name + ".nc"},
                                         {"departure",
-                                         {{"profile_mm", millimetres_shown.of(chords)},
+                                         {{is_plane ? "profile_mm" : "path_mm", millimetres_shown.of(chords)},
                                           {"gouge_mm", millimetres_shown.of(program.most_depth)}}}});
 }
 
@@ -101,9 +105,7 @@ ExportedProgram checked(const std::string& name, const Solution& solution, const
             program.program.text,
             nc_check_text(program),
             tool_path_svg(program, work, machine, {work.job.title, shown_units(solution.scene).length}),
-            solution.cam->cam.formulas->is_plane_curve()
-                ? program_claims(name, solution, program, choice.stock)
-                : "",
+            program_claims(name, solution, program, work, choice.stock),
             program.fault()};
 }
 
@@ -220,7 +222,6 @@ class Exports {
         add(name + ".stl",
             [&shape, drawing, title] { return stl_bytes(disk_mesh(shape, drawing()).mesh, title); });
         add_program(name, piece);
-        add(name + ".check.json", [this, piece] { return sound_program(piece).claims; });
     }
     void add_flanks() {
         const std::pair<const char*, bool CamExportOptions::*> kinds[] = {
@@ -233,6 +234,7 @@ class Exports {
     }
     void add_program(const std::string& name, std::size_t piece) {
         add(name + ".nc", [this, piece] { return sound_program(piece).program; });
+        add(name + ".check.json", [this, piece] { return sound_program(piece).claims; });
         add(name + "_nc_check.txt", [this, piece] { return programs().at(piece).check; });
         add(name + "_nc.svg", [this, piece] { return programs().at(piece).picture; });
     }

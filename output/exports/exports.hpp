@@ -47,7 +47,7 @@ struct ExportedProgram {
     std::string program;  ///< G-code
     std::string check;    ///< words for a machinist
     std::string picture;  ///< SVG: the path of the cutter
-    std::string claims;   ///< NAME.check.json; empty: none is made of such a cam
+    std::string claims;   ///< NAME.check.json
     std::string fault;    ///< why it must not run; empty: no reason was found
 };
 
