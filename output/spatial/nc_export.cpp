@@ -192,6 +192,9 @@ NcWork nc_work(const CamFlanks& cam, const FollowerMotion& motion, const NcExpor
     job = milling_job(options, blank_of(groove, cam, options.blank), location.diameter,
                       groove.greatest_depth());
     job.remarks = {"origin: the centre of the cam; turn 0: its cam angle 0"};
+    if (cam.arc && options.z_offset != 0.0)
+        job.remarks.push_back(
+            fmt::format("offset: {} mm are subtracted from Z", millimetres_shown.of(options.z_offset)));
     job.rotary_speed = options.rotary_speed;
     if (groove.indexing()) {
         groove.extend_beyond(job.blank, options.safe_distance);
