@@ -2,19 +2,23 @@
 """profile.dxf: each outline of a plane cam as one polyline of lines and arcs, open where the cam is.
 
 A DXF file is a list of tags: a group code and a value, a line each. Only what the outline consists of is read; what it may
-consist of is listed, so that nothing which changes it is overlooked. Base and prime circle are those of the cam; circles and lines on other layers (rim of a
-grooved disk, axes, follower) are not checked. The walls of an inverse cam's guide share a layer, the left one first.
+consist of is listed, so that nothing which changes it is overlooked. Base and prime circle are those of the cam, the rim of a grooved disk
+leaves the wall that the scene states around the outer flank; other layers (axes, follower) are not checked. The walls of an inverse cam's
+guide share a layer, the left one first.
 """
 import itertools
+import math
 from fractions import Fraction
 
 from certificate_checker.exact import Refuted, Unverified
+from certificate_checker.units import dimension_of
 
+from .clearance import Polygon
 from .departure import largest_departure
 from .linked_cams import InverseCam, LinkedCam, RemoteCam
 from .outcome import Outcome
 from .places import Places
-from .plane_cam import WITH_ROLLER, PlaneCam
+from .plane_cam import MILLIMETRES as PER_METRE, WITH_ROLLER, PlaneCam
 from .segments import bulged
 
 MILLIMETRES = "4"  # of $INSUNITS
@@ -23,6 +27,7 @@ HARMLESS = {5, 330, 100, 8, 90, 70}
 WIDTH = 43
 HARMLESS_OF_CIRCLES = {5, 330, 100, 8}
 CIRCLES = Fraction(1, 10**6)  # mm: a circle that departs by more is another one
+RIM, RIM_SAG = 1e-3, 1e-4     # mm: the same of a rim, which rounds a largest radius; of the polygon that encloses it
 
 
 class Tag:
@@ -150,19 +155,35 @@ def departure_of(cam, entity, offset):
     return largest_departure(cam, segments, places.along(points), offset)
 
 
+def circles_on(entities, layer):
+    """[(line, {group code: number} of a circle, None of another entity)]."""
+    for own in on_layer(entities, layer):
+        yield own[0].line, {tag.code: real(tag) for tag in own[1:] if tag.code not in HARMLESS_OF_CIRCLES} if own[0].value == "CIRCLE" else None
+
+
+def is_circle(drawn, radius, room):
+    wanted = {10: 0, 20: 0, 30: 0, 40: radius}
+    return drawn is not None and drawn.keys() == wanted.keys() and all(abs(drawn[k] - z) <= room for k, z in wanted.items())
+
+
 def circle_faults(cam, entities):
     """Base and prime circle of a disk cam, about its centre."""
     sizes = {} if isinstance(cam, LinkedCam) else {"BASE_CIRCLE": cam.size["base_radius"]}
     if sizes and cam.follower in WITH_ROLLER:
         sizes["PRIME_CIRCLE"] = cam.prime
-    faults = []
-    for layer, radius in sizes.items():
-        for own in on_layer(entities, layer):
-            drawn = {tag.code: real(tag) for tag in own[1:] if tag.code not in HARMLESS_OF_CIRCLES}
-            wanted = {10: 0, 20: 0, 30: 0, 40: radius}
-            if own[0].value != "CIRCLE" or drawn.keys() != wanted.keys() or any(abs(drawn[k] - z) > CIRCLES for k, z in wanted.items()):
-                faults.append(f"line {own[0].line}: not the {layer} of the cam, radius {float(radius):g} mm")
-    return faults
+    faults = [f"line {line}: not the {layer} of the cam, radius {float(radius):g} mm" for layer, radius in sizes.items()
+              for line, drawn in circles_on(entities, layer) if not is_circle(drawn, radius, CIRCLES)]
+    return faults + (rim_faults(cam, entities) if cam.form == "grooved" else [])
+
+
+def rim_faults(cam, entities):
+    """The wall around a groove is the thinnest where the outer flank is the farthest from the cam's centre."""
+    wall = dimension_of(cam.motion.scene["cam"], "groove_wall") * PER_METRE or cam.roller
+    flank = Polygon(cam, 2 * cam.roller + cam.clearance / 2, RIM_SAG)
+    radius = max(math.hypot(*corner) for corner in flank.corners) + float(wall)
+    rims = list(circles_on(entities, "RIM"))
+    faults = [f"line {line}: not the RIM of the cam, radius {radius:g} mm" for line, drawn in rims if not is_circle(drawn, radius, RIM - flank.sag)]
+    return faults if rims else ["no circle on the layer RIM"]
 
 
 def outlines_of(scene, design):

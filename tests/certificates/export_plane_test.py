@@ -326,6 +326,16 @@ class ExportOfPlaneCams(unittest.TestCase):
             self.assertEqual(1, len(found))
             self.assertRegex(found[0], f"line [0-9]+: not the {layer}")
 
+    def test_rim(self):
+        scene, result, drawing, _ = self.two_sided["cam_grooved"]
+        place = drawing.rindex("RIM")
+        radius = float(re.search(r"\n 40\n([\d.]+)", drawing[place:])[1])
+        self.assertEqual([], self.dxf.verify(drawing, scene, result).faults)
+        spoiled = drawing[:place] + drawing[place:].replace(f"\n 40\n{radius}", f"\n 40\n{radius + 0.002}", 1)
+        found = self.dxf.verify(spoiled, scene, result).faults
+        self.assertEqual(1, len(found))
+        self.assertRegex(found[0], "line [0-9]+: not the RIM")
+
     def test_another_cam(self):
         scene, result, drawing, program = self.cases["cam_flat"]
         scene = scene | {"cam": scene["cam"] | {"base_radius_mm": scene["cam"]["base_radius_mm"] + 0.02}}

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""Exported files spoiled at random, all of which scripts/verify-export must refute: spoiled_exports_test.py CAMOPT [--seed 20] [--count 200].
+
+Every file is confirmed first. Then one number of it, a row, its claims, the design beside it or the scene is changed so far that a claim
+is false.
+"""
+import argparse
+import copy
+import importlib.machinery
+import importlib.util
+import json
+import random
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import checker
+from plane_samples import outline_of
+
+# Scene, settings, options of camopt export, sizes of its scene that its files depend on.
+CASES = [
+    ("rr_unequal_return", [], ["--plc", "all", "--csv"], ["lift_mm", "rise_deg"]),
+    ("drd_quintic_12", [], ["--plc", "codesys,siemens,br,csv", "--csv"], ["lift_mm"]),
+    ("cam_drdrd", ["spline.segments=6", "solver.starts=1"], ["--plc", "codesys,twincat,rockwell", "--dxf"], ["base_radius_mm"]),
+    ("cam_roller", [], ["--dxf", "--nc"], ["base_radius_mm", "roller_radius_mm", "lift_mm"]),
+    ("cam_flat", [], ["--dxf", "--nc"], ["base_radius_mm", "lift_mm"]),
+]
+LONG = "omron", "lenze"   # thousands of rows: proved by output.plc_read_back
+MOVED = 0.05              # mm
+NUMBER = re.compile(r"(?<![\w.])-?\d+\.\d+(?:e-?\d+)?")
+
+
+def verify_export():
+    path = str(checker.ROOT / "scripts/verify-export")
+    loader = importlib.machinery.SourceFileLoader("verify_export", path)
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("verify_export", loader))
+    loader.exec_module(module)
+    return module
+
+
+def is_data(line):
+    return not line.lstrip().startswith(("//", "#", "(")) and "//" not in line and "Jerk" not in line
+
+
+def with_word(line, letter, by):
+    """A block with one of its words moved."""
+    return re.sub(letter + r"(-?[\d.]+)", lambda found: f"{letter}{float(found[1]) + by:.4f}", line, count=1)
+
+
+class Export:
+    """A file with its claims and its scene. Ways to spoil it return False where it has nothing for them."""
+
+    def __init__(self, file, scene, sizes):
+        self.file, self.scene, self.sizes = file, scene, sizes
+        self.text, self.stated = file.read_text(), scene.read_text()
+        self.claims_file = file.with_name(file.name.split(".")[0] + ".check.json")
+        self.claims = json.loads(self.claims_file.read_text())
+
+    def written_to(self, folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / self.file.name).write_text(self.text)
+        (folder / self.claims_file.name).write_text(json.dumps(self.claims))
+        (folder / "scene.toml").write_text(self.stated)
+        return folder / self.file.name, folder / "scene.toml"
+
+    # -- the file
+
+    def number(self, chance):
+        """The first digit of a number of a table; a corner of a drawing or a block of the finishing pass moved aside."""
+        lines = self.text.split("\n")
+        if self.claims["kind"] == "nc":
+            begin = max(i for i, line in enumerate(lines) if "(pass:" in line)
+            blocks = [i for i, line in enumerate(lines) if i > begin and re.match(r"(N\d+ )?(G[123] )?[XY]", line)]
+            i = chance.choice(blocks[len(blocks) // 8:-len(blocks) // 8])
+            lines[i] = with_word(lines[i], "X" if "X" in lines[i] else "Y", chance.choice((-MOVED, MOVED)))
+        elif self.claims["kind"] == "dxf":
+            line, x, y, _ = chance.choice(outline_of(self.text)[1:-1])
+            along = chance.choice((1 - MOVED / abs(complex(x, y)), 1 + MOVED / abs(complex(x, y))))
+            lines[line - 1], lines[line + 1] = f"{x * along:.8f}", f"{y * along:.8f}"
+        else:
+            cells = [(i, found) for i, line in enumerate(lines) if is_data(line) for found in NUMBER.finditer(line)
+                     if abs(float(found[0])) > 1e-3]
+            i, found = chance.choice(cells)
+            digit = re.search("[1-9]", found[0])
+            other = chance.choice([d for d in "123456789" if d != digit[0]])
+            lines[i] = lines[i][:found.start() + digit.start()] + other + lines[i][found.start() + digit.end():]
+        self.text = "\n".join(lines)
+
+    def row_removed(self, chance):
+        if self.claims["kind"] in ("dxf", "nc"):
+            return False
+        lines = self.text.split("\n")
+        rows = [i for i, line in enumerate(lines) if is_data(line) and len(NUMBER.findall(line)) > 1]
+        del lines[chance.choice(rows[1:-1])]
+        self.text = "\n".join(lines)
+
+    # -- what is said of it
+
+    def claim(self, chance):
+        """A departure that is too small."""
+        if "loss" in self.claims:
+            rows = [row for row in self.claims["loss"] if row["per_degree"]]
+            row = chance.choice(rows)
+            row["per_degree"] *= chance.uniform(0.1, 0.4)
+            return None
+        names = [name for name in self.claims["departure"] if name != "gouge_mm"]
+        self.claims["departure"][chance.choice(names)] *= chance.uniform(0.1, 0.4)
+
+    def design(self, chance):
+        """A coefficient of the motion."""
+        parts = [part for part in self.claims["design"]["motion"]["parts"] if part.get("coefficients")]
+        row = chance.choice(chance.choice(parts)["coefficients"])
+        k = chance.choice([k for k, value in enumerate(row) if value])
+        row[k] *= 1 + chance.choice((-1, 1)) * chance.uniform(1e-4, 1e-2)
+
+    def size(self, chance):
+        """A length or an angle of the scene."""
+        key = chance.choice(self.sizes)
+        by = 1 + chance.choice((-1, 1)) * chance.uniform(2e-3, 1e-2)
+        changed = re.sub(rf"^({key} *= *)([\d.]+)", lambda found: f"{found[1]}{float(found[2]) * by:.6f}", self.stated, count=1, flags=re.M)
+        assert changed != self.stated, f"{self.scene}: no {key}"
+        self.stated = changed
+
+
+WAYS = Export.number, Export.number, Export.row_removed, Export.claim, Export.design, Export.size
+
+
+def exports(camopt, place):
+    for name, settings, options, sizes in CASES:
+        folder = place / name
+        checker.solve(camopt, checker.ROOT / "scenes" / f"{name}.toml", folder, settings)
+        subprocess.run([camopt, "export", str(folder), "--out", str(folder / "files"), *options], check=True, capture_output=True, timeout=300)
+        for claims in sorted((folder / "files").glob("*.check.json")):
+            if claims.name.split(".")[0] not in LONG:
+                yield Export(folder / "files" / json.loads(claims.read_text())["file"], folder / "scene.toml", sizes)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("camopt")
+    parser.add_argument("--seed", type=int, default=20)
+    parser.add_argument("--count", type=int, default=200)
+    asked = parser.parse_args()
+    chance, faults, tried = random.Random(asked.seed), [], 0
+    with tempfile.TemporaryDirectory() as place:
+        judge, found = verify_export(), []
+        for export in exports(asked.camopt, Path(place)):
+            code, lines = judge.outcome_of(*export.written_to(Path(place) / "judged"))
+            if code == 2 and export.claims["kind"] == "table":  # columns that are none of the motion are named
+                code = 0
+            if code:
+                faults.append(f"{export.scene.parent.name} {export.file.name}: not confirmed: {lines[-1]}")
+            found.append(export)
+        while tried < asked.count and found and not faults:
+            export, way = copy.deepcopy(found[tried % len(found)]), chance.choice(WAYS)
+            if way(export, chance) is False:
+                continue
+            tried += 1
+            code, lines = judge.outcome_of(*export.written_to(Path(place) / "judged"))
+            print(f"{export.scene.parent.name} {export.file.name} {way.__name__}: {lines[-1][:120]}", flush=True)
+            if code != 1:
+                faults.append(f"{export.scene.parent.name} {export.file.name}, {way.__name__}: {lines[-1]}")
+    print(f"{tried} spoiled files of {len(found)}, {len(faults)} not refuted")
+    print("\n".join(faults))
+    return 1 if faults or tried < asked.count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
