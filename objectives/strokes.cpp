@@ -78,6 +78,38 @@ void set_range(StrokeRange& stroke, const std::vector<Passed>& points, const std
     }
 }
 
+/// Of a rise or a rise and return.
+std::vector<StrokeRange> strokes_of_one_spline(const Scene& scene) {
+    const std::vector<PlacedPoint> points = placed_points(scene.motion);
+    std::vector<StrokeRange> strokes = {{"motion", 0, 0.0, 1.0, 0.0, 1.0}};
+    if (scene.motion.type == MotionType::rr)
+        strokes.push_back({"motion", 0, 1.0, scene.motion.length(), 1.0, 0.0});
+    const std::array<double, 2> slopes = {end_velocities(scene.motion, false)[0],
+                                          end_velocities(scene.motion, true)[0]};
+    for (StrokeRange& stroke : strokes)
+        set_range(
+            stroke, passed_points(points, stroke, -1),
+            {&stroke == &strokes.front() ? slopes[0] : 0.0, &stroke == &strokes.back() ? slopes[1] : 0.0});
+    return strokes;
+}
+
+/// A spline of a program between given displacements, with the sides of its range that set points beyond
+/// both of its ends give; what is next to it may open others. Empty: an end is free.
+std::vector<StrokeRange> given_stroke(const Scene& scene, int segment) {
+    const auto i = static_cast<std::size_t>(segment);
+    const std::vector<std::optional<double>> levels = given_levels(scene.motion);
+    double angle = 0.0;
+    for (std::size_t k = 0; k < i; ++k) angle += scene.motion.segments[k].angle;
+    const double unit = scene.motion.unit_angle(), end = (angle + scene.motion.segments[i].angle) / unit;
+    StrokeRange stroke{"", segment, angle / unit, end, levels[i], levels[i + 1]};
+    if (stroke.is_free()) return {};
+    set_range(stroke, passed_points(placed_points(scene.motion), stroke, segment), {});
+    const auto [lower, upper] = std::minmax(*stroke.from, *stroke.to);
+    if (!(stroke.least < lower - same_level)) stroke.least = -infinity;
+    if (!(stroke.most > upper + same_level)) stroke.most = infinity;
+    return {stroke};
+}
+
 std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, StrokeDirection direction) {
     std::vector<PlacedRule> rules;
     const auto add = [&](const char* key, BoundRule::Bound bound, Datum datum) {
@@ -120,20 +152,9 @@ std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, 
 }  // namespace
 
 std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& family) {
+    if (scene.motion.type != MotionType::program) return strokes_of_one_spline(scene);
     const std::vector<PlacedPoint> points = placed_points(scene.motion);
     std::vector<StrokeRange> strokes;
-    if (scene.motion.type != MotionType::program) {
-        strokes.push_back({"motion", 0, 0.0, 1.0, 0.0, 1.0});
-        if (scene.motion.type == MotionType::rr)
-            strokes.push_back({"motion", 0, 1.0, scene.motion.length(), 1.0, 0.0});
-        const std::array<double, 2> slopes = {end_velocities(scene.motion, false)[0],
-                                              end_velocities(scene.motion, true)[0]};
-        for (StrokeRange& stroke : strokes)
-            set_range(stroke, passed_points(points, stroke, -1),
-                      {&stroke == &strokes.front() ? slopes[0] : 0.0,
-                       &stroke == &strokes.back() ? slopes[1] : 0.0});
-        return strokes;
-    }
     for (int i = 0; i < static_cast<int>(family.own_stretches().size()); ++i) {
         const MotionFamily::Stretch& stretch = family.own_stretches()[i];
         if (stretch.kind != StretchRequest::Kind::spline) continue;
@@ -152,6 +173,24 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
         strokes.push_back(std::move(stroke));
     }
     return strokes;
+}
+
+std::vector<PointCondition> turning_points(const Scene& scene, int segment) {
+    std::vector<PointCondition> turning;
+    if (!scene.motion.within_lift) return turning;
+    const std::vector<PlacedPoint> points = placed_points(scene.motion);
+    for (const StrokeRange& stroke :
+         segment < 0 ? strokes_of_one_spline(scene) : given_stroke(scene, segment))
+        for (const PlacedPoint& point : points) {
+            const bool inside = point.segment == segment && !point.is_region() &&
+                                point.begin > stroke.begin && point.begin < stroke.end;
+            const std::optional<double>& y = point.wanted[0];
+            if (!inside || !y || point.wanted[1] || point.wanted[2]) continue;
+            if (*y <= stroke.least || *y >= stroke.most)
+                turning.push_back(
+                    {point.begin, 1, Side::right, 0.0, "turning point at " + point.member, false});
+        }
+    return turning;
 }
 
 namespace {

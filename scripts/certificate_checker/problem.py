@@ -9,6 +9,7 @@ from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
 from .motion_bounds import area_reference, motion_bounds
 from .runs import Peak, Run, Stretch
 from .spaces import Space
+from .strokes import turning_points
 from .units import LENGTHS, angle_of, in_unit, ratio
 
 CLOSE = Fraction(1, 10**6)  # set points nearer than this, in x, fix a slope that a last digit moves
@@ -164,6 +165,8 @@ class Problem:
         if self.motion.get("symmetric", False):
             self.symmetry(run)
         self.runs = [run]
+        for at in turning_points(self, stretch, self.motion.get("via", []), Fraction(0), Fraction(1)):
+            run.demand(at, 1, "right", Fraction(0), "turning point")
 
     def state_at_end(self, at_end):
         """y' and y'' where a motion that is not closed starts or ends: what is asked, or that of a region there; else rest."""
@@ -299,6 +302,8 @@ class Problem:
         self.end_jerk(run)
         for i, own in zip(group, stretches):
             self.set_points(run, segments[i].get("via", []), own, own.end - own.begin)
+            for at in turning_points(self, own, segments[i].get("via", []), own.begin, own.end - own.begin):
+                run.demand(at + run.begin_of(own) - own.begin, 1, "right", Fraction(0), "turning point")
             if "end" in segments[i]:
                 self.set_points(run, [segments[i]["end"] | {"at": 1}], own, own.end - own.begin)
         self.runs.append(run)

@@ -37,6 +37,22 @@ def stroke_of(problem, stretch, at):
     return found if set_range(found, passed, slopes) else None
 
 
+def turning_points(problem, stretch, via, begin, width):
+    """Places where y' = 0 follows from motion.within_lift: set points on the edge of the range; in a program beyond both ends."""
+    if not problem.motion.get("within_lift", True) or stretch.free:
+        return
+    for point in via:
+        at, y = problem.place(point, "at", begin, width), problem.in_lifts(point, "displacement")
+        if at is None or y is None or any(key.startswith(("velocity", "acceleration")) for key in point):
+            continue
+        stroke = stroke_of(problem, stretch, at)
+        if not stroke or not stroke.begin < at < stroke.end or y not in (stroke.least, stroke.most):
+            continue
+        ends = sorted((stroke.start, stroke.to))
+        if problem.type != "program" or y < ends[0] - STATED or y > ends[1] + STATED:
+            yield at
+
+
 def slope_beside(problem, neighbour, after):
     if 0 <= neighbour < len(problem.stretches) or problem.wraps:
         beside = problem.stretches[neighbour % len(problem.stretches)]

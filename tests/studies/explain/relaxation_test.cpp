@@ -191,6 +191,7 @@ TEST(JointRelaxation, ScalesLowerLimitsEqually) {
     scene.limits.pressure_angle = degrees(15.0, "limits.pressure_angle_deg");
     scene.limits.concave_radius_min = millimetres(300.0, "limits.concave_radius_min_mm");
     scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
+    scene.solver.explain_seconds = 30.0;
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.explanation);
     double factor = 0.0;

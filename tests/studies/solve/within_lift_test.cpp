@@ -318,6 +318,36 @@ int expect_reversible(unsigned seed, int count) {
     return unproved;
 }
 
+/// The motion turns back at a set point above the lift: y' = 0 there is a condition.
+TEST(WithinLift, SetPointOnEdgeIsTurningPoint) {
+    Scene scene = input::read_scene(R"(
+[motion]
+type = "DRD"
+via = [{ at = 0.82610645028707419, displacement = 1.0077769397509302 }]
+[spline]
+degree = 3
+segments = 17
+[objective]
+velocity = 0.97
+acceleration = 0.32
+jerk = 0.066
+)",
+                                    "scene.toml", known_names());
+    double objective = 0.0;
+    for (const DesignKind kind : {DesignKind::states, DesignKind::ordinates}) {
+        scene.spline.design = kind;
+        const Solution solution = solve(scene);
+        EXPECT_EQ(Verdict::optimal, solution.certificate.verdict) << solution.certificate.reason;
+        ASSERT_TRUE(solution.motion);
+        EXPECT_NEAR(0.0, solution.motion->at(0.82610645028707419, Side::right).derivative[1], 1e-12);
+        expect_within(solution, 0.0, 1.0077769397509302);
+        if (objective > 0.0) {
+            EXPECT_NEAR(objective, solution.certificate.objective, 1e-8 * objective);
+        }
+        objective = solution.certificate.objective;
+    }
+}
+
 TEST(UnequalStrokes, StayWithinLiftAndEqualReversal) {
     EXPECT_EQ(expect_reversible(1, 12), 0);
 }
