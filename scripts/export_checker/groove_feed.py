@@ -13,8 +13,9 @@ the cutter's axis is P + s up, with s from the tip upward. Two comparisons, as J
 import math
 from fractions import Fraction
 
-from certificate_checker.enclosures import ONE, Over, added, fraction, interval, multiplied
+from certificate_checker.enclosures import ONE, added, fraction, interval, multiplied
 
+from .clearance import ROUNDING
 from .jets import Jet, ZERO, largest_magnitude, range_over
 
 TIP_BEYOND = Fraction(1, 2)  # mm, as docs/nc.md says
@@ -113,7 +114,7 @@ class FeedPart:
         """Of a cutter with this radius. The rim of one that leans is lower than its tip."""
         middle, reach = (self.lo + self.hi) // 2, (self.hi - self.lo) // 2 + 1
         there, over = self.beside_roller((middle, middle), way), self.beside_roller((self.lo, self.hi), way)
-        less, found = float(self.feed.cam.radius - radius) * (1 - 1e-15), []
+        less, found = float(self.feed.cam.radius - radius) - ROUNDING, []
         for own, within in ((over, reach), (there, 0)):
             side = max(size(a, b, within) for a, b in zip(there[0], own[0])) - less
             under = range_over(there[1].c[0], there[1].c[1], own[1].c[2], within)[1] + float(radius) * size(there[2:], own[2:], within)

@@ -24,6 +24,7 @@ from .table_stands import Blank, Stand, lowest_between
 LOWERED = re.compile(r"[(;]offset: (-?\d+(?:\.\d+)?(?:e[+-]?\d+)?) mm are subtracted from Z")
 CLAMPED = re.compile(r"[(;]fixture: the cam is clamped at both ends within diameter (\d+(?:\.\d+)?) mm about its axis")
 FILLS = Fraction(1, 1000)        # mm: a cutter this much narrower than the roller finishes the groove in one pass
+PRINTED = Fraction(1, 10**5)     # of a revolution: digits of a turn
 FLOOR = 1e-9                     # mm: smaller bounds are not refined
 CLOSE_ENOUGH = 1.02              # a bound is refined to within this factor of the largest value found
 MOST_PARTS = 60000
@@ -64,6 +65,9 @@ class GrooveProgram:
         self.radius, self.moves = self.program.radius, self.program.moves
         if not any(move.kind == 1 for move in self.moves):
             raise Refuted("a program without feeds")
+        for move in self.moves:
+            if self.cam.tilts and move.end[4] is not None and abs(move.end[4]) >= 90:
+                raise Refuted(f"line {move.line}: a tilt of {float(move.end[4]):g} deg")
 
     def set_up(self):
         words = [f"cutter of diameter {float(2 * self.radius):g} mm", f"blank of diameter {2 * self.blank.radius:g} mm from "
@@ -81,9 +85,10 @@ class GrooveProgram:
         turn = self.cam.motion.turn * turns
         return GrooveFeed(self.cam, move, [self.cam.place(own[3]) + turn for own in (move.start, move.end)], self.z_offset)
 
-    def lies_in_motion(self, feed):
-        return not self.cam.motion.is_open or self.cam.indexes or \
-            (min(feed.begin, feed.end) >= 0 and max(feed.begin, feed.end) <= self.cam.motion.turn)
+    def passes_ends(self, move, turns):
+        """By how much, in the unit of x, a feed passes the ends of a groove that ends."""
+        feed = self.feed_at(move, turns)
+        return 0 if self.cam.indexes else max(-feed.begin, -feed.end, feed.begin - self.cam.motion.turn, feed.end - self.cam.motion.turn, 0)
 
     def way(self, feed):
         """More than the part of the cutter's axis at which it may be in the blank."""
@@ -119,8 +124,10 @@ class GrooveProgram:
 
         def distance(turns):
             return self.feed_at(move, turns).parts(0, 1)[0].depth_bounds(self.radius, Fraction(1))[1]
-        turns = [first + k for k in NEIGHBOURS if self.lies_in_motion(self.feed_at(move, first + k))]
-        return min(turns, key=distance, default=None)
+        beyond = {first + k: self.passes_ends(move, first + k) for k in NEIGHBOURS}
+        if 0 < min(beyond.values()) < PRINTED * self.cam.motion.turn:
+            raise Unverified(f"line {move.line}: a turn that printed digits put beyond the end of the groove")
+        return min((turns for turns, by in beyond.items() if not by), key=distance, default=None)
 
     # -- the finishing passes
 
