@@ -222,7 +222,7 @@ class GrooveProgram:
         outcome.faults += [f"line {move.line}: a rapid that may enter the blank" for i, move in enumerate(self.moves)
                            if move.kind == 0 and not self.is_above(move, i == 0)]
         if self.clamps is not None:
-            outcome.faults += [f"line {feed.move.line}: enters the room for clamps" for move in self.moves
+            outcome.faults += [f"line {move.line}: enters the room for clamps" for move in self.moves
                                if move.kind == 1 and lowest_between(self.stand(move.start), self.stand(move.end)) < self.clamps]
         return outcome
 
