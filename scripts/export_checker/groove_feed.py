@@ -14,6 +14,7 @@ import math
 from fractions import Fraction
 
 from certificate_checker.enclosures import ONE, added, fraction, interval, multiplied
+from certificate_checker.exact import Unverified
 
 from .clearance import ROUNDING
 from .jets import Jet, ZERO, largest_magnitude, range_over
@@ -22,12 +23,14 @@ TIP_BEYOND = Fraction(1, 2)  # mm, as docs/nc.md says
 
 
 class GrooveFeed:
-    """`begin`, `end`: its places x, fractions of the scene's unit angle. `z_offset`: what the program subtracts from Z."""
+    """`begin`, `end`: its places x, fractions of the scene's unit angle. `z_offset`: what the program subtracts from Z. `reach`: of the
+    blank from the cam's centre; `way`: more than the length of the cutter's axis that may be in the blank."""
 
-    def __init__(self, cam, move, places, z_offset):
+    def __init__(self, cam, move, places, z_offset, reach):
         self.cam, self.move, self.begin, self.end = cam, move, *places
         self.x = self.linear(*places)
         (x, y, z), (x1, y1, z1) = move.start[:3], move.end[:3]
+        self.way = max(Fraction(reach) - min(z, z1) - z_offset, Fraction(1))
         self.axes = self.linear(x, x1), self.linear(y, y1), self.linear(z + z_offset, z1 + z_offset)
         if cam.tilts:
             self.tilt = self.linear(*(cam.radians(own[4]) for own in (move.start, move.end)))
@@ -89,8 +92,8 @@ class FeedPart:
         tip = px - wanted[0], py - wanted[1] + cosine.scaled(beyond), pz - wanted[2] - sine.scaled(beyond)
         return [tip, (tip[0], tip[1] + (up[0] - cosine).scaled(length), tip[2] + (up[1] + sine).scaled(length))]
 
-    def beside_roller(self, t, way):
-        """([(across, across) at the tip and `way` above it], how far the tip is below the floor, the sine of the angle of both axes)."""
+    def beside_roller(self, t):
+        """([(across, across) at the tip and `feed.way` above it], how far the tip is below the floor, the sine of the angle of both axes)."""
         cam, roller = self.feed.cam, self.roller(t)
         foot, _ = cam.axis(roller, cam.length)
         (px, py, pz), up = self.cutter(t)
@@ -101,19 +104,22 @@ class FeedPart:
         _, sine, cosine, _ = roller
         tip = vx, vy * sine + vz * cosine
         leaned = up[0] * sine + up[1] * cosine
-        return [tip, (vx, tip[1] + leaned.scaled(interval(way)))], vz * sine - vy * cosine - beyond, leaned
+        return [tip, (vx, tip[1] + leaned.scaled(interval(self.feed.way)))], vz * sine - vy * cosine - beyond, leaned
 
     # -- bounds: (an upper one over the part, the value in its middle)
 
     def path_bounds(self, offset):
         middle, reach = (self.lo + self.hi) // 2, (self.hi - self.lo) // 2 + 1
-        there, over = self.off_path((middle, middle), offset), self.off_path((self.lo, self.hi), offset)
+        try:
+            there, over = self.off_path((middle, middle), offset), self.off_path((self.lo, self.hi), offset)
+        except Unverified:  # a normal over too long a part
+            return math.inf, 0.0
         return max(size(a, b, reach) for a, b in zip(there, over)), max(size(a, a, 0) for a in there)
 
-    def depth_bounds(self, radius, way):
+    def depth_bounds(self, radius):
         """Of a cutter with this radius. The rim of one that leans is lower than its tip."""
         middle, reach = (self.lo + self.hi) // 2, (self.hi - self.lo) // 2 + 1
-        there, over = self.beside_roller((middle, middle), way), self.beside_roller((self.lo, self.hi), way)
+        there, over = self.beside_roller((middle, middle)), self.beside_roller((self.lo, self.hi))
         less, found = float(self.feed.cam.radius - radius) - ROUNDING, []
         for own, within in ((over, reach), (there, 0)):
             side = max(size(a, b, within) for a, b in zip(there[0], own[0])) - less

@@ -27,7 +27,7 @@ FILLS = Fraction(1, 1000)        # mm: a cutter this much narrower than the roll
 PRINTED = Fraction(1, 10**5)     # of a revolution: digits of a turn
 FLOOR = 1e-9                     # mm: smaller bounds are not refined
 CLOSE_ENOUGH = 1.02              # a bound is refined to within this factor of the largest value found
-MOST_PARTS = 60000
+MOST_PARTS = 20000               # that are divided
 SHORTEST = ONE >> 40
 NEIGHBOURS = range(-3, 4)        # revolutions in which a roller of an indexing cam is searched
 
@@ -40,15 +40,18 @@ def largest(parts, bounds, degrees):
         heap.append((-upper, count, part))
         low = max(low, there)
     heapq.heapify(heap)
-    count = len(heap)
-    while count < MOST_PARTS and -heap[0][0] > max(FLOOR, CLOSE_ENOUGH * low) and heap[0][2].hi - heap[0][2].lo > SHORTEST:
+    count = most = len(heap)
+    while count < most + MOST_PARTS and -heap[0][0] > max(FLOOR, CLOSE_ENOUGH * low) and heap[0][2].hi - heap[0][2].lo > SHORTEST:
         _, _, part = heapq.heappop(heap)
         for half in part.halves():
             upper, there = bounds(half)
             heapq.heappush(heap, (-upper, count := count + 1, half))
             low = max(low, there)
     upper, _, part = heap[0]
-    return -upper, f"line {part.feed.move.line}, {degrees(part.middle()):.4f} deg"
+    place = f"line {part.feed.move.line}, {degrees(part.middle()):.4f} deg"
+    if upper == -math.inf:
+        raise Unverified(f"{place}: no enclosure of the designed path there")
+    return -upper, place
 
 
 class GrooveProgram:
@@ -82,21 +85,16 @@ class GrooveProgram:
     # -- the groove
 
     def feed_at(self, move, turns):
-        turn = self.cam.motion.turn * turns
-        return GrooveFeed(self.cam, move, [self.cam.place(own[3]) + turn for own in (move.start, move.end)], self.z_offset)
+        places = [self.cam.place(own[3]) + self.cam.motion.turn * turns for own in (move.start, move.end)]
+        return GrooveFeed(self.cam, move, places, self.z_offset, self.blank.reach)
 
     def passes_ends(self, move, turns):
         """By how much, in the unit of x, a feed passes the ends of a groove that ends."""
         feed = self.feed_at(move, turns)
         return 0 if self.cam.indexes else max(-feed.begin, -feed.end, feed.begin - self.cam.motion.turn, feed.end - self.cam.motion.turn, 0)
 
-    def way(self, feed):
-        """More than the part of the cutter's axis at which it may be in the blank."""
-        lowest = min(feed.move.start[2], feed.move.end[2]) + self.z_offset
-        return max(Fraction(self.blank.reach) - lowest, Fraction(1))
-
     def followed(self):
-        """[(feed, its parts)] of all feeds, each in the revolution in which it is nearest to the roller; faults."""
+        """(the parts of all feeds, each in the revolution in which it is nearest to the roller; faults)."""
         found, faults, known = [], [], None
         for move in self.moves:
             if move.kind == 0:
@@ -109,8 +107,7 @@ class GrooveProgram:
             if known is None:
                 faults.append(f"line {move.line}: a feed beyond the ends of the groove")
                 continue
-            feed = self.feed_at(move, known)
-            found.append((feed, feed.parts()))
+            found += self.feed_at(move, known).parts()
         return found, faults
 
     def nearest_turn(self, move, known):
@@ -123,7 +120,7 @@ class GrooveProgram:
             return known
 
         def distance(turns):
-            return self.feed_at(move, turns).parts(0, 1)[0].depth_bounds(self.radius, Fraction(1))[1]
+            return self.feed_at(move, turns).parts(0, 1)[0].depth_bounds(self.radius)[1]
         beyond = {first + k: self.passes_ends(move, first + k) for k in NEIGHBOURS}
         if 0 < min(beyond.values()) < PRINTED * self.cam.motion.turn:
             raise Unverified(f"line {move.line}: a turn that printed digits put beyond the end of the groove")
@@ -213,12 +210,8 @@ class GrooveProgram:
     def verified(self):
         outcome = Outcome(stated=self.set_up())
         outcome.bounds["path_mm"], outcome.places["path_mm"] = self.finishing_departure()
-        feeds, faults = self.followed()
-        bound = {id(feed): self.way(feed) for feed, _ in feeds}
-        parts = [part for _, own in feeds for part in own]
-        outcome.bounds["gouge_mm"], outcome.places["gouge_mm"] = largest(
-            parts, lambda part: part.depth_bounds(self.radius, bound[id(part.feed)]), self.cam.degrees)
-        outcome.faults += faults
+        parts, outcome.faults = self.followed()
+        outcome.bounds["gouge_mm"], outcome.places["gouge_mm"] = largest(parts, lambda part: part.depth_bounds(self.radius), self.cam.degrees)
         outcome.faults += [f"line {move.line}: a rapid that may enter the blank" for i, move in enumerate(self.moves)
                            if move.kind == 0 and not self.is_above(move, i == 0)]
         if self.clamps is not None:

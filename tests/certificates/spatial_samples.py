@@ -61,8 +61,9 @@ class SampledRoller(Sampled):
 
     def axis(self, theta, height):
         """(point, direction into the cam) of the roller's axis."""
-        turns = math.floor(theta / (2 * math.pi)) if self.kind != "translating" else 0
-        q, cam = self.start + self.displacement(theta) + turns * self.pitch, self.cam
+        turns = math.floor(theta / (2 * math.pi) + 1e-12) if self.kind != "translating" else 0
+        within = max(theta - 2 * math.pi * turns, 0) if turns else theta
+        q, cam = self.start + self.displacement(within) + turns * self.pitch, self.cam
         aside, along, sine, cosine = cam.get("lateral_offset_mm", 0), cam.get("axial_offset_mm", 0), math.sin(q), math.cos(q)
         if self.kind == "rotating":
             arm = cam["arm_length_mm"] + height
