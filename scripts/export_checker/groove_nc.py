@@ -19,7 +19,7 @@ from .groove_feed import GrooveFeed
 from .nc_reader import Program
 from .outcome import Outcome
 from .spatial_cam import SpatialCam
-from .table_stands import Blank, Stand, lowest_between
+from .table_stands import Blank, Stand, lowest_between, stay_clear
 
 LOWERED = re.compile(r"[(;]offset: (-?\d+(?:\.\d+)?(?:e[+-]?\d+)?) mm are subtracted from Z")
 CLAMPED = re.compile(r"[(;]fixture: the cam is clamped at both ends within diameter (\d+(?:\.\d+)?) mm about its axis")
@@ -94,7 +94,7 @@ class GrooveProgram:
         return 0 if self.cam.indexes else max(-feed.begin, -feed.end, feed.begin - self.cam.motion.turn, feed.end - self.cam.motion.turn, 0)
 
     def followed(self):
-        """(the parts of all feeds, each in the revolution in which it is nearest to the roller; faults)."""
+        """(the parts of all feeds that may cut, each in the revolution in which it is nearest to the roller; faults)."""
         found, faults, known = [], [], None
         for move in self.moves:
             if move.kind == 0:
@@ -102,8 +102,9 @@ class GrooveProgram:
                 continue
             if not move.is_known():
                 raise Refuted(f"line {move.line}: a feed from an unknown position")
-            if known is None or self.cam.motion.is_open:
-                known = self.nearest_turn(move, known)
+            known = self.nearest_turn(move, known)
+            if stay_clear(self.stand(move.start), self.stand(move.end), self.blank):
+                continue
             if known is None:
                 faults.append(f"line {move.line}: a feed beyond the ends of the groove")
                 continue
@@ -122,7 +123,7 @@ class GrooveProgram:
         def distance(turns):
             return self.feed_at(move, turns).parts(0, 1)[0].depth_bounds(self.radius)[1]
         beyond = {first + k: self.passes_ends(move, first + k) for k in NEIGHBOURS}
-        if 0 < min(beyond.values()) < PRINTED * self.cam.motion.turn:
+        if 0 < min(beyond.values()) < PRINTED * motion.turn:
             raise Unverified(f"line {move.line}: a turn that printed digits put beyond the end of the groove")
         return min((turns for turns, by in beyond.items() if not by), key=distance, default=None)
 

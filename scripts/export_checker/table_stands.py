@@ -28,15 +28,24 @@ class Stand:
         """How far the cutter stays above the plane through the cam's axis that is level across the tool."""
         return self.height * self.cosine - self.x * self.sine - self.radius * abs(self.sine) - ROUNDING
 
+    def room(self, blank):
+        """How far planes keep the cutter off the blank: above it, level along the cutter, to both sides and beyond both ends along it."""
+        beside, beyond = blank.radius + self.radius + ROUNDING, blank.radius * abs(self.sine) + self.radius + ROUNDING
+        return self.height - ROUNDING - blank.radius * self.cosine - max(self.sine * blank.lower, self.sine * blank.upper), \
+            self.lowest() - blank.radius, self.across - beside, -self.across - beside, \
+            self.x - beyond - blank.upper * self.cosine, -self.x - beyond + blank.lower * self.cosine
+
     def is_over(self, blank):
         """As the table stands: next to the blank as well."""
-        return self.height - ROUNDING >= blank.radius * self.cosine + max(self.sine * blank.lower, self.sine * blank.upper)
+        return self.room(blank)[0] >= 0
 
     def is_clear_of(self, blank):
-        """By a plane above the blank, or along the cutter: level, beside the blank or beyond the end to which x leads."""
-        end = blank.upper if self.x > 0 else -blank.lower
-        return self.is_over(blank) or self.lowest() >= blank.radius or abs(self.across) - self.radius - ROUNDING >= blank.radius or \
-            abs(self.x) - self.radius - ROUNDING >= blank.radius * abs(self.sine) + end * self.cosine
+        return max(self.room(blank)) >= 0
+
+
+def stay_clear(a, b, blank):
+    """On the way from one place to the other while the table does not tilt: by one plane."""
+    return a.tilt == b.tilt and any(min(rooms) >= 0 for rooms in zip(a.room(blank), b.room(blank)))
 
 
 def lowest_between(a, b):
