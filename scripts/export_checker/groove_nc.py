@@ -143,18 +143,13 @@ class GrooveProgram:
     @staticmethod
     def longest_turn(moves):
         """The moves with the largest total turn one way, one after the other."""
-        best, run, sense = [], [], 0
-
-        def turned(own):
-            return abs(own[-1].end[3] - own[0].start[3]) if own else 0
-        for move in moves:
+        begin, sense, most, best = 0, 0, 0, None
+        for i, move in enumerate(moves):
             by = move.end[3] - move.start[3]
-            if by * sense < 0:
-                run, sense = [], 0
-            if by or run:
-                run, sense = run + [move] if run else [move], sense or by
-            if by and turned(run) > turned(best):
-                best = list(run)
+            if by and by * sense <= 0:
+                begin, sense = i, by
+            if by and abs(move.end[3] - moves[begin].start[3]) > most:
+                most, best = abs(move.end[3] - moves[begin].start[3]), moves[begin:i + 1]
         if not best:
             raise Refuted(f"line {moves[0].line}: a finishing pass in which the table does not turn")
         return best
@@ -168,7 +163,7 @@ class GrooveProgram:
 
         def error(turns, offset):
             return self.feed_at(middle, turns).parts(0, 1)[0].path_bounds(offset)[1]
-        first = -math.floor(min(ends) / motion.turn)
+        first = -math.floor(min(ends) / motion.turn + (0 if motion.closes else PRINTED))
         if self.cam.indexes:
             turns, offset = min(((first + k, own) for k in NEIGHBOURS for own in offsets), key=lambda own: error(*own))
             window = -math.inf, math.inf
@@ -179,8 +174,11 @@ class GrooveProgram:
             low, high = (end + first * motion.turn for end in sorted(ends))
             begin = low if low == 0 or (motion.closes and high - low == motion.turn) else motion.turn if motion.closes else Fraction(0)
             window = begin, begin + motion.turn
-            if low > begin or high < window[1]:
+            missing = max(low - begin, window[1] - high)
+            if missing >= PRINTED * motion.turn:
                 raise Refuted(f"{words} does not go around the whole cam")
+            if missing > 0:
+                raise Unverified(f"{words} which by printed digits of the turn ends before the groove")
         parts = [part for move in run for part in self.parts_within(self.feed_at(move, turns), *window)]
         return offset, *largest(parts, lambda part: part.path_bounds(offset), self.cam.degrees)
 

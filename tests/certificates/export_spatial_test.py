@@ -191,6 +191,9 @@ class ExportOfSpatialCams(unittest.TestCase):
                                          ("G1 X", "G1 C5 X", self.refusals, "C is not known"), ("(blank", "(block", self.gaps, "blank")):
             with self.subTest(after), self.assertRaisesRegex(kind, why):
                 self.nc.verify(program.replace(before, after), scene, result)
+        for stated in "A = rotary + 0.00001 in deg", "A = rotary - 0.00001 in deg":
+            with self.subTest(stated), self.assertRaisesRegex(self.gaps, "printed digits"):
+                self.nc.verify(program.replace("A = rotary in deg", stated), scene, result)
         with self.assertRaisesRegex(self.gaps, "another machine"):
             self.nc.verify(program, *self.case("indexing")[:2])
         if not QUICK:
