@@ -19,8 +19,6 @@ in the fixed frame up from P, in the direction up, and a lies across it:
 
 A roller's axis is such a line as well, with t = -q of a rotating follower and 0 of the others: up = -e.
 """
-from fractions import Fraction
-
 from certificate_checker.enclosures import ONE, added, interval, multiplied
 from certificate_checker.exact import Unverified
 from certificate_checker.units import RADIAN, angle_of, enclosed, in_unit

@@ -100,7 +100,7 @@ class ExportOfSpatialCams(unittest.TestCase):
                 outcome, cam = self.nc.verify(program, scene, result), SampledRoller(scene, result)
                 self.assert_confirmed(outcome)
                 moves = positions(program, CAMS[name][3])
-                radius, is_slot = outcome.bounds and self.radius_of(program), not name.endswith("smaller")
+                radius, is_slot = self.radius_of(program), not name.endswith("smaller")
                 most = 0.0
                 for moved in last_passes(moves, 1 if is_slot else 2):
                     run = [values for _, _, values in last_turn(moved)]
