@@ -83,7 +83,7 @@ std::string NcWriter::axis_formula(const MachineAxis& axis) const {
     const PostAxis& post = post_axis(post_, axis);
     const double offset = post.offset / printed_unit(post_, axis.kind);
     return fmt::format("{} = {}{}", post.letter, post.sign < 0 ? "-" : "", axis.key) +
-           (offset == 0.0 ? "" : fmt::format(" {} {:g}", offset < 0.0 ? '-' : '+', std::abs(offset)));
+           (offset == 0.0 ? "" : fmt::format(" {} {:.12g}", offset < 0.0 ? '-' : '+', std::abs(offset)));
 }
 
 std::string NcWriter::axis_words(const Eigen::VectorXd& values) {

@@ -30,7 +30,7 @@ class SpatialRules:
         self.searched = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}
         self.lift, self.beta = enclosed(problem.lift), enclosed(problem.unit_angle)
         self.start = tuple(-end / 2 for end in reversed(self.lift)) if self.kind != "translating" else exactly(Fraction(0))
-        given = angle_of(cam, "start")
+        given = angle_of(cam, "start_angle")
         if given:
             self.start = enclosed(given)
 

@@ -3,7 +3,8 @@
 
 
 class Move:
-    """From a block of line `line`. `start`, `end`: (x, y, z), None where a coordinate is not known. `kind`: 0 rapid, 1 line,
+    """From a block of line `line`. `start`, `end`: (x, y, z) and, in degrees, (rotary, tilt) as far as there are such axes,
+    None where a coordinate is not known. `kind`: 0 rapid, 1 line,
     2 arc clockwise, 3 counterclockwise. `center`: (x, y) of an arc. `wanted`: (x, y) of both ends as they are programmed, which
     cutter compensation goes beside."""
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cam.nc of a disk cam on three axes. Paths are those of the cutter's centre, under G41 and G42 too (compensation.py).
+"""cam.nc of a disk cam on three axes; groove_nc.py judges those of other cams. Paths are those of the cutter's centre, under G41 and G42 too (compensation.py).
 
 - The finishing pass, the last closed path at the lowest depth, against the designed path of the cutter's centre, both ways.
   The cutter's edge then lies within the same bound of the profile: the discs around both paths do. A groove is finished in
@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from certificate_checker.exact import Refuted, Unverified
 
+from . import groove_nc
 from .clearance import ROUNDING, Arc, point_to_line
 from .departure import largest_departure
 from .gouges import Gouges, Wall, doubles
@@ -160,10 +161,14 @@ def is_second(text):
 def verify(text, scene, design, second=None):
     """The Outcome of a program: "profile_mm" of the finishing pass, "gouge_mm" of all moves. `second`: whether it is for the
     second disk of a conjugate cam; None: as its title says."""
+    if scene.get("cam", {}).get("type") in ("barrel", "cylindrical"):
+        return groove_nc.verify(text, scene, design)
     cam = PlaneCam(scene, design, is_second(text) if second is None else second)
     if cam.motion.is_open:
         raise Unverified("a program of a cam that is not closed")
     program = Program(text)
+    if len(program.axes.letters) != 3:
+        raise Unverified("a program for another machine than three axes")
     outcome = Outcome()
     profile, place = finishing_departure(cam, program)
     outcome.bounds["profile_mm"], outcome.places["profile_mm"] = profile, place

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""cam.nc: the moves of a program for three axes, read word by word.
+"""cam.nc: the moves of a program for three to five axes, read word by word.
 
-The control is modelled by the words that post-processors for three axes write, in mm or inches. Any other word is refused or
-left unverified, since it might move the axes. Lengths are exact decimals in mm. Comments are in brackets, or lines that begin
+The control is modelled by the words that post-processors write, in mm or inches. Any other word is refused or
+left unverified, since it might move the axes. Lengths are exact decimals in mm, those of the axes as the header states them (axes.py). Comments are in brackets, or lines that begin
 with a semicolon.
 """
 import re
@@ -10,12 +10,12 @@ from fractions import Fraction
 
 from certificate_checker.exact import Refuted, Unverified
 
+from .axes import Axes
 from .compensation import compensated
 from .moves import Move
 
 WORD = re.compile(r"\s*([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))")
 COMMENT = re.compile(r"\([^()]*\)|^;.*")
-AXES_STATED = re.compile(r"^[(;]X = x in (mm|inch), Y = y in \1, Z = z in \1\)?$", re.MULTILINE)
 TOOL = re.compile(r"[(;]tool: cylindrical end mill, diameter (\d+(?:\.\d+)?(?:e[+-]?\d+)?) mm\b")
 BLANK = re.compile(r"[(;]blank: cylinder about the axis of the cam, diameter (\d+(?:\.\d+)?) mm, from (-?\d+(?:\.\d+)?) to (-?\d+(?:\.\d+)?) mm ")
 REGISTER = re.compile(r"[(;]compensation: .*, register D(\d+) holds the cutter's radius of (\d+(?:\.\d+)?) mm")
@@ -28,17 +28,15 @@ UNITS = {20: Fraction(254, 10), 21: Fraction(1)}
 MOTIONS = {0, 1, 2, 3}
 HARMLESS_M = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 30}
 HARMLESS = set("FSTNO")             # feed, speed, tool, number of block and program
-AXES = "XYZ"
 
 
 class Program:
-    """`moves` of the cutter's centre; `radius` of the cutter; `blank`: (radius, from, to) along z, or None; `groove_depth`, or None.
+    """`axes`, by which the moves are those of the cam; `moves` of the cutter's centre; `radius` of the cutter; `blank`: (radius, from, to) along z, or None; `groove_depth`, or None.
     `clamps`: (radius about the cam's axis, z up to which they may reach), or None. `side`: 1 under G41, -1 under G42; `programmed`: the moves there so far."""
 
     def __init__(self, text):
         tools, blank = TOOL.findall(text), BLANK.search(text)
-        if not AXES_STATED.search(text):
-            raise Unverified("a program that does not state that X, Y and Z are the axes of the cam")
+        self.axes = Axes(text)
         if len(tools) != 1:
             raise Unverified("a program that does not state the diameter in mm of one cutter")
         self.radius = Fraction(tools[0]) / 2
@@ -48,7 +46,7 @@ class Program:
         clamps = CLAMPS.search(text)
         self.clamps = (Fraction(clamps[1]) / 2, self.blank[2] + Fraction(clamps[2])) if clamps and self.blank else None
         self.unit, self.absolute, self.kind, self.ended = None, None, None, False
-        self.position, self.moves = [None] * 3, []
+        self.position, self.moves = [None] * len(self.axes.letters), []
         self.register, self.side, self.last_side, self.programmed = REGISTER.search(text), 0, 0, []
         for i, line in enumerate(text.splitlines()):
             self.read(i + 1, line)
@@ -88,7 +86,7 @@ class Program:
                 stated = self.register and abs(Fraction(self.register[2]) - self.radius) <= PRINTED
                 if not stated or int(self.register[1]) != value:
                     raise Unverified(f"line {line}: a register D that the program does not state to hold the cutter's radius")
-            elif letter in AXES + "IJ":
+            elif letter in "IJ" or letter in self.axes.letters:
                 if letter in values:
                     raise Refuted(f"line {line}: {letter} twice")
                 values[letter] = value
@@ -109,7 +107,9 @@ class Program:
         elif value in (40, 41, 42):
             if self.programmed and value != 40:
                 raise Unverified(f"line {line}: G{value} under cutter compensation")
-            self.side = {40: 0, 41: 1, 42: -1}[int(value)]
+            self.side = {40: 0, 41: 1, 42: -1}[int(value)] * (-1 if self.axes.mirrored else 1)
+            if self.side:
+                self.require_plane(line)
         elif value in ORIGINS:
             if self.moves:
                 raise Refuted(f"line {line}: G{value} changes the origin after the first move")
@@ -120,21 +120,28 @@ class Program:
         if self.unit is None or self.absolute is None or self.kind is None:
             raise Refuted(f"line {line}: a move before units (G20, G21), G90 or G91, and a kind of motion are set")
         start, end = self.position, list(self.position)
-        for k, axis in enumerate(AXES):
-            if axis in values:
-                by = values[axis] * self.unit
+        for k, letter in enumerate(self.axes.letters):
+            if letter in values:
+                by = values[letter] * (self.unit if k < 3 else 1)
                 if not self.absolute and start[k] is None:
                     raise Refuted(f"line {line}: a step from an unknown position")
-                end[k] = by if self.absolute else start[k] + by
-        center = None
-        if self.kind in (2, 3):
+                end[k] = self.axes.value(k, by) if self.absolute else start[k] + self.axes.signs[k] * by
+        center, kind = None, self.kind
+        if kind in (2, 3):
+            self.require_plane(line)
             if None in start[:2]:
                 raise Refuted(f"line {line}: an arc from an unknown position")
-            center = tuple(start[k] + values.get(letter, Fraction(0)) * self.unit for k, letter in enumerate("IJ"))
+            center = tuple(start[k] + self.axes.signs[k] * values.get(letter, Fraction(0)) * self.unit for k, letter in enumerate("IJ"))
+            kind = 5 - kind if self.axes.mirrored else kind
         elif "I" in values or "J" in values:
             raise Refuted(f"line {line}: I or J without an arc")
-        self.add(Move(line, self.kind, start, end, center))
+        self.add(Move(line, kind, start, end, center))
         self.position = end
+
+    def require_plane(self, line):
+        """Arcs and compensation are those of the plane X Y."""
+        if self.axes.letters[:2] != ["X", "Y"] or len(self.axes.letters) > 3:
+            raise Unverified(f"line {line}: an arc or cutter compensation where x and y are not the plane of X and Y alone")
 
     def add(self, move):
         if self.side:

@@ -12,4 +12,5 @@ class Outcome:
     places: dict[str, str] = field(default_factory=dict)
     faults: list[str] = field(default_factory=list)
     unverified: list[str] = field(default_factory=list)
+    stated: str = ""  # what the file says about the set-up, on which everything rests
     limits: str = ""  # of the scene, for the exported motion

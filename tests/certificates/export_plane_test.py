@@ -182,7 +182,7 @@ class ExportOfPlaneCams(unittest.TestCase):
                 self.assertAlmostEqual(2, apart, 12)
 
     def test_post_processors(self):
-        """Inches with block numbers, other comments; axes or origins that are not the cam's are not judged."""
+        """Inches with block numbers, other comments; axes that are not the stated ones, or not stated."""
         scene, result, _, _ = self.cases[SCENES[0]]
         inch = self.post_processed('unit = "inch"\nlinear_decimals = 5\nfirst_block = 10\nblock_step = 10\n'
                                    'header = ["%", "O1001 ({title})", "G17 G40 G49 G80", "G54"]\n')
@@ -193,12 +193,33 @@ class ExportOfPlaneCams(unittest.TestCase):
         found = self.nc.verify(self.post_processed((checker.ROOT / "docs/posts/rotary_table_mm.toml").read_text()), scene, result)
         self.assertEqual(([], []), (found.faults, found.unverified))
         self.assertLess(found.bounds["profile_mm"], 0.0016)
-        with self.assertRaisesRegex(self.gaps, "axes of the cam"):
-            self.nc.verify(inch.replace("(X = x in", "(X = -x in"), scene, result)
+        self.assertGreater(self.nc.verify(inch.replace("(X = x in", "(X = -x in"), scene, result).bounds["profile_mm"], 1)
+        for stated in ("(X = x", "(T = x"), ("(X = x in inch", "(X = x in deg"), (", Z = z in inch", ""), ("Y = y", "X = y"):
+            with self.subTest(stated), self.assertRaisesRegex(self.gaps, "ax[ie]s"):
+                self.nc.verify(inch.replace(*stated), scene, result)
         with self.assertRaisesRegex(self.refusals, "line [0-9]+: G55 changes the origin"):
             self.nc.verify(inch.replace(" G1 ", " G55 G1 ", 1), scene, result)
         spoiled = self.nc.verify(inch.replace("G20 G17", "G21 G17"), scene, result)
         self.assertGreater(spoiled.bounds["profile_mm"], 10)
+
+    def test_other_axes(self):
+        """Mirrored programs exchange G2 and G3, and G41 and G42; other letters, signs and origins."""
+        scene, result, _, _ = self.cases[SCENES[0]]
+        post = '[axes.x]\nsign = -1\noffset_mm = 12.5\n[axes.y]\noffset_mm = -7\n[axes.z]\nletter = "W"\nsign = -1\noffset_mm = 100.25\n'
+        for asked in (), ("--compensation", "control"):
+            program = self.post_processed(post, *asked)
+            self.assertIn("X = -x + 12.5 in mm, Y = y - 7 in mm, W = -z + 100.25 in mm", program)
+            with self.subTest(asked):
+                found = self.nc.verify(program, scene, result)
+                self.assertEqual(([], []), (found.faults, found.unverified))
+                self.assertLess(found.bounds["profile_mm"], 0.0011)
+                self.assertLess(found.bounds["gouge_mm"], 0.0011)
+                wrong = self.nc.verify(program.replace("Y = y - 7", "Y = y - 7.01"), scene, result)
+                self.assertGreater(wrong.bounds["profile_mm"], 0.009)
+        exchanged = program.replace("G41", "G40x").replace("G42", "G41").replace("G40x", "G42")
+        self.assertGreater(self.nc.verify(exchanged, scene, result).bounds["gouge_mm"], 10)
+        with self.assertRaisesRegex(self.gaps, "line [0-9]+: an arc or cutter compensation"):
+            self.nc.verify(program.replace("X = -x", "U = -x").replace(" X", " U"), scene, result)
 
     def test_moved_vertex(self):
         for name, (scene, result, drawing, _) in self.cases.items():
