@@ -27,6 +27,8 @@ CASES = [
     ("cam_drdrd", ["spline.segments=6", "solver.starts=1"], ["--plc", "codesys,twincat,rockwell", "--dxf"], ["lift_mm"]),
     ("cam_roller", [], ["--dxf", "--nc"], ["base_radius_mm", "roller_radius_mm", "lift_mm"]),
     ("cam_flat", [], ["--dxf", "--nc"], ["base_radius_mm", "lift_mm"]),
+    ("barrel_paper_cup", ["spline.segments=8", "solver.starts=1"], ["--nc"], ["center_distance_mm", "lift_deg"]),
+    ("cylinder_slide", ["spline.segments=8", "solver.starts=1"], ["--nc", "--cutter-mm", "12"], ["cylinder_radius_mm", "lift_mm"]),
 ]
 MOVED = 0.05              # mm
 NUMBER = re.compile(r"(?<![\w.])-?\d+\.\d+(?:e-?\d+)?")
@@ -114,10 +116,9 @@ class Export:
             self.claims["departure"][name] = less
 
     def design(self, chance):
-        """A coefficient of the motion."""
-        row = chance.choice(chance.choice(self.claims["design"]["motion"]["curves"])["pieces"])
-        k = chance.choice([k for k, value in enumerate(row) if value])
-        row[k] *= 1 + chance.choice((-1, 1)) * chance.uniform(1e-4, 1e-2)
+        """The displacement where a piece of the motion begins."""
+        rows = [row for curve in self.claims["design"]["motion"]["curves"] for row in curve["pieces"] if row[0] > 0.1]
+        chance.choice(rows)[0] *= 1 + chance.choice((-1, 1)) * chance.uniform(1e-3, 1e-2)
 
     def size(self, chance):
         """A length or an angle of the scene."""
