@@ -2,10 +2,12 @@
 """Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
 from fractions import Fraction
 
-from .enclosures import ends_of
+from .enclosures import Over, ends_of
 from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, number, root, tangent
 from .laws import JUMPING, constant, law_peak, parts_along
 from .units import dimension_of
+
+UNKNOWN = Fraction(10**9)
 
 
 def is_prescribed(scene):
@@ -36,6 +38,8 @@ def state_at(problem, at, side):
     stretch = problem.stretch_at(at, side)
     if stretch is None:
         raise Refuted(f"a row speaks of x = {float(at)}, outside the motion")
+    if stretch.kind == "spline":
+        return rest_of(problem, stretch, at), stretch
     if None in (stretch.start, stretch.to):
         raise Unverified("rows where a displacement that is free rests, or along a law from or to it")
     v = min(max((at - stretch.begin) / (stretch.end - stretch.begin), Fraction(0)), Fraction(1))
@@ -44,15 +48,24 @@ def state_at(problem, at, side):
     return motion(constant(v - begin)), stretch
 
 
+def rest_of(problem, stretch, at):
+    """The same where a spline starts or ends at rest; nothing is known of the jerk."""
+    run = next(run for run in problem.runs if stretch in run.stretches)
+    for place in (0, 1):
+        if abs(run.space.breakpoints[-place] - at) <= SAME_PLACE and run.states[place] == (0, 0) and run.ends()[place] is not None:
+            return [constant(run.ends()[place]), constant(0), constant(0), Over.number(-UNKNOWN, UNKNOWN)]
+    raise Refuted(f"nothing makes the motion rest at x = {float(at)}")
+
+
 # -- no motion: the one there is passes a limit
 
 def judge_passed_limit(problem, proof, report):
     """The proof names a limit and a place."""
     if proof is None or proof["statement"] != "least_common_violation" or len(proof["rows"]) != 1:
-        raise Unverified("infeasibility of a prescribed motion without a row that says where")
+        raise Unverified("infeasibility at a place that the scene prescribes without a row that says where")
     origin = proof["rows"][0]["origin"]
     rule, at = origin["rule"], number(origin["at"])
-    sides = [side for side in ("right", "left") if side == origin.get("side", side)]
+    sides = [side for side in ("right", "left") if side == origin.get("side", side) and problem.stretch_at(problem.folded(at, side), side)]
     passed, unknown = False, None
     for side in sides:
         try:
@@ -61,7 +74,7 @@ def judge_passed_limit(problem, proof, report):
             unknown = fault
     if not passed:
         raise unknown or Refuted(f"{rule} is satisfied at x = {float(at)}")
-    report.say(f"{rule} is passed at x = {float(at):.9g}, where the motion is prescribed")
+    report.say(f"{rule} is passed at x = {float(at):.9g}, where the scene prescribes the motion")
     return []
 
 
@@ -91,7 +104,7 @@ def passes(problem, rule, at, side):
         return any(ends_of(constant(sign) * state[order])[0] > most for order, sign, most in own)
     if problem.cam is None or problem.cam.rules is None or not problem.cam.judged:
         raise Unverified(f"{rule} along a law")
-    found = problem.cam.formulas_along(rule.removeprefix("limits."))
+    found = [] if problem.cam.searched else problem.cam.formulas_along(rule.removeprefix("limits."))
     if not found:
         raise Unverified(f"{rule} along a law")
     problem.cam.as_found.load = constant(problem.cam.forces.load_at(at, side) if problem.cam.forces else 0)
@@ -106,7 +119,7 @@ def bound_of(problem, curve, proof):
     cam = problem.cam
     if cam is None or not cam.searched:
         return terms + (cam.cost[0] if cam else Fraction(0))
-    if len(cam.searched) > 1 or cam.kind != "disk" or cam.swings:
+    if len(cam.searched) > 1 or cam.kind != "disk" or cam.swings or not set(cam.searched) <= {"base_radius", "roller_radius"}:
         raise Unverified("a bound of a prescribed motion over these dimensions")
     (name, (least, _)), = cam.searched.items()
     left_out = set()

@@ -178,6 +178,8 @@ def judge_infeasible(problem, proof, report, vipr_path, cases=None):
         raise Unverified("infeasibility without a stored proof")
     if proof["statement"] != "least_common_violation":
         raise Refuted("the conditions do not contradict each other")
+    if proof["variables"] == ["common violation"]:
+        return judge_passed_limit(problem, proof, report)
     bound = Bound(problem, None, Fraction(0))
     for row in proof["rows"]:
         bound.add_row(row)
@@ -200,8 +202,9 @@ def judge_empty_boxes(problem, boxes, report):
 
 
 def write_vipr(path, bound, problem, cost, value):
-    if path and None in bound.remainders:
-        print("no VIPR file is written: breakpoints too close together, or free displacements", file=sys.stderr)
+    signed = problem.cam and any(low < 0 and problem.cam.weights[name] for name, (low, _) in problem.cam.searched.items())
+    if path and (None in bound.remainders or signed):
+        print("no VIPR file is written: breakpoints too close together, free displacements, magnitudes of dimensions", file=sys.stderr)
     elif path:
         Path(path).write_text(vipr(bound, problem, cost, value))
 

@@ -60,7 +60,6 @@ class LinkedCam(PlaneCam):
     def set_linkage(self, scene, design, make, rests=True):
         scene = exact_numbers(scene)
         tables = {name: settled(scene[name], design) for name in ("cam", "linkage") if name in scene}
-        tables["cam"].pop("pressure_angle_at", None)  # of no importance to the cam's shape
         self.motion = DesignedMotion(scene, design, is_sector(scene), rests)
         self.rules = make(self.motion.problem, scene | tables)
         self.roller = self.rules.sizes["roller_radius"] * MILLIMETRES
