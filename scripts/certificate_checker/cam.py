@@ -336,7 +336,7 @@ class Cam:
             middle, half = middle_of((unit[1], unit[0]))
             function = {j: -self.sense * middle * w for j, w in run.space.functional(at, 1, side).items()}
             return Row(name, k, function, FACE_TURNS + half * bound.supremum[k][1]), Fraction(1)
-        if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None or \
+        if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None or self.problem.free or \
                 self.kind in ("remote", "inverse"):
             return None
         values = [bound.curve.value_at(k, at, side, order) for order in range(2)]

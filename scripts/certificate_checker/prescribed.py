@@ -3,8 +3,9 @@
 from fractions import Fraction
 
 from .enclosures import Over, ends_of
-from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, number, root, tangent
+from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, number, root, tangent
 from .laws import JUMPING, constant, law_peak, parts_along
+from .runs import Stretch
 from .units import dimension_of
 
 UNKNOWN = Fraction(10**9)
@@ -42,10 +43,35 @@ def state_at(problem, at, side):
         return rest_of(problem, stretch, at), stretch
     if None in (stretch.start, stretch.to):
         raise Unverified("rows where a displacement that is free rests, or along a law from or to it")
+    return state_on(problem, stretch, at, side), stretch
+
+
+def state_on(problem, stretch, at, side):
+    """The same of one stretch."""
+    at = problem.folded(at, side)
     v = min(max((at - stretch.begin) / (stretch.end - stretch.begin), Fraction(0)), Fraction(1))
     parts = parts_along(stretch, 4)
     begin, _, motion = next((part for part in parts if v < part[1] or (v == part[1] and side == "left")), parts[-1])
-    return motion(constant(v - begin)), stretch
+    return motion(constant(v - begin))
+
+
+def value_beside(problem, at, side, order):
+    """A derivative of y along a law or in a dwell: ({displacement that is free: weight}, (low, high)), the function plus what is between.
+
+    y = a + (b - a) f, f the law, a and b the displacements before and after it."""
+    stretch = problem.stretch_at(problem.folded(at, side), side)
+    if stretch is None or not stretch.free:
+        return {}, ends_of(state_at(problem, at, side)[0][order])
+    i, share = problem.stretches.index(stretch), (Fraction(0), Fraction(0))
+    if stretch.kind == "law":
+        unit = Stretch("law", stretch.begin, stretch.end, Fraction(0), Fraction(1))
+        unit.law = stretch.law
+        share = ends_of(state_on(problem, unit, at, side)[order])
+    middle, half = middle_of(share)
+    function = {key: w * ((order == 0) - middle) for key, w in problem.level_at(i).items()}
+    add_to(function, problem.level_at(i + 1), middle)
+    room, known = 2 * half * problem.farthest_level, function.pop(None, Fraction(0))
+    return function, (known - room, known + room)
 
 
 def rest_of(problem, stretch, at):
