@@ -75,11 +75,13 @@ def value_beside(problem, at, side, order):
 
 
 def rest_of(problem, stretch, at):
-    """The same where a spline starts or ends at rest; nothing is known of the jerk."""
-    run = next(run for run in problem.runs if stretch in run.stretches)
+    """The same where a spline starts or ends at rest, or at the top of a rise and return; what is not known is any number."""
+    run, unknown = next(run for run in problem.runs if stretch in run.stretches), Over.number(-UNKNOWN, UNKNOWN)
+    if problem.type == "RR" and abs(at - 1) <= SAME_PLACE:
+        return [constant(1), constant(0), unknown, unknown]
     for place in (0, 1):
         if abs(run.space.breakpoints[-place] - at) <= SAME_PLACE and run.states[place] == (0, 0) and run.ends()[place] is not None:
-            return [constant(run.ends()[place]), constant(0), constant(0), Over.number(-UNKNOWN, UNKNOWN)]
+            return [constant(run.ends()[place]), constant(0), constant(0), unknown]
     raise Refuted(f"nothing makes the motion rest at x = {float(at)}")
 
 
