@@ -91,8 +91,7 @@ class InverseCam(LinkedCam):
         if not is_sector(scene):
             raise Unverified("an inverse cam of another motion than a rise")
         self.set_linkage(scene, design, InverseRules, rests=False)
-        low, high = self.rules.pin_angle
-        self.to_body = direction(Over.number(-high, -low))
+        self.to_body = direction(-self.rules.size("pin_angle"))
         self.by_length = self.rules.size("pin_distance").inverse()
 
     def at(self, piece, lo, hi, offset=Fraction(0)):
