@@ -1,18 +1,19 @@
 # SPDX-License-Identifier: MIT
 """The lower bound: weak duality."""
+import re
 from fractions import Fraction
 
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, add_to, derivative, integral, number, product
 from .drive_rows import MotorRows
-from .enclosures import ends_of
 from .motion_bounds import lost_area
-from .prescribed import limits_at, state_at
+from .prescribed import limits_at, value_beside
 from .runs import Row
 from .strokes import farthest, stroke_of
 from .phase_rows import add_phase_row, use_phase_rows
 
 
+RANGE_OF_LEVEL = re.compile(r"motion\.segments\[(\d+)\]\.to, at (most|least)")
 MOST_LEANING = 30           # tangents whose slopes are chosen anew
 STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
 LITTLE, SAME_DIRECTION = Fraction(1, 10**12), Fraction(99, 100)  # the same where nothing but rounding is corrected, with rows whose directions differ
@@ -52,7 +53,8 @@ class Bound:
         for _ in range(3 if any(term.kind == "area" for term in problem.terms) else 1):  # less area is lost the higher y can be
             self.most = [self.most_of(term) for term in problem.terms]
             self.supremum = [self.supremum_of(run) for run in problem.runs]
-            self.highest = max([own[0] for own in self.supremum] + [abs(s.to) for s in problem.stretches if s.to is not None])
+            self.highest = max([own[0] for own in self.supremum] + [abs(s.to) for s in problem.stretches if s.to is not None] +
+                               [problem.farthest_level or 0])
         self.own_peaks()
 
     def most_of(self, term):
@@ -164,6 +166,9 @@ class Bound:
     def add_row(self, row, factor=1):
         """A row of the certificate, by its name alone: rule, place, side, derivative, sign."""
         origin, multiplier = row["origin"], factor * number(row["multiplier"])
+        level = RANGE_OF_LEVEL.fullmatch(origin["rule"])
+        if level and multiplier > 0 and int(level[1]) + 1 in self.problem.free:
+            return self.use(self.range_row(int(level[1]) + 1, level[2] == "most"), multiplier)
         if "at" not in origin or not multiplier or origin["rule"] == "area":
             return  # conditions, limits of peaks, the area: their multipliers are chosen here
         if multiplier < 0:
@@ -182,6 +187,11 @@ class Bound:
             self.left_out.setdefault(origin["rule"], Fraction(0))  # another tangent could say more
             return self.tangents.append((found[0], multiplier * found[1], at, side))
         return self.use(found[0], multiplier * found[1])
+
+    def range_row(self, joint, upper):
+        """A displacement that is free stays within one span of those given."""
+        level, sign = self.problem.level_at(joint), 1 if upper else -1
+        return Row("the range of a displacement", 0, {key: sign * w for key, w in level.items()}, sign * self.problem.level_ends[upper])
 
     def row_of(self, origin, at, side, k, run, stretch):
         """(the row that an origin names, what camopt's row is in units of it), or None: this checker has no use for it."""
@@ -220,16 +230,15 @@ class Bound:
         return None
 
     def row_beside_splines(self, name, rule, order, sign, at, side):
-        """A bound or a cap of the motion where it is prescribed, along a law or in a dwell: a row without control points."""
+        """A bound or a cap of the motion where it is prescribed, along a law or in a dwell: a row without control points, of what
+        displacements are free there."""
         stretch = self.problem.stretch_at(self.problem.folded(at, side), side)
         if stretch is None:
             raise Refuted(f"{name}: outside the motion")
-        rests = stretch.kind == "dwell" and order
-        if stretch.free and not rests:
-            return None
         for most, scale in [own[2:] for own in limits_at(self.problem, rule, at, stretch) if own[:2] == (order, sign)][:1]:
-            reached = 0 if rests else min(sign * end for end in ends_of(state_at(self.problem, at, side)[0][order]))
-            return Row(name, 0, {}, (most - reached) / scale + self.relaxed), Fraction(1)
+            function, ends = value_beside(self.problem, at, side, order)
+            reached = min(sign * end for end in ends)
+            return Row(name, 0, {key: sign * w / scale for key, w in function.items()}, (most - reached) / scale + self.relaxed), Fraction(1)
         return None
 
     def bound_row(self, bound, name, k, run, stretch, at, side):
@@ -310,6 +319,8 @@ class Bound:
     def add_root_mean_squares(self, curve):
         """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""
         problem = self.problem
+        if problem.free and any(term.kind.endswith("rms") and term.weight for term in problem.terms):  # each case has its own best motion
+            self.left_out.setdefault("root mean squares at other motions", Fraction(0))
         if self.motor:
             self.motor.use_terms(curve)
         length = sum((w for run in curve.pieces for _, w, _, _ in run), Fraction(0))

@@ -22,6 +22,7 @@ from fractions import Fraction
 
 from . import enclosures
 from .conditions import Conditions
+from .dimensions import largest_of, parts_of
 from .laws import constant
 from .exact import ORDERS, STATED, Refuted, Unverified, add_to, number
 
@@ -29,6 +30,7 @@ ROUNDED = Fraction(1, 2**44)   # what the sums of a step may be off by in the fi
 SAME_ROW = Fraction(1, 10**9)  # a row of the scene is that of the file to this, relative to its size
 ROUNDED_ROW = Fraction(1, 10**14)  # of a row's value in doubles, which is about one
 TOUCHING = Fraction(1, 10**6)  # a plane is pushed back by the square of this part of its size where it touches its rule
+LEAST_REACH = Fraction(1, 10**6)  # a cam nearer to the end of its reach, in parts of its longest dimension, is none
 SHORT = 2**150                 # sides are rounded up to parts of this
 
 
@@ -88,9 +90,10 @@ class BoxProof:
     # -- the variables
 
     def name_variables(self):
-        """("c", run, control point), ("peak", term) or ("dimension", name); control points that are no variables are numbers
-        by the conditions."""
+        """("c", run, control point), ("peak", term), ("dimension", name) or its ("magnitude", name); control points that are no variables
+        are numbers by the conditions."""
         self.variables, self.place = [], {}
+        searched = self.problem.cam.searched if self.problem.cam else {}
         peaks = {"peak " + next(n for n, o in ORDERS.items() if o == t.order): i
                  for i, t in enumerate(self.problem.terms) if t.kind == "peak"}
         peaks |= {name: i for i, t in enumerate(self.problem.terms)
@@ -103,8 +106,8 @@ class BoxProof:
                 variable = ("c", int(point[2] or 1) - 1, int(point[1]))
             elif name in peaks:
                 variable = ("peak", peaks[name])
-            elif self.problem.cam and name in self.problem.cam.searched:
-                variable = ("dimension", name)
+            elif name.removeprefix("magnitude of ") in searched:
+                variable = ("magnitude" if " " in name else "dimension", name.removeprefix("magnitude of "))
             else:
                 raise Unverified(f"a bound over boxes with the variable {name}")
             if variable in self.place:
@@ -136,8 +139,7 @@ class BoxProof:
             if term.kind == "area":
                 return self.bound.least_of(term) / term.weight, most
             return Fraction(0), min(most, self.own_peak(self.problem.terms[variable[1]]) or most)
-        low, high = self.problem.cam.searched[variable[1]]
-        return low / high, Fraction(1)
+        return (Fraction(0), Fraction(1)) if variable[0] == "magnitude" else parts_of(self.problem.cam.searched[variable[1]])
 
     def own_peak(self, term):
         """What a peak that is the motion's own can be: a spline lies within its control points. None: no peak of a
@@ -258,8 +260,10 @@ class BoxProof:
         for j, variable in enumerate(self.variables):
             if variable[0] == "peak" and self.problem.terms[variable[1]].weight:
                 cost[j] = self.problem.terms[variable[1]].weight
-            elif variable[0] == "dimension" and self.problem.cam.weights[variable[1]]:
-                cost[j] = self.problem.cam.weights[variable[1]] * self.problem.cam.searched[variable[1]][1]
+            elif variable[0] in ("dimension", "magnitude") and self.problem.cam.weights[variable[1]]:
+                ends = self.problem.cam.searched[variable[1]]
+                if (variable[0] == "magnitude") == (ends[0] < 0):
+                    cost[j] = self.problem.cam.weights[variable[1]] * largest_of(ends)
         missing = [t for i, t in enumerate(self.problem.terms) if t.weight and ("peak", i) not in self.place]
         if missing:
             raise Refuted("the proof leaves out a term of the objective")
@@ -283,12 +287,13 @@ class BoxProof:
         if row.peak is not None:
             weights[self.place["peak", row.peak]] = Fraction(-1)
         for name, slope in row.searched.items():
-            weights[self.place["dimension", name]] = slope * self.problem.cam.searched[name][1]
+            weights[self.place["dimension", name]] = slope * largest_of(self.problem.cam.searched[name])
         function = {j: factor * w for j, w in weights.items()}
         return self.of_scene(step, index, function, factor * (row.most - fixed), factor)
 
     def condition(self, step, index):
-        """What the conditions leave of a row that they imply is a number. A cap on a peak is an end of its box."""
+        """What the conditions leave of a row that they imply is a number. A cap on a peak is an end of its box; rows of dimensions follow
+        from the box or from one of these."""
         rest, most = dict(step.weights), Fraction(0)
         for k in range(len(self.problem.runs)):
             own = {j: rest.pop(self.place["c", k, j]) for j in range(self.problem.runs[k].space.size)
@@ -298,8 +303,22 @@ class BoxProof:
                 left, fixed = self.in_variables(k, {j: w for j, w in left.items() if w})
                 most += fixed - value
                 rest = difference(rest, left, -1)
-        step.side = most + greatest(rest, self.box)
+        own = [({}, Fraction(0))] + [({self.place[v]: w for v, w in row.items()}, side) for row, side in self.rows_of_dimensions()]
+        step.side = most + min(side + greatest(difference(rest, row), self.box) for row, side in own)
         self.compare(step, index)
+
+    def rows_of_dimensions(self):
+        """[({variable: weight}, side)]: magnitudes, and what a cam reaches, in parts of its longest dimension."""
+        cam = self.problem.cam
+        rows = [({("dimension", v[1]): Fraction(sign), v: Fraction(-1)}, Fraction(0)) for v in self.variables for sign in (1, -1)
+                if v[0] == "magnitude"]
+        for signs in cam.reach() if cam else ():
+            ends = {name: cam.searched.get(name, (cam.sizes[name],)) for name in signs}
+            longest = max(map(largest_of, ends.values()))
+            fixed = sum((sign * cam.sizes[name] for name, sign in signs.items() if name not in cam.searched), Fraction(0))
+            rows.append(({("dimension", name): sign * largest_of(cam.searched[name]) / longest for name, sign in signs.items()
+                          if name in cam.searched}, -fixed / longest - LEAST_REACH))
+        return rows
 
     def derived(self, step, index):
         self.follow(step.weights, step.data, f"step {index}", step)
@@ -355,6 +374,9 @@ class BoxProof:
             step.side = greatest(step.weights, self.box)
             return
         box = self.box_of_plane(step, index, states, parameters)
+        if box is None:  # nothing satisfies what the step rests on
+            step.side = step.stated
+            return
         lowest = self.lowest_of_any(formulas, slopes, box, number(data["constant"]))
         if lowest is None and not self.is_within(box, data["box"]):  # the plane was made for less: it adds nothing
             self.left_out[f"{origin['rule']}, over a box that is proved less far than the file says"] = True
@@ -382,7 +404,7 @@ class BoxProof:
 
     def box_of_plane(self, step, index, states, parameters):
         """What the steps that the plane names prove of z, as far as they can be followed here. The file's box must say no
-        less than the file's own steps."""
+        less than the file's own steps. None: nothing is left."""
         box = []
         rows = [(row, value) for row, value, _, _ in states] + [({j: Fraction(1)}, Fraction(0)) for j in parameters]
         data = step.data
@@ -403,8 +425,8 @@ class BoxProof:
                 own.append(sign * most + value)
             if i == 0 and self.problem.cam:
                 own = self.problem.cam.kept_within(*own)
-            if own[0] > own[1]:  # nothing but rounding is left
-                own = [min(own), max(own)]
+            if own[0] > own[1]:
+                return None
             box.append(tuple(own))
         return box
 

@@ -4,6 +4,7 @@ import itertools
 from fractions import Fraction
 
 from . import enclosures
+from .dimensions import corners_of, largest_of, middle_size, parts_of
 from .inverse_rules import InverseRules
 from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
@@ -37,7 +38,7 @@ class Cam:
         cam, self.problem, self.scene = scene["cam"], problem, scene
         self.kind, self.follower = cam.get("type", "disk"), cam.get("follower")
         self.judged, self.swings = self.kind == "disk", (self.follower or "").startswith("oscillating")
-        self.fixed, self.searched, self.weights, self.rules, self.forces = Fraction(0), {}, {}, None, None
+        self.fixed, self.searched, self.weights, self.rules, self.forces, self.sizes = Fraction(0), {}, {}, None, None, {}
         self.lift = problem.lift[0]
         weights = {n: number(problem.objective.get(n, 0)) for n in
                    ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
@@ -49,17 +50,12 @@ class Cam:
         self.searched = {name: size for name, size in given.items() if isinstance(size, tuple)}
         unit = self.lift
         if self.swings:  # times the centre distance, the middle of its range
-            distance = given["center_distance"]
-            unit = in_unit(problem.lift, "rad") * (sum(distance) / 2 if isinstance(distance, tuple) else distance)
-            if self.follower == "oscillating_flat" and "base_radius" in self.searched:
-                raise Unverified("the base radius of a flat face on an arm, where it is searched")
+            unit = in_unit(problem.lift, "rad") * middle_size(given["center_distance"])
         self.weights = {name: weight / unit for name, weight in weights.items()}
-        self.sizes = {name: self.found(result, name) for name in given}
-        if "offset" in self.searched and self.weights["offset"]:
-            raise Unverified("an offset that is searched and in the objective")
+        self.sizes = given | self.found(result, dict.fromkeys(given, "m"))
         self.fixed = sum((self.weights[name] * abs(given[name]) for name in given if name not in self.searched),
                          Fraction(0))
-        self.cost = exactly(self.fixed + sum((self.weights[name] * self.sizes[name] for name in self.searched
+        self.cost = exactly(self.fixed + sum((self.weights[name] * abs(self.sizes[name]) for name in self.searched
                                               if self.sizes[name] is not None), Fraction(0)))
         self.forces = Forces(problem, scene) if "forces" in scene else None
         if any(key.startswith("spring_harmonic_") for key in problem.limits):
@@ -79,25 +75,18 @@ class Cam:
             return
         self.judged, self.swings, self.width, self.form = True, True, None, "open"
         self.rules = make(self.problem, scene)
-        if make is not SpatialRules:
-            if any(weights.values()):
-                raise Unverified("dimensions of this kind of cam in the objective")
-            self.as_found = make(self.problem, scene, 4 * KEPT)
-            return
         self.searched = self.rules.searched
-        found = {name: self.found(result, name) for name in self.searched}
-        self.as_found = SpatialRules(self.problem, scene, 4 * KEPT, found)
-        sizes, unit = self.rules.sizes | found, self.rules.lift
-        if self.rules.kind != "translating":
-            distance = self.rules.sizes["center_distance"]
-            unit = times(unit, exactly(sum(distance) / 2 if isinstance(distance, tuple) else distance))
+        found = self.found(result, self.rules.units)
+        sizes, unit = self.rules.sizes | found, self.rules.cost_unit()
         used = {name: weight for name, weight in weights.items() if weight}
         if not set(used) <= set(sizes):
             raise Unverified("dimensions of this kind of cam in the objective")
+        self.sizes = found
         self.weights = {name: used.get(name, Fraction(0)) / unit[1] for name in set(used) | set(self.searched)}
-        self.fixed = sum((self.weights[name] * sizes[name] for name in used if name not in self.searched), Fraction(0))
+        self.fixed = sum((self.weights[name] * abs(sizes[name]) for name in used if name not in self.searched), Fraction(0))
         if None not in found.values():
-            low = sum((self.weights[name] * sizes[name] for name in used), Fraction(0))
+            self.as_found = make(self.problem, scene, 4 * KEPT, found)
+            low = sum((self.weights[name] * abs(sizes[name]) for name in used), Fraction(0))
             self.cost = low, low * unit[1] / unit[0]
 
     def rules_of(self, scene, sizes, room):
@@ -124,16 +113,15 @@ class Cam:
             second["second_offset"] = dimension_of(cam, "second_offset")
         return TwoSides(make(Side("first disk")), make(Side("second disk", 1, Fraction(0), turn, -1), second))
 
-    def found(self, result, name):
-        """A dimension as a number: of those searched what was found."""
-        size = dimension_of(self.scene["cam"], name)
-        if not isinstance(size, tuple):
-            return size
+    def found(self, result, units):
+        """What was found of the dimensions that are searched, m or rad (None: nothing)."""
         if not result.get("cam"):
-            return None
-        found = number(result["cam"]["dimensions"][name + "_m"])
-        if not size[0] * (1 - STATED) <= found <= size[1] * (1 + STATED):
-            raise Refuted(f"the {name} is outside its range")
+            return dict.fromkeys(self.searched)
+        found = {name: number(result["cam"]["dimensions"][f"{name}_{'m' if units[name] == 'm' else 'rad'}"]) for name in self.searched}
+        for name, (low, high) in self.searched.items():
+            size, room = found[name] if units[name] == "m" else in_unit((found[name], "rad"), units[name]), STATED * largest_of((low, high))
+            if not low - room <= size <= high + room:
+                raise Refuted(f"the {name} is outside its range")
         return found
 
     def pressure_limits(self):
@@ -152,15 +140,30 @@ class Cam:
         contact = number(scene.get("forces", {}).get("contact_width_m", 0))
         return root(radius**2 - contact**2 / 4) if radius else exactly(half) if half else None
 
+    def found_parts(self):
+        """What was found of the dimensions that are searched, as rules take them."""
+        return [enclosures.interval(self.sizes[name] / largest_of(ends))[0] for name, ends in self.searched.items()]
+
+    def reach(self):
+        """[{dimension: sign}]: sums that are below 0 where a disk cam reaches its follower. An arm a - l < p, l - a < p, p < a + l; its
+        face |base + offset| < a; a pushed roller or edge |offset| < p. p: base and roller radius."""
+        prime = {name: -1 for name in ("base_radius", "roller_radius") if name in self.sizes}
+        if self.follower == "oscillating_roller":
+            return [prime | {"center_distance": 1, "arm_length": -1}, prime | {"center_distance": -1, "arm_length": 1},
+                    {name: 1 for name in prime} | {"center_distance": -1, "arm_length": -1}]
+        if self.follower == "oscillating_flat":
+            return [{"base_radius": sign, "face_offset": sign, "center_distance": -1} for sign in (1, -1)]
+        return [prime | {"offset": sign} for sign in (1, -1)] if "offset" in self.sizes else []
+
     def least_cost(self):
-        return self.fixed + sum((self.weights[name] * low for name, (low, _) in self.searched.items()), Fraction(0))
+        return self.fixed + sum((self.weights[name] * min(map(abs, corners_of(ends))) for name, ends in self.searched.items()), Fraction(0))
 
     def least(self, leaning, cost):
         """What the dimensions add to a bound: cost and multipliers, at their best."""
         total = self.fixed if cost else Fraction(0)
         for name, ends in self.searched.items():
-            lean = (self.weights[name] if cost else Fraction(0)) + leaning.get(name, Fraction(0))
-            total += min(lean * end for end in ends)
+            weight, lean = self.weights[name] if cost else Fraction(0), leaning.get(name, Fraction(0))
+            total += min(weight * abs(end) + lean * end for end in corners_of(ends))
         return total
 
     # -- rows of the bound
@@ -181,7 +184,7 @@ class Cam:
         if bound.curve is not None and len(formulas) > 1:
             # Which of several rules of one name is not said: the one that the motion comes nearest to.
             values = [bound.curve.value_at(k, at, side, order) for order in range(3)]
-            place = [enclosures.interval(v)[0] for v in values] + [0]
+            place = [enclosures.interval(v)[0] for v in values] + [0] + self.found_parts()
             formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
         for formula in formulas[:1] if bound.curve is not None or len(formulas) == 1 else []:
             row = self.linear_row(bound, k, run, name, formula, at, side)
@@ -191,12 +194,16 @@ class Cam:
 
     def linear_row(self, bound, k, run, name, formula, at, side):
         """A rule whose slopes are the same all over a box is linear; None where they differ."""
-        box = [enclosures.interval(Fraction(-1), Fraction(1))] * 3 + [(0, 0)] + [(0, enclosures.ONE)] * len(self.searched)
+        box = [enclosures.interval(Fraction(-1), Fraction(1))] * 3 + [(0, 0)] + [(-enclosures.ONE, enclosures.ONE)] * len(self.searched)
+        if self.searched and self.sizes.get("offset") is not None:
+            self.rules.tangent_at = self.sizes["base_radius"] + self.sizes.get("roller_radius", 0), self.sizes["offset"]
         try:
             found = enclosures.over_box(formula, box)
             still = enclosures.at_place(formula, [0] * len(box))
         except Unverified:
             return None
+        finally:
+            self.rules.tangent_at = None
         slopes = {i: middle_of(tuple(enclosures.fraction(end) for end in ends)) for i, ends in found.slopes.items()}
         if any(half > STRAIGHT * max(1, abs(middle)) for middle, half in slopes.values()):
             return None
@@ -204,7 +211,7 @@ class Cam:
         for i, (middle, half) in slopes.items():
             if i > 3:
                 dimension = list(self.searched)[i - 4]
-                searched[dimension] = middle / self.searched[dimension][1]
+                searched[dimension] = middle / largest_of(self.searched[dimension])
             elif bound.supremum[k][i] is None:
                 return None
             else:
@@ -329,20 +336,19 @@ class Cam:
             middle, half = middle_of((unit[1], unit[0]))
             function = {j: -self.sense * middle * w for j, w in run.space.functional(at, 1, side).items()}
             return Row(name, k, function, FACE_TURNS + half * bound.supremum[k][1]), Fraction(1)
-        if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None or \
+        if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None or self.problem.free or \
                 self.kind in ("remote", "inverse"):
             return None
-        dimensions = [(name, self.sizes[name] / high, low / high) for name, (low, high) in self.searched.items()]
-        values = [bound.curve.value_at(k, at, side, order) for order in range(2)] + [size for _, size, _ in dimensions]
-        place = [enclosures.interval(v)[0] for v in values]
+        values = [bound.curve.value_at(k, at, side, order) for order in range(2)]
+        place = [enclosures.interval(v)[0] for v in values] + self.found_parts()
         ranges = [self.displacements(bound, k, at), (-bound.supremum[k][1], bound.supremum[k][1])]
-        ranges += [tuple(sorted((low, Fraction(1)))) for _, _, low in dimensions]
+        ranges += [parts_of(ends) for ends in self.searched.values()]
         for formula in formulas[:1]:
             def pressure(numbers, formula=formula):
                 return formula(numbers[:2] + [constant(0), constant(0)] + numbers[2:])
 
             found = enclosures.tangent_at(pressure, place)
-            slopes = [enclosures.fraction(sum(found.slopes.get(i, (0, 0))) // 2) for i in range(len(values))]
+            slopes = [enclosures.fraction(sum(found.slopes.get(i, (0, 0))) // 2) for i in range(len(place))]
 
             def leaning(by, pressure=pressure, slopes=tuple(slopes)):
                 return self.row_under(pressure, [slopes[0] + by, *slopes[1:]], place, ranges,
@@ -371,7 +377,7 @@ class Cam:
         function = {}
         for order, slope in enumerate(slopes[:2]):
             add_to(function, run.space.functional(at, order, side), slope)
-        searched = {name: slope / high for slope, (name, (_, high)) in zip(slopes[2:], self.searched.items())}
+        searched = {name: slope / largest_of(ends) for slope, (name, ends) in zip(slopes[2:], self.searched.items())}
         return Row(name, k, function, -enclosures.fraction(lowest), None, searched)
 
     def row_size(self):

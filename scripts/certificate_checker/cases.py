@@ -2,8 +2,8 @@
 """Proofs by cases: the strokes whose displacement is free rise or fall; angles that are searched lie in boxes.
 
 Of angles: each segment's y over its own part u of the way. Where every spline rests at both ends (y' = y'' = 0), only limits in time
-depend on the angles, |y^(r)(u)| <= limit * angle^r, and a larger angle loosens them. What a scene reaches with the largest angles of a box,
-which need not add up to the turn, is then at or below what it reaches anywhere in the box.
+depend on the angles, |y^(r)(u)| <= limit * angle^r, and a larger angle loosens them, each side that allows rest. What a scene reaches with
+the largest angles of a box, which need not add up to the turn, is then at or below what it reaches anywhere in the box.
 """
 import itertools
 import re
@@ -84,12 +84,11 @@ def contradicts(problem, region):
     return any(a is not None and b is not None and a > b for a, b in zip(least, most))
 
 
-def by_direction(problem, cases):
-    """[(problem, {segment: whether it rises})] of the cases."""
+def by_direction(make, cases):
+    """[(problem, {segment: whether it rises})] of the cases; `make`: the problem of directions."""
     regions = [region_of(case) for case in cases]
-    require_cover(problem, regions)
-    return [(Problem(problem.scene, problem.references, problem.breakpoints_found, [], region) if region else problem, region)
-            for region in regions]
+    require_cover(make({}), regions)
+    return [(make(region), region) for region in regions]
 
 
 # -- angles that are searched
@@ -114,7 +113,8 @@ def require_growth(problem):
     """The least objective can only fall where an angle grows."""
     units = {key for segment in problem.motion["segments"] for point in [*segment.get("via", []), segment.get("end", {})] for key in point
              if key not in ("at", "from", "to", "velocity", "acceleration") and not key.startswith("displacement")}
-    if units or any(table in problem.scene for table in ("cam", "drive", "dynamics")) or problem.bounds or problem.copies > 1 or \
+    if units or any(table in problem.scene for table in ("cam", "drive", "dynamics")) or problem.copies > 1 or \
+            any(b.most < 0 or not b.key.startswith("limits.") for b in problem.bounds) or \
             any(term.kind != "peak" for term in problem.terms) or {"start", "end"} & set(problem.motion) or \
             problem.motion.get("closed", True) is not True or any(len(run.stretches) > 1 or run.rests != (True, True) for run in problem.runs):
         raise Unverified("a bound over angles that are searched, where larger ones do not only help")
@@ -180,14 +180,21 @@ def nearest_problem(scene, references, proof, tops):
     return max(problems, key=fitting)
 
 
+def least_objective(problem):
+    """No cost but an area is negative."""
+    if any(term.kind == "area" for term in problem.terms):
+        raise Unverified("a case without a bound next to an area")
+    return Fraction(0)
+
+
 def judge_cases(parts, cases, incumbent, curve, report):
     """(the least bound of all cases, what was left out): no motion of the scene is below it; None: there is no motion at all."""
     left_out, values = {}, []
     for case, (problem, region) in zip(cases, parts):
         if region and contradicts(problem, region):
             continue
-        if case["proof_of_case"] is None:  # it was not solved to its end: no cost is negative
-            values.append(number(0))
+        if case["proof_of_case"] is None:  # it was not solved to its end
+            values.append(least_objective(problem))
             continue
         proof = cases[case["proof_of_case"]]["proof"]
         if stored_bound(proof) < number(proof["bound"]):
@@ -199,9 +206,10 @@ def judge_cases(parts, cases, incumbent, curve, report):
         if proof["statement"] == "objective":
             if curve:
                 bound.add_root_mean_squares(curve)
+            bound.add_area()
             values.append(bound.value())
         elif bound.value(cost=False) <= 0:
-            values.append(number(0))  # every peak is above 0, and so is what follows
+            values.append(least_objective(problem))
         left_out |= bound.left_out
     report.say(f"cases: {len(cases)}, of which {len(cases) - len(values)} have no motion")
     return min(values, default=None), left_out

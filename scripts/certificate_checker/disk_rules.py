@@ -8,6 +8,7 @@ v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''.
 """
 from fractions import Fraction
 
+from .dimensions import largest_of, middle_size
 from .enclosures import Over
 from .exact import PI, exactly, middle_of, number, tangent, times
 from .forces import Forces
@@ -34,6 +35,7 @@ class DiskRules:
 
     def __init__(self, problem, scene, follower, sense, dimensions, room=Fraction(0), side=None):
         self.side = side or Side()
+        self.tangent_at = None  # (prime radius, offset) at which a tangent is taken in place of the height at displacement 0
         self.problem, self.follower = problem, follower
         self.limits, self.forces = problem.limits, scene.get("forces", {})
         self.sense, self.room = sense, constant(room)
@@ -60,8 +62,8 @@ class DiskRules:
         return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
 
     def sizes(self, numbers):
-        """The dimensions; those searched stand behind y''' in units of the largest they may be."""
-        searched = {name: numbers[4 + k] * constant(self.dimensions[name][1]) for k, name in enumerate(self.searched)}
+        """The dimensions; those searched stand behind y''' in parts of their largest magnitude."""
+        searched = {name: numbers[4 + k] * constant(largest_of(self.dimensions[name])) for k, name in enumerate(self.searched)}
         return {name: searched.get(name) or constant(size) for name, size in self.dimensions.items()}
 
     def pitch(self, numbers):
@@ -72,7 +74,7 @@ class DiskRules:
         sense, second = constant(-self.sense if self.side.turn else self.sense), self.side.turn
         if not self.swings:
             offset = size["offset"]
-            start = (prime.square() - offset.square()).root() if self.dimensions["offset"] else prime
+            start = self.start(prime, offset)
             if second:
                 start, offset = Over.number(*second) - start, size["second_offset"]
             return slope - offset * sense, start + s, slope, constant(1), bend
@@ -85,6 +87,15 @@ class DiskRules:
         turning = constant(1) + slope * sense
         end = arm * turning
         return end - distance * cosine, distance * sine, end * slope * sense, arm, bend
+
+    def start(self, prime, offset):
+        """sqrt(prime^2 - offset^2), or its tangent, which lies above it (prime prime0 - offset offset0 >= the product of both roots)."""
+        if not self.dimensions["offset"]:
+            return prime
+        if self.tangent_at is None:
+            return (prime.square() - offset.square()).root()
+        own = [constant(size) for size in self.tangent_at]
+        return (own[0] * prime - own[1] * offset) * (own[0].square() - own[1].square()).root().inverse()
 
     @staticmethod
     def turned(sine, cosine, by):
@@ -169,7 +180,7 @@ class DiskRules:
     def reach(self):
         """The length by which pressure angles and heights are measured."""
         ends = [self.dimensions[name] for name in (("center_distance",) if self.swings else ("base_radius", "roller_radius"))]
-        return sum((sum(e) / 2 if isinstance(e, tuple) else e for e in ends), Fraction(0))
+        return sum(map(middle_size, ends), Fraction(0))
 
     def pressure(self, limit, sign):
         """sign N cos - D sin, in parts of the reach. The upper side is that of the rise; an arm that rises with a clockwise
@@ -190,11 +201,11 @@ class DiskRules:
     def convex_radius(self, least):
         """(roller + least) curvature <= 1."""
         if self.follower == "oscillating_flat":
-            base = self.dimensions["base_radius"]
+            inverse = constant(1 / middle_size(self.dimensions["base_radius"]))
 
             def rule(numbers):
                 turning, _, radius = self.face(numbers)
-                return (constant(least) - radius * turning.inverse()) * constant(1 / base) - self.room
+                return (constant(least) - radius * turning.inverse()) * inverse - self.room
             return rule
         if self.follower == "translating_flat":
             inverse = constant(1 / self.reach())
@@ -212,10 +223,17 @@ class DiskRules:
         return lambda numbers: self.excess(numbers, self.surface(numbers) - constant(least), constant(1))
 
     def margin(self, least):
-        """1 - roller curvature >= least; of a flat face its radius in parts of the base radius."""
+        """1 - roller curvature >= least; of a flat face its radius in parts of the base radius, which is linear where it slides."""
         if self.follower == "oscillating_flat":
-            inverse = constant(1 / self.dimensions["base_radius"])
-            return lambda numbers: constant(least) - self.face(numbers)[2] * inverse - self.room
+            return lambda numbers: constant(least) - self.face(numbers)[2] * self.sizes(numbers)["base_radius"].inverse() - self.room
+        if self.follower == "translating_flat":
+            least -= 1
+            inverse = constant(1 / self.reach())
+
+            def flat(numbers):
+                s, _, bend = self.states(numbers)
+                return (constant(least) * self.sizes(numbers)["base_radius"] - s - bend) * inverse - self.room
+            return flat
         if not self.roller:
             return None
         return lambda numbers: self.excess(numbers, self.surface(numbers), constant(1 - least))

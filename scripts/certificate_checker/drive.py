@@ -15,7 +15,7 @@ Root mean squares are over the cycle, outside of which the axis rests:
 import math
 from fractions import Fraction
 
-from .drive_laws import largest_along, square_along
+from .drive_laws import Span, largest_along, square_along
 from .enclosures import ends_of
 from .exact import (
     KEPT, PI_ITSELF, STATED, Refuted, Unverified, combination, derivative, integral, largest, number, product, root, shifted)
@@ -39,13 +39,6 @@ TYPICAL_BEND = 6  # y'' of a good motion: what a torque limit near 0 is measured
 def written(table, units, name):
     """(the key of a quantity, SI of one in its unit), or (None, None)."""
     return next(((f"{name}_{unit}", Fraction(size)) for unit, size in units.items() if f"{name}_{unit}" in table), (None, None))
-
-
-class Span:
-    """A part of the motion along which friction has one direction."""
-
-    def __init__(self, stretch, begin, end, way, constant):
-        self.stretch, self.begin, self.end, self.way, self.constant = stretch, begin, end, way, constant
 
 
 class Rule:
@@ -113,7 +106,9 @@ class Drive:
                 found += [Span(s, Fraction(0), Fraction(1), 1, self.constant + self.friction),
                           Span(s, Fraction(1), s.end, -1, self.constant - self.friction)]
                 continue
-            way = 0 if s.kind == "dwell" else (s.to > s.start) - (s.to < s.start)
+            if None in (s.start, s.to) and self.friction:
+                raise Unverified("friction next to displacements that are free")
+            way = 0 if s.kind == "dwell" or None in (s.start, s.to) else (s.to > s.start) - (s.to < s.start)
             found.append(Span(s, s.begin, s.end, way, self.constant + way * self.friction))
         return found
 
@@ -199,7 +194,7 @@ class Drive:
                 raise Unverified(f"objective.reference without {name}")
             return number(asked[name])
         own = next((t for t in result.get("own_terms") or [] if t["name"] == name), None)
-        chain = self.spans_of([law for s in self.problem.stretches for law in self.in_place_of(s, asked)])
+        chain = self.spans_of([law for s in self.problem.stretches_of_reference() for law in self.in_place_of(s, asked)])
         if name == "motor_torque":
             found = self.largest_of(chain, lambda torque, n: torque)
         else:
@@ -243,7 +238,7 @@ class Drive:
             x = left - run.begin_of(stretch) + stretch.begin
             for span in self.spans:
                 begin, end = max(x, span.begin), min(x + width, span.end)
-                if span.stretch is stretch and begin < end:
+                if span.stretch.begin == stretch.begin and begin < end:
                     found.append((i, shifted(p, begin - x), begin - x, end - begin, span))
         return found
 
@@ -303,7 +298,11 @@ class Drive:
         return self.mean_square([(span.constant**2 * (span.end - span.begin),) * 2 for span in self.spans])[0]
 
     def squares_beside(self):
-        return [self.square(span) for span in self.spans if span.stretch.kind != "spline"]
+        return [self.square(span) for span in self.spans if span.stretch.kind != "spline" and span not in self.free_laws()]
+
+    def free_laws(self):
+        """Spans whose mean square depends on displacements that are free."""
+        return [span for span in self.spans if span.stretch.kind == "law" and None in (span.stretch.start, span.stretch.to)]
 
     def mean_square_of(self, curve):
         """(low, high)."""

@@ -4,6 +4,13 @@ from .enclosures import ends_of
 from .laws import constant, ends_of_law, largest_value, motion_along, square_integral
 
 
+class Span:
+    """A part of the motion along which friction has one direction."""
+
+    def __init__(self, stretch, begin, end, way, constant):
+        self.stretch, self.begin, self.end, self.way, self.constant = stretch, begin, end, way, constant
+
+
 class Formula:
     """A formula that is enclosed, multiplied by numbers."""
 

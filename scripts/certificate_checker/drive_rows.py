@@ -12,10 +12,11 @@ least of all rows together, times their multipliers. The limit's own row is (rms
 from fractions import Fraction
 
 from .conditions import Conditions
-from .enclosures import ends_of
-from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, number, product, root, shifted
-from .prescribed import state_at
-from .runs import Row
+from .drive_laws import Span, square_along
+from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, middle_of, number, product, root, shifted
+from .laws import ends_of_law
+from .prescribed import value_beside
+from .runs import Row, Stretch
 
 RELIEVED = " as the speed approaches 0, which motion may relieve"
 NEAR = Fraction(1, 10**6)  # rules that the delivered motion comes so near to may be the one that a row means
@@ -87,9 +88,12 @@ class MotorRows:
         bend = rule.by_torque * drive.acceleration / rule.scale
         most = (rule.most - rule.by_torque * span.constant) / rule.scale + (self.bound.relaxed if rule.peak is None else 0)
         if run is None:
-            state = state_at(self.problem, at, side)[0]
-            most -= sum(min(factor * end for end in ends_of(own)) for factor, own in ((slope, state[1]), (bend, state[2])))
-            return Row(name, 0, {}, most, rule.peak)
+            function = {}
+            for factor, order in ((slope, 1), (bend, 2)):
+                own, ends = value_beside(self.problem, at, side, order)
+                add_to(function, own, factor)
+                most -= min(factor * end for end in ends)
+            return Row(name, 0, function, most, rule.peak)
         at = self.problem.folded(at, side)
         function = {j: slope * w for j, w in run.space.functional(at, 1, side).items()}
         add_to(function, run.space.functional(at, 2, side), bend)
@@ -142,7 +146,31 @@ class MotorRows:
                 square += integral(product(torque, torque), width) / drive.cycle
                 add_to(function, {j: integral(product(part, torque), width) for j, part in self.parts(run, i, begin)}, 1 / drive.cycle)
             functions.append(function)
+        for span in drive.free_laws():
+            own, function, room = self.product_along(span, curve)
+            add_to(functions[0], function, 1 / drive.cycle)
+            constant, square = constant + (own[0] - room) / drive.cycle, square + (own[1] + room) / drive.cycle
         return functions, constant, square
+
+    def product_along(self, span, curve):
+        """The same integrals along a law between displacements that are free: ((constant, square), function of these, rounding). Over
+        a law that moves y by h the torque is h g + c, with Q and R the integrals of g^2 and g:
+
+            h_y (h_z Q + c R) + h_z c R + c^2 length."""
+        stretch, drive, i = span.stretch, self.drive, self.problem.stretches.index(span.stretch)
+        unit = Stretch("law", stretch.begin, stretch.end, Fraction(0), Fraction(1))
+        unit.law, length, c = stretch.law, stretch.end - stretch.begin, span.constant
+        first, last = ends_of_law(stretch.law, 1)
+        r = drive.velocity + drive.acceleration * (last - first) / length
+        q, half = middle_of(square_along(Span(unit, unit.begin, unit.end, 0, Fraction(0)), drive.acceleration, drive.velocity))
+        other = curve.problem.stretches[i]
+        moved = Fraction(0) if None in (other.start, other.to) else other.to - other.start
+        function = {}
+        for level, sign in ((self.problem.level_at(i + 1), 1), (self.problem.level_at(i), -1)):
+            add_to(function, level, sign * (moved * q + c * r))
+        constant = moved * c * r + c * c * length
+        own = constant + function.pop(None, Fraction(0)), moved * (moved * q + c * r) + constant
+        return own, function, half * (2 * self.problem.farthest_level)**2
 
     def parts(self, run, i, begin):
         """(control point, the torque without its constant of its basis function), t from `begin` of piece i."""
@@ -222,7 +250,7 @@ class Found:
     """A motion that is only a place of tangents: what pieces_of() wants of a curve."""
 
     def __init__(self, problem, controls):
-        self.control, self.pieces = controls, []
+        self.problem, self.control, self.pieces = problem, controls, []
         for run, control in zip(problem.runs, controls):
             points = run.space.breakpoints
             self.pieces.append([(p, run.space.width(i), points[i], run.stretch_at(points[i]))

@@ -15,62 +15,55 @@ by L: psi' = -theta'/L', psi'' = -(theta'' + psi' L'') / L'^2. Its walls are reg
 """
 from fractions import Fraction
 
+from .dimensions import Dimensions
 from .disk_rules import DiskRules
 from .laws import constant
 from .enclosures import Over
-from .exact import Unverified, exactly, number, tangent
-from .plane_vectors import across, divided, dot, plus, scaled, sign_of
-from .remote_rules import length_in
-from .units import angle_of, enclosed
+from .exact import exactly, number, tangent
+from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of
+from .remote_rules import given_in
+from .units import enclosed
 
-NAMES = ("roller_radius", "roller_rest", "roller_end", "roller_from", "pin_distance", "rocker_pivot_x", "rocker_pivot_y",
-         "feeder_offset", "feeder_start")
+NAMES = ("roller_radius", "roller_rest", "roller_end", "roller_angle", "roller_from", "pin_distance", "pin_angle", "rocker_pivot_x",
+         "rocker_pivot_y", "feeder_offset", "feeder_start")
 
 
-class InverseRules:
+class InverseRules(Dimensions):
     """Lengths in m, angles in rad. Rules depend on the place in the motion: moves."""
 
-    searched, moves = {}, True
+    moves = True
     displacements = staticmethod(DiskRules.displacements)
 
-    def __init__(self, problem, scene, room=Fraction(0)):
-        cam, self.limits, self.room = scene["cam"], problem.limits, constant(room)
-        self.sizes = {name: length_in(cam, name) for name in NAMES}
+    def __init__(self, problem, scene, room=Fraction(0), found=None):
+        self.limits, self.room = problem.limits, constant(room)
+        super().__init__(given_in(scene["cam"], NAMES), found or {})
         self.lift, self.beta = exactly(problem.lift[0]), enclosed(problem.unit_angle)
-        self.stroke = enclosed(angle_of(cam, "roller_angle"))
-        self.pin_angle = enclosed(angle_of(cam, "pin_angle") or (Fraction(0), "deg"))
         self.side, self.nearer = self.branch()
 
-    def size(self, name):
-        return constant(self.sizes[name])
+    def cost_unit(self):
+        """What dimensions in the objective are divided by."""
+        return self.lift
 
     def branch(self):
-        """Which way along the rocker's line, and which of the two places there, is the pin of the scene: it is where the body stands
-        at displacement 0."""
-        sine, cosine = Over.number(*self.pin_angle).sine_and_cosine()
-        wanted = self.size("pin_distance") * cosine, self.size("pin_distance") * sine
-        found = []
-        for side in (1, -1):
-            for nearer in (1, -1):
-                self.side, self.nearer = side, nearer
-                pin, reach = self.pin(constant(0))[:2]
-                away = plus(pin, scaled(constant(-1), wanted))
-                if reach.value[0] > 0:
-                    found.append((dot(away, away).value[1], side, nearer))
-        if not found:
-            raise Unverified("a rocker that does not reach the pin")
-        return min(found)[1:]
+        """Which way along the rocker's line, and which of the two places there, is the pin of the scene: P . e < 0 at the nearer one.
+        It is the same for all dimensions that are searched."""
+        pin = scaled(self.size("pin_distance"), direction(self.size("pin_angle")))
+        arm = minus(pin, self.pivot())
+        return sign_of(arm[0]), -sign_of(dot(pin, arm))
+
+    def pivot(self):
+        return self.size("rocker_pivot_x"), self.size("rocker_pivot_y")
 
     def pin(self, s):
         """P, r, e, tan phi and cos^2 phi at a displacement of the feeder."""
-        pivot = self.size("rocker_pivot_x"), self.size("rocker_pivot_y")
+        pivot = self.pivot()
         rise = divided(s + self.size("feeder_start") - pivot[1], self.size("feeder_offset"))
         square = (constant(1) + rise.square()).inverse()
-        cosine = square.root() * constant(self.side)
+        cosine = square.root() * self.side
         e = cosine, cosine * rise
         foot = dot(pivot, e)
         rest = foot.square() + self.size("pin_distance").square() - dot(pivot, pivot)
-        reach = -foot - constant(self.nearer) * rest.root()
+        reach = -foot - self.nearer * rest.root()
         return plus(pivot, scaled(reach, e)), reach, e, rise, square
 
     def body(self, s, slope):
@@ -88,13 +81,14 @@ class InverseRules:
 
     def roller(self, x):
         """L, L', L'' by the cam angle, at a place in rises."""
-        inverse, length = Over.number(*self.stroke).inverse(), self.size("roller_end") - self.size("roller_rest")
+        inverse, length = self.size("roller_angle").inverse(), self.size("roller_end") - self.size("roller_rest")
         begin = ((self.size("roller_from") - self.size("roller_rest")) * length.inverse()).root()
         part = begin + x * Over.number(*self.beta) * inverse  # of the stroke
         return self.size("roller_rest") + length * part.square(), constant(2) * length * part * inverse, \
             constant(2) * length * inverse.square()
 
     def state(self, numbers):
+        self.choose(numbers)
         inverse, lift = Over.number(*self.beta).inverse(), Over.number(*self.lift)
         return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse.square()
 

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from . import enclosures
 from .exact import KEPT, ORDERS, Refuted, Unverified, add_to, derivative, integral, largest, number, shifted
-from .laws import JUMPING, SYMMETRIC, constant, mean_of, parts_along
+from .laws import JUMPING, constant, mean_of, parts_along
 
 TYPICAL = (1, 2, 6, 60)  # of y ... y''' over one lift: what a bound near 0 is measured by
 SIDES = {"min": -1, "max": 1}
@@ -99,17 +99,20 @@ def keeps(stretch, order, sign, most, begin, end):
 
 # -- the lost area: 1 - the mean displacement in lifts
 
-def mean_of_law(stretch):
-    return stretch.start + mean_of(stretch.law) * (stretch.to - stretch.start)
-
-
 def lost_area(problem):
     """(constant, a function of the control points of each run): the lost area is their sum."""
     length = problem.stretches[-1].end
-    total, functions = Fraction(0), []
-    for stretch in problem.stretches:
-        if stretch.kind != "spline":
-            total += (stretch.end - stretch.begin) * (mean_of_law(stretch) if stretch.kind == "law" else stretch.start)
+    total, functions, free = Fraction(0), [], {}
+    for i, stretch in enumerate(problem.stretches):
+        if stretch.kind == "spline":
+            continue
+        mean = mean_of(stretch.law) if stretch.kind == "law" else Fraction(0)
+        if stretch.free:
+            for level, share in ((problem.level_at(i), 1 - mean), (problem.level_at(i + 1), mean)):
+                add_to(free, level, share * (stretch.end - stretch.begin))
+        else:
+            total += (stretch.end - stretch.begin) * (stretch.start + mean * (stretch.to - stretch.start))
+    total += free.pop(None, Fraction(0))
     for run in problem.runs:
         total -= sum(((s.end - s.begin) * run.level(s) for s in run.stretches), Fraction(0))
         function = {}
@@ -117,25 +120,23 @@ def lost_area(problem):
             for j, basis in enumerate(run.space.basis(i), run.space.first(i)):
                 add_to(function, {j: integral(basis, run.space.width(i))}, -1 / length)
         functions.append(function)
+    if free:
+        add_to(functions[0], free, -1 / length)
     return 1 - total / length, functions
 
 
 def area_reference(problem):
-    """The scene's number, or the lost area of the reference law on the strokes of the scene: a law that is symmetric about its middle, or
-    any on a rise."""
-    if problem.free:
-        raise Unverified("the area next to displacements that are free")
+    """The scene's number, or the lost area of the reference law on the strokes of the scene, its mirror image where they fall."""
     asked = problem.objective.get("reference", "modified_sine")
     if isinstance(asked, dict):
         if "area" not in asked:
             raise Unverified("objective.reference without area")
         return number(asked["area"])
-    if problem.type == "DRD":
-        return 1 - mean_of(asked)
-    if asked not in SYMMETRIC:
-        raise Unverified(f"the area of the law {asked}, which the objective divides by")
+    mean = mean_of(asked)
     if problem.type != "program":
-        return Fraction(1, 2)
-    area = sum(((s.end - s.begin) * (mean_of_law(s) if s.kind == "law" else (s.start + s.to) / 2) for s in problem.stretches),
-               Fraction(0))
+        return 1 - mean
+    area = Fraction(0)
+    for s in problem.stretches_of_reference():
+        own = mean_of(s.law) if s.kind == "law" else mean if s.to >= s.start else 1 - mean
+        area += (s.end - s.begin) * (s.start + (s.to - s.start) * own)
     return 1 - area / problem.stretches[-1].end

@@ -2,10 +2,13 @@
 """Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
 from fractions import Fraction
 
-from .enclosures import ends_of
-from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, number, root, tangent
+from .enclosures import Over, ends_of
+from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, number, root, tangent
 from .laws import JUMPING, constant, law_peak, parts_along
+from .runs import Stretch
 from .units import dimension_of
+
+UNKNOWN = Fraction(10**9)
 
 
 def is_prescribed(scene):
@@ -36,12 +39,50 @@ def state_at(problem, at, side):
     stretch = problem.stretch_at(at, side)
     if stretch is None:
         raise Refuted(f"a row speaks of x = {float(at)}, outside the motion")
+    if stretch.kind == "spline":
+        return rest_of(problem, stretch, at), stretch
     if None in (stretch.start, stretch.to):
         raise Unverified("rows where a displacement that is free rests, or along a law from or to it")
+    return state_on(problem, stretch, at, side), stretch
+
+
+def state_on(problem, stretch, at, side):
+    """The same of one stretch."""
+    at = problem.folded(at, side)
     v = min(max((at - stretch.begin) / (stretch.end - stretch.begin), Fraction(0)), Fraction(1))
     parts = parts_along(stretch, 4)
     begin, _, motion = next((part for part in parts if v < part[1] or (v == part[1] and side == "left")), parts[-1])
-    return motion(constant(v - begin)), stretch
+    return motion(constant(v - begin))
+
+
+def value_beside(problem, at, side, order):
+    """A derivative of y along a law or in a dwell: ({displacement that is free: weight}, (low, high)), the function plus what is between.
+
+    y = a + (b - a) f, f the law, a and b the displacements before and after it."""
+    stretch = problem.stretch_at(problem.folded(at, side), side)
+    if stretch is None or not stretch.free:
+        return {}, ends_of(state_at(problem, at, side)[0][order])
+    i, share = problem.stretches.index(stretch), (Fraction(0), Fraction(0))
+    if stretch.kind == "law":
+        unit = Stretch("law", stretch.begin, stretch.end, Fraction(0), Fraction(1))
+        unit.law = stretch.law
+        share = ends_of(state_on(problem, unit, at, side)[order])
+    middle, half = middle_of(share)
+    function = {key: w * ((order == 0) - middle) for key, w in problem.level_at(i).items()}
+    add_to(function, problem.level_at(i + 1), middle)
+    room, known = 2 * half * problem.farthest_level, function.pop(None, Fraction(0))
+    return function, (known - room, known + room)
+
+
+def rest_of(problem, stretch, at):
+    """The same where a spline starts or ends at rest, or at the top of a rise and return; what is not known is any number."""
+    run, unknown = next(run for run in problem.runs if stretch in run.stretches), Over.number(-UNKNOWN, UNKNOWN)
+    if problem.type == "RR" and abs(at - 1) <= SAME_PLACE:
+        return [constant(1), constant(0), unknown, unknown]
+    for place in (0, 1):
+        if abs(run.space.breakpoints[-place] - at) <= SAME_PLACE and run.states[place] == (0, 0) and run.ends()[place] is not None:
+            return [constant(run.ends()[place]), constant(0), constant(0), unknown]
+    raise Refuted(f"nothing makes the motion rest at x = {float(at)}")
 
 
 # -- no motion: the one there is passes a limit
@@ -49,10 +90,10 @@ def state_at(problem, at, side):
 def judge_passed_limit(problem, proof, report):
     """The proof names a limit and a place."""
     if proof is None or proof["statement"] != "least_common_violation" or len(proof["rows"]) != 1:
-        raise Unverified("infeasibility of a prescribed motion without a row that says where")
+        raise Unverified("infeasibility at a place that the scene prescribes without a row that says where")
     origin = proof["rows"][0]["origin"]
     rule, at = origin["rule"], number(origin["at"])
-    sides = [side for side in ("right", "left") if side == origin.get("side", side)]
+    sides = [side for side in ("right", "left") if side == origin.get("side", side) and problem.stretch_at(problem.folded(at, side), side)]
     passed, unknown = False, None
     for side in sides:
         try:
@@ -61,7 +102,7 @@ def judge_passed_limit(problem, proof, report):
             unknown = fault
     if not passed:
         raise unknown or Refuted(f"{rule} is satisfied at x = {float(at)}")
-    report.say(f"{rule} is passed at x = {float(at):.9g}, where the motion is prescribed")
+    report.say(f"{rule} is passed at x = {float(at):.9g}, where the scene prescribes the motion")
     return []
 
 
@@ -91,7 +132,7 @@ def passes(problem, rule, at, side):
         return any(ends_of(constant(sign) * state[order])[0] > most for order, sign, most in own)
     if problem.cam is None or problem.cam.rules is None or not problem.cam.judged:
         raise Unverified(f"{rule} along a law")
-    found = problem.cam.formulas_along(rule.removeprefix("limits."))
+    found = [] if problem.cam.searched else problem.cam.formulas_along(rule.removeprefix("limits."))
     if not found:
         raise Unverified(f"{rule} along a law")
     problem.cam.as_found.load = constant(problem.cam.forces.load_at(at, side) if problem.cam.forces else 0)
@@ -106,7 +147,7 @@ def bound_of(problem, curve, proof):
     cam = problem.cam
     if cam is None or not cam.searched:
         return terms + (cam.cost[0] if cam else Fraction(0))
-    if len(cam.searched) > 1 or cam.kind != "disk" or cam.swings:
+    if len(cam.searched) > 1 or cam.kind != "disk" or cam.swings or not set(cam.searched) <= {"base_radius", "roller_radius"}:
         raise Unverified("a bound of a prescribed motion over these dimensions")
     (name, (least, _)), = cam.searched.items()
     left_out = set()

@@ -245,15 +245,16 @@ class Problem:
         for i in reversed(order):
             if segments[i]["kind"] == "dwell" and known[i + 1] is not None:
                 known[i] = known[i + 1]
-        self.free = {j for j, level in enumerate(known) if level is None}
+        self.free, self.stated_levels = {j for j, level in enumerate(known) if level is None}, list(known)
         if self.free and (self.displacements is None or self.motion.get("closed") == "relative"):
             raise Unverified("displacements that are free")
         given = [level for level in known if level is not None]
         least, most = min(given), max(given)
         span = max(Fraction(1), most - least)
-        self.farthest_level = max(abs(least - span), abs(most + span))
+        self.level_ends = least - span, most + span
+        self.farthest_level = max(map(abs, self.level_ends))
         for j in sorted(self.free) if self.displacements else ():
-            found = min(max(self.displacements[j], least - span), most + span)
+            found = min(max(self.displacements[j], self.level_ends[0]), self.level_ends[1])
             if abs(found - self.displacements[j]) > STATED:
                 raise Refuted(f"the displacement {float(self.displacements[j])} is further than one span beyond those given")
             known[j] = known[j - 1] if segments[j - 1]["kind"] == "dwell" else found
@@ -265,6 +266,18 @@ class Problem:
         while level is None and self.stretches[joint - 1].kind == "dwell":
             joint -= 1
         return {-joint: Fraction(1)} if level is None else {None: level}
+
+    def stretches_of_reference(self):
+        """Those between displacements that the scene states, where a reference law moves: one that is free counts as the one before it."""
+        if not self.free:
+            return self.stretches
+        found, level = [], Fraction(0)
+        for own, start, to in zip(self.stretches, self.stated_levels, self.stated_levels[1:]):
+            start = level if start is None else start
+            level = start if to is None else to
+            found.append(Stretch(own.kind, own.begin, own.end, start, level))
+            found[-1].law = own.law
+        return found
 
     def largest(self, value):
         """The largest magnitude of a number or of a function of displacements that are free."""

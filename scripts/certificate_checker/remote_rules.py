@@ -18,68 +18,70 @@ the angle of u,
     V = (s C_a, l w' - s C_u),   V' = (2 s l w' - l w'^2 - C_u, l w'' - C_a),   curvature |V|^3 = -s V x V'.
 
 The roller's centre moves across u, the common normal is (C_u - s l w', C_a) / |V|: tan(pressure angle) = (C_u - s l w') / C_a.
+The contact point, fixed to the lever, moves across l u - r normal instead, which makes the numerator C_u - s l w' - r |V| / l.
 """
 from fractions import Fraction
 
+from .dimensions import Dimensions, middle_size
 from .disk_rules import DiskRules
 from .laws import constant
 from .enclosures import Over
-from .exact import Unverified, number, tangent
+from .exact import number, root, tangent, times
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
 from .units import angle_of, dimension_of, enclosed
 
-NUMBERS = {"lever": (), "lever_coupler_slider": ("lever_arm", "coupler", "slider_x", "slider_y"),
-           "lever_coupler_lever": ("lever_arm", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm"),
-           "lever_coupler_lever_coupler_slider": (
-               "lever_arm", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm", "rocker_output_arm",
-               "second_coupler", "slider_x", "slider_y")}
 OF_THE_CAM = ("roller_radius", "roller_arm", "lever_pivot_x", "lever_pivot_y", "center_x", "center_y")
+OF_THE_LINKAGE = ("lever_arm", "lever_angle", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm", "rocker_output_arm",
+                  "rocker_angle", "second_coupler", "slider_x", "slider_y", "slider_angle", "output_angle")
 
 
-def length_in(table, name):
-    """m; 0 where it is not given."""
-    size = dimension_of(table, name)
-    if isinstance(size, tuple):
-        raise Unverified(f"{name}: a dimension of this kind of cam that is searched")
-    return size
+def given_in(table, names, default=None):
+    """Of each name (size or range, unit); `default`: of angles in degrees, where it is not 0."""
+    return {name: angle_of(table, name, True) or (Fraction((default or {}).get(name, 0)), "deg") if name.endswith("_angle") else
+            (dimension_of(table, name), "m") for name in names}
 
 
-class RemoteRules:
+class RemoteRules(Dimensions):
     """Lengths in m, angles in rad. `room`: by how much a rule may be passed, in parts of its limit."""
 
-    searched, moves = {}, False
+    moves = False
     displacements = staticmethod(DiskRules.displacements)
 
-    def __init__(self, problem, scene, room=Fraction(0)):
+    def __init__(self, problem, scene, room=Fraction(0), found=None):
         cam, linkage, self.limits, self.room = scene["cam"], scene["linkage"], problem.limits, constant(room)
-        if cam.get("pressure_angle_at", "roller_center") != "roller_center":
-            raise Unverified("a pressure angle at the contact point")
-        self.kind = linkage["type"]
+        super().__init__(given_in(cam, OF_THE_CAM) | given_in(linkage, OF_THE_LINKAGE, {"slider_angle": 90}), found or {})
+        self.kind, self.at_contact = linkage["type"], cam.get("pressure_angle_at") == "contact_point"
         self.sense = constant(-1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1)
-        self.sizes = {name: length_in(cam, name) for name in OF_THE_CAM} | \
-            {name: length_in(linkage, name) for name in NUMBERS[self.kind]}
-        self.angles = {name: enclosed(angle_of(linkage, name) or (Fraction(default), "deg")) for name, default in
-                       (("lever_angle", 0), ("rocker_angle", 0), ("slider_angle", 90), ("output_angle", 0))}
         self.left = {name: constant(1 if linkage.get(name, "left") == "left" else -1)
                      for name in ("lever_branch", "rocker_branch")}
         self.lift = enclosed(problem.lift)
         self.beta = enclosed(problem.unit_angle)
+        self.choose_middle()
+        self.side = sign_of(dot(self.pivot(), across(self.roller_arm(constant(0))[0])))  # of C_a wherever the cam moves the lever
 
-    def size(self, name):
-        return constant(self.sizes[name])
+    def cost_unit(self):
+        """What dimensions in the objective are divided by: the lift, of an output that swings times the distance of the lever's pivot."""
+        if self.kind.endswith("slider"):
+            return self.lift
+        away = [middle_size(self.sizes[f"lever_pivot_{a}"]) - middle_size(self.sizes[f"center_{a}"]) for a in "xy"]
+        return times(self.lift, root(away[0]**2 + away[1]**2))
 
     def place(self, name):
         return self.size(name + "_x"), self.size(name + "_y")
 
+    def pivot(self):
+        """Of the lever, from the cam's centre."""
+        return minus(self.place("lever_pivot"), self.place("center"))
+
     # -- from the output back to the lever: (joint, its first and its second derivative by the output)
 
     def slider(self, s):
-        way, none = direction(Over.number(*self.angles["slider_angle"])), (constant(0), constant(0))
+        way, none = direction(self.size("slider_angle")), (constant(0), constant(0))
         return plus(self.place("slider"), scaled(s, way)), way, none
 
     def swinging_output(self, s):
         """(direction, first and second derivative of the angle)."""
-        return direction(Over.number(*self.angles["output_angle"]) + s), constant(1), constant(0)
+        return direction(self.size("output_angle") + s), constant(1), constant(0)
 
     def followed(self, pivot, arm, coupler, branch, far):
         """(direction of the arm of a dyad, first and second derivative of its angle)."""
@@ -105,7 +107,7 @@ class RemoteRules:
         if self.kind == "lever_coupler_lever_coupler_slider":
             way, rate, bend = self.followed(pivot, self.size("rocker_output_arm"), self.size("second_coupler"),
                                             "rocker_branch", self.slider(s))
-            way = turned(way, direction(Over.number(*self.angles["rocker_angle"])))
+            way = turned(way, direction(self.size("rocker_angle")))
         along = scaled(arm, way)
         return plus(pivot, along), scaled(rate, across(along)), \
             minus(scaled(bend, across(along)), scaled(rate.square(), along))
@@ -116,14 +118,14 @@ class RemoteRules:
             return self.swinging_output(s)
         way, rate, bend = self.followed(self.place("lever_pivot"), self.size("lever_arm"), self.size("coupler"),
                                         "lever_branch", self.far_joint(s))
-        low, high = self.angles["lever_angle"]
-        return turned(way, direction(Over.number(-high, -low))), rate, bend
+        return turned(way, direction(-self.size("lever_angle"))), rate, bend
 
     def roller(self, numbers):
         """C_u, C_a, u's angle by the output to both orders, s' and s''."""
+        self.choose(numbers)
         lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
         way, rate, bend = self.roller_arm(numbers[0] * lift)
-        pivot = minus(self.place("lever_pivot"), self.place("center"))
+        pivot = self.pivot()
         slope = numbers[1] * lift * inverse
         return dot(pivot, way) + self.size("roller_arm"), dot(pivot, across(way)), rate, bend, slope, \
             numbers[2] * lift * inverse.square()
@@ -138,13 +140,11 @@ class RemoteRules:
             return []
         if name == "pressure_angle_deg" and sign:
             return [self.pressure(number(self.limits[name]), sign)]
-        radius = self.size("roller_radius")
         for start, factor in (("cam_radius_min_", 1), ("concave_radius_min_", -1)):
             if name.startswith(start):
-                least = length_in(self.limits, start.removesuffix("_"))
-                return [self.excess(radius + constant(factor * least), constant(1))]
+                return [self.excess(factor * dimension_of(self.limits, start.removesuffix("_")), constant(1))]
         if name == "undercut_margin":
-            return [self.excess(radius, constant(1 - number(self.limits[name])))]
+            return [self.excess(Fraction(0), constant(1 - number(self.limits[name])))]
         return []
 
     def pressures(self, limit, sign):
@@ -156,22 +156,30 @@ class RemoteRules:
         return [f for sign in signs for f in self.formulas("limits." + key, 1, sign)], []
 
     def pressure(self, limit, sign):
-        """sign (C_u - s l w') cos(limit) <= |C_a| sin(limit), over cos(limit) l |dw/ds|: linear in the output's velocity."""
+        """sign (C_u - s l w') cos(limit) <= |C_a| sin(limit), over cos(limit) l |dw/ds|: linear in the output's velocity. At the
+        contact point as it is, m. Where C_a has another sign than at rest nothing satisfies both sides."""
         steep = Over.number(*tangent(limit))
+        cosine = (constant(1) + steep.square()).root().inverse()
 
         def rule(numbers):
             along, beside, rate, _, slope, _ = self.roller(numbers)
-            side, lever = sign_of(beside) * constant(sign), self.size("roller_arm") * rate
+            arm, side = self.size("roller_arm"), self.side * constant(sign)
+            lever = arm * rate
+            if self.at_contact:
+                along = along - self.sense * lever * slope
+                speed = (along.square() + beside.square()).root()
+                return cosine * (side * (along - self.size("roller_radius") * speed * arm.inverse()) -
+                                 (steep + self.room) * self.side * beside)
             turns = sign_of(rate)
-            still = divided(side * along - sign_of(beside) * beside * steep, turns * lever)
+            still = divided(side * along - self.side * beside * steep, turns * lever)
             return still - side * self.sense * turns * slope - self.room
         return rule
 
-    def excess(self, factor, share):
-        """factor * curvature - share, times |V|^3 / (l |C_a dw/ds|): linear in the output's acceleration."""
+    def excess(self, wider, share):
+        """(roller + wider) curvature - share, times |V|^3 / (l |C_a dw/ds|): linear in the output's acceleration."""
         def rule(numbers):
             along, beside, rate, bend, slope, acceleration = self.roller(numbers)
-            arm = self.size("roller_arm")
+            arm, factor = self.size("roller_arm"), self.size("roller_radius") + constant(wider)
             swing = arm * rate * slope
             v, w = self.sense * beside, swing - self.sense * along
             square = v.square() + w.square()

@@ -7,6 +7,7 @@ is regular where  1 - r (A . n - 2 F M) / W^2 - (r M / W)^2 > 0,  n the flank's 
 """
 from fractions import Fraction
 
+from .dimensions import largest_of, middle_size
 from .laws import constant
 from .enclosures import Over
 from .plane_vectors import sign_of
@@ -27,12 +28,16 @@ class SpatialRules:
         self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
         self.kind = "barrel" if cam["type"] == "barrel" else cam.get("follower")
         self.sizes = {name: dimension_of(cam, *self.keys(name)) for name in NAMES} | (found or {})
-        self.searched = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}
+        self.searched, self.units = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}, dict.fromkeys(NAMES, "m")
         self.lift, self.beta = enclosed(problem.lift), enclosed(problem.unit_angle)
         self.start = tuple(-end / 2 for end in reversed(self.lift)) if self.kind != "translating" else exactly(Fraction(0))
         given = angle_of(cam, "start_angle")
         if given:
             self.start = enclosed(given)
+
+    def cost_unit(self):
+        """What dimensions in the objective are divided by: the lift, of what turns times the centre distance, the middle of its range."""
+        return self.lift if self.kind == "translating" else times(self.lift, exactly(middle_size(self.sizes["center_distance"])))
 
     def keys(self, name):
         """A translating follower's distance from the cam's axis is called the cylinder's radius."""
@@ -41,7 +46,7 @@ class SpatialRules:
     def size(self, name, numbers):
         if name not in self.searched:
             return constant(self.sizes[name])
-        return numbers[4 + list(self.searched).index(name)] * constant(self.searched[name][1])
+        return numbers[4 + list(self.searched).index(name)] * constant(largest_of(self.searched[name]))
 
     def axis(self, numbers, height):
         """V_u, V_b, F, A_u, A_b and the parts of e' of the axis at a height over its near end."""

@@ -98,6 +98,9 @@ def farthest(problem, run, relaxed):
     for stretch in run.stretches:
         for at in (stretch.begin, stretch.end):
             stroke = stroke_of(problem, stretch, at)
+            if stroke is not None and stretch.free:  # between its ends, whichever these are
+                ends.append(problem.farthest_level * (1 + relaxed))
+                continue
             if stroke is None or stroke.least is None or stroke.most is None:
                 return None
             room = relaxed * (stroke.most - stroke.least)

@@ -77,11 +77,13 @@ def dimension_of(table, *names):
     return Fraction(0)
 
 
-def angle_of(table, key):
-    """(value, "deg" or "rad"), or None."""
+def angle_of(table, key, searched=False):
+    """(value, "deg" or "rad"), or None. `searched`: of a range the value is (least, most)."""
     for spelling, unit, size in (("deg", "deg", 1), ("rad", "rad", 1), ("crank_deg", "deg", Fraction(1, 2))):
         if f"{key}_{spelling}" in table:
             value = table[f"{key}_{spelling}"]
+            if isinstance(value, dict) and searched:
+                return (number(value["min"]) * size, number(value["max"]) * size), unit
             if isinstance(value, dict):
                 raise Unverified(f"{key}_{spelling}: an angle that is searched")
             return number(value) * size, unit

@@ -117,9 +117,24 @@ def judge(folder, report, vipr_path):
     if ranges and verdict == "infeasible":
         return require_empty(*judge_cases(by_angles(scene, references, cases_of(certificate)), cases_of(certificate), None, None, report))
     problem = delivered_problem(scene, references, result)
+    problem = equipped(problem, result)
     scene = problem.scene
     if problem.free and verdict == "infeasible":
-        return judge_infeasible(problem, proof, report, vipr_path, certificate["cases"])
+        free = with_free_displacements(problem, result)
+        return judge_infeasible(free, proof, report, vipr_path, certificate["cases"], lambda rises: with_free_displacements(free, result, rises))
+    relaxed = relaxed_by(proof) if proof else Fraction(0)
+    if verdict == "infeasible":
+        if is_prescribed(scene):
+            return judge_passed_limit(problem, proof, report)
+        if "boxes" in certificate:
+            return judge_empty_boxes(problem, certificate["boxes"], report)
+        return judge_infeasible(problem, proof, report, vipr_path)
+    return judge_motion(problem, certificate, result, relaxed, report, vipr_path)
+
+
+def equipped(problem, result):
+    """With its cam, its elastic follower or its motor, and their terms."""
+    scene = problem.scene
     if "cam" in scene:
         problem.cam = Cam(problem, scene, result)
     if "dynamics" in scene:
@@ -132,23 +147,16 @@ def judge(folder, report, vipr_path):
         problem.terms += problem.drive.terms
     elif any(number(problem.objective.get(name, 0)) for name in MOTOR_TERMS):
         raise Unverified("terms of a motor without [drive]")
-    relaxed = relaxed_by(proof) if proof else Fraction(0)
-    if verdict == "infeasible":
-        if is_prescribed(scene):
-            return judge_passed_limit(problem, proof, report)
-        if "boxes" in certificate:
-            return judge_empty_boxes(problem, certificate["boxes"], report)
-        return judge_infeasible(problem, proof, report, vipr_path)
-    return judge_motion(problem, certificate, result, relaxed, report, vipr_path)
+    return problem
 
 
-def with_free_displacements(problem):
-    """What bounds are of, where the scene leaves displacements free: the delivered motion has only some of them."""
+def with_free_displacements(problem, result, rises=None):
+    """What bounds are of, where the scene leaves displacements free: the delivered motion has only some of them. `rises`: of a case."""
     if not problem.free:
         return problem
-    if problem.train or problem.drive or (problem.cam and (problem.cam.searched or any(problem.cam.cost))):
-        raise Unverified("the bound of displacements that are free next to searched dimensions, [drive] or [dynamics]")
-    return Problem(problem.scene, problem.references, problem.breakpoints_found, [])
+    if problem.train or problem.harmonics:
+        raise Unverified("the bound of displacements that are free next to [dynamics] or limits of harmonics")
+    return equipped(Problem(problem.scene, problem.references, problem.breakpoints_found, [], rises), result)
 
 
 def cases_of(certificate):
@@ -163,7 +171,7 @@ def require_empty(value, left_out):
     raise Unverified("rows of " + ", ".join(sorted(left_out))) if left_out else Refuted("the cases do not prove that there is no motion")
 
 
-def judge_infeasible(problem, proof, report, vipr_path, cases=None):
+def judge_infeasible(problem, proof, report, vipr_path, cases=None, make=None):
     for run in problem.runs:
         conditions = Conditions(run.conditions)
         contradiction = conditions.contradiction
@@ -173,11 +181,13 @@ def judge_infeasible(problem, proof, report, vipr_path, cases=None):
             report.say(f"conditions contradict each other ({contradiction[0]}): no spline of the space meets them")
             return []
     if cases:
-        return require_empty(*judge_cases(by_direction(problem, cases), cases, None, None, report))
+        return require_empty(*judge_cases(by_direction(make, cases), cases, None, None, report))
     if proof is None:
         raise Unverified("infeasibility without a stored proof")
     if proof["statement"] != "least_common_violation":
         raise Refuted("the conditions do not contradict each other")
+    if proof["variables"] == ["common violation"]:
+        return judge_passed_limit(problem, proof, report)
     bound = Bound(problem, None, Fraction(0))
     for row in proof["rows"]:
         bound.add_row(row)
@@ -200,8 +210,9 @@ def judge_empty_boxes(problem, boxes, report):
 
 
 def write_vipr(path, bound, problem, cost, value):
-    if path and None in bound.remainders:
-        print("no VIPR file is written: breakpoints too close together, or free displacements", file=sys.stderr)
+    signed = problem.cam and any(low < 0 and problem.cam.weights[name] for name, (low, _) in problem.cam.searched.items())
+    if path and (None in bound.remainders or signed):
+        print("no VIPR file is written: breakpoints too close together, free displacements, magnitudes of dimensions", file=sys.stderr)
     elif path:
         Path(path).write_text(vipr(bound, problem, cost, value))
 
@@ -264,8 +275,9 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
     if problem.ranges or (certificate["proof_kind"] == "boxes" and certificate["cases"]):
         if "boxes" in certificate or certificate["proof_kind"] not in ("boxes", "duality"):
             raise Unverified("a bound over angles that are searched, over boxes of motions")
-        cases, free = cases_of(certificate), with_free_displacements(problem)
-        parts = by_angles(problem.ranges, problem.references, cases) if problem.ranges else by_direction(free, cases)
+        cases = cases_of(certificate)
+        parts = by_angles(problem.ranges, problem.references, cases) if problem.ranges else \
+            by_direction(lambda rises: with_free_displacements(problem, result, rises), cases)
         value, left_out = judge_cases(parts, cases, high, None if problem.ranges else curve, report)
         value = high if value is None else min(value, high)
         report.say(f"bound: no motion of the scene is below {float(value):.15g}")
@@ -293,7 +305,7 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
     else:
         factor = factor_of(proof, problem)
         check_box(proof, result, problem, factor)
-        bound = Bound(with_free_displacements(problem), high, relaxed, curve)
+        bound = Bound(with_free_displacements(problem, result), high, relaxed, curve)
         for row in proof["rows"]:
             bound.add_row(row, factor)
         bound.add_root_mean_squares(curve)

@@ -60,7 +60,6 @@ class LinkedCam(PlaneCam):
     def set_linkage(self, scene, design, make, rests=True):
         scene = exact_numbers(scene)
         tables = {name: settled(scene[name], design) for name in ("cam", "linkage") if name in scene}
-        tables["cam"].pop("pressure_angle_at", None)  # of no importance to the cam's shape
         self.motion = DesignedMotion(scene, design, is_sector(scene), rests)
         self.rules = make(self.motion.problem, scene | tables)
         self.roller = self.rules.sizes["roller_radius"] * MILLIMETRES
@@ -92,8 +91,7 @@ class InverseCam(LinkedCam):
         if not is_sector(scene):
             raise Unverified("an inverse cam of another motion than a rise")
         self.set_linkage(scene, design, InverseRules, rests=False)
-        low, high = self.rules.pin_angle
-        self.to_body = direction(Over.number(-high, -low))
+        self.to_body = direction(-self.rules.size("pin_angle"))
         self.by_length = self.rules.size("pin_distance").inverse()
 
     def at(self, piece, lo, hi, offset=Fraction(0)):

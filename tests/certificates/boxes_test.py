@@ -94,7 +94,8 @@ def value_of(proof, variable):
     if variable[0] == "peak":
         return proof.bound.curve.term(proof.problem.terms[variable[1]])[1]
     cam = proof.problem.cam
-    return cam.sizes[variable[1]] / cam.searched[variable[1]][1]
+    size = cam.sizes[variable[1]] / max(map(abs, cam.searched[variable[1]]))
+    return abs(size) if variable[0] == "magnitude" else size
 
 
 def product(weights, x):

@@ -60,7 +60,7 @@ def tappet():
     state = [float(s) / lift, first * beta / lift, second * beta**2 / lift]
     angle = math.degrees(math.atan(0.506286954581988))
     faults += sides("tappet's pressure angle", lambda a: rules.pressure(a, -1), (angle, -1e-9), state)
-    return faults + sides("tappet's curvature", lambda r: rules.excess(constant(r), constant(1)),
+    return faults + sides("tappet's curvature", lambda r: rules.excess(r - Fraction(30, 1000), constant(1)),
                           (1 / 6.87914199115577, 1e-9), state)
 
 

@@ -52,6 +52,11 @@ FREE = ('[motion]\ntype = "program"\nlift_mm = 14\nspeed_rpm = 100\n' + DWELL + 
 FREE_LAW = ('[motion]\ntype = "program"\nlift_mm = 14\n' + DWELL + "angle_deg = 90\n" + STROKE + "10\n" + LAW +
             'law = "constant_velocity"\nangle_deg = 95\n' + STROKE + "10\nto_mm = 14\n" + STROKE + "155\n[spline]\nsegments = 8\n[objective]\n"
             "acceleration = 0.7\njerk = 0.3\n")
+WITHIN, LEAVING = FREE, FREE.replace("lift_mm", "within_lift = false\nlift_mm")
+FREE_DRIVE = ("[drive]\nload_mass_kg = 8\nmotor_inertia_kg_m2 = 4e-4\ntransmission_mm_per_rev = 60\nviscous_n_s_m = 40\nforce_n = 30\n"
+              "[limits]\n")
+FREE_LAW_BEYOND = FREE_LAW.replace("lift_mm = 14", "within_lift = false\nlift_mm = 14", 1)
+FREE_LAW_AXIS = FREE_LAW.replace("lift_mm = 14", "lift_mm = 14\nspeed_rpm = 100", 1)
 RANGE = "angle_deg = { min = 40, max = 150 }\n"
 ANGLES = ('[motion]\ntype = "program"\nlift_mm = 14\nspeed_rpm = 100\n' + DWELL + "angle_deg = 60\n" + SPLINE + RANGE + "to = 1\n" + DWELL +
           "angle_deg = { min = 30, max = 50 }\n" + SPLINE + RANGE + "to = 0.05\n" + LAW + 'law = "cycloidal"\nangle_deg = 60\nto = 0\n'
@@ -142,6 +147,23 @@ TEXTS = {
     "free_law": (FREE_LAW, "optimal"),
     "free_cases": (FREE.replace("lift_mm", "monotone = true\nlift_mm") + "[limits]\nacceleration_m_s2 = 8\n", "optimal"),
     "free_within": (FREE.replace("30\n", "30\nvia = [{ at = 0.5, acceleration = 10 }]\n", 1), "optimal"),
+    "free_drive": (LEAVING + FREE_DRIVE + "motor_torque_nm = 0.55\n", "optimal"),
+    "free_drive_cases": (WITHIN + FREE_DRIVE + "motor_curve = [[0, 0.6], [80, 0.58], [300, 0.4]]\n", "optimal"),
+    "free_drive_peak": (LEAVING.replace("jerk = 0.2", "jerk = 0.2\nmotor_torque = 0.3") + FREE_DRIVE, "optimal"),
+    "free_drive_rms": (FREE_LAW_AXIS.replace("jerk = 0.3", "jerk = 0.3\nmotor_torque_rms = 0.3") + FREE_DRIVE + "motor_torque_nm = 1\n",
+                       "optimal"),
+    "free_drive_no": (WITHIN + FREE_DRIVE + "motor_torque_nm = 0.3\n", "infeasible"),
+    "free_drive_rms_no": (FREE_LAW_AXIS + FREE_DRIVE + "motor_torque_rms_nm = 0.2\nmotor_speed_rpm = 100\n", "infeasible"),
+    "free_area": (WITHIN.replace("jerk = 0.2", "jerk = 0.2\narea = 0.3"), "optimal"),
+    "free_area_law": (FREE_LAW.replace("jerk = 0.3", 'area = 0.3\nreference = "asymmetric_parabolic"'), "optimal"),
+    "free_corridor": (LEAVING + "[[motion.corridor]]\nfrom_deg = 150\nto_deg = 160\ndisplacement_mm = { max = 12 }\n", "optimal"),
+    "free_corridor_law": (FREE_LAW_BEYOND + "[[motion.corridor]]\nfrom_deg = 110\nto_deg = 115\ndisplacement_mm = { min = 20 }\n", "optimal"),
+    "free_velocity_law": (FREE_LAW_BEYOND + "[[motion.corridor]]\nfrom_deg = 100\nto_deg = 195\nvelocity_mm_deg = { max = -0.1 }\n",
+                          "optimal"),
+    "free_cam": (WITHIN.replace("[spline]", "base_radius = 0.1\n[spline]") + SEARCHED.replace("= 10\n", "= 6\n") +
+                 "[limits]\npressure_angle_deg = 17\n", "optimal"),
+    "angles_side": (ANGLES + "acceleration = { min = -4.6, max = 9 }\njerk_m_s3 = 150\n", "optimal"),
+    "angles_side_no": (ANGLES + "acceleration_m_s2 = { min = -1, max = 2.5 }\n", "infeasible"),
     "angles": (ANGLES + "jerk_m_s3 = 150\n", "optimal"),
     "angles_one": (ANGLES + "acceleration = 8\n", "optimal"),
     "angles_no": (ANGLES + "jerk_m_s3 = 60\n", "infeasible"),
@@ -206,6 +228,19 @@ CHANGES = [
     ("free", "to = 0.3", "to = 0.31"), ("free", "to = 1\n", "to = 1.01\n"), ("free_law", "to_mm = 14", "to_mm = 13.9"),
     ("free_law", "angle_deg = 155\n", "angle_deg = 155\nto = 0.1\n"), ("free_cases", "to = 0.3", "to = 0.31"),
     ("free_cases", "m_s2 = 8", "m_s2 = 8.1"), ("free_within", "acceleration = 10", "acceleration = 9.9"), ("free_no", "m_s2 = 1\n", "m_s2 = 8\n"),
+    ("free_drive", "torque_nm = 0.55", "torque_nm = 0.54"), ("free_drive", "torque_nm = 0.55", "torque_nm = 0.56"),
+    ("free_drive", "mass_kg = 8", "mass_kg = 8.1"), ("free_drive_cases", "0.58]", "0.57]"), ("free_drive_cases", "0.58]", "0.585]"),
+    ("free_drive_peak", "motor_torque = 0.3", "motor_torque = 0.31"), ("free_drive_peak", "force_n = 30", "force_n = 31"),
+    ("free_drive_peak", "to = 0.3", "to = 0.31"), ("free_drive_rms", "rms = 0.3", "rms = 0.31"), ("free_drive_rms", "s_m = 40", "s_m = 41"),
+    ("free_drive_rms", "nm = 1\n", "nm = 0.99\n"), ("free_drive_no", "nm = 0.3", "nm = 0.5"), ("free_drive_rms_no", "nm = 0.2", "nm = 0.5"),
+    ("free_area", "area = 0.3", "area = 0.31"), ("free_area", "to = 0.3", "to = 0.31"), ("free_area_law", "area = 0.3", "area = 0.29"),
+    ("free_area_law", "asymmetric_parabolic", "parabolic"), ("free_area_law", "to_mm = 14", "to_mm = 13.9"),
+    ("free_corridor", "max = 12", "max = 11.9"), ("free_corridor", "max = 12", "max = 12.1"),
+    ("free_corridor_law", "min = 20", "min = 20.1"), ("free_corridor_law", "min = 20", "min = 19.9"),
+    ("free_velocity_law", "max = -0.1", "max = -0.11"), ("free_velocity_law", "max = -0.1", "max = -0.09"),
+    ("free_cam", "angle_deg = 17", "angle_deg = 16.9"),
+    ("free_cam", "radius = 0.1", "radius = 0.11"), ("angles_side", "min = -4.6", "min = -4.5"), ("angles_side", "min = -4.6", "min = -4.7"),
+    ("angles_side_no", "min = -1", "min = -3"),
     ("angles", "max = 50", "max = 30"), ("angles", "to = 0.05", "to = 0.06"), ("angles", "jerk_m_s3 = 150", "jerk_m_s3 = 140"),
     ("angles", "angle_deg = 60\nto = 0\n", "angle_deg = 59\nto = 0\n"), ("angles_one", "velocity = 0.2", "velocity = 0.21"),
     ("angles_no", "jerk_m_s3 = 60", "jerk_m_s3 = 100"), ("angles_no", "max = 150", "max = 152"),

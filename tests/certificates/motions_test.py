@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Ends in motion, bounds, lost area, prescribed motions and loads: motions_test.py CAMOPT [NAME ... | --loads].
 
-Every scene of motion_scenes.py (--loads: of load_scenes.py, and the laws) is solved and must be confirmed. With a changed scene.toml, whose optimum is another one, with
+Every scene of motion_scenes.py (--loads: of load_scenes.py and dimension_scenes.py, and the laws) is solved and must be confirmed. With a changed scene.toml, whose optimum is another one, with
 another lost area, or with the row of a limit that holds elsewhere, the same files must be refuted.
 """
 import json
@@ -13,11 +13,13 @@ from fractions import Fraction
 from pathlib import Path
 
 import checker
+import dimension_scenes
 import load_scenes
 import motion_scenes
 from motion_scenes import UNKNOWN
 
-TEXTS, CHANGES = motion_scenes.TEXTS | load_scenes.TEXTS, motion_scenes.CHANGES + load_scenes.CHANGES
+LONGER = load_scenes.TEXTS | dimension_scenes.TEXTS
+TEXTS, CHANGES = motion_scenes.TEXTS | LONGER, motion_scenes.CHANGES + load_scenes.CHANGES + dimension_scenes.CHANGES
 
 
 def outcome_with(module, folder, place, edit):
@@ -186,7 +188,7 @@ def laws(camopt):
 def main():
     module, refuted = checker.load(), 0
     if sys.argv[2:] == ["--loads"]:  # with the laws, the longer half
-        chosen, faults = list(load_scenes.TEXTS), laws(sys.argv[1])
+        chosen, faults = list(LONGER), laws(sys.argv[1])
     else:
         chosen, faults = sys.argv[2:] or list(motion_scenes.TEXTS), []
     with tempfile.TemporaryDirectory() as place:

@@ -16,6 +16,7 @@ import tempfile
 from pathlib import Path
 
 import checker
+import dimension_scenes
 import load_scenes
 import motion_scenes
 
@@ -27,9 +28,10 @@ SCENES = ("drd_cubic_8", "drd_cubic_12", "drd_via_points", "drd_quintic_12", "dr
           "drd_physical_limits", "drd_symmetric", "drd_rms_jerk", "rr_unequal_return", "infeasible_velocity_cap",
           "pusher_set_points", "cam_knife", "drd_free_knots", "ends_drd", "ring", "seam", "repeat", "across", "lobe", "corridor",
           "corridor_no", "load", "tappet", "drive_rms_limit", "drive_rms_no", "arm_moment", "harmonic", "harmonic_no", "finger",
-          "elastic_program", "beside_sine", "long_region", "arm_searched")
+          "elastic_program", "beside_sine", "long_region", "arm_searched", "offset_searched", "offset_weighed")
 # Bounds over boxes; the torque peak's has two parts.
-BOX_SCENES = ("cam_undercut", "cam_arm_flat", "torque", "margin", "arm_torque")
+BOX_SCENES = ("cam_undercut", "cam_arm_flat", "torque", "margin", "arm_torque", "offset_margin", "face_arm_offset", "contact_point",
+              "lever_searched")
 TEXTS = {
     "torque": """
 [motion]
@@ -329,7 +331,7 @@ class Spoiling:
     def written(self, scene):
         """[certificate, result] of a scene, which must be confirmed."""
         folder = self.place / scene
-        text = TEXTS.get(scene) or (motion_scenes.TEXTS | load_scenes.TEXTS).get(scene, (None,))[0]
+        text = TEXTS.get(scene) or (motion_scenes.TEXTS | load_scenes.TEXTS | dimension_scenes.TEXTS).get(scene, (None,))[0]
         checker.solve(self.camopt, text or checker.ROOT / "scenes" / (scene + ".toml"), folder)
         found, why = checker.outcome(self.module, folder)
         if found != "confirmed":

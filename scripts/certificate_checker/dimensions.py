@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+"""Dimensions of a cam: numbers, or ranges that are searched, which count in parts of their largest magnitude."""
+from .enclosures import Over, interval
+from .units import enclosed
+
+
+def largest_of(ends):
+    """The largest magnitude in a range: the unit of a dimension that is searched."""
+    return max(map(abs, ends))
+
+
+def middle_size(size):
+    """A number, or the middle of a range."""
+    return sum(size) / 2 if isinstance(size, tuple) else size
+
+
+def parts_of(ends):
+    """A range in that unit."""
+    return tuple(end / largest_of(ends) for end in ends)
+
+
+def corners_of(ends):
+    """Where a magnitude plus what is linear in the dimension is least: at an end, or at 0."""
+    return [*ends] + [0] * (ends[0] < 0 < ends[1])
+
+
+class Dimensions:
+    """`given`: of names (size, "m", "deg" or "rad"), the size a number or (lowest, highest); `found`: m or rad, of those searched.
+    Without it they are the numbers behind y''', in the order of `given`."""
+
+    def __init__(self, given, found):
+        given = given | {name: (size, "m" if given[name][1] == "m" else "rad") for name, size in found.items()}
+        self.sizes = {name: size for name, (size, _) in given.items()}
+        self.units = {name: unit for name, (_, unit) in given.items()}
+        self.searched = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}
+        self.largest = {name: enclosed((largest_of(size) if name in self.searched else size, self.units[name]))
+                        for name, size in self.sizes.items()}
+        self.chosen = {name: Over(interval(*parts_of(ends))) for name, ends in self.searched.items()}  # all of each range
+
+    def choose_middle(self):
+        """The middle of each range."""
+        self.chosen = {name: Over.number(middle_size(parts_of(ends))) for name, ends in self.searched.items()}
+
+    def choose(self, numbers):
+        """The dimensions of a state of the motion."""
+        self.chosen = dict(zip(self.searched, numbers[4:]))
+
+    def size(self, name):
+        size = Over.number(*self.largest[name])
+        return size * self.chosen[name] if name in self.searched else size
