@@ -387,8 +387,13 @@ class AngleSearch {
 }  // namespace
 
 bool bounds_by_angles(const Scene& scene) {
-    if (scene.cam || scene.drive || !scene.own_terms.empty() || !scene.own_limits.empty()) return false;
-    // A mean over the turn weighs segments by their angles.
+    if (scene.cam || scene.drive || scene.dynamics || !scene.own_terms.empty() || !scene.own_limits.empty())
+        return false;
+    // Corridors and tables stand where they are while segments move past them; a mean over the turn weighs
+    // segments by their angles.
+    if (!scene.motion.corridors.empty() || scene.objective.deviation > 0.0 ||
+        scene.objective.deviation_rms > 0.0 || scene.objective.area > 0.0)
+        return false;
     for (const CostTerm& term : cost_terms())
         if (term.kind == CostTerm::Kind::rms && term.weight_in(scene.objective) > 0.0) return false;
     const std::vector<ProgramSegment>& segments = scene.motion.segments;

@@ -143,5 +143,40 @@ TEST(FreeAngles, PointsInUnitsKeepTheirAngle) {
     EXPECT_NEAR(*moved.velocity / 125, 1.0 / 100, 1e-15);
 }
 
+/// Corridors stand while segments move past them: the box of the largest angles proves nothing.
+TEST(FreeAngles, CorridorIsNoReasonForInfeasibility) {
+    Scene scene = strokes_scene();
+    Corridor corridor;
+    corridor.from = 190 * degree;
+    corridor.to = 195 * degree;
+    corridor.bounds[0].least = 0.55;  // on the way to the top, which begins later if all angles grow
+    scene.motion.corridors = {corridor};
+    scene.motion.segments[1].angle_range = AngleRange{60 * degree, 150 * degree};
+    scene.solver.max_seconds = 20.0;
+    const Solution solution = solve(scene);
+    EXPECT_TRUE(solution.motion) << solution.certificate.reason;
+    EXPECT_EQ(solution.certificate.proof_kind, ProofKind::none);
+}
+
+/// More area may be lost where a dwell at 0 grows: the bound of the largest angles was above the optimum.
+TEST(FreeAngles, AreaHasNoBoundOverAngles) {
+    Scene scene = paper_objective(MotionType::program, 3, 12);
+    scene.motion.segments = {{SegmentKind::dwell, 90 * degree, "", {}},
+                             {SegmentKind::spline, 90 * degree, "", 1.0},
+                             {SegmentKind::dwell, 90 * degree, "", {}},
+                             {SegmentKind::spline, 90 * degree, "", 0.0}};
+    for (const std::size_t dwell : {std::size_t{0}, std::size_t{2}})
+        scene.motion.segments[dwell].angle_range = AngleRange{30 * degree, 150 * degree};
+    scene.objective = {};
+    scene.objective.acceleration = 0.1;
+    scene.objective.area = 1.0;
+    scene.objective.reference.area = 0.5;
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.motion) << solution.certificate.reason;
+    EXPECT_FALSE(solution.certificate.lower_bound);
+    EXPECT_NEAR(30 * degree, solution.scene.motion.segments[0].angle, 1e-6);
+    EXPECT_LT(solution.certificate.objective, 0.71);
+}
+
 }  // namespace free_angles_test
 }  // namespace camopt
