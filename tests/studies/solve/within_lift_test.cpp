@@ -319,7 +319,7 @@ int expect_reversible(unsigned seed, int count) {
 }
 
 /// The motion turns back at a set point above the lift: y' = 0 there is a condition.
-TEST(WithinLift, SetPointOnEdgeIsTurningPoint) {
+TEST(WithinLift, EdgePointIsTurningPoint) {
     Scene scene = input::read_scene(R"(
 [motion]
 type = "DRD"
