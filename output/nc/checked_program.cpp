@@ -54,6 +54,9 @@ std::vector<SurfaceFinding> surface_findings(const std::vector<NcMove>& moves, c
 bool is_plane(const Machine& machine) {
     return machine.axes().size() == 3;
 }
+bool is_tilting(const Machine& machine) {
+    return machine.axes().size() > 4;
+}
 
 /// One pass of the task as poses, and what its check wants of it.
 NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const CuttingTask& task, bool arcs,
@@ -81,7 +84,8 @@ NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const Cuttin
 }
 
 /// Room about the cam's axis for what holds the cam by its bore: the cutter keeps the safe distance from it.
-/// On three axes it is clamped from above. None: there is no room.
+/// On three axes it is clamped from above. A table that tilts raises what sticks out of the blank: it ends
+/// where rapids in the clearance plane pass it at any angle. None: there is no room.
 std::optional<Blank> clamp_of(const NcJob& job, const Machine& machine) {
     const double above = is_plane(machine) ? job.clearance - job.safe_distance : 0.0;
     const double beside = is_plane(machine) ? 0.0 : held_beside;
@@ -95,6 +99,14 @@ std::optional<Blank> clamp_of(const NcJob& job, const Machine& machine) {
     const double diameter = 2.0 * (least - job.safe_distance - beside_clamp);
     clamp.radius = 0.5 * units::millimetre * std::floor(diameter / units::millimetre);
     if (clamp.radius < 0.5 * least_clamp) return std::nullopt;
+    if (is_tilting(machine)) {
+        const double passed =
+            greatest_height(job.blank, machine) + job.clearance - job.safe_distance - beside_clamp;
+        const double reach = std::sqrt(passed * passed - clamp.radius * clamp.radius);
+        const double whole = units::millimetre * std::floor(reach / units::millimetre);
+        clamp.lower = std::max(clamp.lower, -whole);
+        clamp.upper = std::min(clamp.upper, whole);
+    }
     return clamp;
 }
 
@@ -106,7 +118,10 @@ std::string words_of_clamp(const NcJob& job, const Machine& machine, const Blank
             "most {:g} mm above the blank",
             diameter, (clamp.upper - job.blank.upper) / units::millimetre);
     return fmt::format("fixture: the cam is clamped at both ends within diameter {:g} mm about its axis",
-                       diameter);
+                       diameter) +
+           (is_tilting(machine) ? fmt::format(", at most {:g} mm from its centre",
+                                              std::min(-clamp.lower, clamp.upper) / units::millimetre)
+                                : "");
 }
 
 /// Moves of each pass, from the first feed to the last.

@@ -47,6 +47,7 @@ class Travel {
         if (!above) rapid(from, move.values, task_.blank);
         if (!above && task_.rapids_above_as_it_stands) rapid_above_as_it_stands(from, move.values);
         if (task_.clamp && machine_.axes().size() == 3) rapid_past_clamp(from, move.values);
+        if (task_.clamp && task_.rapids_above_as_it_stands) rapid_over_clamp(from, move.values);
     }
     [[nodiscard]] NcTravelCheck finish() && { return std::move(check_); }
 
@@ -110,6 +111,19 @@ class Travel {
                     "blank too: table and clamps are there",
                     mm(over), mm(task_.least_distance)));
         }
+    }
+
+    /// At any angle of the table, or as it stands where Z moves alone: the cutter has no upper end, so its
+    /// lower place counts.
+    void rapid_over_clamp(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+        const double begin = from(travel_height_axis), end = to(travel_height_axis);
+        const double lowest = std::isnan(begin) ? end : std::min(begin, end);
+        if (lowest + height_offset_ >= task_.clamp->reach() + task_.least_distance - rounding) return;
+        Eigen::VectorXd lower = to;
+        lower(travel_height_axis) = lowest;
+        if (!only_height_moves(from, to) || !lower.allFinite() ||
+            distance_to_clamp(machine_.pose(lower), 0.0) < 0.0)
+            refuse("a rapid that clamps may reach at some angle of the table");
     }
 
     /// Above it, or beside it.

@@ -28,8 +28,8 @@ struct NcTravelTask {
     bool rapids_above = false;
     /// m, >= 0, one a pass: what it must leave of the cam. Passes are feeds between rapids. Empty: nothing.
     std::vector<double> stocks = {};
-    std::optional<Blank> clamp =
-        {};  ///< no feed may touch it; where rapids stay above, they keep their distance
+    /// No feed may touch it; where rapids stay above (as it stands, too), they keep their distance.
+    std::optional<Blank> clamp = {};
     bool rapids_above_as_it_stands = false;  ///< the same of the blank as a table that tilts stands
 
     void validate() const;  ///< throws InputError

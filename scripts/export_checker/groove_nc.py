@@ -5,7 +5,7 @@
   is compared with the path of the cutter's axis; it must go around the whole cam, of an indexing cam from outside of the
   blank to outside.
 - Every feed against the finished cam, which is the blank less all places of the roller (groove_feed.py).
-- Rapids above the blank, in whatever order a control moves the axes; feeds outside of the room for clamps.
+- Rapids above the blank, in whatever order a control moves the axes; moves outside of the room for clamps.
 """
 import heapq
 import math
@@ -15,6 +15,7 @@ from fractions import Fraction
 from certificate_checker.enclosures import ONE
 from certificate_checker.exact import Refuted, Unverified
 
+from .clearance import ROUNDING
 from .groove_feed import GrooveFeed
 from .nc_reader import Program
 from .outcome import Outcome
@@ -22,7 +23,8 @@ from .spatial_cam import SpatialCam
 from .table_stands import Blank, Stand, lowest_between, stay_clear
 
 LOWERED = re.compile(r"[(;]offset: (-?\d+(?:\.\d+)?(?:e[+-]?\d+)?) mm are subtracted from Z")
-CLAMPED = re.compile(r"[(;]fixture: the cam is clamped at both ends within diameter (\d+(?:\.\d+)?) mm about its axis")
+CLAMPED = re.compile(r"[(;]fixture: the cam is clamped at both ends within diameter (\d+(?:\.\d+)?) mm about its axis"
+                     r"(?:, at most (\d+(?:\.\d+)?) mm from its centre)?")
 FILLS = Fraction(1, 1000)        # mm: a cutter this much narrower than the roller finishes the groove in one pass
 PRINTED = Fraction(1, 10**5)     # of a revolution: digits of a turn
 FLOOR = 1e-9                     # mm: smaller bounds are not refined
@@ -65,6 +67,7 @@ class GrooveProgram:
             raise Unverified("a program that does not state its blank")
         self.blank = Blank(*self.program.blank)
         self.clamps = Fraction(clamped[1]) / 2 if clamped else None
+        self.clamps_reach = math.hypot(self.clamps, Fraction(clamped[2])) + ROUNDING if clamped and clamped[2] else math.inf
         self.radius, self.moves = self.program.radius, self.program.moves
         if not any(move.kind == 1 for move in self.moves):
             raise Refuted("a program without feeds")
@@ -214,9 +217,18 @@ class GrooveProgram:
         outcome.faults += [f"line {move.line}: a rapid that may enter the blank" for i, move in enumerate(self.moves)
                            if move.kind == 0 and not self.is_above(move, i == 0)]
         if self.clamps is not None:
-            outcome.faults += [f"line {move.line}: enters the room for clamps" for move in self.moves
-                               if move.kind == 1 and lowest_between(self.stand(move.start), self.stand(move.end)) < self.clamps]
+            outcome.faults += [f"line {move.line}: enters the room for clamps" for move in self.moves if self.may_touch_clamps(move)]
         return outcome
+
+    def may_touch_clamps(self, move):
+        """Rapids pass above the blank; where the table tilts, above what clamps may reach at any angle, or z moves alone."""
+        if move.kind == 0:
+            z = [z for z in (move.start[2], move.end[2]) if z is not None]
+            if not self.cam.tilts or (z and min(z) + self.z_offset >= self.clamps_reach):
+                return False
+            if not move.is_known() or any(k != 2 and a != b for k, (a, b) in enumerate(zip(move.start, move.end))):
+                return True
+        return lowest_between(self.stand(move.start), self.stand(move.end)) < self.clamps
 
     def is_above(self, move, is_first):
         """Each axis of a rapid runs at its own speed: z alone decides, at any angle of the table or at the one at which it stands. The

@@ -168,6 +168,9 @@ class ExportOfSpatialCams(unittest.TestCase):
                 self.assertTrue(plane.startswith("G0 Z"))
                 line, outcome = self.changed(name, lambda own: own == plane, lambda own: f"G0 Z{float(own[4:]) - 25:.4f}")
                 self.assertIn(f"line {line + 1}: a rapid that may enter the blank", outcome.faults)
+                if len(CAMS[name][3]) == 5:  # above the blank at any tilt, but not above the clamps
+                    line, outcome = self.changed(name, lambda own: own == plane, lambda own: f"G0 Z{float(own[4:]) - 3:.4f}")
+                    self.assertEqual([f"line {k}: enters the room for clamps" for k in (line, line + 1)], outcome.faults)
                 run = last_turn(last_passes(positions(program, CAMS[name][3]), 1)[0])
                 line, outcome = self.changed(name, lambda own: own == lines[run[len(run) // 2][0] - 1], lambda _: "G1 Z1")
                 self.assertIn(f"line {line}: enters the room for clamps", outcome.faults)

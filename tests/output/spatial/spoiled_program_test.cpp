@@ -88,6 +88,31 @@ TEST(NcRapids, EveryMachineRefusesCorruptedWord) {
     }
 }
 
+// A tilting table raises what sticks out of the blank: the plane that just clears the blank is too low.
+TEST(NcRapids, TiltingTableRaisesClamps) {
+    int tilting = 0;
+    for (const Case& one : cases()) {
+        const auto machine = machine_for(one.cam, z_offset);
+        if (machine->axes().size() < 5) continue;
+        const PostProcessor post = generic_post(*machine);
+        const NcWork work = work_of(one);
+        const CheckedProgram right = checked_program(*machine, post, work);
+        const std::string& text = right.program.text;
+        EXPECT_NE(text.find(" mm about its axis, at most "), std::string::npos);
+        const auto lines = test::lines_of(text);
+        const auto plane = std::ranges::find_if(
+            lines, [](const test::TextLine& line) { return line.words.starts_with("G0 Z"); });
+        const double lower = printed(post, *machine, work.job.blank.reach() + work.job.safe_distance + 1e-3);
+        const std::string words = test::with_number(plane->words, "Z", lower);
+        EXPECT_NE(test::refusal_of(test::with_line(text, *plane, words), right, *machine, post, work)
+                      .find("clamps may reach"),
+                  std::string::npos)
+            << one.name;
+        ++tilting;
+    }
+    EXPECT_GT(tilting, 0);
+}
+
 // What is farther away is not refused: the check does not cry wolf.
 TEST(NcRapids, AHigherPlaneIsNotRefused) {
     for (const Case& one : cases()) {
