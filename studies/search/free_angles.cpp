@@ -85,7 +85,7 @@ class AngleSearch {
         solution.scene = with_segment_angles(scene_, all_angles(angles));
         solution.seconds_solve = solution.seconds_total = watch_.seconds();
         solution.solver.convex = false;
-        for (std::string& note : solution.notes) note = "for these angles: " + note;
+        for (std::string& note : solution.notes) note.insert(0, "for these angles: ");
         judge(solution);
         report(solution);
         return solution;
