@@ -87,6 +87,8 @@ class Export:
         else:
             cells = [(i, found) for i, line in enumerate(lines) if is_data(line) for found in NUMBER.finditer(line)
                      if abs(float(found[0])) > 1e-3 and "Jerk" not in line[:found.start()][-30:]]
+            if self.claims["kind"] == "table":  # a jerk that jumps between two rows departs by as much as that
+                cells = [(i, found) for i, found in cells if lines[i].count(",", 0, found.start()) < 3]
             i, found = chance.choice(cells)
             digit = re.search("[1-9]", found[0])
             other = chance.choice([d for d in "123456789" if d != digit[0]])
