@@ -113,6 +113,8 @@ def judge(folder, report, vipr_path):
         raise Refuted("no motion is delivered")
     references, ranges = references_of(scene, result["reference"]), searched_angles(scene)
     if verdict == "infeasible" and certificate["proof_kind"] == "any_curve_limit":
+        if scene["motion"]["type"] != "DRD":
+            raise Unverified("the limit of any curve for this kind of motion")
         return require_no_curve(Problem(scene, references, [Fraction(0), Fraction(1)]), report)
     if ranges and verdict == "infeasible":
         return require_empty(*judge_cases(by_angles(scene, references, cases_of(certificate)), cases_of(certificate), None, None, report))
