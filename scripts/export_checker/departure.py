@@ -14,16 +14,14 @@ ends of the part, o by how much the part's projection passes the segment's ends.
 
 Both need a part near its segment. For others, the distance from A and twice the segment's length bound both directions.
 """
-import heapq
 import math
 
 from certificate_checker.enclosures import ONE
 from certificate_checker.exact import Unverified
 
 from .jets import largest_magnitude, range_over
+from .refine import largest
 
-FLOOR = 1e-9           # mm: smaller bounds are not refined
-CLOSE_ENOUGH = 1.02    # the bound is refined to within this factor of the largest distance found
 AT_A_VERTEX = 1.25     # a bound within this factor of the distance of a vertex is named after it
 MOST_PARTS = 12000
 BESIDE = 0.01          # of a segment's length: a part that projects further beyond its ends is not near to it
@@ -88,36 +86,24 @@ def gap_of(cam, offset):
 
 def largest_departure(cam, segments, places, offset):
     """(bound in mm, where it is reached: "line 12, 45.2 deg"). places[i], places[i + 1]: of the ends of segments[i]."""
-    heap, count, low, vertex = [], 0, 0.0, (0.0, "nowhere")
+    entries, low, vertex = [], 0.0, (0.0, "nowhere")
     corners = [(own.at_start, own.start_line, max(before.band, own.band)) for before, own in zip(segments[-1:] + segments, segments)]
     if cam.motion.is_open:
         corners.append((segments[-1].at_end, segments[-1].end_line, segments[-1].band))
     for (corner, line, band), x in zip(corners, places):
         least, most = distance_of(cam, corner, x, offset)
-        heap.append((-most - 2 * band, count := count + 1, None, where(cam, line, x)))
+        entries.append((most + 2 * band, where(cam, line, x)))
         low, vertex = max(low, least), max(vertex, (least, where(cam, line, x)))
     for segment, lo, hi in zip(segments, places, places[1:]):
         for part in [Part(segment, *own) for own in cam.pieces_between(lo, hi)] or [still(cam, segment, lo)]:
             upper, there = part.bounds(cam, offset)
-            heap.append((-upper, count := count + 1, part, where(cam, segment.line, (part.lo + part.hi) // 2 + part.added)))
+            entries.append((upper, part))
             low = max(low, there)
-    heapq.heapify(heap)
-    while count < MOST_PARTS:
-        upper, _, part, name = heap[0]
-        if -upper <= max(FLOOR, CLOSE_ENOUGH * low) or part is None or part.hi - part.lo < SHORTEST:
-            break
-        heapq.heappop(heap)
-        for half in part.halves():
-            upper, there = half.bounds(cam, offset)
-            name = where(cam, part.segment.line, (half.lo + half.hi) // 2 + half.added)
-            heapq.heappush(heap, (-upper, count := count + 1, half, name))
-            low = max(low, there)
-    upper, _, _, words = heap[0]
-    if upper == -math.inf:
-        raise Unverified(f"{words}: no enclosure of the designed curve there")
-    if -upper <= AT_A_VERTEX * vertex[0]:
+    bound, words = largest(entries, low, lambda part: part.bounds(cam, offset),
+                           lambda part: where(cam, part.segment.line, (part.lo + part.hi) // 2 + part.added), MOST_PARTS, SHORTEST)
+    if bound <= AT_A_VERTEX * vertex[0]:
         words = vertex[1]
-    return -upper + gap_of(cam, offset) + JOINTS, words
+    return bound + gap_of(cam, offset) + JOINTS, words
 
 
 def still(cam, segment, x):

@@ -5,9 +5,8 @@
   is compared with the path of the cutter's axis; it must go around the whole cam, of an indexing cam from outside of the
   blank to outside.
 - Every feed against the finished cam, which is the blank less all places of the roller (groove_feed.py).
-- Rapids above the blank, in whatever order a control moves the axes; moves outside of the room for clamps.
+- Rapids above the blank, in any order of the axes; moves outside of the room for clamps.
 """
-import heapq
 import math
 import re
 from fractions import Fraction
@@ -19,6 +18,7 @@ from .clearance import ROUNDING
 from .groove_feed import GrooveFeed
 from .nc_reader import Program
 from .outcome import Outcome
+from .refine import largest
 from .spatial_cam import SpatialCam
 from .table_stands import Blank, Stand, lowest_between, stay_clear
 
@@ -27,33 +27,16 @@ CLAMPED = re.compile(r"[(;]fixture: the cam is clamped at both ends within diame
                      r"(?:, at most (\d+(?:\.\d+)?) mm from its centre)?")
 FILLS = Fraction(1, 1000)        # mm: a cutter this much narrower than the roller finishes the groove in one pass
 PRINTED = Fraction(1, 10**5)     # of a revolution: digits of a turn
-FLOOR = 1e-9                     # mm: smaller bounds are not refined
-CLOSE_ENOUGH = 1.02              # a bound is refined to within this factor of the largest value found
 MOST_PARTS = 20000               # that are divided
-SHORTEST = ONE >> 40
+SHORTEST = (ONE >> 40) + 1       # likewise the least
 NEIGHBOURS = range(-3, 4)        # revolutions in which a roller of an indexing cam is searched
 
 
-def largest(parts, bounds, degrees):
+def largest_of(parts, bounds, degrees):
     """(an upper bound of what `bounds(part)` encloses over all parts, its place)."""
-    heap, low = [], 0.0
-    for count, part in enumerate(parts):
-        upper, there = bounds(part)
-        heap.append((-upper, count, part))
-        low = max(low, there)
-    heapq.heapify(heap)
-    count = most = len(heap)
-    while count < most + MOST_PARTS and -heap[0][0] > max(FLOOR, CLOSE_ENOUGH * low) and heap[0][2].hi - heap[0][2].lo > SHORTEST:
-        _, _, part = heapq.heappop(heap)
-        for half in part.halves():
-            upper, there = bounds(half)
-            heapq.heappush(heap, (-upper, count := count + 1, half))
-            low = max(low, there)
-    upper, _, part = heap[0]
-    place = f"line {part.feed.move.line}, {degrees(part.middle()):.4f} deg"
-    if upper == -math.inf:
-        raise Unverified(f"{place}: no enclosure of the designed path there")
-    return -upper, place
+    found = [(*bounds(part), part) for part in parts]
+    return largest([(upper, part) for upper, _, part in found], max((there for _, there, _ in found), default=0.0), bounds,
+                   lambda part: f"line {part.feed.move.line}, {degrees(part.middle()):.4f} deg", len(found) + MOST_PARTS, SHORTEST)
 
 
 class GrooveProgram:
@@ -183,7 +166,7 @@ class GrooveProgram:
             if missing > 0:
                 raise Unverified(f"{words} which by printed digits of the turn ends before the groove")
         parts = [part for move in run for part in self.parts_within(self.feed_at(move, turns), *window)]
-        return offset, *largest(parts, lambda part: part.path_bounds(offset), self.cam.degrees)
+        return offset, *largest_of(parts, lambda part: part.path_bounds(offset), self.cam.degrees)
 
     @staticmethod
     def parts_within(feed, low, high):
@@ -213,7 +196,7 @@ class GrooveProgram:
         outcome = Outcome(stated=self.set_up())
         outcome.bounds["path_mm"], outcome.places["path_mm"] = self.finishing_departure()
         parts, outcome.faults = self.followed()
-        outcome.bounds["gouge_mm"], outcome.places["gouge_mm"] = largest(parts, lambda part: part.depth_bounds(self.radius), self.cam.degrees)
+        outcome.bounds["gouge_mm"], outcome.places["gouge_mm"] = largest_of(parts, lambda part: part.depth_bounds(self.radius), self.cam.degrees)
         outcome.faults += [f"line {move.line}: a rapid that may enter the blank" for i, move in enumerate(self.moves)
                            if move.kind == 0 and not self.is_above(move, i == 0)]
         if self.clamps is not None:

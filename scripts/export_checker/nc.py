@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""cam.nc of a disk cam on three axes; groove_nc.py judges those of other cams. Paths are those of the cutter's centre, under G41 and G42 too (compensation.py).
+"""cam.nc of a disk cam on three axes; groove_nc.py judges those of other cams. Paths are those of the cutter's centre, under G41 and
+G42 too (compensation.py).
 
 - The finishing pass, the last closed path at the lowest depth, against the designed path of the cutter's centre, both ways.
   The cutter's edge then lies within the same bound of the profile: the discs around both paths do. A groove is finished in

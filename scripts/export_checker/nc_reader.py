@@ -31,8 +31,9 @@ HARMLESS = set("FSTNO")             # feed, speed, tool, number of block and pro
 
 
 class Program:
-    """`axes`, by which the moves are those of the cam; `moves` of the cutter's centre; `radius` of the cutter; `blank`: (radius, from, to) along z, or None; `groove_depth`, or None.
-    `clamps`: (radius about the cam's axis, z up to which they may reach), or None. `side`: 1 under G41, -1 under G42; `programmed`: the moves there so far."""
+    """`axes`, by which the moves are those of the cam; `moves` of the cutter's centre; `radius` of the cutter; `blank`: (radius, from, to)
+    along z, or None; `groove_depth`, or None. `clamps`: (radius about the cam's axis, z up to which they may reach), or None. `side`: 1
+    under G41, -1 under G42; `programmed`: the moves there so far."""
 
     def __init__(self, text):
         tools, blank = TOOL.findall(text), BLANK.search(text)
