@@ -173,6 +173,9 @@ std::vector<double> breakpoints_of(const SplineSpec& spline, double begin, doubl
     return with_regions(std::move(points), regions, same_breakpoint);
 }
 
+namespace {
+
+/// Displacements at the joints as far as the scene gives them: a dwell keeps it, a closed program ends at 0.
 std::vector<std::optional<double>> given_levels(const MotionSpec& motion) {
     const std::size_t count = motion.own_segments();
     std::vector<std::optional<double>> levels(count + 1);
@@ -186,8 +189,6 @@ std::vector<std::optional<double>> given_levels(const MotionSpec& motion) {
         levels[i - 1] = levels[i];
     return levels;
 }
-
-namespace {
 
 /// Which way each spline segment goes: from one given displacement to another, or a free one as the case
 /// says. open: not known, or displacements at its set points may lead out of the range.
@@ -267,6 +268,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
     // Where two splines reverse the motion y' = 0 is a condition: inequalities around the joint would be
     // degenerate.
     const std::vector<std::size_t> turning = turning_segments(motion, of_free);
+    const std::vector<std::optional<double>> levels = given_levels(motion);
     double angle = 0.0;
     for (std::size_t i = 0; i < scene.motion.own_segments(); ++i) {
         const ProgramSegment& segment = scene.motion.segments[i];
@@ -291,7 +293,9 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
                 const auto own = conditions_of(scene.motion, point, scene.spline.degree, stretch.end);
                 stretch.conditions.insert(stretch.conditions.end(), own.begin(), own.end());
             }
-            for (PointCondition& condition : turning_points(scene, static_cast<int>(i)))
+            const StrokeRange stroke{{},          static_cast<int>(i), stretch.begin,
+                                     stretch.end, levels[i],           levels[i + 1]};
+            for (PointCondition& condition : turning_points(motion, points, stroke))
                 stretch.conditions.push_back(std::move(condition));
         }
         request.stretches.push_back(std::move(stretch));

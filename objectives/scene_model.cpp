@@ -94,7 +94,7 @@ std::vector<PointCondition> scene_conditions(const Scene& scene) {
         const std::vector<PointCondition> own = conditions_of(motion, point, scene.spline.degree, length);
         conditions.insert(conditions.end(), own.begin(), own.end());
     }
-    for (PointCondition& condition : turning_points(scene, -1)) conditions.push_back(std::move(condition));
+    for (PointCondition& condition : turning_points(scene)) conditions.push_back(std::move(condition));
     return conditions;
 }
 

@@ -37,10 +37,13 @@ struct StrokeRange {
 /// In the order of the cam angle.
 [[nodiscard]] std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& family);
 
-/// y' = 0 at set points on the edge of the range of their stroke, which follows from motion.within_lift: as
-/// inequalities around such a place y <= most would be degenerate. segment: a spline of a program, of which
-/// those beyond both of its ends; -1: DRD, RR.
-[[nodiscard]] std::vector<PointCondition> turning_points(const Scene& scene, int segment);
+/// y' = 0 at the set points of a rise or a rise and return on the edge of its range, which follows from
+/// motion.within_lift: as inequalities around such a place y <= most would be degenerate.
+[[nodiscard]] std::vector<PointCondition> turning_points(const Scene& scene);
+/// The same of a spline of a program (its place and its ends; stretch: the segment), beyond both ends.
+[[nodiscard]] std::vector<PointCondition> turning_points(const MotionSpec& motion,
+                                                         const std::vector<PlacedPoint>& points,
+                                                         StrokeRange stroke);
 
 /// Whether rules enforce the range of the strokes. Most optima satisfy it anyway: they are searched without
 /// these rules first, which are active and degenerate wherever a stroke begins or ends.
@@ -65,9 +68,6 @@ void set_entry_factors(CamModel& model, const Scene& scene);
 
 // A program of segments as a family of motions: x = cam angle / angle of the first spline segment, y in
 // lifts.
-
-/// Displacements of a program's joints in lifts, those that dwells carry on included; none: free.
-[[nodiscard]] std::vector<std::optional<double>> given_levels(const MotionSpec& motion);
 
 /// Segments of a program that begin with a turning point: both strokes there are splines that have to stay on
 /// their side of it. of_free: HeldStrokes::directions.

@@ -93,21 +93,16 @@ std::vector<StrokeRange> strokes_of_one_spline(const Scene& scene) {
     return strokes;
 }
 
-/// A spline of a program between given displacements, with the sides of its range that set points beyond
-/// both of its ends give; what is next to it may open others. Empty: an end is free.
-std::vector<StrokeRange> given_stroke(const Scene& scene, int segment) {
-    const auto i = static_cast<std::size_t>(segment);
-    const std::vector<std::optional<double>> levels = given_levels(scene.motion);
-    double angle = 0.0;
-    for (std::size_t k = 0; k < i; ++k) angle += scene.motion.segments[k].angle;
-    const double unit = scene.motion.unit_angle(), end = (angle + scene.motion.segments[i].angle) / unit;
-    StrokeRange stroke{"", segment, angle / unit, end, levels[i], levels[i + 1]};
-    if (stroke.is_free()) return {};
-    set_range(stroke, passed_points(placed_points(scene.motion), stroke, segment), {});
-    const auto [lower, upper] = std::minmax(*stroke.from, *stroke.to);
-    if (!(stroke.least < lower - same_level)) stroke.least = -infinity;
-    if (!(stroke.most > upper + same_level)) stroke.most = infinity;
-    return {stroke};
+void add_turning_points(std::vector<PointCondition>& turning, const std::vector<PlacedPoint>& points,
+                        const StrokeRange& stroke, int segment) {
+    for (const PlacedPoint& point : points) {
+        const bool inside = point.segment == segment && !point.is_region() && point.begin > stroke.begin &&
+                            point.begin < stroke.end;
+        const std::optional<double>& y = point.wanted[0];
+        if (!inside || !y || point.wanted[1] || point.wanted[2]) continue;
+        if (*y <= stroke.least || *y >= stroke.most)
+            turning.push_back({point.begin, 1, Side::right, 0.0, "turning point at " + point.member, false});
+    }
 }
 
 std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, StrokeDirection direction) {
@@ -175,21 +170,25 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
     return strokes;
 }
 
-std::vector<PointCondition> turning_points(const Scene& scene, int segment) {
+std::vector<PointCondition> turning_points(const Scene& scene) {
     std::vector<PointCondition> turning;
     if (!scene.motion.within_lift) return turning;
     const std::vector<PlacedPoint> points = placed_points(scene.motion);
-    for (const StrokeRange& stroke :
-         segment < 0 ? strokes_of_one_spline(scene) : given_stroke(scene, segment))
-        for (const PlacedPoint& point : points) {
-            const bool inside = point.segment == segment && !point.is_region() &&
-                                point.begin > stroke.begin && point.begin < stroke.end;
-            const std::optional<double>& y = point.wanted[0];
-            if (!inside || !y || point.wanted[1] || point.wanted[2]) continue;
-            if (*y <= stroke.least || *y >= stroke.most)
-                turning.push_back(
-                    {point.begin, 1, Side::right, 0.0, "turning point at " + point.member, false});
-        }
+    for (const StrokeRange& stroke : strokes_of_one_spline(scene))
+        add_turning_points(turning, points, stroke, -1);
+    return turning;
+}
+
+std::vector<PointCondition> turning_points(const MotionSpec& motion, const std::vector<PlacedPoint>& points,
+                                           StrokeRange stroke) {
+    std::vector<PointCondition> turning;
+    if (!motion.within_lift || stroke.is_free()) return turning;
+    set_range(stroke, passed_points(points, stroke, stroke.stretch), {});
+    // What is next to the spline may open a side that one of its ends is on.
+    const auto [lower, upper] = std::minmax(*stroke.from, *stroke.to);
+    if (!(stroke.least < lower - same_level)) stroke.least = -infinity;
+    if (!(stroke.most > upper + same_level)) stroke.most = infinity;
+    add_turning_points(turning, points, stroke, stroke.stretch);
     return turning;
 }
 

@@ -389,13 +389,12 @@ class AngleSearch {
 bool bounds_by_angles(const Scene& scene) {
     if (scene.cam || scene.drive || scene.dynamics || !scene.own_terms.empty() || !scene.own_limits.empty())
         return false;
-    // Corridors and tables stand where they are while segments move past them; a mean over the turn weighs
-    // segments by their angles.
-    if (!scene.motion.corridors.empty() || scene.objective.deviation > 0.0 ||
-        scene.objective.deviation_rms > 0.0 || scene.objective.area > 0.0)
+    // Corridors and tables stand where they are while segments move past them; an area or a mean over the
+    // turn weighs segments by their angles.
+    const bool weighs_turn = std::ranges::any_of(
+        response_terms(), [&](const ResponseTerm& term) { return term.weight_in(scene.objective) > 0.0; });
+    if (!scene.motion.corridors.empty() || weighs_turn || weighs_any(scene.objective, CostTerm::Kind::rms))
         return false;
-    for (const CostTerm& term : cost_terms())
-        if (term.kind == CostTerm::Kind::rms && term.weight_in(scene.objective) > 0.0) return false;
     const std::vector<ProgramSegment>& segments = scene.motion.segments;
     const std::size_t count = segments.size();
     for (std::size_t i = 0; i < count; ++i) {
