@@ -256,8 +256,8 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
                         false,
                         {}};
     // On four axes the blank's height is the same however the table turns.
-    travel.rapids_above = machine.axes().size() <= 4;
-    travel.rapids_above_as_it_stands = !travel.rapids_above;
+    travel.rapids_above = !is_tilting(machine);
+    travel.rapids_above_as_it_stands = is_tilting(machine);
     travel.clamp = program.clamp;
     for (const CuttingPass& cut : task.passes) travel.stocks.push_back(cut.stock);
     program.travel = check_travel(moves, machine, travel);

@@ -116,8 +116,8 @@ class Travel {
     /// At any angle of the table, or as it stands where Z moves alone: the cutter has no upper end, so its
     /// lower place counts.
     void rapid_over_clamp(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-        const double begin = from(travel_height_axis), end = to(travel_height_axis);
-        const double lowest = std::isnan(begin) ? end : std::min(begin, end);
+        const double lowest =
+            std::fmin(from(travel_height_axis), to(travel_height_axis));  // a NaN does not count
         if (lowest + height_offset_ >= task_.clamp->reach() + task_.least_distance - rounding) return;
         Eigen::VectorXd lower = to;
         lower(travel_height_axis) = lowest;
@@ -128,8 +128,8 @@ class Travel {
 
     /// Above it, or beside it.
     void rapid_past_clamp(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-        const double begin = from(travel_height_axis), end = to(travel_height_axis);
-        const double lowest = std::isnan(begin) ? end : std::min(begin, end);
+        const double lowest =
+            std::fmin(from(travel_height_axis), to(travel_height_axis));  // a NaN does not count
         if (lowest + height_offset_ >= task_.clamp->upper + task_.least_distance) return;
         if (!from.allFinite())
             return refuse("a rapid below the upper end of the clamps while not every axis has a value");
