@@ -273,8 +273,8 @@ void judge_rows(const SceneSource& source, MeasuredInput& input) {
     for (const std::size_t i : found)
         input.motion.outliers.push_back({static_cast<int>(input.rows[i]) + 1, angle[i], fits[i].off});
     if (!input.motion.excluded) return;
-    for (auto i = found.rbegin(); i != found.rend(); ++i) {
-        const auto at = static_cast<std::ptrdiff_t>(*i);
+    for (; !found.empty(); found.pop_back()) {  // from the last, so that the others keep their places
+        const auto at = static_cast<std::ptrdiff_t>(found.back());
         angle.erase(angle.begin() + at);
         displacement.erase(displacement.begin() + at);
         input.rows.erase(input.rows.begin() + at);
