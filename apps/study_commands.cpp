@@ -6,6 +6,7 @@
 #include "core/text/parsing.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
+#include "output/csv/motion_csv.hpp"
 #include "output/csv/study_csv.hpp"
 #include "output/inspect/inspection_output.hpp"
 #include "output/json/study_json.hpp"
@@ -136,7 +137,8 @@ ExitCode dynamics_command(const DynamicsRequest& request) {
 /// A measured cam compared with the nominal one of a scene, which is solved, or of a result folder, which is
 /// used as it is.
 ExitCode inspect_command(const InspectRequest& request) {
-    const input::InspectedTable table = input::read_inspected_table(request.table);
+    const input::InspectedTable table = input::read_inspected_table(
+        request.table, request.columns.empty() ? std::vector<std::string>{} : column_names(request.columns));
     if (!request.out.empty()) prepare_folder(request.out);
     const InterruptWatch watch;
     const Solution nominal = solved_or_read(request.scene, request.settings, [](const Scene&) {});
