@@ -88,6 +88,8 @@ Json measured_json(const Solution& solution) {
     if (table.place) {
         place["law"] = words_json(table.place->law);
         placed("start_deg", table.place->angle, degrees_shown);
+        place["residual_rms_" + output.name] = number_json(displacement.of(table.place->residual));
+        place["noise_" + output.name] = number_json(displacement.of(table.place->noise));
         placed("zero_" + output.name, table.place->zero, displacement);
         place["base_radius_mm"] =
             table.place->base_radius ? number_json(millimetres_shown.of(*table.place->base_radius)) : Json();
@@ -124,6 +126,7 @@ Json constraints_json(const Solution& solution) {
                         {"no_contact", row.no_contact},
                         {"key", row.key}});
         if (!row.side.empty()) list.back()["side"] = row.side;
+        if (!row.speed.empty()) list.back()["speed"] = row.speed;
     }
     return list;
 }
