@@ -204,11 +204,12 @@ class TableReader {
         table_.s_unit = of_.s->unit;
     }
 
+    /// Of a file that may be no table at all no text is repeated: a scene of others can name any file.
     [[noreturn]] void refuse_columns(const Cells& names, const std::string& allowed) const {
-        std::string list;
-        for (const std::string_view name : names)
-            list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", printable(name));
-        fail(fmt::format("the columns {}", list), allowed);
+        std::string known;
+        for (const auto* const column : {&of_.theta, &of_.s})
+            if (*column) known += fmt::format(", of these only {}", (*column)->key);
+        fail(fmt::format("{} columns{}", names.size(), known.empty() ? ", none of these" : known), allowed);
     }
 
     [[nodiscard]] std::optional<double> value(std::string_view cell) const {
@@ -222,7 +223,12 @@ class TableReader {
     [[nodiscard]] double number(std::string_view cell, const Column& column) const {
         if (const std::optional<double> found = value(cell)) return *found;
         const bool other = cell.find(form_.decimal == ',' ? '.' : ',') != std::string_view::npos;
-        fail(fmt::format("\"{}\" in the column {}", printable(cell), column.key),
+        // Columns that the scene names, and no row yet: it may be no table (refuse_columns).
+        const bool is_table = form_.columns.empty() || !table_.s.empty() ||
+                              cell.find_first_not_of("0123456789.,+-") == std::string_view::npos;
+        fail(fmt::format("{} in the column {}",
+                         is_table ? fmt::format("\"{}\"", printable(cell)) : std::string("no number"),
+                         column.key),
              !other                 ? "a finite number, or # before the line"
              : form_.decimal == ',' ? "a finite number, written with a decimal comma"
                                     : "a finite number, written with a decimal point; with a comma where "

@@ -40,6 +40,11 @@ constexpr std::array<SweepCamColumn, 3> cam_columns = {
      {"convex_radius_mm", "least convex radius of the cam", &SweepCam::convex_radius, false},
      {"concave_radius_mm", "least concave radius of the cam", &SweepCam::concave_radius, false}}};
 
+constexpr std::array<SweepDriveColumn, 3> drive_columns = {
+    {{"motor_torque_nm", "torque of the motor", &SweepDrive::torque, false},
+     {"motor_torque_rms_nm", "rms torque of the motor", &SweepDrive::rms_torque, false},
+     {"motor_speed_rpm", "speed of the motor", &SweepDrive::speed, true}}};
+
 std::string dimension_column(DimensionIndex index) {
     return fmt::format("{}_mm", name_of(index));
 }
@@ -66,6 +71,9 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
         for (const SweepCamColumn& column : cam_columns) shown(column.file_unit(), row.cam.*column.value);
     if (columns.train)
         for (const TrainColumn& column : train_columns) line.number(row.train.*column.value);
+    if (columns.drive)
+        for (const SweepDriveColumn& column : drive_columns)
+            shown(column.file_unit(), row.drive.*column.value);
     if (columns.machine)
         for (const MachineColumn& column : machine_columns) shown(rpm_shown, row.machine.*column.value);
     line.words(fmt::format("{}", fmt::join(row.active_limits, between_limits))).words(proof_cell(row));
@@ -171,6 +179,9 @@ SweepRow read_row(const SweepColumns& columns, Cells cells) {
             row.cam.*column.value = si_value(column.file_unit(), cells.number_or_none());
     if (columns.train)
         for (const TrainColumn& column : train_columns) row.train.*column.value = cells.number_or_none();
+    if (columns.drive)
+        for (const SweepDriveColumn& column : drive_columns)
+            row.drive.*column.value = si_value(column.file_unit(), cells.number_or_none());
     if (columns.machine)
         for (const MachineColumn& column : machine_columns)
             row.machine.*column.value = si_value(rpm_shown, cells.number_or_none());
@@ -201,6 +212,7 @@ SweepColumns read_columns(const CsvRecord& record, std::string_view name) {
             columns.dimensions.push_back(index);
     }
     columns.train = std::find(verdict, cells.end(), train_columns.front().name) != cells.end();
+    columns.drive = std::find(verdict, cells.end(), drive_columns.front().name) != cells.end();
     columns.machine = std::find(verdict, cells.end(), machine_columns.front().name) != cells.end();
     if (cells != sweep_csv_columns(columns))
         throw InputError(fmt::format("{}:{}: found other columns than those of a sweep; allowed: {}", name,
@@ -257,6 +269,10 @@ std::span<const SweepCamColumn> sweep_cam_columns() {
     return cam_columns;
 }
 
+std::span<const SweepDriveColumn> sweep_drive_columns() {
+    return drive_columns;
+}
+
 std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
     std::vector<std::string> names = {"row"};
     const auto add = [&](std::initializer_list<const char*> more) {
@@ -271,6 +287,8 @@ std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
         for (const SweepCamColumn& column : cam_columns) names.emplace_back(column.name);
     if (columns.train)
         for (const TrainColumn& column : train_columns) names.emplace_back(column.name);
+    if (columns.drive)
+        for (const SweepDriveColumn& column : drive_columns) names.emplace_back(column.name);
     if (columns.machine)
         for (const MachineColumn& column : machine_columns) names.emplace_back(column.name);
     add({"active_limits", "proof"});

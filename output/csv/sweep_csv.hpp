@@ -3,8 +3,9 @@
 //
 // Columns: row, the varied keys as written, verdict, reason, pareto_front (1 or 0), objective, lower_bound,
 // gap, any_curve_limit, the figures (normalised), the variable dimensions in mm, properties of the cam
-// (SweepColumns::cam), active_limits (keys, joined by "; "), proof, counts, seconds_solve, seconds_total.
-// Numbers read back as the same double; what does not exist is an empty cell. docs/sweep.md explains each.
+// (SweepColumns::cam) and of the motor, active_limits (keys, joined by "; "), proof, counts, seconds_solve,
+// seconds_total. Numbers read back as the same double; what does not exist is an empty cell. docs/sweep.md
+// explains each.
 #pragma once
 
 #include "output/view/shown_units.hpp"
@@ -22,6 +23,17 @@ struct SweepCamColumn {
     [[nodiscard]] const ShownUnit& file_unit() const { return is_angle ? degrees_shown : millimetres_shown; }
 };
 [[nodiscard]] std::span<const SweepCamColumn> sweep_cam_columns();
+
+/// A figure of the motor, likewise.
+struct SweepDriveColumn {
+    const char* name;
+    const char* title;
+    std::optional<double> SweepDrive::*value;
+    bool is_speed;
+
+    [[nodiscard]] ShownUnit file_unit() const { return is_speed ? rpm_shown : ShownUnit{"N m", 1.0}; }
+};
+[[nodiscard]] std::span<const SweepDriveColumn> sweep_drive_columns();
 
 /// The first line.
 [[nodiscard]] std::vector<std::string> sweep_csv_columns(const SweepColumns& columns);

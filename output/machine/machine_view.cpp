@@ -19,23 +19,29 @@ const AxisSpec& axis_of(const MachineSolution& solution, std::size_t index) {
     return solution.spec.axes[index];
 }
 
-/// The displacement of an axis at an angle of the master, SI.
+/// The displacement of an axis at an angle of the master, SI; of one that advances since the master's 0.
 class AxisAlong {
  public:
     AxisAlong(const Solution& axis, double phase)
-        : turn_(axis.whole_turn()), scene_(axis.scene), phase_(phase) {}
+        : turn_(axis.whole_turn()), scene_(axis.scene), phase_(phase) {
+        if (scene_.motion.relative) start_ = at(0.0);
+    }
 
     [[nodiscard]] double at(double master) const {
-        double own = std::fmod(master - phase_, units::turn);
-        if (own < 0.0) own += units::turn;
-        const double x = turn_.begin() + own / scene_.motion.unit_angle();
-        return scene_.motion.lift * turn_.at(std::min(x, turn_.end())).derivative[0];
+        const double cycles = std::floor((master - phase_) / units::turn);
+        const double own = master - phase_ - cycles * units::turn;
+        const double advance = scene_.motion.relative ? value(turn_.end()) - value(turn_.begin()) : 0.0;
+        return value(turn_.begin() + own / scene_.motion.unit_angle()) + cycles * advance - start_;
     }
 
  private:
     MotionChain turn_;
     const Scene& scene_;
-    double phase_;
+    double phase_, start_ = 0.0;
+
+    [[nodiscard]] double value(double x) const {
+        return scene_.motion.lift * turn_.at(std::min(x, turn_.end()), Side::left).derivative[0];
+    }
 };
 
 std::vector<AxisAlong> axes_along(const MachineSolution& solution) {
@@ -264,9 +270,9 @@ std::string timing_svg(const MachineView& view) {
 
 std::string machine_markdown(const MachineView& view, const RunOrigin& origin) {
     const MachineSolution& solution = view.solution;
-    std::string text =
-        fmt::format("# {}\n\n**{}.**\n\n",
-                    solution.spec.title.empty() ? "Machine" : printable(solution.spec.title), view.headline);
+    std::string text = fmt::format(
+        "# {}\n\n**{}.**\n\n", solution.spec.title.empty() ? "Machine" : markdown_words(solution.spec.title),
+        view.headline);
     for (const std::string& sentence : view.sentences) text += sentence + "\n\n";
     if (!view.curves.empty())
         text += "![Timing diagram and clearances over one revolution of the master](timing.svg)\n";
@@ -280,8 +286,8 @@ std::string machine_markdown(const MachineView& view, const RunOrigin& origin) {
                 fmt::format("- `{0}/`: report, motion table and certificate of {0}\n", printable(axis.name));
     }
     if (!solution.notes.empty()) text += "\n## Notes\n\n";
-    for (const std::string& note : solution.notes) text += "- " + note + "\n";
-    return text + fmt::format("\nCommand: `{}`, camopt {}\n", printable(origin.command), version());
+    for (const std::string& note : solution.notes) text += "- " + markdown_words(note) + "\n";
+    return text + fmt::format("\nCommand: {}, camopt {}\n", markdown_code(origin.command), version());
 }
 
 }  // namespace camopt

@@ -13,7 +13,7 @@ constexpr std::array<double, 4> chain_line = {6.0e-3, 1.0e-3, 1.0e-3, 1.0e-3};
 
 // m on the paper.
 constexpr double mark_arrow = 2.5e-3, mark_arrow_half = 0.45e-3, mark_overshoot = 1.2e-3, mark_gap = 0.6e-3,
-                 mark_tail = 4.0e-3, words_above = 0.8e-3, leader_shoulder = 3.0e-3;
+                 mark_tail = 4.0e-3, words_above = 0.8e-3, words_beside = 1.2e-3, leader_shoulder = 3.0e-3;
 const char* const dimension_layer = "DIMENSIONS";
 
 Vector2d direction_of(double angle) {
@@ -85,8 +85,8 @@ DimensionMarks linear_marks(const SheetDimension& dimension, const SheetView& vi
     // Beside the line, at the end from which the words run on outwards.
     const bool forwards = direction_of(turn).dot(along) > 0.0;
     const Vector2d start = right + (arrows_fit ? 0.0 : mark_tail) * along;
-    add_mark_line(marks, start, start + (width + 1e-3) * along);
-    set_mark_text(marks, start + 0.5e-3 * along + words_above * up, words,
+    add_mark_line(marks, start, start + (width + 2.0 * words_beside) * along);
+    set_mark_text(marks, start + words_beside * along + words_above * up, words,
                   forwards ? TextAnchor::start : TextAnchor::end, turn);
     return marks;
 }
@@ -132,7 +132,103 @@ DimensionMarks angle_marks(const SheetDimension& dimension, const SheetView& vie
     return marks;
 }
 
+using Segment = std::array<Vector2d, 2>;
+
+/// Where words lie, with some room around them.
+struct WordsBox {
+    Vector2d corner, along, up;  ///< lower left; unit vectors
+    double width = 0.0, height = 0.0;
+
+    explicit WordsBox(const SheetText& text) : along(direction_of(text.turn)), up(left_of(along)) {
+        constexpr double room = 0.8e-3;
+        width = widest_text(text.words, text.height) + 2.0 * room;
+        height = text.height + 2.0 * room;
+        const double part = text.anchor == TextAnchor::start    ? 0.0
+                            : text.anchor == TextAnchor::middle ? 0.5
+                                                                : 1.0;
+        corner = text.at - (room + part * (width - 2.0 * room)) * along - room * up;
+    }
+    /// Any part of the segment lies inside: it is clipped by one side after the other.
+    [[nodiscard]] bool meets(const Segment& segment) const {
+        double begin = 0.0, end = 1.0;
+        for (const auto& [axis, size] : {std::pair{along, width}, std::pair{up, height}}) {
+            const double from = axis.dot(segment[0] - corner), step = axis.dot(segment[1] - segment[0]);
+            if (step == 0.0 && (from < 0.0 || from > size)) return false;
+            if (step == 0.0) continue;
+            const auto [first, last] = std::minmax(-from / step, (size - from) / step);
+            begin = std::max(begin, first);
+            end = std::min(end, last);
+        }
+        return begin <= end;
+    }
+    [[nodiscard]] bool meets(const WordsBox& other) const {
+        const Vector2d right = other.width * other.along, top = other.height * other.up;
+        const std::array<Vector2d, 5> ring = {other.corner, other.corner + right, other.corner + right + top,
+                                              other.corner + top, other.corner};
+        for (std::size_t i = 0; i < 4; ++i)
+            if (meets(Segment{ring[i], ring[i + 1]})) return true;
+        return false;
+    }
+};
+
+/// Chords of its arcs.
+std::vector<Segment> segments_of(const DimensionMarks& marks) {
+    constexpr int chords = 24;
+    std::vector<Segment> all;
+    for (const SheetPath& line : marks.lines)
+        for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i) {
+            const Vector2d from = line.vertices[i].position, to = line.vertices[i + 1].position;
+            if (line.vertices[i].bulge == 0.0) {
+                all.push_back({from, to});
+                continue;
+            }
+            const BulgeArc arc = bulge_arc(from, to, line.vertices[i].bulge);
+            const auto at = [&](int k) -> Vector2d {
+                return arc.center + arc.radius * direction_of(arc.from + k * (arc.to - arc.from) / chords);
+            };
+            for (int k = 0; k < chords; ++k) all.push_back({at(k), at(k + 1)});
+        }
+    return all;
+}
+
+/// From what it measures towards its line.
+Vector2d outwards_of(const SheetDimension& dimension, const SheetView& view) {
+    const bool leads =
+        dimension.kind == SheetDimension::Kind::diameter || dimension.kind == SheetDimension::Kind::radius;
+    const Vector2d out = dimension.place - view.on_paper(leads ? dimension.second : dimension.first);
+    if (dimension.kind != SheetDimension::Kind::linear) return out.normalized();
+    const Vector2d across = left_of(direction_of(dimension.direction));
+    return across.dot(out) < 0.0 ? Vector2d(-across) : across;
+}
+
 }  // namespace
+
+void separate_dimensions(Sheet& sheet) {
+    constexpr double step = 1.5e-3;
+    constexpr int most_steps = 20;
+    std::vector<WordsBox> words(sheet.texts.begin(), sheet.texts.end());
+    std::vector<Segment> lines;
+    for (SheetDimension& dimension : sheet.dimensions) {
+        dimension.lengths = sheet.lengths;
+        const Vector2d wanted = dimension.place, out = outwards_of(dimension, sheet.view);
+        const auto is_free = [&] {
+            const DimensionMarks marks = dimension_marks(dimension, sheet.view);
+            const WordsBox own(marks.text);
+            const std::vector<Segment> drawn = segments_of(marks);
+            return std::ranges::none_of(lines, [&](const Segment& line) { return own.meets(line); }) &&
+                   std::ranges::none_of(words, [&](const WordsBox& other) {
+                       return own.meets(other) || other.meets(own) ||
+                              std::ranges::any_of(drawn, [&](const auto& line) { return other.meets(line); });
+                   });
+        };
+        for (int k = 0; k <= most_steps && !is_free(); ++k)
+            dimension.place = wanted + (k < most_steps ? (k + 1) * step : 0.0) * out;
+        const DimensionMarks marks = dimension_marks(dimension, sheet.view);
+        words.emplace_back(marks.text);
+        const std::vector<Segment> drawn = segments_of(marks);
+        lines.insert(lines.end(), drawn.begin(), drawn.end());
+    }
+}
 
 PenLook look_of(SheetPen pen) {
     switch (pen) {

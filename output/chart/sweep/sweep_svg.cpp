@@ -326,6 +326,11 @@ std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
             quantities.push_back(
                 unit_quantity(column.title, column.is_angle ? degrees_shown : length, value));
     }
+    for (const SweepDriveColumn& column : sweep_drive_columns())
+        if (table.columns.drive)
+            quantities.push_back(unit_quantity(
+                column.title, column.is_speed ? rpm_shown : shown_units(MotionSpec(), unit).torque,
+                [&column](const SweepRow& row) { return row.drive.*column.value; }));
     return quantities;
 }
 
