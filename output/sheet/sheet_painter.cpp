@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/sheet_painter.hpp"
 
+#include <Eigen/Geometry>
+
 namespace camopt {
 
 namespace {
@@ -191,28 +193,37 @@ std::vector<Segment> segments_of(const DimensionMarks& marks) {
     return all;
 }
 
-/// From what it measures towards its line.
-Vector2d outwards_of(const SheetDimension& dimension, const SheetView& view) {
+/// The k-th place to try: further out, of a diameter to both sides of where it was.
+SheetDimension moved(SheetDimension dimension, const SheetView& view, int k) {
+    constexpr double step = 1.5e-3, turn = 7.0 * units::degree;
     const bool leads =
         dimension.kind == SheetDimension::Kind::diameter || dimension.kind == SheetDimension::Kind::radius;
-    const Vector2d out = dimension.place - view.on_paper(leads ? dimension.second : dimension.first);
-    if (dimension.kind != SheetDimension::Kind::linear) return out.normalized();
-    const Vector2d across = left_of(direction_of(dimension.direction));
-    return across.dot(out) < 0.0 ? Vector2d(-across) : across;
+    const Vector2d center = view.on_paper(dimension.first);
+    Vector2d out = (dimension.place - (leads ? view.on_paper(dimension.second) : center)).normalized();
+    if (dimension.kind == SheetDimension::Kind::diameter) {
+        const Eigen::Rotation2D<double> rotation((k % 2 == 0 ? -0.5 * k : 0.5 * (k + 1)) * turn);
+        dimension.second = dimension.first + rotation * (dimension.second - dimension.first);
+        dimension.place = center + rotation * (dimension.place - center);
+        return dimension;
+    }
+    if (dimension.kind == SheetDimension::Kind::linear) {
+        const Vector2d across = left_of(direction_of(dimension.direction));
+        out = across.dot(out) < 0.0 ? Vector2d(-across) : across;
+    }
+    dimension.place += k * step * out;
+    return dimension;
 }
 
 }  // namespace
 
 void separate_dimensions(Sheet& sheet) {
-    constexpr double step = 1.5e-3;
     constexpr int most_steps = 20;
     std::vector<WordsBox> words(sheet.texts.begin(), sheet.texts.end());
     std::vector<Segment> lines;
     for (SheetDimension& dimension : sheet.dimensions) {
         dimension.lengths = sheet.lengths;
-        const Vector2d wanted = dimension.place, out = outwards_of(dimension, sheet.view);
-        const auto is_free = [&] {
-            const DimensionMarks marks = dimension_marks(dimension, sheet.view);
+        const auto is_free = [&](const SheetDimension& tried) {
+            const DimensionMarks marks = dimension_marks(tried, sheet.view);
             const WordsBox own(marks.text);
             const std::vector<Segment> drawn = segments_of(marks);
             return std::ranges::none_of(lines, [&](const Segment& line) { return own.meets(line); }) &&
@@ -221,8 +232,11 @@ void separate_dimensions(Sheet& sheet) {
                               std::ranges::any_of(drawn, [&](const auto& line) { return other.meets(line); });
                    });
         };
-        for (int k = 0; k <= most_steps && !is_free(); ++k)
-            dimension.place = wanted + (k < most_steps ? (k + 1) * step : 0.0) * out;
+        for (int k = 0; k < most_steps; ++k)
+            if (const SheetDimension tried = moved(dimension, sheet.view, k); is_free(tried)) {
+                dimension = tried;
+                break;
+            }
         const DimensionMarks marks = dimension_marks(dimension, sheet.view);
         words.emplace_back(marks.text);
         const std::vector<Segment> drawn = segments_of(marks);

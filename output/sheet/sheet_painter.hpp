@@ -51,8 +51,9 @@ struct DimensionMarks {
 
 [[nodiscard]] DimensionMarks dimension_marks(const SheetDimension& dimension, const SheetView& view);
 
-/// Gives the dimensions the sheet's unit, and moves their lines outwards, one after another, until no words
-/// lie on the words or lines of those before. One that finds no such place stays.
+/// Gives the dimensions the sheet's unit, and moves them, one after another, outwards or about the circle
+/// that they measure, until no words lie on the words or lines of those before. One that finds no such place
+/// stays.
 void separate_dimensions(Sheet& sheet);
 
 // What stands around the views of a drawing: frame, title block, tables, notes. m on the paper.

@@ -310,7 +310,7 @@ TEST(InspectedTable, ReadsPointsOfTheCam) {
 }
 
 /// A scene of others can name any file: what is no table is not shown to them.
-TEST(MeasuredTable, DoesNotRepeatLinesOfOtherFiles) {
+TEST(MeasuredTable, RepeatsNoLinesOfOtherFiles) {
     const std::string secret = "root:x:0:0:root:/root:/bin/sh daily\nkey = secret\n";
     for (const std::string& found :
          {inspected_refusal(secret), refusal(secret), inspected_refusal("secret-host\n"),

@@ -65,7 +65,7 @@
       if (size) add('joint', 'Nose', 'motion', null, { path: camopt.controlPath(lift), of: (shown) => lift.value + (shown - values[nose]) * ratio * size, shown: values[nose] }, angles[nose]);
       const duration = scene.motion('duration'), checked = (inChart('checking_height') + inChart('lash')) / ratio, last = values.findLastIndex((value) => value >= checked);
       if (last > nose && last + 1 < values.length) {
-        const at = angles[last] + (angles[last + 1] - angles[last]) * (values[last] - checked) / (values[last] - values[last + 1]), perDegree = factorOf(duration, 'deg');
+        const at = angles[last] + (angles[last + 1] - angles[last]) * (values[last] - checked) / (values[last] - values[last + 1]), perDegree = duration.unit === 'crank deg' ? 2 : factorOf(duration, 'deg');
         add('joint', 'End of the duration', 'motion', { path: camopt.controlPath(duration), of: (degrees) => duration.value + (degrees - at) * perDegree, shown: at }, null);
       }
       return handles;
