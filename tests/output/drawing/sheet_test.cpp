@@ -158,7 +158,7 @@ TEST(Sheet, MarksAvoidOverlap) {
 /// Words of a keyway 6 wide and of its angle, and others at one place: none lie over another.
 TEST(Sheet, DimensionsMoveApart) {
     Sheet sheet;
-    sheet.texts.push_back({"DATUM", {0.0, 0.016}, 2.5e-3, "datum, α = 0", TextAnchor::middle});
+    sheet.texts.push_back({"DATUM", {-0.004, 0.016}, 2.5e-3, "datum, α = 0", TextAnchor::end});
     for (const double height : {0.012, 0.012, 0.016}) {
         SheetDimension dimension;
         dimension.first = {-0.003, 0.005};
