@@ -45,7 +45,7 @@ OUTPUTS = {
     "dynamics": ("dynamics", ["SCENE", "--speeds", "100:200:3"], [
         "dynamics.csv", "dynamics.json", "history.csv", "residual_over_speed.svg", "acceleration_over_speed.svg", "deflection.svg",
         "acceleration.svg", "force.svg"]),
-    "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=12:12:1"], ["sweep.csv", "sweep.html", "sweep.json", "sweep.svg"]),
+    "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=8:9:2"], ["sweep.csv", "sweep.html", "sweep.json", "sweep.svg"]),
     "inspection": ("inspect", ["RESULT", "TABLE"], ["inspection.csv", "inspection.html", "inspection.json", "inspection.svg"]),
     "valves": ("valves", ["RESULT", "RESULT", "--json"], []),
 }
@@ -78,8 +78,8 @@ KINDS = {
     "arm with a roller": (["oscillating_roller"], "scenes/cam_arm_roller.toml", []),
     "arm with a flat face": (["oscillating_flat"], "scenes/cam_arm_flat.toml", []),
     "groove": (["grooved"], "scenes/cam_grooved.toml", ["solver.starts=1"]),
-    "conjugate": (["conjugate"], "scenes/cam_conjugate.toml", ["solver.starts=1"]),
-    "remote": (["remote"], "scenes/tappet_90.toml", ["solver.starts=1"]),
+    "conjugate": (["conjugate"], "scenes/cam_conjugate.toml", ["solver.starts=1", "spline.segments=8"]),
+    "remote": (["remote"], "scenes/tappet_75.toml", ["solver.starts=1", "spline.segments=6"]),
     "inverse": (["inverse"], "scenes/inverse_feeder.toml", []),
     "barrel": (["barrel"], "scenes/barrel_paper_cup.toml", []),
     "cylinder": (["cylindrical", "translating"], "scenes/cylinder_slide.toml", []),
