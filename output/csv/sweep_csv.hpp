@@ -13,26 +13,17 @@
 
 namespace camopt {
 
-/// A property of the delivered cam: a column of sweep.csv, and a panel of sweep.svg.
-struct SweepCamColumn {
+/// A figure of a part of a row: a column of sweep.csv, and a panel of sweep.svg.
+template <class Part>
+struct SweepPartColumn {
     const char* name;   ///< in files, with their unit: "pressure_angle_deg"
     const char* title;  ///< for people: "largest pressure angle"
-    std::optional<double> SweepCam::*value;
-    bool is_angle;
-
-    [[nodiscard]] const ShownUnit& file_unit() const { return is_angle ? degrees_shown : millimetres_shown; }
+    std::optional<double> Part::*value;
+    const ShownUnit* file_unit;
 };
+using SweepCamColumn = SweepPartColumn<SweepCam>;
+using SweepDriveColumn = SweepPartColumn<SweepDrive>;
 [[nodiscard]] std::span<const SweepCamColumn> sweep_cam_columns();
-
-/// A figure of the motor, likewise.
-struct SweepDriveColumn {
-    const char* name;
-    const char* title;
-    std::optional<double> SweepDrive::*value;
-    bool is_speed;
-
-    [[nodiscard]] ShownUnit file_unit() const { return is_speed ? rpm_shown : ShownUnit{"N m", 1.0}; }
-};
 [[nodiscard]] std::span<const SweepDriveColumn> sweep_drive_columns();
 
 /// The first line.

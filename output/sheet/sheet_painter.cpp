@@ -134,64 +134,49 @@ DimensionMarks angle_marks(const SheetDimension& dimension, const SheetView& vie
     return marks;
 }
 
-using Segment = std::array<Vector2d, 2>;
-
-/// Where words lie, with some room around them.
-struct WordsBox {
-    Vector2d corner, along, up;  ///< lower left; unit vectors
+/// Words with some room around them, and points along all that is drawn with them.
+struct PlacedWords {
+    Vector2d corner, along;
     double width = 0.0, height = 0.0;
+    std::vector<Vector2d> points = {};
 
-    explicit WordsBox(const SheetText& text) : along(direction_of(text.turn)), up(left_of(along)) {
+    explicit PlacedWords(const SheetText& text) : along(direction_of(text.turn)) {
         constexpr double room = 0.8e-3;
-        width = widest_text(text.words, text.height) + 2.0 * room;
-        height = text.height + 2.0 * room;
+        const double own = widest_text(text.words, text.height);
         const double part = text.anchor == TextAnchor::start    ? 0.0
                             : text.anchor == TextAnchor::middle ? 0.5
                                                                 : 1.0;
-        corner = text.at - (room + part * (width - 2.0 * room)) * along - room * up;
+        const Vector2d up = left_of(along);
+        corner = text.at - (room + part * own) * along - room * up;
+        width = own + 2.0 * room;
+        height = text.height + 2.0 * room;
+        for (const double line : {0.0, 0.5, 1.0})
+            add(corner + line * height * up, corner + line * height * up + width * along);
     }
-    /// Any part of the segment lies inside: it is clipped by one side after the other.
-    [[nodiscard]] bool meets(const Segment& segment) const {
-        double begin = 0.0, end = 1.0;
-        for (const auto& [axis, size] : {std::pair{along, width}, std::pair{up, height}}) {
-            const double from = axis.dot(segment[0] - corner), step = axis.dot(segment[1] - segment[0]);
-            if (step == 0.0 && (from < 0.0 || from > size)) return false;
-            if (step == 0.0) continue;
-            const auto [first, last] = std::minmax(-from / step, (size - from) / step);
-            begin = std::max(begin, first);
-            end = std::min(end, last);
-        }
-        return begin <= end;
+    explicit PlacedWords(const DimensionMarks& marks) : PlacedWords(marks.text) {
+        for (const SheetPath& line : marks.lines)
+            for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i)
+                add(line.vertices[i].position, line.vertices[i + 1].position, line.vertices[i].bulge);
     }
-    [[nodiscard]] bool meets(const WordsBox& other) const {
-        const Vector2d right = other.width * other.along, top = other.height * other.up;
-        const std::array<Vector2d, 5> ring = {other.corner, other.corner + right, other.corner + right + top,
-                                              other.corner + top, other.corner};
-        for (std::size_t i = 0; i < 4; ++i)
-            if (meets(Segment{ring[i], ring[i + 1]})) return true;
-        return false;
-    }
-};
-
-/// Chords of its arcs.
-std::vector<Segment> segments_of(const DimensionMarks& marks) {
-    constexpr int chords = 24;
-    std::vector<Segment> all;
-    for (const SheetPath& line : marks.lines)
-        for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i) {
-            const Vector2d from = line.vertices[i].position, to = line.vertices[i + 1].position;
-            if (line.vertices[i].bulge == 0.0) {
-                all.push_back({from, to});
+    void add(const Vector2d& from, const Vector2d& to, double bulge = 0.0) {
+        constexpr int steps = 100;
+        for (int k = 0; k <= steps; ++k) {
+            const double part = static_cast<double>(k) / steps;
+            if (bulge == 0.0) {
+                points.push_back(from + part * (to - from));
                 continue;
             }
-            const BulgeArc arc = bulge_arc(from, to, line.vertices[i].bulge);
-            const auto at = [&](int k) -> Vector2d {
-                return arc.center + arc.radius * direction_of(arc.from + k * (arc.to - arc.from) / chords);
-            };
-            for (int k = 0; k < chords; ++k) all.push_back({at(k), at(k + 1)});
+            const BulgeArc arc = bulge_arc(from, to, bulge);
+            points.push_back(arc.center + arc.radius * direction_of(arc.from + part * (arc.to - arc.from)));
         }
-    return all;
-}
+    }
+    [[nodiscard]] bool covers(const PlacedWords& other) const {
+        return std::ranges::any_of(other.points, [&](const Vector2d& point) {
+            const double across = along.dot(point - corner), up = left_of(along).dot(point - corner);
+            return across >= 0.0 && across <= width && up >= 0.0 && up <= height;
+        });
+    }
+};
 
 /// The k-th place to try: further out, of a diameter to both sides of where it was.
 SheetDimension moved(SheetDimension dimension, const SheetView& view, int k) {
@@ -218,29 +203,19 @@ SheetDimension moved(SheetDimension dimension, const SheetView& view, int k) {
 
 void separate_dimensions(Sheet& sheet) {
     constexpr int most_steps = 20;
-    std::vector<WordsBox> words(sheet.texts.begin(), sheet.texts.end());
-    std::vector<Segment> lines;
+    std::vector<PlacedWords> placed(sheet.texts.begin(), sheet.texts.end());
     for (SheetDimension& dimension : sheet.dimensions) {
         dimension.lengths = sheet.lengths;
-        const auto is_free = [&](const SheetDimension& tried) {
-            const DimensionMarks marks = dimension_marks(tried, sheet.view);
-            const WordsBox own(marks.text);
-            const std::vector<Segment> drawn = segments_of(marks);
-            return std::ranges::none_of(lines, [&](const Segment& line) { return own.meets(line); }) &&
-                   std::ranges::none_of(words, [&](const WordsBox& other) {
-                       return own.meets(other) || other.meets(own) ||
-                              std::ranges::any_of(drawn, [&](const auto& line) { return other.meets(line); });
-                   });
-        };
-        for (int k = 0; k < most_steps; ++k)
-            if (const SheetDimension tried = moved(dimension, sheet.view, k); is_free(tried)) {
-                dimension = tried;
-                break;
-            }
-        const DimensionMarks marks = dimension_marks(dimension, sheet.view);
-        words.emplace_back(marks.text);
-        const std::vector<Segment> drawn = segments_of(marks);
-        lines.insert(lines.end(), drawn.begin(), drawn.end());
+        for (int k = 0; k < most_steps; ++k) {
+            const SheetDimension tried = moved(dimension, sheet.view, k);
+            const PlacedWords own(dimension_marks(tried, sheet.view));
+            if (std::ranges::any_of(
+                    placed, [&](const PlacedWords& other) { return own.covers(other) || other.covers(own); }))
+                continue;
+            dimension = tried;
+            break;
+        }
+        placed.emplace_back(dimension_marks(dimension, sheet.view));
     }
 }
 

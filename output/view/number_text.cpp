@@ -142,7 +142,7 @@ std::string markdown_words(std::string_view text) {
                             (words[i] == '_' && !(is_word(last) && is_word(next))) ||
                             (words[i] == '<' && (is_word(next) || before("/!?"))) ||
                             (words[i] == '&' && (is_word(next) || next == '#')) ||
-                            (words[i] == ']' && before("([:")) || (words[i] == '~' && next == '~') ||
+                            (words[i] == ']' && before("([:")) ||
                             (i == 0 && (words[i] == '#' || words[i] == '>'));
         if (obeyed) result += '\\';
         result += words[i];
