@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view between_limits = "; ";
 constexpr std::string_view solved_word = "solved", proved_from_row = "proved from row ";
 
-const ShownUnit plain{"", 1.0}, newton_metres{"N m", 1.0};
+const ShownUnit without_unit{"", 1.0}, newton_metres{"N m", 1.0};
 
 // Of sweeps of different cams, with a follower train, with a motor, of machines.
 constexpr std::array<SweepCamColumn, 3> cam_columns = {
@@ -26,9 +26,9 @@ constexpr std::array<SweepCamColumn, 3> cam_columns = {
      {"concave_radius_mm", "least concave radius of the cam", &SweepCam::concave_radius,
       &millimetres_shown}}};
 constexpr std::array<SweepPartColumn<SweepTrain>, 3> train_columns = {
-    {{"residual", "", &SweepTrain::residual, &plain},
-     {"dynamic_acceleration", "", &SweepTrain::dynamic_acceleration, &plain},
-     {"dynamic_contact_force", "", &SweepTrain::contact_force, &plain}}};
+    {{"residual", "", &SweepTrain::residual, &without_unit},
+     {"dynamic_acceleration", "", &SweepTrain::dynamic_acceleration, &without_unit},
+     {"dynamic_contact_force", "", &SweepTrain::contact_force, &without_unit}}};
 constexpr std::array<SweepDriveColumn, 3> drive_columns = {
     {{"motor_torque_nm", "torque of the motor", &SweepDrive::torque, &newton_metres},
      {"motor_torque_rms_nm", "rms torque of the motor", &SweepDrive::rms_torque, &newton_metres},

@@ -60,7 +60,7 @@ class CamSheetMaker {
         if (disk_) {
             box_.add(Vector2d::Constant(*disk_));
             box_.add(Vector2d::Constant(-*disk_));
-            rim_.push_back(*disk_ * ray_at(cam_.rotation(), drawing.datum));
+            rim_.emplace_back(*disk_ * ray_at(cam_.rotation(), drawing.datum));
             farthest_ = other_side_farthest();
         }
         box_.add(Vector2d::Constant(prime_));

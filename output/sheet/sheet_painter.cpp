@@ -163,11 +163,12 @@ struct PlacedWords {
         for (int k = 0; k <= steps; ++k) {
             const double part = static_cast<double>(k) / steps;
             if (bulge == 0.0) {
-                points.push_back(from + part * (to - from));
+                points.emplace_back(from + part * (to - from));
                 continue;
             }
             const BulgeArc arc = bulge_arc(from, to, bulge);
-            points.push_back(arc.center + arc.radius * direction_of(arc.from + part * (arc.to - arc.from)));
+            points.emplace_back(arc.center +
+                                arc.radius * direction_of(arc.from + part * (arc.to - arc.from)));
         }
     }
     [[nodiscard]] bool covers(const PlacedWords& other) const {
