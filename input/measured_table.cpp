@@ -217,11 +217,12 @@ class TableReader {
         table_.s_unit = of_.s->unit;
     }
 
+    /// Of a file that may be no table at all no text is repeated: a scene of others can name any file.
     [[noreturn]] void refuse_columns(const Cells& names, const std::string& allowed) const {
-        std::string list;
-        for (const std::string_view name : names)
-            list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", printable(name));
-        fail(fmt::format("the columns {}", list), allowed);
+        std::string known;
+        for (const auto* const column : {&of_.theta, &of_.s})
+            if (*column) known += fmt::format(", of these only {}", (*column)->key);
+        fail(fmt::format("{} columns{}", names.size(), known.empty() ? ", none of these" : known), allowed);
     }
 
     /// A letter before the number names its axis: X12.5.
@@ -241,7 +242,12 @@ class TableReader {
             return (form_.offset.empty() ? 0.0 : form_.offset[column.index]) +
                    (form_.scale.empty() ? 1.0 : form_.scale[column.index]) * *found;
         const bool other = cell.find(form_.decimal == ',' ? '.' : ',') != std::string_view::npos;
-        fail(fmt::format("\"{}\" in the column {}", printable(cell), column.key),
+        // Columns that the scene names, and no row yet: it may be no table (refuse_columns).
+        const bool is_table = form_.columns.empty() || !table_.s.empty() ||
+                              cell.find_first_not_of("0123456789.,+-") == std::string_view::npos;
+        fail(fmt::format("{} in the column {}",
+                         is_table ? fmt::format("\"{}\"", printable(cell)) : std::string("no number"),
+                         column.key),
              !other                 ? "a finite number, or # before the line"
              : form_.decimal == ',' ? "a finite number, written with a decimal comma"
                                     : "a finite number, written with a decimal point; with a comma where "

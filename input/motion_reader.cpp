@@ -279,7 +279,7 @@ class MotionReader {
                             motion.type);
         const auto type = source_.find("motion", "type");
         const bool is_valve = type && type->value().text == valve_type;
-        refuse_keys_of_other_types(motion.type, is_valve);
+        refuse_keys_of_other_types(is_valve ? valve_type : name_of(motion.type));
         if (const auto lift = source_.find("motion", "lift")) {
             motion.lift = lift->number();
             motion.lift_is_angle = is_angle_unit(lift->spelling->unit);
@@ -321,6 +321,7 @@ class MotionReader {
     const SceneSource& source_;
     const KnownNames& known_;
 
+<<<<<<< HEAD
     /// An indexing output advances by whole stops.
     void check_stops(const MotionSpec& motion) const {
         const auto stops = source_.find("motion", "stops");
@@ -359,6 +360,17 @@ class MotionReader {
                "type \"DRD\" or \"RR\"; a program says the angle of each of its segments");
         refuse({"symmetric"}, "type \"DRD\" or \"RR\"");
         refuse({"via"}, "type \"DRD\" or \"RR\"; a program has set points in its segments, via in each");
+=======
+    void refuse_keys_of_other_types(std::string_view type) const {
+        for (const KeyRow& row : scene_keys()) {
+            const std::string_view only = row.table == "motion" ? motion_types_of(row.name, type) : "";
+            if (only.empty()) continue;
+            if (const auto given = source_.find("motion", row.name))
+                source_.fail(given->member->place, joined_key("motion", given->member->name),
+                             fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
+                                         type, only));
+        }
+>>>>>>> h-pages
     }
 
     ProgramSegment read_segment(const Node& table, const MotionSpec& motion) const {

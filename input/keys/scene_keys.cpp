@@ -473,6 +473,35 @@ KeyTable all_rows() {
 
 }  // namespace
 
+std::string_view motion_types_of(std::string_view key, std::string_view type) {
+    constexpr std::string_view not_valve = "other types; a valve lobe is said by lift, duration and ramps";
+    struct Only {
+        std::vector<std::string_view> keys, types;
+        std::string_view words;
+    };
+    static const std::vector<Only> table = {
+        {{"rocker_ratio", "valve_arm", "lash", "checking_height", "duration", "opening", "centerline",
+          "opening_ramp", "closing_ramp"},
+         {"valve"},
+         "type \"valve\""},
+        {{"rise", "return", "segments", "closed", "repeat", "stops", "start", "end", "symmetric", "monotone",
+          "within_lift", "via"},
+         {"DRD", "RR", "program"},
+         not_valve},
+        {{"segments", "closed", "repeat"}, {"program"}, "type \"program\""},
+        {{"rise", "return"},
+         {"DRD", "RR"},
+         "type \"DRD\" or \"RR\"; a program says the angle of each of its segments"},
+        {{"symmetric"}, {"DRD", "RR"}, "type \"DRD\" or \"RR\""},
+        {{"via"},
+         {"DRD", "RR"},
+         "type \"DRD\" or \"RR\"; a program has set points in its segments, via in each"}};
+    for (const auto& [keys, types, words] : table)
+        if (std::ranges::find(keys, key) != keys.end() && std::ranges::find(types, type) == types.end())
+            return words;
+    return {};
+}
+
 const std::vector<KeyRow>& scene_keys() {
     // A program may add kinds: one table per number of kinds, so that returned rows remain valid.
     static std::mutex mutex;

@@ -250,7 +250,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["stationarity"] = number_json(certificate.stationarity);
     if (!solution.own_terms.empty()) json["own_terms"] = own_terms_json(solution);
     if (solution.train) json["dynamics"] = train_json(solution);
-    if (solution.drive) json["drive"] = drive_json(solution);
+    if (solution.drive) json["drive"] = drive_json(solution.scene, *solution.drive);
     if (solution.motion && solution.scene.motion.valve) json["valve"] = valve_json(solution);
     if (solution.surge) json["surge"] = surge_json(solution);
     json["constraints"] = constraints_json(solution);
