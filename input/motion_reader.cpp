@@ -321,7 +321,6 @@ class MotionReader {
     const SceneSource& source_;
     const KnownNames& known_;
 
-<<<<<<< HEAD
     /// An indexing output advances by whole stops.
     void check_stops(const MotionSpec& motion) const {
         const auto stops = source_.find("motion", "stops");
@@ -338,29 +337,6 @@ class MotionReader {
                         stops->value().integer, step, travel * step, step));
     }
 
-    void refuse_keys_of_other_types(MotionType type, bool is_valve) const {
-        const bool program = type == MotionType::program;
-        const std::string_view own = is_valve ? valve_type : name_of(type);
-        const auto refuse = [&](std::initializer_list<const char*> names, const char* allowed) {
-            for (const char* name : names)
-                if (const auto given = source_.find("motion", name))
-                    source_.fail(given->member->place, joined_key("motion", given->member->name),
-                                 fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
-                                             own, allowed));
-        };
-        if (is_valve)
-            return refuse({"rise", "return", "segments", "closed", "repeat", "stops", "start", "end",
-                           "symmetric", "monotone", "within_lift", "via"},
-                          "other types; a valve lobe is said by lift, duration and ramps");
-        refuse({"rocker_ratio", "valve_arm", "lash", "checking_height", "duration", "opening", "centerline",
-                "opening_ramp", "closing_ramp"},
-               "type \"valve\"");
-        if (!program) return refuse({"segments", "closed", "repeat", "phase"}, "type \"program\"");
-        refuse({"rise", "return"},
-               "type \"DRD\" or \"RR\"; a program says the angle of each of its segments");
-        refuse({"symmetric"}, "type \"DRD\" or \"RR\"");
-        refuse({"via"}, "type \"DRD\" or \"RR\"; a program has set points in its segments, via in each");
-=======
     void refuse_keys_of_other_types(std::string_view type) const {
         for (const KeyRow& row : scene_keys()) {
             const std::string_view only = row.table == "motion" ? motion_types_of(row.name, type) : "";
@@ -370,7 +346,6 @@ class MotionReader {
                              fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
                                          type, only));
         }
->>>>>>> h-pages
     }
 
     ProgramSegment read_segment(const Node& table, const MotionSpec& motion) const {

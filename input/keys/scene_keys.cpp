@@ -489,6 +489,7 @@ std::string_view motion_types_of(std::string_view key, std::string_view type) {
          {"DRD", "RR", "program"},
          not_valve},
         {{"segments", "closed", "repeat"}, {"program"}, "type \"program\""},
+        {{"phase"}, {"program", "valve"}, "type \"program\" or \"valve\""},
         {{"rise", "return"},
          {"DRD", "RR"},
          "type \"DRD\" or \"RR\"; a program says the angle of each of its segments"},
