@@ -20,6 +20,10 @@ namespace camopt::input {
 [[nodiscard]] std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion,
                                               const KnownNames& known);
 
+/// speed_range of a table: two speeds, rad/s.
+[[nodiscard]] std::optional<std::array<double, 2>> speed_range(const SceneSource& source,
+                                                               std::string_view table);
+
 [[nodiscard]] std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& scene);
 
 /// Of inertias, moments and rates of an output that swings; others are those of one that is pushed straight.

@@ -112,6 +112,10 @@ bool weighs_any(const ObjectiveSpec& objective, CostTerm::Kind kind) {
         rows, [&](const CostTerm& term) { return term.kind == kind && term.weight_in(objective) > 0.0; });
 }
 
+double least_objective(const ObjectiveSpec& objective) {
+    return objective.area > 0.0 ? -infinity : 0.0;
+}
+
 const char* name_of(TieBreak value) {
     return value == TieBreak::none ? "none" : "rms_jerk";
 }

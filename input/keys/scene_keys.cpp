@@ -17,6 +17,7 @@ using enum KeyType;
 using namespace spellings;
 
 const Range within_turn = Range::above_up_to(0.0, 360.0);
+const Range within_phase{.low = -360.0, .high = 360.0, .low_included = false, .high_included = false};
 
 using Rows = std::vector<KeyRow>;
 
@@ -88,6 +89,9 @@ Rows motion() {
          "Of a closed program: the segments fill so many equal parts of the revolution, each with the same motion."},
         {"motion", "stops", integer, plain, Range::between(1, 10000), {}, "none",
          "Of an indexing output: the lift is 360 deg divided by this.", Availability::now, "lift"},
+        {"motion", "phase", number, cam_angle, within_phase, {}, "0",
+         "Of a program of one revolution: the angle of the master at which the motion begins. Motion tables, tables of "
+         "controllers and reports are by the master's angle; a machine sets it."},
         {"motion", "start", table, plain, any, {}, "at rest",
          "State at the start of a motion that is not closed; what is not given is 0."},
         {"motion", "end", table, plain, any, {}, "at rest",

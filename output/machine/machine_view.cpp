@@ -22,26 +22,21 @@ const AxisSpec& axis_of(const MachineSolution& solution, std::size_t index) {
 /// The displacement of an axis at an angle of the master, SI.
 class AxisAlong {
  public:
-    AxisAlong(const Solution& axis, double phase)
-        : turn_(axis.whole_turn()), scene_(axis.scene), phase_(phase) {}
+    explicit AxisAlong(const Solution& axis) : turn_(axis.master_turn()), scene_(axis.scene) {}
 
     [[nodiscard]] double at(double master) const {
-        double own = std::fmod(master - phase_, units::turn);
-        if (own < 0.0) own += units::turn;
-        const double x = turn_.begin() + own / scene_.motion.unit_angle();
+        const double x = turn_.begin() + master / scene_.motion.unit_angle();
         return scene_.motion.lift * turn_.at(std::min(x, turn_.end())).derivative[0];
     }
 
  private:
     MotionChain turn_;
     const Scene& scene_;
-    double phase_;
 };
 
 std::vector<AxisAlong> axes_along(const MachineSolution& solution) {
     std::vector<AxisAlong> all;
-    for (std::size_t a = 0; a < solution.axes.size(); ++a)
-        all.emplace_back(solution.axes[a], axis_of(solution, a).phase);
+    for (const Solution& axis : solution.axes) all.emplace_back(axis);
     return all;
 }
 

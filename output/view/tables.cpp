@@ -82,7 +82,7 @@ TextTable measured_table(const Solution& solution) {
             {{"rows", fmt::format("{}", measured.rows)},
              {"free numbers", fmt::format("{}", measured.freedom)},
              {"largest error", unit.normalised_text(measured.largest_error, 3)},
-             {"at", units.angle.text(measured.at * units.degrees_per_x * units.angle.size)},
+             {"at", units.angle.text(solution.scene.motion.master_angle(measured.at))},
              {"rms error", unit.normalised_text(measured.rms_error, 3)}}};
 }
 
@@ -136,11 +136,13 @@ TextTable segment_table(const Solution& solution) {
                      {"J"},
                      {"joint"}};
     for (const SegmentReport& segment : solution.segments) {
-        const double begin = shown.degrees_per_x * segment.begin, end = shown.degrees_per_x * segment.end;
+        const MotionSpec& motion = solution.scene.motion;
+        const double begin = degrees_shown.of(motion.master_angle(segment.begin)),
+                     end = degrees_shown.of(motion.master_angle(segment.end));
         std::vector<std::string> row = {segment_title(segment),
                                         short_text(begin),
                                         short_text(end),
-                                        short_text(end - begin),
+                                        short_text(shown.degrees_per_x * (segment.end - segment.begin)),
                                         place_text(segment.from, lift),
                                         place_text(segment.to, lift)};
         const std::optional<Peaks> peaks = segment_peaks(segment);

@@ -289,6 +289,9 @@ struct Solution {
     /// rests where it ends; of a motion whose ends move the motion itself. Throws InputError where there is
     /// no motion.
     [[nodiscard]] MotionChain whole_turn() const;
+    /// whole_turn() from master angle 0 on: the motion begins at motion.phase. What a motion that advances
+    /// has before its beginning counts from the same displacement, so that the turn is continuous.
+    [[nodiscard]] MotionChain master_turn() const;
 };
 
 /// Of the delivered cam, m or rad; none: there is no cam, or it has no such dimension.
