@@ -145,6 +145,15 @@ std::optional<Fault> limit_between_fault(const Solution& solution) {
     return {};
 }
 
+/// Every other term is at least 0.
+std::optional<Fault> unbounded_fault(const Solution& solution) {
+    if (solution.certificate.reason != Reason::unbounded || !(solution.scene.objective.area > 0.0)) return {};
+    return Fault{Reason::unbounded,
+                 "the objective has no least value: the more a motion leaves the lift, the less area is lost, "
+                 "and the other terms cost less than that gains; motion.within_lift = true, a limit or larger "
+                 "weights of the other terms bound it"};
+}
+
 std::optional<Fault> objective_fault(double believed, double found) {
     if (std::abs(believed - found) <= objective_rounding * std::max(1.0, std::abs(found))) return {};
     return Fault{
@@ -283,6 +292,7 @@ void audit_delivered(Solution& solution) {
     if (!fault) fault = cam_fault(solution);
     if (!fault) fault = limit_fault(solution);
     if (!fault) fault = limit_between_fault(solution);
+    if (!fault) fault = unbounded_fault(solution);
     if (!fault) fault = objective_fault(believed, certificate.objective);
     if (!fault) {
         tell_of_enclosures(solution);
