@@ -162,7 +162,6 @@ Program with_states_said(Program program) {
     const std::size_t count = program.segments.size();
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % count;
-        if (next == 0 && program.relative) continue;
         Segment &own = program.segments[i], &other = program.segments[next];
         if (own.kind != "spline" || other.kind != "spline") continue;
         const double turned = (levels[i + 1] - levels[i]) * (levels[next + 1] - levels[next]);
