@@ -232,11 +232,8 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
         solution = solve_free_angles(scene, *plan, timed);  // each set of them by its own plan
     } else {
         solution = plan->breakpoints > 0 ? solve_free_knots(run) : solve_motion(run);
-        // The area that a motion gains may have no bound but the range of its strokes.
-        const bool unbounded = solution.certificate.reason == Reason::unbounded;
-        if (plan->strokes_first_free && (unbounded || leaves_its_strokes(solution))) {
+        if (plan->strokes_first_free && leaves_its_strokes(solution)) {
             run.known.optima.withdraw();
-            if (unbounded) forget_proof(solution.certificate);
             Solution held = plan->breakpoints > 0 ? solve_held_on_breakpoints(posed.scene(), solution, timed)
                                                   : solve_held_strokes(posed.scene(), timed);
             take_bound_of_relaxation(held, solution);
