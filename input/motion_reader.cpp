@@ -279,7 +279,7 @@ class MotionReader {
                             motion.type);
         const auto type = source_.find("motion", "type");
         const bool is_valve = type && type->value().text == valve_type;
-        refuse_keys_of_other_types(motion.type, is_valve);
+        refuse_keys_of_other_types(is_valve ? valve_type : name_of(motion.type));
         if (const auto lift = source_.find("motion", "lift")) {
             motion.lift = lift->number();
             motion.lift_is_angle = is_angle_unit(lift->spelling->unit);
@@ -337,28 +337,15 @@ class MotionReader {
                         stops->value().integer, step, travel * step, step));
     }
 
-    void refuse_keys_of_other_types(MotionType type, bool is_valve) const {
-        const bool program = type == MotionType::program;
-        const std::string_view own = is_valve ? valve_type : name_of(type);
-        const auto refuse = [&](std::initializer_list<const char*> names, const char* allowed) {
-            for (const char* name : names)
-                if (const auto given = source_.find("motion", name))
-                    source_.fail(given->member->place, joined_key("motion", given->member->name),
-                                 fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
-                                             own, allowed));
-        };
-        if (is_valve)
-            return refuse({"rise", "return", "segments", "closed", "repeat", "stops", "start", "end",
-                           "symmetric", "monotone", "within_lift", "via"},
-                          "other types; a valve lobe is said by lift, duration and ramps");
-        refuse({"rocker_ratio", "valve_arm", "lash", "checking_height", "duration", "opening", "centerline",
-                "opening_ramp", "closing_ramp"},
-               "type \"valve\"");
-        if (!program) return refuse({"segments", "closed", "repeat", "phase"}, "type \"program\"");
-        refuse({"rise", "return"},
-               "type \"DRD\" or \"RR\"; a program says the angle of each of its segments");
-        refuse({"symmetric"}, "type \"DRD\" or \"RR\"");
-        refuse({"via"}, "type \"DRD\" or \"RR\"; a program has set points in its segments, via in each");
+    void refuse_keys_of_other_types(std::string_view type) const {
+        for (const KeyRow& row : scene_keys()) {
+            const std::string_view only = row.table == "motion" ? motion_types_of(row.name, type) : "";
+            if (only.empty()) continue;
+            if (const auto given = source_.find("motion", row.name))
+                source_.fail(given->member->place, joined_key("motion", given->member->name),
+                             fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
+                                         type, only));
+        }
     }
 
     ProgramSegment read_segment(const Node& table, const MotionSpec& motion) const {

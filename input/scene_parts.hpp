@@ -83,7 +83,9 @@ struct MeasuredTable {
 /// What the scene says about the table.
 struct TableForm {
     std::vector<std::string> columns = {};  ///< their names; empty: in the first line
-    bool by_step = false;                   ///< the rows have no angles
+    std::vector<double> scale = {},
+                        offset = {};  ///< of each column: offset + scale · cell; empty: as written
+    bool by_step = false;             ///< the rows have no angles
     char decimal = '.';
     bool points = false;       ///< (x, y) or (theta, r) too
     bool any_decimal = false;  ///< read_inspected_table's: finds the decimal comma

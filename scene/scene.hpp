@@ -81,16 +81,21 @@ struct MeasuredOutlier {
     friend bool operator==(const MeasuredOutlier&, const MeasuredOutlier&) = default;
 };
 
-/// What measured.register found: by the law (empty: the scene prescribes all strokes) nearest to the table.
+/// What measured.register found: by the strokes of the scene, free ones as smooth curves or (law: which) as
+/// the law nearest to the table.
 struct MeasuredPlace {
     struct Number {
-        double value = 0.0, error = 0.0;  ///< standard error
+        double value = 0.0, error = 0.0;  ///< standard error; NaN: the residuals contradict the model
         friend bool operator==(const Number&, const Number&) = default;
     };
     std::string law;
-    std::optional<Number> angle;        ///< rad: the table's angle at the start of the motion
-    std::optional<Number> zero;         ///< m or rad: the table's displacement where the motion has 0
-    std::optional<double> base_radius;  ///< m, of points of a cam: what the zero makes it
+    std::optional<Number> angle;         ///< rad: the table's angle at the start of the motion
+    std::optional<Number> zero;          ///< m or rad: the table's displacement where the motion has 0
+    std::optional<double> base_radius;   ///< m, of points of a cam: what the zero makes it
+    double residual = 0.0, noise = 0.0;  ///< m or rad: rms of the residuals, of rows from their neighbours
+
+    /// The residuals are far above the noise.
+    [[nodiscard]] bool contradicted() const { return residual > 3.0 * noise; }
     friend bool operator==(const MeasuredPlace&, const MeasuredPlace&) = default;
 };
 
@@ -348,8 +353,8 @@ struct Scene {
     SolverSpec solver;
 
     /// Speeds whose loads enclose those of every speed that limits on loads hold at: that of the scene first,
-    /// then the ends of forces.speed_range; default from 0 where a spring presses and the Hertz pressure is
-    /// limited. There are forces and a speed.
+    /// then the ends of forces.speed_range; default from 0 where a spring loads the cam and the Hertz
+    /// pressure is limited. There are forces and a speed.
     [[nodiscard]] std::vector<LoadSpeed> load_speeds() const;
     /// k >= 1 of the harmonic of the cam's speed that is nearest to the natural frequency of the spring. The
     /// scene has both.

@@ -22,6 +22,7 @@ struct ConstraintReport {
     bool verified = false;
     bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
     std::string side = {};    ///< where it is worst: "outer flank"; empty: the cam has one side
+    std::string speed = {};   ///< at which it is worst: "at 0 rpm"; empty: that of the scene
     double scale = 0.0;       ///< of the quantity, in the unit; 0: known from the limit and its row
 };
 

@@ -150,7 +150,7 @@ ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst
             worst.value / limit.unit_value, limit.unit, worst.at};
 }
 
-/// The side, or the speed other than that of the scene, that reaches the extreme of the whole cam; empty
+/// The side that reaches the extreme of the whole cam; empty
 /// where the limit is not of one side, or both do.
 std::string side_of(std::size_t figure, const CamExtreme& worst, const CamSummary& summary) {
     std::string name;
@@ -160,13 +160,17 @@ std::string side_of(std::size_t figure, const CamExtreme& worst, const CamSummar
         if (!name.empty()) return {};
         name = side.name;
     }
+    return name;
+}
+
+/// The speed, other than that of the scene, at which a load is worst.
+std::string speed_of(const LimitRow& limit, const CamExtreme& worst, const CamSummary& summary) {
+    if (!limit.needs_forces) return {};
     for (const auto& [speed, loads] : summary.other_loads)
         for (const std::optional<CamExtreme>& own :
              {std::optional(loads.least_force), std::optional(loads.torque), loads.hertz_pressure})
-            if (limit_row(static_cast<LimitedFigure>(figure)).needs_forces && own &&
-                own->value == worst.value)
-                return speed;
-    return name;
+            if (own && own->value == worst.value) return speed;
+    return {};
 }
 
 /// The limits that need forces, or those that do not.
@@ -180,6 +184,7 @@ void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, con
         if (!worst) continue;
         all.push_back(limit_report(*limit, *worst));
         all.back().side = side_of(figure, *worst, summary);
+        all.back().speed = speed_of(row, *worst, summary);
         if (row.needs_contact && summary.no_contact) all.back().worst = infinity;
         all.back().no_contact = summary.no_contact && std::isinf(all.back().worst) && !row.may_be_infinite;
     }
