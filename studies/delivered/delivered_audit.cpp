@@ -151,10 +151,11 @@ std::optional<Fault> unbounded_fault(const Solution& solution) {
     constexpr double nearly = 0.5;
     if (!(solution.scene.objective.area > 0.0)) return {};
     if (!(lost_area(*solution.motion) < 1.0 - nearly * farthest_displacement)) return {};
-    return Fault{Reason::unbounded,
-                 "the objective has no least value: the more a motion leaves the lift, the less area is lost, "
-                 "and the other terms cost less than that gains; motion.within_lift = true, a limit or larger "
-                 "weights of the other terms bound it"};
+    return Fault{
+        Reason::unbounded,
+        "the objective has no least value: the more a motion leaves the lift, the less area is lost, "
+        "and the other terms cost less than that gains; motion.within_lift = true, a limit or larger "
+        "weights of the other terms bound it"};
 }
 
 std::optional<Fault> objective_fault(double believed, double found) {
