@@ -152,7 +152,7 @@ void add_area(CamModel& model, const Scene& scene) {
     const double reference = area_reference(scene, model.design);
     const auto rule = std::make_shared<const AreaRule>(index, reference);
     Parameter area{"area", Parameter::Kind::response, 0, reference, scene.objective.area};
-    if (may_pass_lift(scene, model.design)) area.lower = -infinity;
+    if (may_pass_lift(scene, model.design)) area.lower = (1.0 - farthest_displacement) / reference;
     area.defined_by = rule;
     model.parameters.push_back(std::move(area));
     model.rules.emplace_back(rule);

@@ -236,14 +236,15 @@ std::vector<std::size_t> turning_segments(const MotionSpec& motion,
     const std::vector<StrokeDirection> directions = segment_directions(motion, of_free);
     const std::vector<std::optional<double>> levels = given_levels(motion);
     const std::size_t count = directions.size();
-    for (std::size_t i = motion.closed ? 0 : 1; i < count; ++i) {
+    for (std::size_t i = motion.periodic() ? 0 : 1; i < count; ++i) {
         const std::size_t before = (i + count - 1) % count;
         if (directions[before] == StrokeDirection::open || directions[i] == StrokeDirection::open ||
             directions[before] == directions[i])
             continue;
         const bool top = directions[before] == StrokeDirection::rises;
-        const bool passed = levels[i] && (leads_beyond(motion.segments[before], *levels[i], top) ||
-                                          leads_beyond(motion.segments[i], *levels[i], top));
+        const auto &end = levels[before + 1], &begin = levels[i];  // others where a relative motion goes on
+        const bool passed = (end && leads_beyond(motion.segments[before], *end, top)) ||
+                            (begin && leads_beyond(motion.segments[i], *begin, top));
         if (!passed) turning.push_back(i);
     }
     return turning;
@@ -254,15 +255,17 @@ namespace {
 /// Whether two strokes of one direction join at the start of a segment with the velocity 0: each keeps to its
 /// side of the joint, so that the acceleration is 0 there too.
 bool rests_between(const MotionSpec& motion, std::size_t i) {
-    if (i == 0 || (!motion.within_lift && !motion.monotone)) return false;
-    const std::optional<SetPoint>& joint = motion.segments[i - 1].end;
+    if ((i == 0 && !motion.periodic()) || (!motion.within_lift && !motion.monotone)) return false;
+    const std::size_t before = i > 0 ? i - 1 : motion.own_segments() - 1;
+    const std::optional<SetPoint>& joint = motion.segments[before].end;
     if (!joint || joint->velocity != 0.0 || joint->acceleration) return false;
     const std::vector<std::optional<double>> levels = given_levels(motion);
     const std::vector<StrokeDirection> directions = segment_directions(motion, {});
-    if (!levels[i] || directions[i] == StrokeDirection::open || directions[i] != directions[i - 1])
+    if (!levels[i] || !levels[before + 1] || directions[i] == StrokeDirection::open ||
+        directions[i] != directions[before])
         return false;
     const bool rises = directions[i] == StrokeDirection::rises;
-    return !leads_beyond(motion.segments[i - 1], *levels[i], rises) &&
+    return !leads_beyond(motion.segments[before], *levels[before + 1], rises) &&
            !leads_beyond(motion.segments[i], *levels[i], !rises);
 }
 

@@ -264,7 +264,7 @@ void add_stroke_rules(CamModel& model, const Scene& scene, const HeldStrokes& st
     if (!scene.motion.within_lift && !scene.motion.monotone) return;
     std::size_t free = 0;
     const std::vector<StrokeRange> all = strokes_of(scene, model.design);
-    if (scene.motion.within_lift && !scene.motion.relative) hold_displacement(model, all);
+    if (scene.motion.within_lift) hold_displacement(model, all);
     if (!strokes.held) return;
     for (const StrokeRange& stroke : all) {
         StrokeDirection direction = StrokeDirection::open;

@@ -6,8 +6,6 @@ namespace camopt {
 
 namespace {
 
-// In lifts: no cam follows a motion beyond this range, so proofs need not cover it.
-constexpr double farthest_displacement = 1e3;
 // Proofs may relax the limits by the tolerance of the solve: bounds on motions assume limits relaxed by this,
 // more than any tolerance in use.
 constexpr double relaxed_limits = 1e-6;
@@ -34,7 +32,7 @@ double smallest_stretch_factor(const CamModel& model, int order) {
 /// own.
 double least_value(const Parameter& parameter, double farthest) {
     if (parameter.kind == Parameter::Kind::dimension) return parameter.lower;
-    return std::isfinite(parameter.lower) ? 0.0 : (1.0 - farthest) / parameter.reference;
+    return std::min(0.0, std::max(parameter.lower, (1.0 - farthest) / parameter.reference));
 }
 
 /// Bounds of y' and y'' from those of y and of higher derivatives. Divided differences

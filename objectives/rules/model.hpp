@@ -43,6 +43,9 @@ struct CamVariables {
 /// A root mean square of a moving motion is of order one; this bound only prevents a division by zero.
 inline constexpr double least_rms = 1e-4;
 
+/// In lifts: no cam follows a motion beyond this range, so proofs need not cover it.
+inline constexpr double farthest_displacement = 1e3;
+
 /// A variable besides the design vector: a peak, the torque peak max |y' y''|, a root mean square, a
 /// dimension of the cam, the magnitude of another parameter, the peak of a user-defined term, a response of
 /// an elastic follower train or of a motor (the lost area is one too), or a root mean square of that.

@@ -359,29 +359,30 @@ class Problem:
         """Two splines that reverse the motion, neither of which may pass the joint between them."""
         if not self.motion.get("within_lift", True) and not self.motion.get("monotone", False):
             return False
-        if following == 0 and self.motion.get("closed", True) is not True:
+        if following == 0 and not self.wraps:
             return False
         if not self.moved(i) * self.moved(following) < 0:
             return False
         passing = {j for j in (i, following) for point in segments[j].get("via", []) if any(k.startswith("displacement") for k in point)}
         if any(self.stretches[j].free for j in passing):
             return False
-        upper, level = self.moved(i) > 0, self.stretches[following].start
-        return not any(self.leads_beyond(segments[j].get("via", []), self.stretches[j], level, upper) for j in passing)
+        upper, levels = self.moved(i) > 0, {i: self.stretches[i].to, following: self.stretches[following].start}
+        return not any(self.leads_beyond(segments[j].get("via", []), self.stretches[j], levels[j], upper) for j in passing)
 
     def rests_between(self, segments, i, following):
         """Strokes of one direction with the velocity 0 where they join: each keeps to its side of the joint."""
         joint = segments[i].get("end", {})
-        if following == 0 or (not self.motion.get("within_lift", True) and not self.motion.get("monotone", False)):
+        if (following == 0 and not self.wraps) or \
+                (not self.motion.get("within_lift", True) and not self.motion.get("monotone", False)):
             return False
         if self.stretches[i].free or self.stretches[following].free or not self.moved(i) * self.moved(following) > 0:
             return False
         velocity = self.derivative_in_unit(joint, "velocity", self.stretches[i].end - self.stretches[i].begin) if joint else None
         if velocity != 0 or any(key.startswith("acceleration") for key in joint):
             return False
-        level, rises = self.stretches[following].start, self.moved(i) > 0
+        rises = self.moved(i) > 0
         return not any(self.leads_beyond(segments[j].get("via", []), self.stretches[j], level, upper)
-                       for j, upper in ((i, rises), (following, not rises)))
+                       for j, level, upper in ((i, self.stretches[i].to, rises), (following, self.stretches[following].start, not rises)))
 
     def leads_beyond(self, via, stretch, level, upper):
         """Whether set points of a stroke lead beyond its upper or its lower end."""

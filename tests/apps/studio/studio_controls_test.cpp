@@ -41,6 +41,19 @@ TEST(StudioControls, CoverEveryNumberOfAProgram) {
     EXPECT_EQ(control_of(controls, "motion.segments[1]", "angle_deg")["slider"]["to"], 360.0);
 }
 
+TEST(StudioControls, OfferNoLiftThatMovesNothing) {
+    EXPECT_TRUE(control_of(studio_controls(text_of("cam_drdrd.toml")), "motion", "lift_mm").is_null())
+        << "every displacement is in mm";
+    const std::string in_lifts =
+        "[motion]\ntype = \"program\"\nlift_mm = 10\nsegments = [{ kind = \"spline\", "
+        "angle_deg = 180, to = 1 }, { kind = \"spline\", angle_deg = 180, to = 0 }]\n";
+    EXPECT_FALSE(control_of(studio_controls(in_lifts), "motion", "lift_mm").is_null());
+    EXPECT_FALSE(control_of(studio_controls("[motion]\ntype = \"DRD\"\nlift_mm = 10\nvia = [{ at_deg = 50, "
+                                            "displacement_mm = 4 }]\n"),
+                            "motion", "lift_mm")
+                     .is_null());
+}
+
 TEST(StudioControls, DistinguishRangesAndPossibleRanges) {
     const Json controls = studio_controls(text_of("cam_smallest.toml"));
     const Json radius = control_of(controls, "cam", "base_radius_mm");
