@@ -9,6 +9,8 @@ namespace {
 
 using Fault = std::optional<SceneFault>;
 
+constexpr std::size_t most_axis_name = 64;
+
 bool is_folder_name(const std::string& name) {
     return !name.empty() && std::ranges::all_of(name, [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -117,6 +119,10 @@ std::optional<SceneFault> find_name_fault(const MachineSpec& machine) {
         if (!is_folder_name(axis.name))
             return SceneFault{member + ".name", fmt::format("\"{}\"", axis.name),
                               "letters, digits, '_' and '-': the folder of its results has this name"};
+        if (axis.name.size() > most_axis_name)
+            return SceneFault{
+                member + ".name", fmt::format("a name of {} letters", axis.name.size()),
+                fmt::format("at most {}: the folder of its results has this name", most_axis_name)};
         for (std::size_t other = 0; other < index; ++other)
             if (machine.axes[other].name == axis.name)
                 return SceneFault{member + ".name", fmt::format("\"{}\" a second time", axis.name),

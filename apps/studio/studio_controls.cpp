@@ -59,6 +59,7 @@ void collect_tables(const SceneTable& table, std::vector<SceneTable>& found) {
 /// What decides which keys a scene could have.
 struct SceneState {
     std::string cam_type;  ///< empty: no cam
+    std::string motion_type;
     bool has_forces = false;
     bool has_dynamics = false;
     bool has_drive = false;
@@ -70,6 +71,8 @@ SceneState state_of(const std::vector<SceneTable>& tables) {
     for (const SceneTable& table : tables) {
         if (table.path == "cam")
             if (const Member* const type = table.node->find("type")) state.cam_type = type->value.text;
+        if (table.path == "motion")
+            if (const Member* const type = table.node->find("type")) state.motion_type = type->value.text;
         state.has_forces = state.has_forces || table.path == "forces";
         state.has_dynamics = state.has_dynamics || table.path == "dynamics";
         state.has_drive = state.has_drive || table.path == "drive";
@@ -183,6 +186,7 @@ bool could_be(const KeyRow& row, const SceneState& state) {
     if (row.availability == input::Availability::needs_drive) return state.has_drive;
     if (row.availability != input::Availability::now && state.cam_type.empty()) return false;
     if (row.availability == input::Availability::needs_forces && !state.has_forces) return false;
+    if (row.table == "motion" && !input::motion_types_of(row.name, state.motion_type).empty()) return false;
     return row.is_for(state.cam_type);
 }
 

@@ -30,6 +30,13 @@ double smallest_stretch_factor(const CamModel& model, int order) {
     return smallest;
 }
 
+/// Of a parameter of motions with |y| <= farthest. Only a lost area, 1 − the mean of y, has no end of its
+/// own.
+double least_value(const Parameter& parameter, double farthest) {
+    if (parameter.kind == Parameter::Kind::dimension) return parameter.lower;
+    return std::isfinite(parameter.lower) ? 0.0 : (1.0 - farthest) / parameter.reference;
+}
+
 /// Bounds of y' and y'' from those of y and of higher derivatives. Divided differences
 /// of y over a spline stretch of length l are y' and y''/2 at some points of it, so that
 /// |y'| <= 2 B_0 / l + l B_2 and |y''| <= 16 B_0 / l² + l B_3.
@@ -83,22 +90,39 @@ void CamProblem::bound_by_motor(const CamModel& model, SupportedBounds& known, d
     known.rms[2] = std::min(known.rms[2], bend / std::sqrt(shortest));
 }
 
+/// |y| of every motion that counts.
+double CamProblem::farthest(double incumbent) const {
+    const CamModel& model = *model_;
+    const double far =
+        farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
+    // Without an incumbent the strokes may leave their ranges; proofs over boxes state boxes of their own.
+    if (!std::isfinite(incumbent) || !grid_->shape().convex) return far;
+    return std::min(far, model.held_displacement + relaxed_limits * model.held_width);
+}
+
+double CamProblem::least_cost(double incumbent) const {
+    double least = 0.0;
+    for (const Parameter& parameter : model_->parameters)
+        if (parameter.weight > 0.0)
+            least += std::min(0.0, parameter.weight * least_value(parameter, farthest(incumbent)));
+    return least;
+}
+
 CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, double relaxation) const {
     const CamModel& model = *model_;
     const auto parameters = static_cast<Eigen::Index>(model.parameters.size());
     SupportedBounds known{Eigen::VectorXd::Constant(parameters, infinity), {}, {}};
     known.sup.fill(infinity);
     known.rms.fill(infinity);
-    known.sup[0] = farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
-    // Without an incumbent the strokes may leave their ranges; proofs over boxes state boxes of their own.
-    if (std::isfinite(incumbent) && grid_->shape().convex)
-        known.sup[0] = std::min(known.sup[0], model.held_displacement + relaxed_limits * model.held_width);
+    known.sup[0] = farthest(incumbent);
+    // A term costs at most what the incumbent leaves it where every other one is at its least.
+    const double least = least_cost(incumbent);
     for (Eigen::Index p = 0; p < parameters; ++p) {
         const Parameter& parameter = model.parameters[p];
         known.parameters[p] = parameter.upper;
-        if (parameter.weight > 0.0) {  // every term of the cost is at least 0, dimensions at their lower ends
-            known.parameters[p] = std::min(known.parameters[p], incumbent / parameter.weight);
-        }
+        if (!(parameter.weight > 0.0)) continue;
+        const double own = std::min(0.0, parameter.weight * least_value(parameter, known.sup[0]));
+        known.parameters[p] = std::min(known.parameters[p], (incumbent - least + own) / parameter.weight);
     }
     for (const ParameterRow& row : model.parameter_rows) {
         if (std::ranges::any_of(row.weights, [](double weight) { return weight < 0.0; })) continue;
@@ -156,7 +180,7 @@ Box CamProblem::box(double incumbent, double relaxation) const {
         const Parameter& parameter = model.parameters[p];
         const Eigen::Index variable = family.size() + static_cast<Eigen::Index>(p);
         box.upper[variable] = known.parameters[static_cast<Eigen::Index>(p)];
-        box.lower[variable] = parameter.kind == Parameter::Kind::dimension ? parameter.lower : 0.0;
+        box.lower[variable] = least_value(parameter, known.sup[0]);
         if (parameter.kind == Parameter::Kind::magnitude) {
             const Parameter& of = model.parameters[parameter.order];
             box.upper[variable] =

@@ -461,9 +461,13 @@ void MachineProblem::add_pressed(Clear& clear, int part, double angle,
 
 Box MachineProblem::box(double incumbent, double relaxation) const {
     Box box{Eigen::VectorXd(variables_), Eigen::VectorXd(variables_)};
+    const auto least = [&](const Block& block) {
+        return block.spec.weight * block.problem->least_cost(incumbent / block.spec.weight);
+    };
+    double rest = incumbent;  // what the total leaves each, where every other one is at its least
+    for (const Block& block : blocks_) rest -= least(block);
     for (const Block& block : blocks_) {
-        // No objective is negative: each is at most the total.
-        const Box own = block.problem->box(incumbent / block.spec.weight, relaxation);
+        const Box own = block.problem->box((rest + least(block)) / block.spec.weight, relaxation);
         box.lower(block.columns) = own.lower;
         box.upper(block.columns) = own.upper;
     }

@@ -53,7 +53,7 @@ struct Parameter {
     int order = 0;           ///< peak, rms: of the derivative it belongs to; magnitude: of which parameter
     double reference = 1.0;  ///< the variable is in units of this
     double weight = 0.0;     ///< in the cost
-    double lower = 0.0, upper = infinity;  ///< dimension: its range, in units of the reference
+    double lower = 0.0, upper = infinity;  ///< its range, in units of the reference
     /// own, response, energy: its definition, also where a relaxation omits the rule; of an energy the only
     /// place, for it has no row.
     std::shared_ptr<const PointRule> defined_by = {};

@@ -31,6 +31,8 @@ RunOrigin origin_of(const MachineSolution& solution, std::size_t own, const std:
     const AxisSpec& axis = solution.spec.axes[own];
     std::vector<std::string> settings = axis.settings;
     settings.push_back(input::speed_setting(solution.speed));
+    if (axis.phase != axis.scene.motion.phase)
+        settings.push_back(fmt::format("motion.phase_deg={:.15g}", degrees_shown.of(axis.phase)));
     const MotionSpec& motion = axis.scene.motion;
     for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s) {
         if (!solution.timing->searched[own][s]) continue;

@@ -62,8 +62,15 @@ std::string degrees_text(double value) {
 
 std::string range_words(const MasterCurve& curve) {
     const double ends = curve.at(curve.end(), Side::left)[0];
-    std::string text = fmt::format("master 0 to {}, lift {} {}; ", degrees_text(curve.end()),
-                                   short_text(curve.lift(), 6), curve.slave_unit());
+    const auto [low, high] = curve.displacements();
+    const std::string travel =
+        low == 0.0 && high == curve.lift()
+            ? "lift " + short_text(high, 6)
+            : fmt::format("strokes from {} to {}", short_text(low, 6), short_text(high, 6));
+    std::string text =
+        fmt::format("master 0 to {}, {} {}; ", degrees_text(curve.end()), travel, curve.slave_unit());
+    if (curve.phase() != 0.0)
+        text += fmt::format("the motion begins at {} of the master; ", degrees_text(curve.phase()));
     if (curve.closes()) return text + "the cam closes";
     return text + fmt::format(
                       "the cam does not close: it ends {} {} from where it began, run it once or with "
@@ -196,7 +203,7 @@ std::string plc_json(const Solution& solution, const MasterCurve& curve,
                      const std::vector<PlcResult>& results) {
     ordered_json json{{"camopt", version()},
                       {"scene", solution.scene.title},
-                      {"master", {{"unit", "deg"}, {"end", curve.end()}}},
+                      {"master", {{"unit", "deg"}, {"end", curve.end()}, {"phase", curve.phase()}}},
                       {"slave",
                        {{"unit", curve.slave_unit()},
                         {"lift", curve.lift()},
@@ -271,8 +278,10 @@ void judge(PlcResult& result, const MasterCurve& curve, const std::array<CamDiff
             result.lossless = false;
             continue;
         }
-        result.loss[r]->value = figure_not_exceeded(result.loss[r]->value);
+        // Doubles know the difference of two values of this size to their last place.
         const double peak = r == 0 ? curve.lift() : peaks[r].value;
+        if (double& value = result.loss[r]->value; value > 0.0)
+            value = figure_not_exceeded(value + std::numeric_limits<double>::epsilon() * peak);
         result.of_peak[r] = peak > 0.0 ? figure_not_exceeded(result.loss[r]->value / peak) : 0.0;
         const double allowed = r == 0 ? lossless_displacement : lossless_derivative;
         if (!(result.of_peak[r] <= allowed)) result.lossless = false;
@@ -360,7 +369,7 @@ PlcExport plc_export(const Solution& solution, const std::vector<std::string>& f
                      const PlcOptions& options) {
     if (!solution.motion)
         throw InputError("--plc: an electronic cam needs a motion, and this solution has none");
-    const MasterCurve curve(solution.whole_turn(), solution.scene.motion);
+    const MasterCurve curve(solution.master_turn(), solution.scene.motion);
     const PlcWriter writer(solution, curve);
     PlcExport result;
     std::set<std::string> done;

@@ -5,7 +5,8 @@
 // lossless: over one revolution s stays within 1e-12 of the lift, and s', s'', s''' within 1e-9 of their
 // peaks (they magnify the rounding of s).
 //
-// plc.json: { "camopt", "scene", "master": {"unit", "end"}, "slave": {"unit", "lift", "travel", "closes"},
+// plc.json: { "camopt", "scene", "master": {"unit", "end", "phase"}, "slave": {"unit", "lift", "travel",
+// "closes"},
 //   "formats": [{ "format", "file", "text_file", "controller", "rule", "numbers", "element", "count",
 //   "limit",
 //     "degree", "units": {"master_deg", "slave"}, "slave_at_start", "verdict", "drift_per_turn",

@@ -14,6 +14,7 @@ from certificate_checker.exact import Refuted
 ELEMENT = re.compile(r"\w+(?:\.\w+)*\[(\d+)\]\.(\w+)\s*:=\s*([^;]+);")
 FIELD = re.compile(r"(?<![\w\]])(\w+\.\w+)\s*:=\s*([^;]+);")
 SAME_END = Fraction(1, 10**6)
+SAME_JERK = Fraction(1, 10**6)  # of the largest: a difference of states that are written to 17 digits
 # Columns: what one unit of s0, s1, v0·h, v1·h, a0·h², a1·h² gives to c0 … c5 over u = t / h.
 QUINTIC = [[1, 0, 0, -10, 15, -6], [0, 0, 0, 10, -15, 6], [0, 1, 0, -6, 8, -3], [0, 0, 0, -4, 7, -3],
            [0, 0, Fraction(1, 2), Fraction(-3, 2), Fraction(3, 2), Fraction(-1, 2)],
@@ -85,7 +86,14 @@ def twincat(text, _):
             demand(element[name] == value, f"point {index}", f"{name} is {element[name]}, not {value}")
     names = ("MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc")
     knots = [[lreal(elements[i + 1][name]) for name in names] for i in range(count)]
-    return [quintic(a, b) for a, b in zip(knots, knots[1:])]
+    pieces = [quintic(a, b) for a, b in zip(knots, knots[1:])]
+    begin, end, last = pieces[-1]
+    jerks = [6 * c[3] for _, _, c in pieces] + [sum(k * (k - 1) * (k - 2) * last[k] * (end - begin)**(k - 3) for k in range(3, 6))]
+    room = SAME_JERK * max(map(abs, jerks))
+    for i, jerk in enumerate(jerks):
+        written = lreal(elements[i + 1]["SlaveJerk"])
+        demand(abs(written - jerk) <= room, f"point {i + 1}", f"SlaveJerk is {float(written)}, of its polynomial {float(jerk)}")
+    return pieces
 
 
 def siemens(text, _):

@@ -259,9 +259,9 @@ JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
     return worst;
 }
 
-void drop_idle_bound(Certificate& certificate) {
+void drop_idle_bound(Certificate& certificate, const ObjectiveSpec& objective) {
     if (certificate.verdict == Verdict::optimal) return;
-    if (!certificate.lower_bound || *certificate.lower_bound >= 0.0) return;
+    if (!certificate.lower_bound || *certificate.lower_bound >= least_objective(objective)) return;
     forget_proof(certificate);
 }
 
@@ -288,7 +288,7 @@ void audit_delivered(Solution& solution) {
         tell_of_enclosures(solution);
         judge_gap(certificate, solution.scene.solver.wanted_gap(solution.solver.convex));
         drop_passed_bound(certificate, solution.scene.solver.tolerance);
-        drop_idle_bound(certificate);
+        drop_idle_bound(certificate, solution.scene.objective);
         return tell_of_rounding(solution);
     }
     fail(certificate, fault->reason);

@@ -141,8 +141,10 @@ Scene at_speed(const Scene& scene, double speed) {
 std::vector<Scene> scenes_at(const MachineSpec& machine, double speed) {
     std::vector<Scene> scenes;
     scenes.reserve(machine.axes.size());
-    for (const AxisSpec& axis : machine.axes)
+    for (const AxisSpec& axis : machine.axes) {
         scenes.push_back(with_written_limits(at_speed(axis.scene, speed)));
+        scenes.back().motion.phase = axis.phase;
+    }
     return scenes;
 }
 
@@ -198,6 +200,7 @@ Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd&
     solution.notes.emplace_back(
         "an axis of a machine: the least total objective of all axes is proved in machine.json, not the "
         "least of this axis alone");
+    note_phase(solution);
     return solution;
 }
 

@@ -66,6 +66,10 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.staged = run.known.is_cold();
     ContinuousResult result = solve_continuous(problem, solver, exchange, judge, run.control);
+    if (result.certificate.reason == Reason::unbounded) {
+        forget_proof(result.certificate);  // of motions up to the farthest that proofs cover
+        return result;
+    }
     const auto nearly = [&] { return result.certificate.gap.value_or(infinity) <= nearly_proved; };
     // Where rows are nearly dependent, inexact steps end far off. From the same grid again.
     if (run.plan.solver == "structured" && !nearly()) {
@@ -232,7 +236,8 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
         solution = solve_free_angles(scene, *plan, timed);  // each set of them by its own plan
     } else {
         solution = plan->breakpoints > 0 ? solve_free_knots(run) : solve_motion(run);
-        if (plan->strokes_first_free && leaves_its_strokes(solution)) {
+        const bool unbounded = solution.certificate.reason == Reason::unbounded;  // a lost area may be
+        if (plan->strokes_first_free && (unbounded || leaves_its_strokes(solution))) {
             run.known.optima.withdraw();
             Solution held = plan->breakpoints > 0 ? solve_held_on_breakpoints(posed.scene(), solution, timed)
                                                   : solve_held_strokes(posed.scene(), timed);

@@ -61,6 +61,19 @@ TEST(StudioControls, OfferOnlyApplicableKeys) {
     EXPECT_TRUE(control_of(cam, "limits", "torque_nm").is_null());
 }
 
+TEST(StudioControls, OfferAValveOnlyItsKeys) {
+    const Json valve = studio_controls(text_of("valve_intake.toml"));
+    for (const char* const key :
+         {"rise_deg", "return_deg", "symmetric", "monotone", "within_lift", "closed", "repeat", "stops"})
+        EXPECT_TRUE(control_of(valve, "motion", key).is_null()) << key;
+    for (const char* const key : {"lift_mm", "lash_mm", "duration_crank_deg", "rocker_ratio"})
+        EXPECT_FALSE(control_of(valve, "motion", key).is_null()) << key;
+    const Json rise = studio_controls(text_of("drd_cubic_12.toml"));
+    for (const char* const key : {"lash_mm", "duration_deg", "rocker_ratio", "closed", "repeat"})
+        EXPECT_TRUE(control_of(rise, "motion", key).is_null()) << key;
+    EXPECT_FALSE(control_of(rise, "motion", "symmetric").is_null());
+}
+
 TEST(StudioControls, CoverEveryKeyOfAScene) {
     for (const char* name : {"cam_forces.toml", "barrel_paper_cup.toml", "tappet_75.toml",
                              "inverse_feeder.toml", "drd_via_points.toml", "cylinder_slide.toml"}) {
