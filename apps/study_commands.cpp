@@ -14,6 +14,7 @@
 #include "output/machine/machine_folder.hpp"
 #include "output/machine/machine_output.hpp"
 #include "output/page/study_html.hpp"
+#include "output/plc/plc_export.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/valve_tables.hpp"
 #include "output/words/solution_text.hpp"
@@ -186,6 +187,7 @@ ExitCode valves_command(const ValvesRequest& request) {
 /// Several axes on one master, their largest speed or least objective, with its proof.
 ExitCode machine_command(const MachineRequest& request) {
     const MachineSpec machine = input::read_machine(request.scene, camopt::load_scene, request.settings);
+    for (const AxisSpec& axis : machine.axes) refuse_too_few_elements(axis.scene, request.plc);
     if (!request.out.empty()) prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written: Ctrl-C must not lose them
     MachineSolution solution = solve_with_progress(request, machine);

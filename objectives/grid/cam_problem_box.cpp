@@ -153,9 +153,6 @@ Box CamProblem::box(double incumbent, double relaxation) const {
     // Displacements at joints are bounded by the velocity and the known start.
     const double reach = std::min(known.sup[0], known.sup[1] * (family.end() - family.begin()));
     const std::array<double, 3> joint_bound = {reach, known.sup[1], known.sup[2]};
-    for (int entry = family.first_joint_entry(); entry < family.size(); ++entry) {
-        box.upper[entry] = joint_bound[family.order(entry)];
-    }
     std::array<double, 4> own{};  // bounds on |y^{(r)}| over all runs
     for (int r = 0; r < family.runs(); ++r) {
         const DesignVector& run = family.run(r);
@@ -169,6 +166,11 @@ Box CamProblem::box(double incumbent, double relaxation) const {
         for (int order = 0; order < 4; ++order) {
             own[order] = std::max(own[order], derivatives.row(order).maxCoeff());
         }
+    }
+    // A joint is an end of a run: where no limit bounds a derivative there, its spline does.
+    for (int entry = family.first_joint_entry(); entry < family.size(); ++entry) {
+        const int order = family.order(entry);
+        box.upper[entry] = std::min(joint_bound[order], own[order]);
     }
     box.upper.head(family.size()) = box.upper.head(family.size()).cwiseQuotient(design_scales(model));
     box.lower = -box.upper;

@@ -2,6 +2,7 @@
 #include "output/plc/plc_export.hpp"
 
 #include "core/version.hpp"
+#include "objectives/scene_model.hpp"
 #include "output/json/json_text.hpp"
 #include "output/plc/structured_text.hpp"
 #include "output/view/shown_units.hpp"
@@ -219,11 +220,12 @@ constexpr double lossless_derivative = 1e-9;     // of its peak
 void check_count(const PlcFormat& format, int count) {
     if (!format.limit || count <= *format.limit) return;
     const int points = format.counted == PlcCount::points ? *format.limit : *format.limit + 1;
-    throw InputError(fmt::format(
-        "--plc {}: {} {}, {} holds {}{}; allowed: --points {} or fewer (with the loss that is stated), fewer "
-        "segments of the spline, or another format",
-        format.key, count, format.element, format.limit_words, *format.limit,
-        format.limit_note.empty() ? "" : fmt::format(" ({})", format.limit_note), points));
+    throw InputError(
+        fmt::format("--plc {}: {} {}, {} holds {}{}; allowed: --points {} or fewer of camopt export (with "
+                    "the loss that is "
+                    "stated), fewer segments of the spline, or another format",
+                    format.key, count, format.element, format.limit_words, *format.limit,
+                    format.limit_note.empty() ? "" : fmt::format(" ({})", format.limit_note), points));
 }
 
 std::string formats_that_hold_jumps() {
@@ -352,6 +354,15 @@ std::array<std::optional<CamDifference>, 4> plc_loss(const PlcFormat& format, co
                                                      const PlcUnits& units, double slave_at_start,
                                                      const MasterCurve& curve) {
     return loss_of_pieces(format, format.read(text, units), slave_at_start, curve);
+}
+
+void refuse_too_few_elements(const Scene& scene, const std::vector<std::string>& formats) {
+    if (formats.empty()) return;
+    const int pieces = static_cast<int>(scene_family(scene, DesignKind::states).pieces().size());
+    for (const std::string& key : formats) {
+        const PlcFormat& format = plc_format(key);
+        check_count(format, pieces + (format.counted == PlcCount::points ? 1 : 0));
+    }
 }
 
 PlcExport plc_export(const Solution& solution, const std::vector<std::string>& formats,

@@ -49,6 +49,10 @@ struct PlcExport {
 [[nodiscard]] PlcExport plc_export(const Solution& solution, const std::vector<std::string>& formats,
                                    const PlcOptions& options);
 
+/// Throws InputError where a format holds fewer elements than every motion of the scene has: known before it
+/// is solved.
+void refuse_too_few_elements(const Scene& scene, const std::vector<std::string>& formats);
+
 /// "codesys.check.json".
 [[nodiscard]] std::string plc_check_name(const PlcFormat& format);
 

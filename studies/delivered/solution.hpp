@@ -285,6 +285,8 @@ struct Solution {
     /// The motions of the scene, until the solution is audited (family_of()).
     std::shared_ptr<const MotionFamily> family;
     std::vector<std::string> notes;  ///< redundant conditions by name, and other things worth a line
+    /// Of an axis of a machine: its phase and the clearances that shape it, in words; empty: a motion alone.
+    std::string machine = {};
 
     /// The delivered motion over the whole turn, x from 0 to 2π / unit angle: what it leaves of the turn
     /// rests where it ends; of a motion whose ends move the motion itself. Throws InputError where there is
