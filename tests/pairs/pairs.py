@@ -118,7 +118,8 @@ REFUSED = [
     ('allowed: with cam.type = "disk"', ["drawing as SVG", "drawing as PDF", "drawing as DXF"], REMOTE + SPATIAL),
     ("export writes --csv, --dxf and --picture", ["STEP", "STL", "NC"], REMOTE),
     ("which is not a plane curve", ["DXF"], SPATIAL),
-    (r"--plc siemens: \d+ segments, a technology object TO_Cam holds 50", ["siemens"], ["valve", "valve in inches", "laws on an elastic train"]),
+    (r"--plc siemens: \d+ segments, a technology object TO_Cam holds 50", ["siemens"],
+     ["valve", "valve in inches", "laws on an elastic train"]),
 ]
 
 # What the program writes that no scene alone asks for, and the test that reads it back.
