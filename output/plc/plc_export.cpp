@@ -278,10 +278,11 @@ void judge(PlcResult& result, const MasterCurve& curve, const std::array<CamDiff
             result.lossless = false;
             continue;
         }
-        // Doubles know the difference of two values of this size to their last place.
+        // Doubles know the difference of two polynomials of this size to some units of their last place.
+        constexpr double unknown = 32.0 * std::numeric_limits<double>::epsilon();
         const double peak = r == 0 ? curve.lift() : peaks[r].value;
         if (double& value = result.loss[r]->value; value > 0.0)
-            value = figure_not_exceeded(value + std::numeric_limits<double>::epsilon() * peak);
+            value = figure_not_exceeded(value + unknown * peak);
         result.of_peak[r] = peak > 0.0 ? figure_not_exceeded(result.loss[r]->value / peak) : 0.0;
         const double allowed = r == 0 ? lossless_displacement : lossless_derivative;
         if (!(result.of_peak[r] <= allowed)) result.lossless = false;
