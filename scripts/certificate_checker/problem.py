@@ -407,9 +407,15 @@ class Problem:
         """The place in the part of the turn that is repeated."""
         end = self.stretches[-1].end
         while self.copies > 1 and (x > end + SAME_PLACE or (side == "right" and x >= end - SAME_PLACE)) and \
-                x < self.copies * end - SAME_PLACE:
+                x <= self.copies * end + SAME_PLACE:
             x -= end
         return x
+
+    def place_of(self, origin):
+        """(x, the side) of a row. Nothing of the motion follows its end: a row there is one of what leads to it."""
+        at = number(origin["at"])
+        at_end = abs(at - self.copies * self.stretches[-1].end) <= SAME_PLACE
+        return at, "left" if at_end else origin.get("side", "right")
 
     # -- breakpoints and set points
 
