@@ -50,7 +50,7 @@ TEST(MotionCases, ObjectiveIsThatOfTheCurve) {
     EXPECT_LT(solution.certificate.objective, 0.0);
 }
 
-TEST(MotionCases, SeamOfRelativeMotionTurnsAtRest) {
+TEST(MotionCases, SeamOfRelativeMotionTurns) {
     const std::string text =
         "[motion]\ntype = \"program\"\nlift_mm = 10\nclosed = \"relative\"\nsegments = [\n"
         "{ kind = \"spline\", angle_deg = 151, to = 1.29 }, { kind = \"spline\", angle_deg = 209, to = 0.25 "
