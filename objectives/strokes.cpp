@@ -245,7 +245,7 @@ std::vector<PointCondition> points_at_limits(const Scene& scene, const std::vect
 
 namespace {
 
-/// Laws and dwells stay between the displacements that strokes begin or end with.
+/// Laws and dwells stay between the displacements at their ends.
 void hold_displacement(CamModel& model, const std::vector<StrokeRange>& strokes) {
     double most = 0.0, width = 0.0;
     for (const StrokeRange& stroke : strokes) {
@@ -253,6 +253,8 @@ void hold_displacement(CamModel& model, const std::vector<StrokeRange>& strokes)
         most = std::max({most, std::abs(stroke.least), std::abs(stroke.most)});
         width = std::max(width, stroke.most - stroke.least);
     }
+    for (const MotionFamily::Stretch& stretch : model.design.own_stretches())  // a law may be the last
+        most = std::max(most, std::abs(known_displacement(stretch.to).value_or(infinity)));
     if (strokes.empty() || !std::isfinite(most)) return;
     model.held_displacement = most;
     model.held_width = width;

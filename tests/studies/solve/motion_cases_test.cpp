@@ -6,6 +6,7 @@
 #include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -50,7 +51,7 @@ TEST(MotionCases, ObjectiveIsThatOfTheCurve) {
     EXPECT_LT(solution.certificate.objective, 0.0);
 }
 
-TEST(MotionCases, SeamOfRelativeMotionTurnsAtRest) {
+TEST(MotionCases, SeamOfRelativeMotionTurns) {
     const std::string text =
         "[motion]\ntype = \"program\"\nlift_mm = 10\nclosed = \"relative\"\nsegments = [\n"
         "{ kind = \"spline\", angle_deg = 151, to = 1.29 }, { kind = \"spline\", angle_deg = 209, to = 0.25 "
@@ -60,6 +61,24 @@ TEST(MotionCases, SeamOfRelativeMotionTurnsAtRest) {
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     ASSERT_NE(solution.motion, nullptr);
     EXPECT_NEAR(solution.motion->at(0.0, Side::right).derivative[1], 0.0, 1e-12);
+}
+
+TEST(MotionCases, LawAboveStrokesCountsInArea) {
+    const auto text = [](double lift, double scale, double weight) {
+        return fmt::format(
+            "[motion]\ntype = \"program\"\nlift_mm = {}\nclosed = false\nsegments = [\n"
+            "{{ kind = \"spline\", angle_deg = 100, to = {} }}, {{ kind = \"law\", law = "
+            "\"polynomial_345\", angle_deg = 200, to = {} }}]\n[spline]\nsegments = 9\n[objective]\n"
+            "area = {}\njerk = 0.1\nreference = {{ area = 0.5, jerk = 69 }}\n",
+            lift, 1.0 * scale, 3.0 * scale, weight);
+    };
+    const Solution low = solved_text(text(10, 1.0, 1.0)), high = solved_text(text(40, 0.25, 4.0));
+    EXPECT_LT(low.certificate.objective, 0.0);
+    // 4 (1 − m / 4) = (1 − m) + 3, divided by the reference 0.5.
+    expect_optimum(low, high.certificate.objective - 6.0, 1e-6);
+    ASSERT_TRUE(low.certificate.lower_bound && high.certificate.lower_bound);
+    EXPECT_LE(*low.certificate.lower_bound, low.certificate.objective);
+    EXPECT_LE(*low.certificate.lower_bound, high.certificate.objective - 6.0 + 1e-6);
 }
 
 TEST(MotionCases, RepeatedSplinesJoin) {
