@@ -294,6 +294,23 @@ double contradicting_directions(const MotionSpec& motion, const std::vector<Stro
     return apart;
 }
 
+namespace {
+
+/// What follows from inequalities alone, with its segment.
+using ImpliedConditions = std::vector<std::pair<std::size_t, PointCondition>>;
+
+/// The ends of a run count as given where its conditions are solved: a spline of few segments may then have
+/// too little freedom for those that are implied, whose inequalities hold without them.
+MotionFamily family_of(const FamilyRequest& request, const ImpliedConditions& implied) {
+    FamilyRequest whole = request;
+    for (const auto& [i, condition] : implied) whole.stretches[i].conditions.push_back(condition);
+    MotionFamily family = MotionFamily::make(whole);
+    if (implied.empty() || family.contradictions().empty()) return family;
+    return MotionFamily::make(request);
+}
+
+}  // namespace
+
 MotionFamily program_family(const Scene& scene, DesignKind kind,
                             const std::vector<StrokeDirection>& of_free) {
     FamilyRequest request;
@@ -313,6 +330,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
     // degenerate.
     const std::vector<std::size_t> turning = turning_segments(motion, of_free);
     const std::vector<std::optional<double>> levels = given_levels(motion);
+    ImpliedConditions implied;
     double angle = 0.0;
     for (std::size_t i = 0; i < scene.motion.own_segments(); ++i) {
         const ProgramSegment& segment = scene.motion.segments[i];
@@ -345,15 +363,15 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
                 levels[i] && levels[i + 1] ? measured_displacement(*levels[i + 1] - *levels[i]) : 1.0;
             for (PointCondition& condition :
                  points_at_limits(scene, points, static_cast<int>(i), {stretch.end - stretch.begin, moved}))
-                stretch.conditions.push_back(std::move(condition));
+                implied.emplace_back(i, std::move(condition));
             if (rests_between(motion, i))
-                stretch.conditions.push_back({stretch.begin, 2, Side::right, 0.0,
-                                              fmt::format("rest at the start of motion.segments[{}]", i),
-                                              false});
+                implied.emplace_back(
+                    i, PointCondition{stretch.begin, 2, Side::right, 0.0,
+                                      fmt::format("rest at the start of motion.segments[{}]", i), false});
         }
         request.stretches.push_back(std::move(stretch));
     }
-    return MotionFamily::make(request);
+    return family_of(request, implied);
 }
 
 }  // namespace camopt
