@@ -162,10 +162,9 @@ constexpr double deep_enough = 0.75;
 // A least violation close to the tolerance is proved only by multipliers of higher accuracy.
 constexpr double second_look = 1e-2;
 
-Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Eigen::VectorXd& start,
-                 const ExchangeOptions& options, const SolveControl& control) {
-    const std::unique_ptr<Solver> solver = make_structured_solver();
-    const ExchangeResult result = minimize_by_exchange(elastic, *solver, start, options, control);
+Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Solver& solver,
+                 const Eigen::VectorXd& start, const ExchangeOptions& options, const SolveControl& control) {
+    const ExchangeResult result = minimize_by_exchange(elastic, solver, start, options, control);
     Feasibility found;
     found.termination = result.termination;
     found.seconds_solver = result.seconds_solver;
@@ -185,14 +184,15 @@ Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Eige
 }  // namespace
 
 Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& options,
-                          const SolveControl& control) {
+                          const SolveControl& control, const Solver* other) {
     ElasticProblem elastic(problem);
+    const std::unique_ptr<Solver> structured = make_structured_solver();
     ExchangeOptions own = options;
     own.backend.native.clear();  // they belong to the user's backend
     const Eigen::VectorXd begin = elastic.start();
     double seconds = 0.0;
     const auto look_from = [&](const Eigen::VectorXd& start) {
-        Feasibility found = look(problem, elastic, start, own, control);
+        Feasibility found = look(problem, elastic, other ? *other : *structured, start, own, control);
         seconds = found.seconds_solver += seconds;
         return found;
     };

@@ -105,9 +105,9 @@ struct Feasibility {
     double seconds_solver = 0.0;  ///< wall time inside the backend
 };
 
-/// Convex problems only. Uses the structured solver.
+/// Convex problems only. `other`: a backend in place of the structured solver.
 [[nodiscard]] Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& options,
-                                        const SolveControl& control);
+                                        const SolveControl& control, const Solver* other = nullptr);
 
 // Solves one continuous problem with one backend: exchange, repair, proof, verdict.
 

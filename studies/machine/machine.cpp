@@ -2,6 +2,7 @@
 #include "studies/machine/machine.hpp"
 
 #include "scene/written_limits.hpp"
+#include "solvers/registry.hpp"
 #include "studies/machine/machine_build.hpp"
 #include "studies/search/settled_scene.hpp"
 #include "studies/sweep/sweep_plan.hpp"
@@ -15,8 +16,16 @@ namespace {
 // Of trials: the sign of the least common violation is proved, its value only steers the search.
 constexpr double trial_tolerance = 1e-6;
 constexpr int most_trials = 60, few_trials = 4;
+constexpr double other_part = 0.02;  // of the whole time: another backend, for a speed that is not decided
 // Of the steepness by log ω: of a limit on acceleration, and less than that of any limit in time.
 constexpr double usual_slope = 2.0, least_slope = 0.2;
+
+/// Null: this build has none.
+std::unique_ptr<Solver> other_backend() {
+    const auto entries = solver_entries();
+    const auto ipopt = std::ranges::find(entries, "ipopt", &SolverEntry::name);
+    return ipopt != entries.end() && ipopt->available ? make_solver(ipopt->name) : nullptr;
+}
 
 /// The outcome at one speed.
 struct Trial {
@@ -90,14 +99,18 @@ class MachineSearch {
         ExchangeOptions exchange = machine_exchange(machine(), options_.max_seconds);
         const double tight = exchange.tolerance;
         exchange.tolerance = exchange.backend.tolerance = std::max(tight, trial_tolerance);
-        for (int attempt = 0; attempt < 2; ++attempt) {
-            Feasibility found = find_feasible(*posed.problem, exchange, control_);
-            if (found.point.x.size() > 0) {
+        constexpr int attempts = 3;  // the second to a tighter tolerance, the third by another backend
+        for (int attempt = 0; attempt < attempts; ++attempt) {
+            const std::unique_ptr<Solver> other = attempt == attempts - 1 ? other_backend() : nullptr;
+            if (attempt == attempts - 1 && !other) break;
+            if (other) exchange.backend.max_seconds = other_part * options_.max_seconds;
+            Feasibility found = find_feasible(*posed.problem, exchange, control_, other.get());
+            if (found.point.x.size() > 0 && found.point.violation < trial.violation) {
                 trial.violation = found.point.violation;
                 trial.exists = trial.violation <= tight;
                 trial.x = std::move(found.point.x);
             }
-            trial.proof = std::move(found.proof);
+            if (!trial.exists) trial.proof = std::move(found.proof);
             if (trial.settled() || control_.ending()) break;
             exchange.tolerance = exchange.backend.tolerance = tight;
         }

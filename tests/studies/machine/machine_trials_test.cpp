@@ -53,7 +53,12 @@ TEST(MachineTrials, StrokeThatLeavesItsLiftIsProved) {
 }
 
 TEST(MachineTrials, FactorOfZeroLeavesAxisOut) {
-    expect_largest(solve_machine(machine_case("machine_indexing/55_press.toml")), 111.528);
+    const char* const name = "machine_indexing/55_press.toml";
+    const MachineSolution with = solve_machine(machine_case(name));
+    const MachineSolution without =
+        solve_machine(machine_case(name, {"clearance[0].between=[\"die\"]", "clearance[0].factors=[-1.0]"}));
+    expect_largest(with, rpm(without.speed));
+    EXPECT_EQ(without.certificate.verdict, Verdict::optimal);
 }
 
 /// The least of a clearance less what it must be, over the tables of the axes.
@@ -120,7 +125,7 @@ class RandomMachine {
     struct Twin {
         const char* name = "";
         bool doubled = false;  ///< every lift, and half of every displacement in lifts
-        bool rests = false;    ///< the end of the rise is said to rest, which it does
+        bool rests = false;    ///< a turning point is said to rest, which it does
         bool idle = false;     ///< an axis more, which needs nothing
     };
 
@@ -184,7 +189,8 @@ class RandomMachine {
         std::string toml = fmt::format(
             "[motion]\ntype = \"program\"\nlift_mm = {}\nspeed_rpm = 60\nsegments = [ {{ kind = \"spline\", "
             "angle_deg = {}, to = {}{} }},",
-            factor * axis.lift, axis.rise, axis.top / factor, twin.rests ? ", end = { velocity = 0 }" : "");
+            factor * axis.lift, axis.rise, axis.top / factor,
+            twin.rests && axis.dwell == 0.0 ? ", end = { velocity = 0 }" : "");
         if (axis.dwell > 0.0) toml += fmt::format("{{ kind = \"dwell\", angle_deg = {} }},", axis.dwell);
         toml += fmt::format("{{ kind = \"spline\", angle_deg = {}, to = 0 }} ]\n",
                             360.0 - axis.rise - axis.dwell);
@@ -208,27 +214,42 @@ class RandomMachine {
     std::vector<Clearance> clearances_;
 };
 
+/// Speeds at which motions exist and at which none do, of machines that allow the same ones, do not overlap.
+void expect_same_speeds(const MachineSolution& one, const MachineSolution& other, const std::string& what) {
+    EXPECT_EQ(one.certificate.verdict == Verdict::infeasible,
+              other.certificate.verdict == Verdict::infeasible)
+        << what;
+    if (one.impossible_above) {
+        EXPECT_LE(other.speed, *one.impossible_above * (1.0 + 1e-6)) << what;
+    }
+    if (other.impossible_above) {
+        EXPECT_LE(one.speed, *other.impossible_above * (1.0 + 1e-6)) << what;
+    }
+    if (one.certificate.verdict == Verdict::optimal && other.certificate.verdict == Verdict::optimal) {
+        EXPECT_NEAR(other.speed / one.speed, 1.0, 1.01e-3) << what;
+    }
+}
+
 TEST(MachineTrials, RandomMachinesAgreeWithRedundantTwins) {
     const int machines = testing_support::scenes_to_try(3, 200);
     int open = 0;
+    const auto solved = [&](const RandomMachine& random, const RandomMachine::Twin& twin) {
+        MachineSolution solution = solve_machine(random.made(twin));
+        if (solution.certificate.verdict == Verdict::feasible) {
+            ++open;  // what is not decided is said
+            EXPECT_FALSE(solution.notes.empty()) << twin.name;
+        }
+        return solution;
+    };
     for (int seed = 0; seed < machines; ++seed) {
         const RandomMachine random(static_cast<unsigned>(seed));
-        const MachineSolution alone = solve_machine(random.made({}));
-        if (alone.certificate.verdict == Verdict::feasible) ++open;
+        const MachineSolution alone = solved(random, {});
         for (const RandomMachine::Twin& twin : {RandomMachine::Twin{"idle axis", false, false, true},
                                                 RandomMachine::Twin{"lift doubled", true, false, false},
-                                                RandomMachine::Twin{"rest at the top", false, true, false}}) {
-            const MachineSolution other = solve_machine(random.made(twin));
-            const std::string what = fmt::format("machine {}, {}: {} {} rpm, {} {} rpm", seed, twin.name,
-                                                 name_of(alone.certificate.verdict), rpm(alone.speed),
-                                                 name_of(other.certificate.verdict), rpm(other.speed));
-            EXPECT_EQ(alone.certificate.verdict, other.certificate.verdict) << what;
-            if (!alone.axes.empty() && !other.axes.empty()) {
-                EXPECT_NEAR(other.speed / alone.speed, 1.0, 1.01e-3) << what;
-            }
-        }
+                                                RandomMachine::Twin{"turning point at rest", false, true}})
+            expect_same_speeds(alone, solved(random, twin), fmt::format("machine {}, {}", seed, twin.name));
     }
-    EXPECT_EQ(open, 0);
+    EXPECT_LE(open, machines / 25) << "of " << 4 * machines << " solves";
 }
 
 }  // namespace machine_trials_test
