@@ -108,11 +108,16 @@ bool has_key_of(const std::vector<std::string>& keys, const OneLimit& limit) {
     });
 }
 
+/// Of a scene whose laws fix every displacement.
+constexpr const char* prescribed_words = "the prescribed motion with any cam of this scene";
+
 std::string alone_sentence(const OneLimit& limit, const std::string& words, const Solution& solution) {
     const std::string law = law_of(limit, solution.scene.motion);
     if (!law.empty())
         return fmt::format(
             "{} cannot be satisfied: the motion there is the law {}, regardless of the splines.", words, law);
+    if (solution.scene.motion.prescribed())
+        return fmt::format("{} cannot be satisfied by {}.", words, prescribed_words);
     const bool any = solution.explanation && has_key_of(solution.explanation->any_motion, limit);
     constexpr const char* makes = "that makes the lift in its angle";
     if (any) return fmt::format("{} cannot be satisfied by any motion {}.", words, makes);
@@ -244,9 +249,11 @@ std::string conflict_sentence(const Solution& solution) {
         if (limits.size() == 1 || known) alone.push_back(limit);
     }
     if (!alone.empty()) return alone_sentences(alone, solution);
-    return fmt::format("{} conflicts with {}: no {} satisfies all limits.",
-                       capitalised(text_of(limits.front(), motion)), joined(limits, 1, motion),
-                       spline_words(solution.scene));
+    const bool prescribed = motion.prescribed();
+    return fmt::format(
+        "{} conflicts with {}: {} satisfies all limits.", capitalised(text_of(limits.front(), motion)),
+        joined(limits, 1, motion),
+        prescribed ? "no cam of this scene for the prescribed motion" : "no " + spline_words(solution.scene));
 }
 
 std::string sufficient_changes(const std::vector<Relaxation>& rows) {

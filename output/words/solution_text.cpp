@@ -183,6 +183,8 @@ std::string verdict_sentence(const Solution& solution) {
             return kept ? "Prescribed motion, nothing to optimize; every limit is satisfied."
                         : "Proved infeasible: the prescribed motion violates a limit.";
         if (kept) return "Prescribed motion; the dimensions of its cam are proved optimal.";
+        if (certificate.verdict == Verdict::infeasible)
+            return "Proved infeasible: the prescribed motion violates a limit with every cam of this scene.";
     }
     if (!searched(solution) || certificate.verdict == Verdict::optimal ||
         certificate.verdict == Verdict::infeasible)
