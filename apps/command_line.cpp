@@ -161,6 +161,9 @@ CLI::App& add_inspect(CLI::App& program, InspectRequest& request) {
                "CSV file: theta_deg and s_mm of the follower; of a disk cam also x_mm and y_mm or r_mm and "
                "theta_deg")
         ->required();
+    add_option(
+        command, "--columns", request.columns, "NAMES",
+        "Names of the columns in the order of the file, such as theta_deg,s_mm; default: in its first line");
     add_option(command, "--tolerance-um", request.tolerance_um, "T",
                "Largest deviation allowed after alignment")
         ->check(CLI::PositiveNumber);

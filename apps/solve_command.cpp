@@ -110,6 +110,7 @@ ExitCode report_command(const ReportRequest& request) {
         return load_scene(SceneText{name, text}, {});
     };
     const ResultFolder result = read_result_folder(request.folder, load);
+    const InterruptWatch watch;
     FolderUpdate folder(request.folder);
     folder.write("report.html", report_html(result.solution, result.origin));
     folder.write("report.md", report_markdown(result.solution, result.origin));

@@ -6,6 +6,7 @@
 #include "core/text/parsing.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
+#include "output/csv/motion_csv.hpp"
 #include "output/csv/study_csv.hpp"
 #include "output/inspect/inspection_output.hpp"
 #include "output/json/study_json.hpp"
@@ -13,6 +14,7 @@
 #include "output/machine/machine_folder.hpp"
 #include "output/machine/machine_output.hpp"
 #include "output/page/study_html.hpp"
+#include "output/plc/plc_export.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/valve_tables.hpp"
 #include "output/words/solution_text.hpp"
@@ -25,10 +27,9 @@ namespace camopt::apps {
 
 namespace {
 
-/// The result of a computation that Ctrl-C stops, with a line of progress.
+/// The result of a computation that Ctrl-C stops, with a line of progress; the caller watches.
 template <class Compute>
 auto with_progress(const Compute& compute) {
-    const InterruptWatch watch;
     auto result = compute(SolveControl{InterruptWatch::interrupted, terminal_progress()});
     end_progress();
     return result;
@@ -84,6 +85,7 @@ ExitCode table_command(const TableRequest& request) {
     const PaperReport report = paper_004_report(*table);
     const std::string json = reference_table_json(*table);
     if (!request.out.empty()) {
+        const InterruptWatch watch;
         FolderUpdate folder(request.out);
         folder.write("table.json", json);
         for (const auto& [name, text] : paper_report_files(report)) folder.write(name, text);
@@ -97,6 +99,7 @@ ExitCode table_command(const TableRequest& request) {
 ExitCode compare_command(const CompareRequest& request) {
     LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
     if (!request.out.empty()) prepare_folder(request.out);
+    const InterruptWatch watch;
     Comparison comparison =
         with_progress([&](const SolveControl& control) { return compare(loaded.scene, control); });
     show_in(comparison.optimum.scene, request.units);
@@ -119,6 +122,7 @@ ExitCode dynamics_command(const DynamicsRequest& request) {
     const SpeedSweep speeds =
         request.speeds.empty() ? default_speeds(loaded.scene) : read_speeds(request.speeds);
     if (!request.out.empty()) prepare_folder(request.out);
+    const InterruptWatch watch;
     const TrainStudy study = with_progress(
         [&](const SolveControl& control) { return train_study(loaded.scene, speeds, control); });
     if (!request.out.empty()) {
@@ -136,7 +140,8 @@ ExitCode dynamics_command(const DynamicsRequest& request) {
 /// A measured cam compared with the nominal one of a scene, which is solved, or of a result folder, which is
 /// used as it is.
 ExitCode inspect_command(const InspectRequest& request) {
-    const input::InspectedTable table = input::read_inspected_table(request.table);
+    const input::InspectedTable table = input::read_inspected_table(
+        request.table, request.columns.empty() ? std::vector<std::string>{} : column_names(request.columns));
     if (!request.out.empty()) prepare_folder(request.out);
     const InterruptWatch watch;
     const Solution nominal = solved_or_read(request.scene, request.settings, [](const Scene&) {});
@@ -182,6 +187,7 @@ ExitCode valves_command(const ValvesRequest& request) {
 /// Several axes on one master, their largest speed or least objective, with its proof.
 ExitCode machine_command(const MachineRequest& request) {
     const MachineSpec machine = input::read_machine(request.scene, camopt::load_scene, request.settings);
+    for (const AxisSpec& axis : machine.axes) refuse_too_few_elements(axis.scene, request.plc);
     if (!request.out.empty()) prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written: Ctrl-C must not lose them
     MachineSolution solution = solve_with_progress(request, machine);

@@ -63,6 +63,17 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
     return cam;
 }
 
+std::optional<std::array<double, 2>> speed_range(const SceneSource& source, std::string_view table) {
+    const auto range = source.find(table, "speed_range");
+    if (!range) return std::nullopt;
+    const auto& items = range->value().items;
+    if (items.size() != 2)
+        source.fail(range->value().place, joined_key(table, "speed_range"),
+                    fmt::format("found {} numbers; allowed: two speeds, the lower first", items.size()));
+    const double unit = range->spelling->factor;
+    return std::array{items[0].as_number() * unit, items[1].as_number() * unit};
+}
+
 std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& scene) {
     const Node* table = source.table("forces");
     if (!table) return std::nullopt;
@@ -88,6 +99,7 @@ std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& sce
                         "found angles over more than 360 deg; allowed: those of one revolution");
     }
     forces.spring_frequency = source.number("forces", "spring_frequency");
+    forces.speed_range = speed_range(source, "forces");
     forces.contact_width = source.number("forces", "contact_width");
     source.read_number("forces", "cam_modulus", forces.cam_modulus);
     source.read_number("forces", "follower_modulus", forces.follower_modulus);

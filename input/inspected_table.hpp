@@ -22,7 +22,10 @@ struct InspectedTable {
 
 /// Throws InputError, naming the file and mostly the line, for columns that are missing, cells that are not
 /// finite numbers, angles that neither ascend nor descend, fewer than 8 rows, files that cannot be read.
-[[nodiscard]] InspectedTable read_inspected_table(const std::filesystem::path& file);
-[[nodiscard]] InspectedTable inspected_table_of(std::string_view text, const std::string& name);
+/// `columns`: their names in the order of the file; empty: its first line names them.
+[[nodiscard]] InspectedTable read_inspected_table(const std::filesystem::path& file,
+                                                  const std::vector<std::string>& columns = {});
+[[nodiscard]] InspectedTable inspected_table_of(std::string_view text, const std::string& name,
+                                                const std::vector<std::string>& columns = {});
 
 }  // namespace camopt::input

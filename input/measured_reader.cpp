@@ -10,7 +10,7 @@ namespace camopt::input {
 namespace {
 
 /// Of the form of a file.
-constexpr std::array<std::string_view, 3> file_keys = {"columns", "decimal", "skip_lines"};
+constexpr std::array<std::string_view, 5> file_keys = {"columns", "decimal", "skip_lines", "scale", "offset"};
 
 /// As written in the scene.
 std::vector<double> numbers_of(const Given& given) {
@@ -55,6 +55,8 @@ TableForm table_form(const Node& measured) {
     const auto find = [&](const char* name) { return SceneSource::find_in(measured, "measured", name); };
     if (const auto columns = find("columns"))
         for (const Node& item : columns->value().items) form.columns.push_back(item.text);
+    for (const auto& [name, numbers] : {std::pair{"scale", &form.scale}, {"offset", &form.offset}})
+        if (const auto given = find(name)) *numbers = numbers_of(*given);
     if (const auto decimal = find("decimal")) form.decimal = decimal->value().text.front();
     if (const auto skipped = find("skip_lines")) form.skipped = static_cast<int>(skipped->value().integer);
     form.by_step = find("step").has_value();
@@ -113,6 +115,24 @@ bool wrap(std::vector<double>& angle, const MotionSpec& motion) {
     return moved;
 }
 
+/// Two rows of one angle, 0 and 360 deg, are one; with two displacements neither is right.
+void refuse_contradicting(const MeasuredInput& input, std::size_t i, std::size_t j) {
+    constexpr double same = 1e-6;  // of the largest displacement
+    const std::vector<double>& displacement = input.motion.displacement;
+    double largest = 0.0;
+    for (const double one : displacement) largest = std::max(largest, std::abs(one));
+    if (std::abs(displacement[i] - displacement[j]) <= same * largest) return;
+    const auto words = [&](std::size_t row) {
+        const std::size_t own = input.rows[row];
+        if (!input.table) return fmt::format("row {}", own + 1);
+        return fmt::format("{} = {} in line {}", input.table->s_key, input.table->s.at(own),
+                           input.table->lines.at(own));
+    };
+    throw SceneError({fmt::format("measured.s[{}]", j),
+                      fmt::format("two displacements at one angle of the cam: {} and {}", words(i), words(j)),
+                      "one of them"});
+}
+
 /// Ascending angles on the motion's revolution. Others stay as they are, for the scene's validation.
 void arrange(MeasuredInput& input, const MotionSpec& motion) {
     std::vector<double>&angle = input.motion.angle, &displacement = input.motion.displacement;
@@ -129,8 +149,11 @@ void arrange(MeasuredInput& input, const MotionSpec& motion) {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return angle[i]; });
     const auto again =  // 0 and 360 deg
-        std::unique(order.begin(), order.end(),
-                    [&](std::size_t a, std::size_t b) { return angle[b] - angle[a] <= same_angle; });
+        std::unique(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            const bool same = angle[b] - angle[a] <= same_angle;
+            if (same) refuse_contradicting(input, a, b);
+            return same;
+        });
     order.erase(again, order.end());
     const MeasuredInput before = input;
     const auto reorder = [&](auto& to, const auto& from) {
@@ -273,8 +296,8 @@ void judge_rows(const SceneSource& source, MeasuredInput& input) {
     for (const std::size_t i : found)
         input.motion.outliers.push_back({static_cast<int>(input.rows[i]) + 1, angle[i], fits[i].off});
     if (!input.motion.excluded) return;
-    for (auto i = found.rbegin(); i != found.rend(); ++i) {
-        const auto at = static_cast<std::ptrdiff_t>(*i);
+    for (; !found.empty(); found.pop_back()) {  // from the last, so that the others keep their places
+        const auto at = static_cast<std::ptrdiff_t>(found.back());
         angle.erase(angle.begin() + at);
         displacement.erase(displacement.begin() + at);
         input.rows.erase(input.rows.begin() + at);
@@ -303,10 +326,10 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, const Scen
         else
             place_rows(source, scene.motion, table, input);
         register_table(source, scene, known, table.is_points(), input.motion);
+        arrange(input, scene.motion);
     } catch (const SceneError& error) {
         fail_in_measured(source, input, error.fault());
     }
-    arrange(input, scene.motion);
     judge_rows(source, input);
     if (const auto name = source.find("measured", "name")) input.motion.name = name->value().text;
     return input;

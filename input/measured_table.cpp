@@ -115,9 +115,17 @@ class TableReader {
             const std::string_view said = trimmed(line, cell_ends);
             if (!said.empty() && !said.starts_with('#') && !said.starts_with('!') && !said.starts_with('%') &&
                 !said.starts_with("//"))
-                return line;
+                return without_comment(line);
         }
         return std::nullopt;
+    }
+
+    /// What follows the numbers of a row after # is no cell; in a line of names # may be part of one.
+    static std::string_view without_comment(std::string_view line) {
+        const std::size_t sign = line.find('#');
+        const std::string_view said = trimmed(line, cell_ends);
+        const bool row = std::string_view("+-.0123456789").find(said.front()) != std::string_view::npos;
+        return row && sign != std::string_view::npos ? trimmed(line.substr(0, sign), cell_ends) : line;
     }
 
     /// Between blanks if the separator is one.
@@ -186,6 +194,11 @@ class TableReader {
     void take_columns(const Cells& names) {
         columns_ = names.size();
         of_ = Columns(names, form_);
+        for (const auto& [name, numbers] : {std::pair{"scale", &form_.scale}, {"offset", &form_.offset}})
+            if (!numbers->empty() && numbers->size() != columns_)
+                fail(
+                    fmt::format("{} columns with {} numbers in measured.{}", columns_, numbers->size(), name),
+                    "one number for each column");
         if (of_.theta && form_.by_step)
             fail(fmt::format("the column {} together with measured.step", of_.theta->key), "one of the two");
         if (form_.any_decimal && !of_.complete(form_)) refuse_columns(names, inspected_columns);
@@ -204,14 +217,19 @@ class TableReader {
         table_.s_unit = of_.s->unit;
     }
 
+    /// Of a file that may be no table at all no text is repeated: a scene of others can name any file.
     [[noreturn]] void refuse_columns(const Cells& names, const std::string& allowed) const {
-        std::string list;
-        for (const std::string_view name : names)
-            list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", printable(name));
-        fail(fmt::format("the columns {}", list), allowed);
+        std::string known;
+        for (const auto* const column : {&of_.theta, &of_.s})
+            if (*column) known += fmt::format(", of these only {}", (*column)->key);
+        fail(fmt::format("{} columns{}", names.size(), known.empty() ? ", none of these" : known), allowed);
     }
 
+    /// A letter before the number names its axis: X12.5.
     [[nodiscard]] std::optional<double> value(std::string_view cell) const {
+        const bool letter =
+            cell.size() > 1 && ((cell[0] >= 'A' && cell[0] <= 'Z') || (cell[0] >= 'a' && cell[0] <= 'z'));
+        if (letter) cell.remove_prefix(1);
         if (form_.decimal != ',') return number_in(cell);
         if (cell.find('.') != std::string_view::npos) return std::nullopt;
         std::string pointed(cell);
@@ -220,9 +238,16 @@ class TableReader {
     }
 
     [[nodiscard]] double number(std::string_view cell, const Column& column) const {
-        if (const std::optional<double> found = value(cell)) return *found;
+        if (const std::optional<double> found = value(cell))
+            return (form_.offset.empty() ? 0.0 : form_.offset[column.index]) +
+                   (form_.scale.empty() ? 1.0 : form_.scale[column.index]) * *found;
         const bool other = cell.find(form_.decimal == ',' ? '.' : ',') != std::string_view::npos;
-        fail(fmt::format("\"{}\" in the column {}", printable(cell), column.key),
+        // Columns that the scene names, and no row yet: it may be no table (refuse_columns).
+        const bool is_table = form_.columns.empty() || !table_.s.empty() ||
+                              cell.find_first_not_of("0123456789.,+-") == std::string_view::npos;
+        fail(fmt::format("{} in the column {}",
+                         is_table ? fmt::format("\"{}\"", printable(cell)) : std::string("no number"),
+                         column.key),
              !other                 ? "a finite number, or # before the line"
              : form_.decimal == ',' ? "a finite number, written with a decimal comma"
                                     : "a finite number, written with a decimal point; with a comma where "
@@ -305,8 +330,10 @@ std::vector<Eigen::Vector2d> points_of(const MeasuredTable& table) {
     return points;
 }
 
-InspectedTable inspected_table_of(std::string_view text, const std::string& name) {
+InspectedTable inspected_table_of(std::string_view text, const std::string& name,
+                                  const std::vector<std::string>& columns) {
     TableForm form;
+    form.columns = columns;
     form.points = form.any_decimal = true;
     const MeasuredTable read = measured_table_of(text, name, form);
     if (read.s.size() < least_inspected)
@@ -315,10 +342,11 @@ InspectedTable inspected_table_of(std::string_view text, const std::string& name
     return {name, read.is_points(), is_angle_unit(read.s_unit.unit), points_of(read), read.lines};
 }
 
-InspectedTable read_inspected_table(const std::filesystem::path& file) {
+InspectedTable read_inspected_table(const std::filesystem::path& file,
+                                    const std::vector<std::string>& columns) {
     const std::string name = printable(file.string());
     const FileBytes read = file_bytes(file, most_table_bytes);
-    if (read.fault.empty()) return inspected_table_of(read.bytes, name);
+    if (read.fault.empty()) return inspected_table_of(read.bytes, name, columns);
     throw InputError(fmt::format("{}: cannot be read: {}; allowed: a CSV file with the columns {}", name,
                                  read.fault, inspected_columns));
 }

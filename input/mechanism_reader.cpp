@@ -225,14 +225,7 @@ std::optional<DynamicsSpec> read_dynamics(const SceneSource& source, const Motio
     spec.damping = reader.find("damping");
     spec.return_stiffness = reader.find("return_spring").value_or(0.0);
     spec.preload = reader.find("preload").value_or(0.0);
-    if (const auto range = source.find("dynamics", "speed_range")) {
-        const auto& items = range->value().items;
-        if (items.size() != 2)
-            source.fail(range->value().place, "dynamics.speed_range",
-                        fmt::format("found {} numbers; allowed: two speeds, the lower first", items.size()));
-        spec.speed_range = {items[0].as_number() * range->spelling->factor,
-                            items[1].as_number() * range->spelling->factor};
-    }
+    if (const auto range = speed_range(source, "dynamics")) spec.speed_range = *range;
     if (const auto stages = source.find("dynamics", "stage"))
         for (const Node& stage : stages->value().items)
             spec.stages.push_back(read_stage(source, stage, angle));

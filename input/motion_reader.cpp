@@ -279,7 +279,7 @@ class MotionReader {
                             motion.type);
         const auto type = source_.find("motion", "type");
         const bool is_valve = type && type->value().text == valve_type;
-        refuse_keys_of_other_types(motion.type, is_valve);
+        refuse_keys_of_other_types(is_valve ? valve_type : name_of(motion.type));
         if (const auto lift = source_.find("motion", "lift")) {
             motion.lift = lift->number();
             motion.lift_is_angle = is_angle_unit(lift->spelling->unit);
@@ -303,9 +303,11 @@ class MotionReader {
             motion.closed = closed->value().kind == NodeKind::boolean && closed->value().boolean;
         }
         source_.read_integer("motion", "repeat", motion.repeat);
+        source_.read_number("motion", "phase", motion.phase);
         if (const auto segments = source_.find("motion", "segments"))
             for (const Node& segment : segments->value().items)
                 motion.segments.push_back(read_segment(segment, motion));
+        check_stops(motion);
         if (is_valve) read_valve(source_, motion);
         settle_angle_ranges(source_, motion);
         check_turn(motion);
@@ -319,28 +321,31 @@ class MotionReader {
     const SceneSource& source_;
     const KnownNames& known_;
 
-    void refuse_keys_of_other_types(MotionType type, bool is_valve) const {
-        const bool program = type == MotionType::program;
-        const std::string_view own = is_valve ? valve_type : name_of(type);
-        const auto refuse = [&](std::initializer_list<const char*> names, const char* allowed) {
-            for (const char* name : names)
-                if (const auto given = source_.find("motion", name))
-                    source_.fail(given->member->place, joined_key("motion", given->member->name),
-                                 fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
-                                             own, allowed));
-        };
-        if (is_valve)
-            return refuse({"rise", "return", "segments", "closed", "repeat", "stops", "start", "end",
-                           "symmetric", "monotone", "within_lift", "via"},
-                          "other types; a valve lobe is said by lift, duration and ramps");
-        refuse({"rocker_ratio", "valve_arm", "lash", "checking_height", "duration", "opening", "centerline",
-                "opening_ramp", "closing_ramp"},
-               "type \"valve\"");
-        if (!program) return refuse({"segments", "closed", "repeat"}, "type \"program\"");
-        refuse({"rise", "return"},
-               "type \"DRD\" or \"RR\"; a program says the angle of each of its segments");
-        refuse({"symmetric"}, "type \"DRD\" or \"RR\"");
-        refuse({"via"}, "type \"DRD\" or \"RR\"; a program has set points in its segments, via in each");
+    /// An indexing output advances by whole stops.
+    void check_stops(const MotionSpec& motion) const {
+        const auto stops = source_.find("motion", "stops");
+        if (!stops || !motion.relative) return;
+        double travel = 0.0;
+        for (const ProgramSegment& segment : motion.segments) travel = segment.to.value_or(travel);
+        constexpr double same_stop = 1e-9;
+        if (travel != 0.0 && std::abs(travel - std::round(travel)) <= same_stop) return;
+        const double step = motion.lift / units::degree;
+        source_.fail(
+            stops->member->place, "motion.stops",
+            fmt::format("found {} stops, which are {:.9g} deg apart, and segments that end at {:.9g} deg; "
+                        "allowed: segments that end at {:.9g} deg (to = 1) or a multiple of it",
+                        stops->value().integer, step, travel * step, step));
+    }
+
+    void refuse_keys_of_other_types(std::string_view type) const {
+        for (const KeyRow& row : scene_keys()) {
+            const std::string_view only = row.table == "motion" ? motion_types_of(row.name, type) : "";
+            if (only.empty()) continue;
+            if (const auto given = source_.find("motion", row.name))
+                source_.fail(given->member->place, joined_key("motion", given->member->name),
+                             fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
+                                         type, only));
+        }
     }
 
     ProgramSegment read_segment(const Node& table, const MotionSpec& motion) const {

@@ -20,6 +20,10 @@ namespace camopt::input {
 [[nodiscard]] std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion,
                                               const KnownNames& known);
 
+/// speed_range of a table: two speeds, rad/s.
+[[nodiscard]] std::optional<std::array<double, 2>> speed_range(const SceneSource& source,
+                                                               std::string_view table);
+
 [[nodiscard]] std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& scene);
 
 /// Of inertias, moments and rates of an output that swings; others are those of one that is pushed straight.
@@ -79,7 +83,9 @@ struct MeasuredTable {
 /// What the scene says about the table.
 struct TableForm {
     std::vector<std::string> columns = {};  ///< their names; empty: in the first line
-    bool by_step = false;                   ///< the rows have no angles
+    std::vector<double> scale = {},
+                        offset = {};  ///< of each column: offset + scale · cell; empty: as written
+    bool by_step = false;             ///< the rows have no angles
     char decimal = '.';
     bool points = false;       ///< (x, y) or (theta, r) too
     bool any_decimal = false;  ///< read_inspected_table's: finds the decimal comma

@@ -132,12 +132,27 @@ class AreaRule final : public WholeMotionRule {
     double reference_;
 };
 
+/// Whether a motion of the scene may lie above one lift: then the area that it loses may be negative.
+bool may_pass_lift(const Scene& scene, const MotionFamily& family) {
+    constexpr double highest = 1.0 + standing_displacement;
+    if (!scene.motion.within_lift && !scene.motion.monotone) return true;
+    return std::ranges::any_of(family.stretches(),
+                               [](const MotionFamily::Stretch& stretch) {
+                                   return !(known_displacement(stretch.from).value_or(0.0) <= highest) ||
+                                          !(known_displacement(stretch.to).value_or(0.0) <= highest);
+                               }) ||
+           std::ranges::any_of(strokes_of(scene, family), [](const StrokeRange& stroke) {
+               return stroke.is_free() || !(stroke.most <= highest);
+           });
+}
+
 void add_area(CamModel& model, const Scene& scene) {
     if (!(scene.objective.area > 0.0)) return;
     const int index = static_cast<int>(model.parameters.size());
     const double reference = area_reference(scene, model.design);
     const auto rule = std::make_shared<const AreaRule>(index, reference);
     Parameter area{"area", Parameter::Kind::response, 0, reference, scene.objective.area};
+    if (may_pass_lift(scene, model.design)) area.lower = (1.0 - farthest_displacement) / reference;
     area.defined_by = rule;
     model.parameters.push_back(std::move(area));
     model.rules.emplace_back(rule);

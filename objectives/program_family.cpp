@@ -191,7 +191,7 @@ std::vector<std::optional<double>> given_levels(const MotionSpec& motion) {
 }
 
 /// Which way each spline segment goes: from one given displacement to another, or a free one as the case
-/// says. open: not known, or displacements at its set points may lead out of the range.
+/// says. open: not known, or a free one with set points, which may lead out of its range.
 std::vector<StrokeDirection> segment_directions(const MotionSpec& motion,
                                                 const std::vector<StrokeDirection>& of_free) {
     const std::vector<std::optional<double>> levels = given_levels(motion);
@@ -200,16 +200,31 @@ std::vector<StrokeDirection> segment_directions(const MotionSpec& motion,
     for (std::size_t i = 0; i < directions.size(); ++i) {
         const ProgramSegment& segment = motion.segments[i];
         if (segment.kind != SegmentKind::spline) continue;
-        StrokeDirection found = StrokeDirection::open;
-        if (!levels[i] || !levels[i + 1])
-            found = free < of_free.size() ? of_free[free++] : found;
-        else if (*levels[i] != *levels[i + 1])
-            found = *levels[i] < *levels[i + 1] ? StrokeDirection::rises : StrokeDirection::falls;
         const bool passes = std::ranges::any_of(
             segment.via, [](const SetPoint& point) { return point.displacement.has_value(); });
-        if (!passes) directions[i] = found;
+        if (!levels[i] || !levels[i + 1]) {
+            const StrokeDirection found = free < of_free.size() ? of_free[free++] : StrokeDirection::open;
+            if (!passes) directions[i] = found;
+        } else if (*levels[i] != *levels[i + 1]) {
+            directions[i] = *levels[i] < *levels[i + 1] ? StrokeDirection::rises : StrokeDirection::falls;
+        }
     }
     return directions;
+}
+
+/// Whether set points of a stroke lead beyond one of its ends: `upper`, or the lower one.
+bool leads_beyond(const ProgramSegment& segment, double level, bool upper) {
+    constexpr double same_level = 1e-9;  // lifts
+    const double sign = upper ? 1.0 : -1.0;
+    return std::ranges::any_of(segment.via, [&](const SetPoint& point) {
+        if (!point.displacement) return false;
+        const double slope = point.velocity.value_or(0.0);
+        const double moved = point.is_region() ? slope * (*point.until - point.at) : 0.0;
+        const double farthest = std::max(sign * *point.displacement, sign * (*point.displacement + moved));
+        // One on the edge of the range leaves it where it moves.
+        const bool moves = std::abs(slope) > same_level || point.acceleration.has_value();
+        return farthest > sign * level + (moves ? -same_level : same_level);
+    });
 }
 
 }  // namespace
@@ -219,13 +234,42 @@ std::vector<std::size_t> turning_segments(const MotionSpec& motion,
     std::vector<std::size_t> turning;
     if (!motion.within_lift && !motion.monotone) return turning;
     const std::vector<StrokeDirection> directions = segment_directions(motion, of_free);
-    StrokeDirection before = motion.closed ? directions.back() : StrokeDirection::open;
-    for (std::size_t i = 0; i < directions.size(); before = directions[i++])
-        if (before != StrokeDirection::open && directions[i] != StrokeDirection::open &&
-            before != directions[i])
-            turning.push_back(i);
+    const std::vector<std::optional<double>> levels = given_levels(motion);
+    const std::size_t count = directions.size();
+    for (std::size_t i = motion.periodic() ? 0 : 1; i < count; ++i) {
+        const std::size_t before = (i + count - 1) % count;
+        if (directions[before] == StrokeDirection::open || directions[i] == StrokeDirection::open ||
+            directions[before] == directions[i])
+            continue;
+        const bool top = directions[before] == StrokeDirection::rises;
+        const auto &end = levels[before + 1], &begin = levels[i];  // others where a relative motion goes on
+        const bool passed = (end && leads_beyond(motion.segments[before], *end, top)) ||
+                            (begin && leads_beyond(motion.segments[i], *begin, top));
+        if (!passed) turning.push_back(i);
+    }
     return turning;
 }
+
+namespace {
+
+/// Whether two strokes of one direction join at the start of a segment with the velocity 0: each keeps to its
+/// side of the joint, so that the acceleration is 0 there too.
+bool rests_between(const MotionSpec& motion, std::size_t i) {
+    if ((i == 0 && !motion.periodic()) || (!motion.within_lift && !motion.monotone)) return false;
+    const std::size_t before = i > 0 ? i - 1 : motion.own_segments() - 1;
+    const std::optional<SetPoint>& joint = motion.segments[before].end;
+    if (!joint || joint->velocity != 0.0 || joint->acceleration) return false;
+    const std::vector<std::optional<double>> levels = given_levels(motion);
+    const std::vector<StrokeDirection> directions = segment_directions(motion, {});
+    if (!levels[i] || !levels[before + 1] || directions[i] == StrokeDirection::open ||
+        directions[i] != directions[before])
+        return false;
+    const bool rises = directions[i] == StrokeDirection::rises;
+    return !leads_beyond(motion.segments[before], *levels[before + 1], rises) &&
+           !leads_beyond(motion.segments[i], *levels[i], !rises);
+}
+
+}  // namespace
 
 double contradicting_directions(const MotionSpec& motion, const std::vector<StrokeDirection>& of_free) {
     const std::vector<std::optional<double>> levels = given_levels(motion);
@@ -297,6 +341,15 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
                                      stretch.end, levels[i],           levels[i + 1]};
             for (PointCondition& condition : turning_points(motion, points, stroke))
                 stretch.conditions.push_back(std::move(condition));
+            const double moved =
+                levels[i] && levels[i + 1] ? measured_displacement(*levels[i + 1] - *levels[i]) : 1.0;
+            for (PointCondition& condition :
+                 points_at_limits(scene, points, static_cast<int>(i), {stretch.end - stretch.begin, moved}))
+                stretch.conditions.push_back(std::move(condition));
+            if (rests_between(motion, i))
+                stretch.conditions.push_back({stretch.begin, 2, Side::right, 0.0,
+                                              fmt::format("rest at the start of motion.segments[{}]", i),
+                                              false});
         }
         request.stretches.push_back(std::move(stretch));
     }

@@ -95,6 +95,8 @@ std::vector<PointCondition> scene_conditions(const Scene& scene) {
         conditions.insert(conditions.end(), own.begin(), own.end());
     }
     for (PointCondition& condition : turning_points(scene)) conditions.push_back(std::move(condition));
+    for (PointCondition& condition : points_at_limits(scene, placed_points(motion), -1, {}))
+        conditions.push_back(std::move(condition));
     return conditions;
 }
 

@@ -45,6 +45,13 @@ struct StrokeRange {
                                                          const std::vector<PlacedPoint>& points,
                                                          StrokeRange stroke);
 
+/// Where a set point's derivative equals a limit or the edge of a corridor that it lies inside, the next
+/// derivative is 0: as inequalities around such a place they would be degenerate. Of the points of a spline
+/// (`segment` −1: of DRD or RR) between `begin` and `end`; scale: of its normalised limits.
+[[nodiscard]] std::vector<PointCondition> points_at_limits(const Scene& scene,
+                                                           const std::vector<PlacedPoint>& points,
+                                                           int segment, const StretchScale& scale);
+
 /// Whether rules enforce the range of the strokes. Most optima satisfy it anyway: they are searched without
 /// these rules first, which are active and degenerate wherever a stroke begins or ends.
 struct HeldStrokes {

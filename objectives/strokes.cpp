@@ -2,6 +2,7 @@
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/scene_model.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
@@ -194,7 +195,57 @@ std::vector<PointCondition> turning_points(const MotionSpec& motion, const std::
 
 namespace {
 
-/// Laws and dwells stay between the displacements that strokes begin or end with.
+/// Whether y^(order) is bounded by the value on both sides of x.
+bool is_at_limit(const Scene& scene, int order, double value, double x, const StretchScale& scale) {
+    constexpr double same = 1e-9;
+    const auto equals = [&](double bound) {
+        return std::abs(value - bound) <= same * std::max(1.0, std::abs(bound));
+    };
+    for (const PeakLimitRow& row : peak_limit_rows()) {
+        const auto& limit = row.in(scene.limits);
+        if (!limit || row.order() != order) continue;
+        const double size = limit->physical() ? 1.0 : scale.displacement / std::pow(scale.angle, order);
+        if ((row.side >= 0 && equals(size * limit->normalised)) ||
+            (row.side <= 0 && equals(row.side == 0 ? -size * limit->normalised : size * limit->normalised)))
+            return true;
+    }
+    for (const Corridor& corridor : scene.motion.corridors) {
+        const Corridor::Bounds& bounds = corridor.bounds[static_cast<std::size_t>(order)];
+        const double unit = scene.motion.unit_angle();
+        if (!(corridor.from < unit * x && unit * x < corridor.to)) continue;
+        if ((bounds.least && equals(*bounds.least)) || (bounds.most && equals(*bounds.most))) return true;
+    }
+    return order == 1 && value == 0.0 && scene.motion.monotone;
+}
+
+}  // namespace
+
+std::vector<PointCondition> points_at_limits(const Scene& scene, const std::vector<PlacedPoint>& points,
+                                             int segment, const StretchScale& scale) {
+    std::vector<PointCondition> found;
+    const double length = scene.motion.length();
+    double begin = 0.0;
+    for (int i = 0; i < segment; ++i) begin += scene.motion.segments[static_cast<std::size_t>(i)].angle;
+    begin /= scene.motion.unit_angle();
+    const double end = segment < 0 ? length : begin + scale.angle;
+    for (const PlacedPoint& point : points) {
+        // A limit of a spline says nothing of what follows it, and at an end the motion has one side.
+        if (point.segment != segment || point.is_region()) continue;
+        if (point.begin <= begin + same_level || point.begin >= end - same_level) continue;
+        for (int order = 0; order < 2; ++order) {
+            const auto& value = point.wanted[static_cast<std::size_t>(order)];
+            if (!value || point.wanted[static_cast<std::size_t>(order) + 1]) continue;
+            if (is_at_limit(scene, order, *value, point.begin, scale))
+                found.push_back({point.begin, order + 1, Side::right, 0.0,
+                                 "a set point at a limit: " + point.member, false});
+        }
+    }
+    return found;
+}
+
+namespace {
+
+/// Laws and dwells stay between the displacements at their ends.
 void hold_displacement(CamModel& model, const std::vector<StrokeRange>& strokes) {
     double most = 0.0, width = 0.0;
     for (const StrokeRange& stroke : strokes) {
@@ -202,6 +253,8 @@ void hold_displacement(CamModel& model, const std::vector<StrokeRange>& strokes)
         most = std::max({most, std::abs(stroke.least), std::abs(stroke.most)});
         width = std::max(width, stroke.most - stroke.least);
     }
+    for (const MotionFamily::Stretch& stretch : model.design.own_stretches())  // a law may be the last
+        most = std::max(most, std::abs(known_displacement(stretch.to).value_or(infinity)));
     if (strokes.empty() || !std::isfinite(most)) return;
     model.held_displacement = most;
     model.held_width = width;
@@ -213,7 +266,7 @@ void add_stroke_rules(CamModel& model, const Scene& scene, const HeldStrokes& st
     if (!scene.motion.within_lift && !scene.motion.monotone) return;
     std::size_t free = 0;
     const std::vector<StrokeRange> all = strokes_of(scene, model.design);
-    if (scene.motion.within_lift && !scene.motion.relative) hold_displacement(model, all);
+    if (scene.motion.within_lift) hold_displacement(model, all);
     if (!strokes.held) return;
     for (const StrokeRange& stroke : all) {
         StrokeDirection direction = StrokeDirection::open;

@@ -21,6 +21,7 @@ std::vector<double> even_heights(const CamFlanks& cam, const FlankSampling& samp
     const bool whole = sampling.from_height == 0.0 && sampling.to_height == 0.0;
     const double to = whole ? cam.roller_length : sampling.to_height;
     std::vector<double> heights;
+    heights.reserve(static_cast<std::size_t>(sampling.sections));
     for (int i = 0; i < sampling.sections; ++i)
         heights.push_back(sampling.from_height + (to - sampling.from_height) * i / (sampling.sections - 1));
     return heights;

@@ -96,9 +96,18 @@ template <class Choices>
     refuse_choice(name, word, allowed);
 }
 
+/// The loads of a follower are linear in (ω², ω): over a range of speeds from a to b these lie in the
+/// triangle of both ends and ((a b), (a + b)/2), where the tangents at the ends meet.
+struct LoadSpeed {
+    double square = 0.0, speed = 0.0;
+    std::string words = {};  ///< "at 0 rpm"; empty: the speed of the scene
+    bool is_speed = true;    ///< false: the third corner
+};
+
 /// The load of the follower. Translating: F = mass ω² s'' + damping ω s' + spring_rate s + preload +
 /// load(θ), in kg, N s/m, N/m, N. Oscillating: the moment M of the same form for ψ − ψ₀, in kg m²,
-/// N m s/rad, N m/rad, N m. F, M > 0 presses the follower on the cam. ω is the scene's speed.
+/// N m s/rad, N m/rad, N m. F, M > 0 presses the follower on the cam. ω is the speed of
+/// the scene.
 struct ForceSpec {
     double mass = 0.0, spring_rate = 0.0, preload = 0.0;
     double damping = 0.0;  ///< >= 0, viscous
@@ -109,6 +118,8 @@ struct ForceSpec {
     double cam_modulus = 210e9, follower_modulus = 210e9;  ///< Pa
     double cam_poisson = 0.3, follower_poisson = 0.3;
     std::optional<double> spring_frequency = {};  ///< rad/s, > 0: natural, of the spring between fixed ends
+    /// rad/s of the cam, the lower first: limits on loads hold at every speed between (Scene::load_speeds).
+    std::optional<std::array<double, 2>> speed_range = {};
 
     /// The outer force at a cam angle, and its derivative by it: linear on the stretch that `side` sees.
     struct Load {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/cost_table.hpp"
 
+#include <functional>
+
 namespace camopt {
 namespace {
 
@@ -100,6 +102,7 @@ const char* name_of(CostFigure figure) {
 
 std::vector<std::string> cost_term_names() {
     std::vector<std::string> names;
+    names.reserve(rows.size());
     for (const CostTerm& term : rows) names.emplace_back(term.name());
     return names;
 }
@@ -107,6 +110,10 @@ std::vector<std::string> cost_term_names() {
 bool weighs_any(const ObjectiveSpec& objective, CostTerm::Kind kind) {
     return std::ranges::any_of(
         rows, [&](const CostTerm& term) { return term.kind == kind && term.weight_in(objective) > 0.0; });
+}
+
+double least_objective(const ObjectiveSpec& objective) {
+    return objective.area > 0.0 ? -infinity : 0.0;
 }
 
 const char* name_of(TieBreak value) {
@@ -122,10 +129,11 @@ bool same_cam(const std::optional<CamSpec>& one, const std::optional<CamSpec>& o
            one->face_half_width == other->face_half_width && one->face_radius == other->face_radius;
 }
 
-bool same_objective_but_for_peaks(const ObjectiveSpec& one, ObjectiveSpec other) {
+bool same_objective_but_for_peaks(const ObjectiveSpec& one, const ObjectiveSpec& other) {
+    ObjectiveSpec weighed = other;
     for (const CostTerm& term : cost_terms())
-        if (term.kind != CostTerm::Kind::rms) other.*term.weight = term.weight_in(one);
-    return one == other;
+        if (term.kind != CostTerm::Kind::rms) std::invoke(term.weight, weighed) = term.weight_in(one);
+    return one == weighed;
 }
 
 }  // namespace

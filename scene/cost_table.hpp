@@ -83,6 +83,8 @@ struct ResponseTerm {
 [[nodiscard]] std::vector<std::string> cost_term_names();
 /// Whether any term of this kind has a weight.
 [[nodiscard]] bool weighs_any(const ObjectiveSpec& objective, CostTerm::Kind kind);
+/// A bound that holds without a proof: only a lost area may be negative.
+[[nodiscard]] double least_objective(const ObjectiveSpec& objective);
 
 /// The same scene but for the weights of its peaks (V, A, J, torque). Never where a program brought rules of
 /// its own, which cannot be compared.

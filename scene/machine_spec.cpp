@@ -9,6 +9,8 @@ namespace {
 
 using Fault = std::optional<SceneFault>;
 
+constexpr std::size_t most_axis_name = 64;
+
 bool is_folder_name(const std::string& name) {
     return !name.empty() && std::ranges::all_of(name, [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -36,9 +38,14 @@ Fault motion_fault(const Scene& scene) {
     if (!motion.periodic())
         return SceneFault{"motion.closed", "false",
                           "in a machine a program over the whole cycle: true or \"relative\""};
+    // The last stroke of a motion that closes returns to 0.
+    const auto last =
+        std::ranges::find_if(motion.segments.rbegin(), motion.segments.rend(),
+                             [](const ProgramSegment& s) { return s.kind != SegmentKind::dwell; });
     for (std::size_t k = 0; k < motion.segments.size(); ++k) {
         const ProgramSegment& segment = motion.segments[k];
-        if (segment.kind != SegmentKind::dwell && !segment.to)
+        const bool returns = !motion.relative && last != motion.segments.rend() && &segment == &*last;
+        if (segment.kind != SegmentKind::dwell && !segment.to && !returns)
             return SceneFault{fmt::format("motion.segments[{}]", k), "no displacement at its end",
                               "in a machine a given one: the strokes of its axes are not searched"};
     }
@@ -75,11 +82,6 @@ Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
         const AxisSpec& used = machine.axes[static_cast<std::size_t>(axis)];
         if (std::ranges::count(clearance.axes, axis) > 1)
             return SceneFault{member + ".between", fmt::format("\"{}\" twice", used.name), "each axis once"};
-        if (used.scene.motion.relative)
-            return SceneFault{
-                member + ".between",
-                fmt::format("\"{}\", which advances from cycle to cycle (closed = \"relative\")", used.name),
-                "axes that return: a clearance would change with every cycle"};
         const AxisSpec& first = machine.axes[static_cast<std::size_t>(clearance.axes.front())];
         if (used.scene.motion.lift_is_angle != first.scene.motion.lift_is_angle)
             return SceneFault{
@@ -93,8 +95,10 @@ Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
         return SceneFault{member + ".factors", fmt::format("{} numbers", clearance.factors.size()),
                           fmt::format("{}: one for each axis of `between`", clearance.axes.size())};
     for (const double factor : clearance.factors)
-        if (!std::isfinite(factor) || factor == 0.0)
-            return SceneFault{member + ".factors", fmt::format("{}", factor), "finite numbers other than 0"};
+        if (!std::isfinite(factor))
+            return SceneFault{member + ".factors", fmt::format("{}", factor), "finite numbers"};
+    if (std::ranges::all_of(clearance.factors, [](double factor) { return factor == 0.0; }))
+        return SceneFault{member + ".factors", "only 0", "one number or more other than 0"};
     if (!std::isfinite(clearance.at_least))
         return SceneFault{member + ".at_least", fmt::format("{}", clearance.at_least), "a finite number"};
     const auto inside = [](double angle) { return angle >= 0.0 && angle <= units::turn; };
@@ -115,6 +119,10 @@ std::optional<SceneFault> find_name_fault(const MachineSpec& machine) {
         if (!is_folder_name(axis.name))
             return SceneFault{member + ".name", fmt::format("\"{}\"", axis.name),
                               "letters, digits, '_' and '-': the folder of its results has this name"};
+        if (axis.name.size() > most_axis_name)
+            return SceneFault{
+                member + ".name", fmt::format("a name of {} letters", axis.name.size()),
+                fmt::format("at most {}: the folder of its results has this name", most_axis_name)};
         for (std::size_t other = 0; other < index; ++other)
             if (machine.axes[other].name == axis.name)
                 return SceneFault{member + ".name", fmt::format("\"{}\" a second time", axis.name),

@@ -2,6 +2,7 @@
 #include "scene/scene.hpp"
 
 #include "core/text/parsing.hpp"
+#include "core/units.hpp"
 #include "core/word_of.hpp"
 
 #include <fmt/format.h>
@@ -27,6 +28,12 @@ double MotionSpec::unit_angle() const {
     return segments.empty() ? rise : segments.front().angle;
 }
 
+double MotionSpec::own_place(double master) const {
+    constexpr double rounding = 1e-12;  // of a turn: an angle that close to the beginning is there
+    const double angle = master - phase, own = angle - units::turn * std::floor(angle / units::turn);
+    return own < rounding || own > units::turn * (1.0 - rounding) ? 0.0 : own / unit_angle();
+}
+
 bool MotionSpec::prescribed() const {
     return type == MotionType::program && std::ranges::none_of(segments, [](const ProgramSegment& segment) {
                return segment.kind == SegmentKind::spline;
@@ -49,6 +56,22 @@ double MotionSpec::length() const {
     double total = 0.0;
     for (const ProgramSegment& segment : segments) total += segment.angle;
     return total / unit_angle();
+}
+
+std::vector<LoadSpeed> Scene::load_speeds() const {
+    const ForceSpec& load = forces.value();
+    const double speed = motion.speed.value(), rpm = units::revolution_per_minute;
+    std::vector<LoadSpeed> all = {{speed * speed, speed}};
+    if (load.mass == 0.0 && load.damping == 0.0) return all;
+    const bool presses = load.spring_rate > 0.0 || load.preload > 0.0;
+    const auto [low, high] =
+        load.speed_range.value_or(std::array{presses && limits.hertz_pressure_max ? 0.0 : speed, speed});
+    for (const double end : {low, high})
+        if (end != speed) all.push_back({end * end, end, fmt::format("at {:.6g} rpm", end / rpm)});
+    if (load.damping > 0.0 && low < high)
+        all.push_back({low * high, 0.5 * (low + high),
+                       fmt::format("between {:.6g} and {:.6g} rpm", low / rpm, high / rpm), false});
+    return all;
 }
 
 int Scene::nearest_harmonic() const {

@@ -81,16 +81,21 @@ struct MeasuredOutlier {
     friend bool operator==(const MeasuredOutlier&, const MeasuredOutlier&) = default;
 };
 
-/// What measured.register found: by the law (empty: the scene prescribes all strokes) nearest to the table.
+/// What measured.register found: by the strokes of the scene, free ones as smooth curves or (law: which) as
+/// the law nearest to the table.
 struct MeasuredPlace {
     struct Number {
-        double value = 0.0, error = 0.0;  ///< standard error
+        double value = 0.0, error = 0.0;  ///< standard error; NaN: the residuals contradict the model
         friend bool operator==(const Number&, const Number&) = default;
     };
     std::string law;
-    std::optional<Number> angle;        ///< rad: the table's angle at the start of the motion
-    std::optional<Number> zero;         ///< m or rad: the table's displacement where the motion has 0
-    std::optional<double> base_radius;  ///< m, of points of a cam: what the zero makes it
+    std::optional<Number> angle;         ///< rad: the table's angle at the start of the motion
+    std::optional<Number> zero;          ///< m or rad: the table's displacement where the motion has 0
+    std::optional<double> base_radius;   ///< m, of points of a cam: what the zero makes it
+    double residual = 0.0, noise = 0.0;  ///< m or rad: rms of the residuals, of rows from their neighbours
+
+    /// The residuals are far above the noise.
+    [[nodiscard]] bool contradicted() const { return residual > 3.0 * noise; }
     friend bool operator==(const MeasuredPlace&, const MeasuredPlace&) = default;
 };
 
@@ -125,6 +130,10 @@ struct MotionSpec {
     bool relative = false;
     /// Program: its segments are so many copies of one part, and so is the motion. Closed programs only.
     int repeat = 1;
+    /// Program that is periodic: rad, in (−2π, 2π). The master angle at which the motion begins: tables of
+    /// the motion over the master count from there (Solution::master_turn). Angles of the scene are the
+    /// motion's own.
+    double phase = 0.0;
     /// Velocity and acceleration where a motion that is not periodic starts and ends, normalised as set
     /// points of the first and the last stretch; what is not given is 0, as at rest.
     std::optional<SetPoint> start, end;
@@ -144,6 +153,10 @@ struct MotionSpec {
     [[nodiscard]] double unit_angle() const;
     /// Length of the motion in x: 1 for DRD, 1 + return / rise for RR, all angles / unit angle for a program.
     [[nodiscard]] double length() const;
+    /// The master's at x, rad: from the phase on, not reduced to one turn.
+    [[nodiscard]] double master_angle(double x) const { return phase + unit_angle() * x; }
+    /// x at a master angle (rad) of a periodic motion, in [0, length()).
+    [[nodiscard]] double own_place(double master) const;
     /// The least and the largest displacement that is given, m or rad: 0 and the lift, of a program those of
     /// its segments.
     [[nodiscard]] std::pair<double, double> displacements() const;
@@ -339,6 +352,10 @@ struct Scene {
     std::vector<OwnLimit> own_limits;    ///< beside `limits`
     SolverSpec solver;
 
+    /// Speeds whose loads enclose those of every speed that limits on loads hold at: that of the scene first,
+    /// then the ends of forces.speed_range; default from 0 where a spring loads the cam and the Hertz
+    /// pressure is limited. There are forces and a speed.
+    [[nodiscard]] std::vector<LoadSpeed> load_speeds() const;
     /// k >= 1 of the harmonic of the cam's speed that is nearest to the natural frequency of the spring. The
     /// scene has both.
     [[nodiscard]] int nearest_harmonic() const;

@@ -72,7 +72,7 @@ class ChainedColumns final : public Nlp {
     struct Tie {
         int column, first, second;  ///< of which variable, between which copies
     };
-    void chain(int column, const std::vector<int>& key, const std::vector<double>& jacobian);
+    void chain(int column, const std::vector<int>& smallest, const std::vector<double>& jacobian);
     void add_ties();
 
     const Nlp& base_;

@@ -125,6 +125,18 @@ std::vector<double> SplineSpace::knots() const {
     return knots;
 }
 
+std::size_t nearest_index(const std::vector<double>& ascending, double value) {
+    const auto above = std::ranges::lower_bound(ascending, value);
+    if (above == ascending.begin()) return 0;
+    if (above == ascending.end()) return ascending.size() - 1;
+    const bool below_is_nearer = value - *(above - 1) < *above - value;
+    return static_cast<std::size_t>(above - ascending.begin()) - (below_is_nearer ? 1 : 0);
+}
+
+int SplineSpace::breakpoint_at(double x) const {
+    return static_cast<int>(nearest_index(breakpoints_, x));
+}
+
 int SplineSpace::segment_of(double x, Side side) const {
     const double slack = overshoot * std::max(1.0, end() - begin());
     if (!(x >= begin() - slack && x <= end() + slack))

@@ -9,6 +9,9 @@
 
 namespace camopt {
 
+/// Of the number nearest to the value; there is one.
+[[nodiscard]] std::size_t nearest_index(const std::vector<double>& ascending, double value);
+
 // The space of piecewise polynomials of degree p on breakpoints x_0 < … < x_n that are C^k at the interior
 // ones.
 //
@@ -41,6 +44,9 @@ class SplineSpace {
     /// The segment that contains x; at a breakpoint the one on `side`. Throws InputError outside [begin, end]
     /// (a round-off excess is clamped).
     [[nodiscard]] int segment_of(double x, Side side = Side::right) const;
+
+    /// The index of the breakpoint nearest to x: that of one from which rounding has moved it.
+    [[nodiscard]] int breakpoint_at(double x) const;
 
     /// Whether the breakpoints lie symmetrically about the middle, to round-off.
     [[nodiscard]] bool is_symmetric() const;

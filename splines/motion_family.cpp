@@ -43,15 +43,15 @@ void MotionFamily::add_pieces() {
             pieces_.back().end = stretch.end;
         } else {
             const SplineSpace& space = run_space(stretch.run);
-            const int first = space.segment_of(stretch.begin + stretch.shift, Side::right);
-            const int last = space.segment_of(stretch.end + stretch.shift, Side::left);
-            for (int i = first; i <= last; ++i) {
+            const int first = space.breakpoint_at(stretch.begin + stretch.shift);
+            const int last = space.breakpoint_at(stretch.end + stretch.shift);
+            for (int i = first; i < last; ++i) {
                 pieces_.push_back({space.breakpoints()[i] - stretch.shift,
                                    space.breakpoints()[i + 1] - stretch.shift, s, i});
             }
             // Shifting back and forth is not exact; a point past the end by the last digit belongs to the
             // next interval.
-            pieces_[pieces_.size() - static_cast<std::size_t>(last - first + 1)].begin = stretch.begin;
+            pieces_[pieces_.size() - static_cast<std::size_t>(last - first)].begin = stretch.begin;
             pieces_.back().end = stretch.end;
         }
     }

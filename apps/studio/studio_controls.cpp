@@ -59,10 +59,12 @@ void collect_tables(const SceneTable& table, std::vector<SceneTable>& found) {
 /// What decides which keys a scene could have.
 struct SceneState {
     std::string cam_type;  ///< empty: no cam
+    std::string motion_type;
     bool has_forces = false;
     bool has_dynamics = false;
     bool has_drive = false;
-    std::set<std::string_view> units;  ///< that the scene is written in
+    bool in_lifts = false, in_units = false;  ///< how displacements are written
+    std::set<std::string_view> units;         ///< that the scene is written in
 };
 
 SceneState state_of(const std::vector<SceneTable>& tables) {
@@ -70,13 +72,20 @@ SceneState state_of(const std::vector<SceneTable>& tables) {
     for (const SceneTable& table : tables) {
         if (table.path == "cam")
             if (const Member* const type = table.node->find("type")) state.cam_type = type->value.text;
+        if (table.path == "motion")
+            if (const Member* const type = table.node->find("type")) state.motion_type = type->value.text;
         state.has_forces = state.has_forces || table.path == "forces";
         state.has_dynamics = state.has_dynamics || table.path == "dynamics";
         state.has_drive = state.has_drive || table.path == "drive";
         for (const Member& member : table.node->members)
-            if (const KeyMatch match = input::match_key(table.path, member.name);
-                match.row != nullptr && !match.spelling->unit.empty())
-                state.units.insert(match.spelling->unit);
+            if (const KeyMatch match = input::match_key(table.path, member.name); match.row != nullptr) {
+                const std::string_view unit = match.spelling->unit;
+                if (!unit.empty()) state.units.insert(unit);
+                const bool ends = table.path == "motion.segments" && match.row->name == "to";
+                if (!ends && match.row->name != "displacement") continue;
+                state.in_units |= ends && !unit.empty();
+                state.in_lifts |= unit.empty() && member.value.as_number() != 0.0;
+            }
     }
     return state;
 }
@@ -183,6 +192,7 @@ bool could_be(const KeyRow& row, const SceneState& state) {
     if (row.availability == input::Availability::needs_drive) return state.has_drive;
     if (row.availability != input::Availability::now && state.cam_type.empty()) return false;
     if (row.availability == input::Availability::needs_forces && !state.has_forces) return false;
+    if (row.table == "motion" && !input::motion_types_of(row.name, state.motion_type).empty()) return false;
     return row.is_for(state.cam_type);
 }
 
@@ -210,6 +220,8 @@ bool is_replaced(const SceneTable& table, const KeyRow& row) {
 void add_controls(ControlJson& list, const SceneTable& table, const SceneState& state) {
     for (const KeyRow& row : input::scene_keys()) {
         if (row.table != table.path) continue;
+        // The lift of a program whose displacements are all in units moves nothing.
+        if (row.name == "lift" && state.in_units && !state.in_lifts && table.path == "motion") continue;
         const auto [member, spelling] = written_in(table, row.name);
         if (!is_control(row, member == nullptr ? nullptr : &member->value)) continue;
         if (member != nullptr)

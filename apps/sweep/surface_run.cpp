@@ -135,7 +135,7 @@ ExitCode surface_run(const SweepRequest& request) {
     prepare_folder(request.out);
     const std::filesystem::path folder(request.out);
 
-    const InterruptWatch watch(InterruptWatch::Signals::termination_too);
+    const InterruptWatch watch;
     const auto progress = terminal_progress();
     Stopwatch since_write;
     TradeOffSurface surface = trade_off_surface(

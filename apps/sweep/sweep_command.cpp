@@ -151,7 +151,7 @@ ExitCode sweep_command(const SweepRequest& request) {
     if (const RankLaunch launch = rank_launch(); launch.size > 1) return sweep_across_ranks(request, launch);
     SweepJob job(request);
     WorkFolder work(request, checked_sweep(request, job));
-    const InterruptWatch watch(InterruptWatch::Signals::termination_too);
+    const InterruptWatch watch;
     const PoolOutcome outcome =
         solve_missing_chunks(work.folder(), job, worker_count(request), [&] { work.leave_to_parent(); });
     if (outcome == PoolOutcome::stopped) return tell_interruption(work.folder());

@@ -95,8 +95,8 @@ void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, st
         scene = load_scene({identity.scene_file, identity.scene_text}, identity.settings);
     show_in(scene, units);
     std::optional<LawLosses> losses;
+    const InterruptWatch watch;
     if (!identity.columns.machine && is_weight_sweep(table)) {
-        const InterruptWatch watch;
         losses = law_losses(scene, {InterruptWatch::interrupted, terminal_progress()}, peaks_of_rows(table));
         end_progress();
     }

@@ -92,7 +92,7 @@ ExitCode solve_part(const Rank& rank, WorkFolder* whole) {
     SweepRequest request = rank.request;
     request.out = rank.parts[rank.launch.rank];
     WorkFolder part(request, {rank.identity, {rank.launch.rank + 1, rank.launch.size}});
-    const InterruptWatch watch(InterruptWatch::Signals::termination_too);
+    const InterruptWatch watch;
     const PoolOutcome outcome =
         solve_missing_chunks(part.folder(), rank.job, request.workers.value_or(1), [&] {
             part.leave_to_parent();

@@ -25,16 +25,17 @@ namespace camopt {
 /// Opens a page on this machine as a double click would. False: there is no desktop that could.
 bool open_in_browser(const std::filesystem::path& page);
 
-// Ctrl-C during a solve: the first asks the solver to stop and deliver the best point it has, the second ends
+// Ctrl-C during a solve, or the termination that job schedulers send: the first asks the solver to stop and
+// deliver the best point it has, so that the files that were begun are finished or removed; the second ends
 // the program at once.
 
 /// Watches as long as it lives; then the previous behaviour returns.
 class InterruptWatch {
  public:
-    /// Beside Ctrl-C: the termination that job schedulers send, and the end of the terminal.
-    enum class Signals { interrupt, termination_too, hangup_too };
+    /// hangup_too: also the end of the terminal.
+    enum class Signals { termination, hangup_too };
 
-    explicit InterruptWatch(Signals signals = Signals::interrupt);
+    explicit InterruptWatch(Signals signals = Signals::termination);
     ~InterruptWatch();
     InterruptWatch(const InterruptWatch&) = delete;
     InterruptWatch& operator=(const InterruptWatch&) = delete;

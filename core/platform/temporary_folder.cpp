@@ -14,7 +14,7 @@ std::filesystem::path make_temporary_folder() {
     const std::filesystem::path root = std::filesystem::temp_directory_path(error);
     constexpr int attempts = 100;
     for (int i = 0; i < attempts && !error; ++i) {
-        const std::filesystem::path path =
+        std::filesystem::path path =
             root / ("camopt-" + std::to_string(process_number()) + "-" + std::to_string(source()));
         if (!std::filesystem::create_directory(path, error)) continue;
         std::filesystem::permissions(path, std::filesystem::perms::owner_all, error);

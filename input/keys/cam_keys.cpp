@@ -44,6 +44,9 @@ std::vector<KeyRow> force_rows() {
         {"forces", "spring_frequency", number, frequency, positive, {}, "none",
          "Natural frequency of the return spring between fixed ends (surge): harmonics of the lift near it are "
          "reported, and may be limited. For an RR motion or a closed program."},
+        {"forces", "speed_range", numbers, speed, not_negative, {}, "see there",
+         "Two speeds of the cam: limits of contact force, Hertz pressure and torque hold from the first to the second. "
+         "Default: from 0 to the speed where a spring loads the cam and `limits.hertz_pressure_max` is given, else the speed."},
         {"forces", "contact_width", number, length, positive, {}, "none",
          "Width of the line of contact; the Hertz pressure needs it."},
         {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam."},
@@ -89,7 +92,7 @@ std::vector<KeyRow> dynamics_rows() {
         {"dynamics", "return_spring", number, train_spring, not_negative, {}, "0",
          "Rate of the spring that presses the output back to the cam."},
         {"dynamics", "preload", number, force_or_moment, not_negative, {}, "0",
-         "What the return spring presses with at displacement 0. Without spring and preload the cam guides the follower in both directions."},
+         "What the return spring loads the cam with at displacement 0. Without spring and preload the cam guides the follower in both directions."},
         {"dynamics", "speed_range", numbers, speed, positive, {}, "motion.speed",
          "Two speeds: terms and limits of the train hold from the first to the second."},
         {"dynamics", "stage", tables, plain, any, {}, "none",

@@ -17,6 +17,7 @@ using enum KeyType;
 using namespace spellings;
 
 const Range within_turn = Range::above_up_to(0.0, 360.0);
+const Range within_phase{.low = -360.0, .high = 360.0, .low_included = false, .high_included = false};
 
 using Rows = std::vector<KeyRow>;
 
@@ -88,6 +89,9 @@ Rows motion() {
          "Of a closed program: the segments fill so many equal parts of the revolution, each with the same motion."},
         {"motion", "stops", integer, plain, Range::between(1, 10000), {}, "none",
          "Of an indexing output: the lift is 360 deg divided by this.", Availability::now, "lift"},
+        {"motion", "phase", number, cam_angle, within_phase, {}, "0",
+         "Of a program of one revolution: the angle of the master at which the motion begins. Motion tables, tables of "
+         "controllers and reports are by the master's angle; a machine sets it."},
         {"motion", "start", table, plain, any, {}, "at rest",
          "State at the start of a motion that is not closed; what is not given is 0."},
         {"motion", "end", table, plain, any, {}, "at rest",
@@ -215,6 +219,10 @@ Rows measured() {
          "Names of the columns, in the order of the file: of a file without such a line, or in place of it."},
         {"measured", "decimal", text, plain, any, {".", ","}, "\".\"",
          "Decimal point or comma of the file; with a comma, columns are separated by semicolons or tabs."},
+        {"measured", "scale", numbers, plain, any, {}, "1",
+         "A number for each column of the file: what one unit of a cell is in the unit that the column's name says."},
+        {"measured", "offset", numbers, plain, any, {}, "0",
+         "A number for each column, added after `scale`, in the unit that the column's name says."},
         {"measured", "skip_lines", integer, plain, Range::between(0, 10000), {}, "0",
          "Lines at the beginning of the file that are not read. Needed only where they hold numbers: text above the "
          "names, or with `columns` above the first row, is passed over."},
@@ -464,6 +472,36 @@ KeyTable all_rows() {
 }
 
 }  // namespace
+
+std::string_view motion_types_of(std::string_view key, std::string_view type) {
+    constexpr std::string_view not_valve = "other types; a valve lobe is said by lift, duration and ramps";
+    struct Only {
+        std::vector<std::string_view> keys, types;
+        std::string_view words;
+    };
+    static const std::vector<Only> table = {
+        {{"rocker_ratio", "valve_arm", "lash", "checking_height", "duration", "opening", "centerline",
+          "opening_ramp", "closing_ramp"},
+         {"valve"},
+         "type \"valve\""},
+        {{"rise", "return", "segments", "closed", "repeat", "stops", "start", "end", "symmetric", "monotone",
+          "within_lift", "via"},
+         {"DRD", "RR", "program"},
+         not_valve},
+        {{"segments", "closed", "repeat"}, {"program"}, "type \"program\""},
+        {{"phase"}, {"program", "valve"}, "type \"program\" or \"valve\""},
+        {{"rise", "return"},
+         {"DRD", "RR"},
+         "type \"DRD\" or \"RR\"; a program says the angle of each of its segments"},
+        {{"symmetric"}, {"DRD", "RR"}, "type \"DRD\" or \"RR\""},
+        {{"via"},
+         {"DRD", "RR"},
+         "type \"DRD\" or \"RR\"; a program has set points in its segments, via in each"}};
+    for (const auto& [keys, types, words] : table)
+        if (std::ranges::find(keys, key) != keys.end() && std::ranges::find(types, type) == types.end())
+            return words;
+    return {};
+}
 
 const std::vector<KeyRow>& scene_keys() {
     // A program may add kinds: one table per number of kinds, so that returned rows remain valid.

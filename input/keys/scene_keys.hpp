@@ -26,6 +26,10 @@ struct KeyMatch {
 /// The row and spelling of a written key; row == nullptr if the table has no such key.
 [[nodiscard]] KeyMatch match_key(std::string_view table, std::string_view key);
 
+/// A key of [motion] that motions of this type ("valve") cannot have: which can, as "allowed: only in …" goes
+/// on. Empty: it can have the key.
+[[nodiscard]] std::string_view motion_types_of(std::string_view key, std::string_view type);
+
 /// "number or range": the type as the manual and the lists name it.
 [[nodiscard]] std::string_view type_words(KeyType type);
 

@@ -143,6 +143,8 @@ class CamProblem final : public ContinuousProblem {
     int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) override;
     [[nodiscard]] Box box(double incumbent, double relaxation) const override;
     [[nodiscard]] bool convex(double incumbent) const override;
+    /// What no motion of a cost of at most `incumbent` is below: 0 but for a lost area.
+    [[nodiscard]] double least_cost(double incumbent) const;
     /// A smooth random motion (a beam under random loads) and random dimensions, from a seed.
     [[nodiscard]] Eigen::VectorXd random_start(unsigned seed) const;
 
@@ -191,6 +193,7 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] Eigen::VectorXd smoothest(const Eigen::VectorXd& load) const;
     [[nodiscard]] std::array<double, 2> displacement_range(double incumbent) const;
     struct SupportedBounds;
+    [[nodiscard]] double farthest(double incumbent) const;
     static void bound_by_motor(const CamModel& model, SupportedBounds& known, double relaxation);
     [[nodiscard]] SupportedBounds supported_bounds(double incumbent, double relaxation) const;
 

@@ -6,8 +6,6 @@ namespace camopt {
 
 namespace {
 
-// In lifts: no cam follows a motion beyond this range, so proofs need not cover it.
-constexpr double farthest_displacement = 1e3;
 // Proofs may relax the limits by the tolerance of the solve: bounds on motions assume limits relaxed by this,
 // more than any tolerance in use.
 constexpr double relaxed_limits = 1e-6;
@@ -28,6 +26,13 @@ double smallest_stretch_factor(const CamModel& model, int order) {
         smallest = std::min(smallest, scale.displacement / std::pow(scale.angle, order));
     }
     return smallest;
+}
+
+/// Of a parameter of motions with |y| <= farthest. Only a lost area, 1 − the mean of y, has no end of its
+/// own.
+double least_value(const Parameter& parameter, double farthest) {
+    if (parameter.kind == Parameter::Kind::dimension) return parameter.lower;
+    return std::min(0.0, std::max(parameter.lower, (1.0 - farthest) / parameter.reference));
 }
 
 /// Bounds of y' and y'' from those of y and of higher derivatives. Divided differences
@@ -83,22 +88,39 @@ void CamProblem::bound_by_motor(const CamModel& model, SupportedBounds& known, d
     known.rms[2] = std::min(known.rms[2], bend / std::sqrt(shortest));
 }
 
+/// |y| of every motion that counts.
+double CamProblem::farthest(double incumbent) const {
+    const CamModel& model = *model_;
+    const double far =
+        farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
+    // Without an incumbent the strokes may leave their ranges; proofs over boxes state boxes of their own.
+    if (!std::isfinite(incumbent) || !grid_->shape().convex) return far;
+    return std::min(far, model.held_displacement + relaxed_limits * model.held_width);
+}
+
+double CamProblem::least_cost(double incumbent) const {
+    double least = 0.0;
+    for (const Parameter& parameter : model_->parameters)
+        if (parameter.weight > 0.0)
+            least += std::min(0.0, parameter.weight * least_value(parameter, farthest(incumbent)));
+    return least;
+}
+
 CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, double relaxation) const {
     const CamModel& model = *model_;
     const auto parameters = static_cast<Eigen::Index>(model.parameters.size());
     SupportedBounds known{Eigen::VectorXd::Constant(parameters, infinity), {}, {}};
     known.sup.fill(infinity);
     known.rms.fill(infinity);
-    known.sup[0] = farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
-    // Without an incumbent the strokes may leave their ranges; proofs over boxes state boxes of their own.
-    if (std::isfinite(incumbent) && grid_->shape().convex)
-        known.sup[0] = std::min(known.sup[0], model.held_displacement + relaxed_limits * model.held_width);
+    known.sup[0] = farthest(incumbent);
+    // A term costs at most what the incumbent leaves it where every other one is at its least.
+    const double least = least_cost(incumbent);
     for (Eigen::Index p = 0; p < parameters; ++p) {
         const Parameter& parameter = model.parameters[p];
         known.parameters[p] = parameter.upper;
-        if (parameter.weight > 0.0) {  // every term of the cost is at least 0, dimensions at their lower ends
-            known.parameters[p] = std::min(known.parameters[p], incumbent / parameter.weight);
-        }
+        if (!(parameter.weight > 0.0)) continue;
+        const double own = std::min(0.0, parameter.weight * least_value(parameter, known.sup[0]));
+        known.parameters[p] = std::min(known.parameters[p], (incumbent - least + own) / parameter.weight);
     }
     for (const ParameterRow& row : model.parameter_rows) {
         if (std::ranges::any_of(row.weights, [](double weight) { return weight < 0.0; })) continue;
@@ -131,9 +153,6 @@ Box CamProblem::box(double incumbent, double relaxation) const {
     // Displacements at joints are bounded by the velocity and the known start.
     const double reach = std::min(known.sup[0], known.sup[1] * (family.end() - family.begin()));
     const std::array<double, 3> joint_bound = {reach, known.sup[1], known.sup[2]};
-    for (int entry = family.first_joint_entry(); entry < family.size(); ++entry) {
-        box.upper[entry] = joint_bound[family.order(entry)];
-    }
     std::array<double, 4> own{};  // bounds on |y^{(r)}| over all runs
     for (int r = 0; r < family.runs(); ++r) {
         const DesignVector& run = family.run(r);
@@ -148,13 +167,18 @@ Box CamProblem::box(double incumbent, double relaxation) const {
             own[order] = std::max(own[order], derivatives.row(order).maxCoeff());
         }
     }
+    // A joint is an end of a run: where no limit bounds a derivative there, its spline does.
+    for (int entry = family.first_joint_entry(); entry < family.size(); ++entry) {
+        const int order = family.order(entry);
+        box.upper[entry] = std::min(joint_bound[order], own[order]);
+    }
     box.upper.head(family.size()) = box.upper.head(family.size()).cwiseQuotient(design_scales(model));
     box.lower = -box.upper;
     for (std::size_t p = 0; p < model.parameters.size(); ++p) {
         const Parameter& parameter = model.parameters[p];
         const Eigen::Index variable = family.size() + static_cast<Eigen::Index>(p);
         box.upper[variable] = known.parameters[static_cast<Eigen::Index>(p)];
-        box.lower[variable] = parameter.kind == Parameter::Kind::dimension ? parameter.lower : 0.0;
+        box.lower[variable] = least_value(parameter, known.sup[0]);
         if (parameter.kind == Parameter::Kind::magnitude) {
             const Parameter& of = model.parameters[parameter.order];
             box.upper[variable] =

@@ -168,7 +168,7 @@ void CamProblem::complete_responses(const MotionChain& chain, Eigen::VectorXd& x
         const Parameter& parameter = model_->parameters[p];
         if (parameter.kind != Parameter::Kind::response && parameter.kind != Parameter::Kind::energy)
             continue;
-        double largest = 0.0;
+        double largest = parameter.lower;
         for (const auto& place : parameter.defined_by->whole()->maxima(chain, Eigen::VectorXd::Zero(1)))
             largest = std::max(largest, place.where.value);
         x[model_->design.size() + static_cast<Eigen::Index>(p)] = largest;

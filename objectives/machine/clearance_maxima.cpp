@@ -8,8 +8,6 @@ namespace camopt {
 
 namespace {
 
-// Breakpoints of the master closer than this are one, rad.
-constexpr double same_break = 1e-9;
 // Of a maximum where an axis follows a law, relative to the clearance's scale: a tenth of the tightest usual
 // tolerance.
 constexpr double enclosed_accuracy = 1e-10;
@@ -98,6 +96,7 @@ std::optional<Extremum> maximum_with_laws(const Along& along, double floor) {
 void MachineProblem::merge_breaks(Clear& clear) const {
     const double from = clear.rule.from, until = from + clear.length;
     clear.breaks = {from, until};
+    if (falls_back(clear) && from < units::turn && units::turn < until) clear.breaks.push_back(units::turn);
     for (const int index : clear.rule.axes) {
         const Block& block = blocks_[index];
         for (const MotionFamily::Piece& piece : block.problem->model().design.pieces()) {
@@ -110,7 +109,7 @@ void MachineProblem::merge_breaks(Clear& clear) const {
     std::ranges::sort(clear.breaks);
     std::vector<double> single = {from};
     for (const double angle : clear.breaks)
-        if (angle > single.back() + same_break && angle < until - same_break) single.push_back(angle);
+        if (angle > single.back() + same_angle && angle < until - same_angle) single.push_back(angle);
     single.push_back(until);
     clear.breaks = std::move(single);
 }
@@ -129,7 +128,9 @@ std::vector<Extremum> MachineProblem::maxima_of(const Clear& clear, const std::v
             const MotionFamily& design = block.problem->model().design;
             const double factor = -clear.rule.factors[k] * block.spec.lift / clear.rule.scale;
             const double wide = width / block.spec.unit_angle;
-            const double middle = axis_place(index, begin + 0.5 * width), x0 = middle - 0.5 * wide;
+            const auto [middle, advanced] = axis_place(index, begin + 0.5 * width);
+            const double x0 = middle - 0.5 * wide;
+            along.polynomial[0] += factor * advanced;
             const auto& piece =
                 design.pieces()[static_cast<std::size_t>(design.piece_of(middle, Side::right))];
             const auto stretch = static_cast<std::size_t>(piece.stretch);
@@ -148,16 +149,17 @@ std::vector<Extremum> MachineProblem::maxima_of(const Clear& clear, const std::v
         const std::optional<Extremum> maximum =
             along.laws.empty() ? maximum_above(along.polynomial, least) : maximum_with_laws(along, least);
         if (!maximum) continue;
-        const double at = begin + maximum->at * width;
+        const bool fallen = std::abs(begin - units::turn) <= same_angle && falls_back(clear);
+        const double at = begin + std::max(maximum->at * width, fallen ? after_fall : 0.0);
         // At a joint of two stretches it is one maximum; where the next one ascends further it is none.
-        if (!all.empty() && maximum->at == 0.0 && at - all.back().at <= same_break) {
+        if (!fallen && !all.empty() && maximum->at == 0.0 && at - all.back().at <= same_angle) {
             all.back().value = std::max(all.back().value, maximum->value);
             continue;
         }
-        if (!all.empty() && maximum->at > 0.0 && begin - all.back().at <= same_break &&
+        if (!fallen && !all.empty() && maximum->at > 0.0 && begin - all.back().at <= same_angle &&
             maximum->value > all.back().value)
             all.pop_back();
-        else if (maximum->at == 0.0 && i > 0)
+        else if (!fallen && maximum->at == 0.0 && i > 0)
             continue;  // the stretch before it descends to here from a larger one
         all.push_back({maximum->value, at});
     }

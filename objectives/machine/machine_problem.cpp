@@ -10,8 +10,6 @@ namespace {
 
 // Of the first grid of a clearance, over a whole cycle.
 constexpr int first_angles = 24;
-// Master angles closer than this are one, rad.
-constexpr double same_angle = 1e-9;
 
 double wrapped(double angle) {
     const double rest = std::fmod(angle, units::turn);
@@ -135,8 +133,9 @@ class MachineProblem::Grid final : public Nlp {
             const Block& block = machine_.blocks_[clear.rule.axes[k]];
             const CamModel& model = block.problem->model();
             const double size = -clear.rule.factors[k] * block.spec.lift / clear.rule.scale;
-            const AffineRow y = model.design.functional(machine_.axis_place(clear.rule.axes[k], angle), 0);
-            row.offset += size * y.offset;
+            const OwnPlace place = machine_.axis_place(clear.rule.axes[k], angle);
+            const AffineRow y = model.design.functional(place.x, 0);
+            row.offset += size * (y.offset + place.advanced);
             for (std::size_t j = 0; j < y.columns.size(); ++j) {
                 if (y.weights[j] == 0.0) continue;
                 row.columns.push_back(block.columns[y.columns[j]]);
@@ -208,6 +207,7 @@ MachineProblem::MachineProblem(std::vector<MachineBlock> blocks, std::vector<Cle
     for (ClearanceRule& rule : clearances) {
         Clear clear;
         clear.rule = std::move(rule);
+        if (clear.rule.from >= units::turn) clear.rule.from -= units::turn;
         clear.length = clear.rule.to - clear.rule.from;
         if (clear.length <= 0.0) clear.length += units::turn;
         merge_breaks(clear);
@@ -247,11 +247,20 @@ void MachineProblem::number_columns() {
     for (const Entry& entry : entries) blocks_[entry.block].columns[entry.variable] = variables_++;
 }
 
-double MachineProblem::axis_place(int index, double angle) const {
-    const Block& block = blocks_[index];
-    const MotionFamily& design = block.problem->model().design;
-    const double x = wrapped(angle - block.spec.phase) / block.spec.unit_angle;
-    return std::clamp(design.begin() + x, design.begin(), design.end());
+MachineProblem::OwnPlace MachineProblem::axis_place(int index, double angle) const {
+    const AxisPlace& spec = blocks_[index].spec;
+    const MotionFamily& design = blocks_[index].problem->model().design;
+    double master = angle <= units::turn + same_angle ? angle : angle - units::turn;
+    if (angle > units::turn && master <= after_fall) master = 0.0;
+    const double cycles = std::floor((master - spec.phase) / units::turn);
+    const double x = (master - spec.phase - units::turn * cycles) / spec.unit_angle;
+    return {std::clamp(design.begin() + x, design.begin(), design.end()),
+            spec.advance * (cycles - (spec.phase < 0.0 ? 1.0 : 0.0))};
+}
+
+bool MachineProblem::falls_back(const Clear& clear) const {
+    return std::ranges::any_of(clear.rule.axes,
+                               [&](int index) { return blocks_[index].spec.advance != 0.0; });
 }
 
 /// Takes the new rows of every part and makes the grid of them; returns their number.
@@ -306,8 +315,8 @@ double MachineProblem::objective(const Eigen::VectorXd& x) const {
 }
 
 double MachineProblem::displacement(int index, const MotionChain& motion, double angle) const {
-    const double x = axis_place(index, angle);
-    return blocks_[index].spec.lift * motion.at(x).derivative[0];
+    const OwnPlace place = axis_place(index, angle);
+    return blocks_[index].spec.lift * (motion.at(place.x).derivative[0] + place.advanced);
 }
 
 std::string MachineProblem::rule_name(int block, int rule) const {
@@ -452,9 +461,13 @@ void MachineProblem::add_pressed(Clear& clear, int part, double angle,
 
 Box MachineProblem::box(double incumbent, double relaxation) const {
     Box box{Eigen::VectorXd(variables_), Eigen::VectorXd(variables_)};
+    const auto least = [&](const Block& block) {
+        return block.spec.weight * block.problem->least_cost(incumbent / block.spec.weight);
+    };
+    double rest = incumbent;  // what the total leaves each, where every other one is at its least
+    for (const Block& block : blocks_) rest -= least(block);
     for (const Block& block : blocks_) {
-        // No objective is negative: each is at most the total.
-        const Box own = block.problem->box(incumbent / block.spec.weight, relaxation);
+        const Box own = block.problem->box((rest + least(block)) / block.spec.weight, relaxation);
         box.lower(block.columns) = own.lower;
         box.upper(block.columns) = own.upper;
     }

@@ -4,9 +4,11 @@
 //     min Σ_i weight_i f_i(x_i)   subject to the rules of every axis, and for every clearance k
 //     g_k(θ) = (at_least − Σ_i factor_i lift_i y_i((θ − phase_i) / unit angle_i)) / scale ≤ 0
 //
-// at every θ of its stretch; θ − phase_i is wrapped into the cycle. Clearances are linear in the designs.
-// Between the merged breakpoints of its axes a clearance is one polynomial, whose maximum is exact; where an
-// axis follows a law it is bounded by enclosures of its second derivative.
+// at every θ of its stretch; θ − phase_i is wrapped into the cycle. An axis that advances from cycle to cycle
+// counts its displacement from the cycle's start: of angles before its phase its advance is subtracted, so
+// that y is continuous from θ = 0 to 2π, where it falls back. Clearances are linear in the designs. Between
+// the merged breakpoints of its axes a clearance is one polynomial, whose maximum is exact; where an axis
+// follows a law it is bounded by enclosures of its second derivative.
 //
 // The variables are those of all axes, the design entries by master angle (states; others axis by axis), then
 // the parameters: rows couple variables that are near each other, so that factors fill in by the number of
@@ -25,6 +27,7 @@ struct AxisPlace {
     double unit_angle = 1.0;  ///< cam angle of x = 1, rad
     double lift = 1.0;        ///< m or rad of y = 1
     double weight = 1.0;      ///< of its objective in the total
+    double advance = 0.0;     ///< y that it gains in each cycle
 };
 
 /// One axis as an optimization model.
@@ -112,7 +115,16 @@ class MachineProblem final : public ContinuousProblem {
         int part = 0;  ///< block, or blocks + clearance
         int row = 0;   ///< of it
     };
-    [[nodiscard]] double axis_place(int index, double angle) const;
+    // Where advancing axes fall back a clearance has rows on both sides: at 2π, and this far above it, rad.
+    static constexpr double same_angle = 1e-9, after_fall = 4.0 * same_angle;
+
+    /// An axis at a master angle: its x, and what it has advanced before, in lifts.
+    struct OwnPlace {
+        double x = 0.0, advanced = 0.0;
+    };
+    [[nodiscard]] OwnPlace axis_place(int index, double angle) const;
+    /// Whether one of its axes advances from cycle to cycle.
+    [[nodiscard]] bool falls_back(const Clear& clear) const;
     void number_columns();
     void merge_breaks(Clear& clear) const;
     bool add_angle(Clear& clear, double angle);

@@ -23,14 +23,14 @@ constexpr double pressure_scale = 2.0;
 /// constant + slope θ.
 struct Force {
     ForceSpec spec;
-    double speed;
+    double nominal;  ///< the speed of the scene
+    LoadSpeed at;
     double constant = 0.0, slope = 0.0;                     ///< with the preload
     std::array<double, 2> between = {-infinity, infinity};  ///< x
 
     [[nodiscard]] auto operator()(const auto& call) const {
-        auto force = spec.mass * speed * speed * call.acceleration() +
-                     spec.damping * speed * call.velocity() + spec.spring_rate * call.displacement() +
-                     constant;
+        auto force = spec.mass * at.square * call.acceleration() + spec.damping * at.speed * call.velocity() +
+                     spec.spring_rate * call.displacement() + constant;
         if (slope != 0.0) force = force + slope * call.angle();
         return force;
     }
@@ -38,11 +38,12 @@ struct Force {
     [[nodiscard]] double swing(const MotionScale& scale) const {
         double largest = 0.0;
         for (const std::array<double, 2>& point : spec.load) largest = std::max(largest, std::abs(point[1]));
-        return largest + spec.mass * speed * speed * scale.lift / (scale.unit_angle * scale.unit_angle);
+        return largest + spec.mass * nominal * nominal * scale.lift / (scale.unit_angle * scale.unit_angle);
     }
-    /// Only on this part of the motion; linear in it, but not the same everywhere.
-    void place(CamFormula& formula) const {
+    /// Only on this part of the motion; linear in it, but not the same everywhere. `station`: "upper flank".
+    void place(CamFormula& formula, const std::string& station = {}) const {
         formula.between = between;
+        formula.remark = station.empty() || at.words.empty() ? station + at.words : station + ", " + at.words;
         if (slope == 0.0) return;
         if (formula.linear) formula.shape = [](double, double) { return Curvature::linear; };
         formula.linear = false;
@@ -50,10 +51,10 @@ struct Force {
 };
 
 /// One for each line of the load.
-std::vector<Force> forces_of(const Scene& scene) {
+std::vector<Force> forces_of(const Scene& scene, const LoadSpeed& at_speed) {
     const ForceSpec& spec = *scene.forces;
     const double speed = *scene.motion.speed;
-    if (spec.load.size() < 2) return {{spec, speed, spec.preload + spec.load_at(0.0).force}};
+    if (spec.load.size() < 2) return {{spec, speed, at_speed, spec.preload + spec.load_at(0.0).force}};
     const double unit = scene.motion.unit_angle(), end = unit * scene.motion.length();
     std::vector<double> joints = {0.0, end};
     for (const std::array<double, 2>& point : spec.load)
@@ -67,6 +68,7 @@ std::vector<Force> forces_of(const Scene& scene) {
         const ForceSpec::Load line = spec.load_at(joints[i]);
         all.push_back({spec,
                        speed,
+                       at_speed,
                        spec.preload + line.force - line.slope * joints[i],
                        line.slope,
                        {joints[i] / unit, joints[i + 1] / unit}});
@@ -129,8 +131,8 @@ void add_hertz_pressure(Limits& limits, const WrittenLimit& limit, const Force& 
     });
     formula.linear = limits.is_linear(cam_radius);
     formula.scale = pressure_scale;
-    force.place(formula);
-    limits.add_at(std::move(formula), station);
+    force.place(formula, limits.cam().station_name(station));
+    limits.add(std::move(formula));
 }
 
 /// The contact lies above the cam's centre, so that the force along the normal lifts the follower.
@@ -168,7 +170,10 @@ void add_forces(Limits& limits) {
     const auto& torque = limit_on(scene.limits, LimitedFigure::torque);
     const auto& pressure = limit_on(scene.limits, LimitedFigure::hertz_pressure);
     if (pressure) refuse_hertz_pressure(limits, *pressure, *scene.forces);
-    for (const Force& force : forces_of(scene)) {
+    std::vector<Force> forces;
+    for (const LoadSpeed& speed : scene.load_speeds())
+        for (Force& force : forces_of(scene, speed)) forces.push_back(std::move(force));
+    for (const Force& force : forces) {
         if (const auto& least = limit_on(scene.limits, LimitedFigure::contact_force))
             add_contact_force(limits, *least, force);
         if (torque) add_torque(limits, *torque, force);

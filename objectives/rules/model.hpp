@@ -43,6 +43,9 @@ struct CamVariables {
 /// A root mean square of a moving motion is of order one; this bound only prevents a division by zero.
 inline constexpr double least_rms = 1e-4;
 
+/// In lifts: no cam follows a motion beyond this range, so proofs need not cover it.
+inline constexpr double farthest_displacement = 1e3;
+
 /// A variable besides the design vector: a peak, the torque peak max |y' y''|, a root mean square, a
 /// dimension of the cam, the magnitude of another parameter, the peak of a user-defined term, a response of
 /// an elastic follower train or of a motor (the lost area is one too), or a root mean square of that.
@@ -53,7 +56,7 @@ struct Parameter {
     int order = 0;           ///< peak, rms: of the derivative it belongs to; magnitude: of which parameter
     double reference = 1.0;  ///< the variable is in units of this
     double weight = 0.0;     ///< in the cost
-    double lower = 0.0, upper = infinity;  ///< dimension: its range, in units of the reference
+    double lower = 0.0, upper = infinity;  ///< its range, in units of the reference
     /// own, response, energy: its definition, also where a relaxation omits the rule; of an energy the only
     /// place, for it has no row.
     std::shared_ptr<const PointRule> defined_by = {};

@@ -35,6 +35,7 @@ constexpr std::string_view hatch =
 /// The one style sheet: #0072b2 is the result, grey what it is compared with, green bounds, red limits.
 std::string chart_style() {
     std::string style =
+        "path{fill:none}"  // of a line with more than two points; marks name their fill
         ".optimum{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
         ".row-line{fill:none;stroke:#0072b2;stroke-width:1.6}"
         ".reference{fill:none;stroke:#6b6b6b;stroke-width:1.5;stroke-dasharray:6 4}"
@@ -128,10 +129,12 @@ struct Plot {
     }
 };
 
-void draw_line(const Plot& plot, const ChartSeries& series) {
+void draw_line(Plot& plot, const ChartSeries& series) {
     const ChartPoint &first = series.points.front(), &last = series.points.back();
-    if (series.points.size() == 2 && plot.holds(first) && plot.holds(last))
+    if (series.points.size() == 2 && plot.holds(first) && plot.holds(last)) {
+        plot.labels.avoid({plot.x(first.x), plot.y(first.y)}, {plot.x(last.x), plot.y(last.y)});
         return plot.canvas.line(plot.x(first.x), plot.y(first.y), plot.x(last.x), plot.y(last.y), series.css);
+    }
     std::string data;
     bool pen_down = false;
     double last_x = 0.0, last_y = 0.0;
@@ -142,6 +145,7 @@ void draw_line(const Plot& plot, const ChartSeries& series) {
             const bool far = std::abs(x - last_x) >= least_drawn || std::abs(y - last_y) >= least_drawn;
             if (!pen_down || far || &point == &last) {
                 data += (pen_down ? "L" : "M") + svg_number(x) + " " + svg_number(y);
+                if (pen_down) plot.labels.avoid({last_x, last_y}, {x, y});
                 last_x = x;
                 last_y = y;
             }

@@ -127,9 +127,9 @@ ChartPanel panel_of(const View& view, const Curve& curve, std::size_t rows, bool
     else
         add_line(curve.values, "optimum", "this motion");
     if (!table.points.empty()) panel.series.push_back(std::move(table));
+    add_bounds(panel, view, first);  // before the marks: a segment's name has its place within the segment
     add_marks(panel, curve);
     add_limits(panel, curve);
-    add_bounds(panel, view, first);
     return panel;
 }
 
@@ -232,6 +232,10 @@ std::string drive_svg(const View& view) {
     Chart chart = chart_of(view, title.empty() ? "Motor" : title + ": motor", curves_of(view, "motor"), true);
     chart.panels.push_back(torque_over_speed(view));
     return chart_svg(std::move(chart));
+}
+
+std::string torque_over_speed_svg(const View& view) {
+    return chart_svg({"", {}, {torque_over_speed(view)}});
 }
 
 std::string surge_svg(const View& view) {

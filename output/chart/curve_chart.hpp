@@ -23,6 +23,8 @@ namespace camopt {
 /// drive.svg: torque and speed of the motor over the angle, and torque over speed with the curve of the
 /// motor. The solution has a motor.
 [[nodiscard]] std::string drive_svg(const View& view);
+/// Of that the last panel alone.
+[[nodiscard]] std::string torque_over_speed_svg(const View& view);
 
 /// surge.svg: amplitude over harmonic of the lift, logarithmic, with the natural frequency of the spring and
 /// the limit. The solution has them.

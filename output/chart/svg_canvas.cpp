@@ -151,10 +151,23 @@ std::vector<TextPlace> places_along(double from, double to, double y, bool above
     return places;
 }
 
+void PlacedTexts::avoid(const TextPlace& from, const TextPlace& to) {
+    constexpr double step = 4.0, half = 0.8;  // px
+    const int pieces = 1 + static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / step);
+    for (int i = 0; i <= pieces; ++i) {
+        const double part = static_cast<double>(i) / pieces, x = from.x + part * (to.x - from.x),
+                     y = from.y + part * (to.y - from.y);
+        avoided_.push_back({x - half, y - half, x + half, y + half});
+    }
+}
+
 bool PlacedTexts::draw(SvgCanvas& canvas, std::string_view words, std::span<const TextPlace> places,
                        std::string_view css_class, double font_size, bool bold) {
     const double width = text_width(words, font_size, bold);
-    for (const TextPlace& place : places) {
+    std::vector<Box> avoided = taken_;
+    avoided.insert(avoided.end(), avoided_.begin(), avoided_.end());
+    for (std::size_t i = 0; i < 2 * places.size(); ++i) {  // first those off every line
+        const TextPlace& place = places[i % places.size()];
         const double part = place.side == TextSide::start ? 0.0 : place.side == TextSide::middle ? 0.5 : 1.0;
         const Box box{place.x - part * width - apart, place.y - ascent * font_size - apart,
                       place.x + (1.0 - part) * width + apart, place.y + descent * font_size + apart};
@@ -163,7 +176,7 @@ bool PlacedTexts::draw(SvgCanvas& canvas, std::string_view words, std::span<cons
             return box.left < other.right && other.left < box.right && box.top < other.bottom &&
                    other.top < box.bottom;
         };
-        if (std::ranges::any_of(taken_, covers)) continue;
+        if (std::ranges::any_of(i < places.size() ? avoided : taken_, covers)) continue;
         taken_.push_back(box);
         std::string classes(css_class);
         if (place.side != TextSide::start) classes += place.side == TextSide::middle ? " middle" : " end";

@@ -73,6 +73,9 @@ class PlacedTexts {
         taken_.push_back({x - half, y - half, x + half, y + half});
     }
 
+    /// Labels keep off this line where they find such a place.
+    void avoid(const TextPlace& from, const TextPlace& to);
+
     /// The first free place inside, drawn and taken; where there is none, nothing is drawn. False then.
     bool draw(SvgCanvas& canvas, std::string_view words, std::span<const TextPlace> places,
               std::string_view css_class, double font_size = 12.0, bool bold = false);
@@ -82,7 +85,7 @@ class PlacedTexts {
         double left, top, right, bottom;
     };
     double left_, top_, right_, bottom_;
-    std::vector<Box> taken_;
+    std::vector<Box> taken_, avoided_;
 };
 
 // Axes of a plot: round numbers for them, from numbers to px, linear or logarithmic, and the frame with its

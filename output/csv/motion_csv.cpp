@@ -11,15 +11,23 @@ namespace camopt {
 
 namespace {
 
+constexpr double same_x = 1e-12;
+constexpr double whole_turn_deg = 360.0;
+
+/// In lifts: what a motion that advances gains in one revolution.
+double travel_of(const Motion& motion) {
+    return motion.at(motion.end(), Side::left).derivative[0] - motion.at(motion.begin()).derivative[0];
+}
+
 std::string header(const Columns& columns) {
     CsvLine titles;
     for (const TableColumn* column : columns) titles.words(column->key);
     return titles.finish();
 }
 
-/// A row as the columns read it, of its first station.
+/// A row as the columns read it, of its first station, by the angle of the cam.
 TableRow table_row(const View& view, const DeliveredRow& row) {
-    return {view.degrees(row.x), row.motion, row.cam.empty() ? nullptr : &row.cam.front(),
+    return {view.units.degrees_per_x * row.x, row.motion, row.cam.empty() ? nullptr : &row.cam.front(),
             row.loads.value_or(FollowerLoads()), row.drive.value_or(DrivePoint())};
 }
 
@@ -32,6 +40,49 @@ std::string line_of(const View& view, const Columns& columns, const DeliveredRow
     CsvLine line;
     add_cells(line, view, columns, row);
     return line.finish();
+}
+
+/// Whether the jerk is the same where a revolution ends and the next one begins.
+bool is_smooth_joint(const Solution& solution) {
+    constexpr double round_off = 1e-9;  // of the largest jerk
+    const MotionChain& motion = *solution.motion;
+    const double jump =
+        motion.at(motion.end(), Side::left).derivative[3] - motion.at(motion.begin()).derivative[3];
+    return std::abs(jump) <= round_off * solution.motion_peaks.jerk.value;
+}
+
+/// One revolution of the master from its angle 0, which the motion passes at x = at_zero, a sample: a row
+/// there at both ends.
+std::string rows_by_master(const View& view, const Columns& columns, double at_zero) {
+    const MotionChain& motion = *view.solution.motion;
+    const double near = same_x * (motion.end() - motion.begin());
+    const double travel = travel_of(motion);
+    std::string early, late;
+    const auto add = [&](const DeliveredRow& row, bool before) {
+        TableRow values = table_row(view, row);
+        const bool there = std::abs(row.x - at_zero) <= near;
+        values.theta_deg = there ? 0.0 : view.units.degrees_per_x * (row.x - at_zero);
+        if (before)
+            values.theta_deg = as_written(values.theta_deg + whole_turn_deg);
+        else
+            values.motion.derivative[0] -= travel;
+        CsvLine line;
+        for (const TableColumn* column : columns)
+            line.number(column->value(view.solution.scene.motion, values));
+        (before ? late : early) += line.finish();
+    };
+    const DeliveredRow* at_end = nullptr;  // of the revolution
+    for (const DeliveredRow& row : view.delivered.rows) {
+        if (row.closing) continue;
+        const bool there = std::abs(row.x - at_zero) <= near;
+        const bool before = there ? row.side == Side::left : row.x < at_zero;
+        if (there && (before || at_end == nullptr)) at_end = &row;
+        // Where the motion begins again without a jump one row is enough.
+        const bool ends = row.x >= motion.end() - near && is_smooth_joint(view.solution);
+        if (!ends && !(there && before)) add(row, before);
+    }
+    if (at_end != nullptr) add(*at_end, true);
+    return early + late;
 }
 
 /// Column names that are allowed for this solution.
@@ -79,7 +130,6 @@ std::vector<double> even_angles(const UniformTableOptions& options, double end) 
 
 /// x of the angle, and the breakpoint itself where it is one but for rounding.
 double place_on(const std::vector<double>& breakpoints, double x) {
-    constexpr double same_x = 1e-12;
     const double tolerance = same_x * std::max(1.0, breakpoints.back());
     const auto next = std::ranges::lower_bound(breakpoints, x - tolerance);
     if (next != breakpoints.end() && *next <= x + tolerance) return *next;
@@ -103,6 +153,8 @@ std::string motion_csv(const View& view) {
     if (!view.solution.motion) throw InputError("a table needs a motion, and this solution has none");
     const Columns columns = motion_columns(view.solution.scene);
     std::string text = header(columns);
+    if (const double at_zero = view.solution.scene.motion.own_place(0.0); at_zero > 0.0)
+        return text + rows_by_master(view, columns, at_zero);
     for (const DeliveredRow& row : view.delivered.rows)
         if (!row.closing) text += line_of(view, columns, row);
     return text;
@@ -141,6 +193,8 @@ std::string UniformTable::words() const {
     std::string said = fmt::format("{} rows over the {}, 0 to {} deg", rows,
                                    whole_turn ? "revolution" : "motion, which is not one revolution",
                                    short_text(end_deg, 9));
+    if (phase_deg != 0.0)
+        said += fmt::format(" of the master, where the motion begins at {} deg", short_text(phase_deg, 9));
     if (last_step_deg > 0.0)
         said += fmt::format("; the last step is {} deg: the step does not divide the angle",
                             short_text(last_step_deg, 6));
@@ -156,8 +210,9 @@ UniformTable uniform_table(const View& view, const UniformTableOptions& options)
     const std::vector<double> breakpoints = motion.breakpoints();
     UniformTable table;
     table.whole_turn = is_whole_turn(motion.end() * spec.unit_angle());
-    constexpr double whole = 360.0;
-    table.end_deg = table.whole_turn ? whole : as_written(view.degrees(motion.end()));
+    table.end_deg = table.whole_turn ? whole_turn_deg : as_written(view.units.degrees_per_x * motion.end());
+    table.phase_deg = degrees_shown.of(spec.phase);
+    const double at_zero = spec.own_place(0.0), travel = at_zero > 0.0 ? travel_of(motion) : 0.0;
     table.text = header(columns);
     const std::vector<double> angles = even_angles(options, table.end_deg);
     const bool plane = has_plane_cam(solution);
@@ -167,12 +222,17 @@ UniformTable uniform_table(const View& view, const UniformTableOptions& options)
     for (const double theta : angles) {
         const bool last = theta == angles.back();
         const Side side = last ? Side::left : Side::right;
-        const double x = last ? motion.end() : place_on(breakpoints, theta / view.units.degrees_per_x);
+        const double after_zero = theta / view.units.degrees_per_x + at_zero;
+        const bool next = at_zero > 0.0 && after_zero >= motion.end() * (1.0 - same_x);  // it has begun again
+        const double x = last && at_zero == 0.0
+                             ? motion.end()
+                             : place_on(breakpoints, after_zero - (next ? motion.end() : 0.0));
         TableRow row{theta, motion.at(x, side)};
         row.motion.x = x;
         if (plane) row.cam = &view.delivered.cam->at(row.motion, 0);
         if (loads) row.loads = loads(row.motion, *view.delivered.cam);
         if (drive) row.drive = drive->at(row.motion, side);
+        if (!next) row.motion.derivative[0] -= travel;
         for (std::size_t i = 0; i < columns.size(); ++i)
             table.text += (i == 0 ? "" : ",") + cell_text(columns[i]->value(spec, row), options.digits);
         table.text += "\n";

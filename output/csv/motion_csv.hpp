@@ -44,6 +44,7 @@ struct UniformTable {
     int rows = 0;
     double end_deg = 0.0;
     bool whole_turn = false;
+    double phase_deg = 0.0;      ///< of the master, where the motion begins: rows are by its angle
     double last_step_deg = 0.0;  ///< less than the step where that does not divide the angle
 
     /// "361 rows over one revolution, 0 to 360 deg"

@@ -21,13 +21,22 @@ std::vector<std::string> limit_keys(const Comparison& comparison) {
     return keys;
 }
 
-void add_figures(CsvLine& line, const ComparisonRow& row, std::size_t limits) {
+/// Of a scene with a motor.
+constexpr std::array motor_titles = {"motor_torque_nm", "motor_torque_rms_nm", "motor_speed_rpm"};
+
+void add_figures(CsvLine& line, const ComparisonRow& row, std::size_t limits, bool motor) {
     if (!row.misfit.empty()) {
-        line.blank(2 + cost_figure_count + static_cast<int>(limits));
+        line.blank(2 + cost_figure_count + static_cast<int>(limits + (motor ? motor_titles.size() : 0)));
         return;
     }
     line.number(row.objective).number(row.loss_percent);
     for (const CostTerm& term : cost_terms()) line.number(term.measured.of(row.peaks));
+    if (motor && row.drive)
+        line.number(row.drive->torque.value)
+            .number(row.drive->rms_torque)
+            .number(rpm_shown.of(row.drive->speed.value));
+    else if (motor)
+        line.blank(static_cast<int>(motor_titles.size()));
     for (const LimitOutcome& outcome : row.limits) {
         const double worst = outcome.reached.worst;
         line.number(outcome.reached.no_contact || std::isnan(worst) ? std::nullopt : std::optional(worst));
@@ -97,6 +106,9 @@ std::string comparison_csv(const Comparison& comparison) {
     for (const char* title : {"law", "title", "fits", "feasible", "objective", "loss_percent"})
         titles.words(title);
     for (const CostTerm& term : cost_terms()) titles.words(term.name());
+    const bool motor = comparison.optimum.scene.drive.has_value();
+    for (const char* title : motor_titles)
+        if (motor) titles.words(title);
     for (const std::string& key : keys) titles.words(key);
     for (const char* title : {"base_radius_needed_mm", "broken", "note"}) titles.words(title);
     std::string text = titles.finish();
@@ -106,7 +118,7 @@ std::string comparison_csv(const Comparison& comparison) {
             .words(row_title(row))
             .count(row.misfit.empty() ? 1 : 0)
             .count(row.feasible ? 1 : 0);
-        add_figures(line, row, keys.size());
+        add_figures(line, row, keys.size(), motor);
         const bool has_radius = row.base && row.base->radius;
         line.number(has_radius ? std::optional(millimetres_shown.of(*row.base->radius)) : std::nullopt);
         line.words(fmt::format("{}", fmt::join(broken_limits(row), "; ")));

@@ -17,28 +17,34 @@ namespace {
 constexpr std::string_view between_limits = "; ";
 constexpr std::string_view solved_word = "solved", proved_from_row = "proved from row ";
 
-/// Columns of a sweep with a follower train, and the members of a row.
-struct TrainColumn {
-    const char* name;
-    std::optional<double> SweepTrain::*value;
-};
-constexpr std::array<TrainColumn, 3> train_columns = {
-    {{"residual", &SweepTrain::residual},
-     {"dynamic_acceleration", &SweepTrain::dynamic_acceleration},
-     {"dynamic_contact_force", &SweepTrain::contact_force}}};
+const ShownUnit without_unit{"", 1.0}, newton_metres{"N m", 1.0};
 
-/// Columns of a sweep of machines.
-struct MachineColumn {
-    const char* name;
-    std::optional<double> SweepMachine::*value;
-};
-constexpr std::array<MachineColumn, 2> machine_columns = {
-    {{"speed_rpm", &SweepMachine::speed}, {"impossible_above_rpm", &SweepMachine::impossible_above}}};
-
+// Of sweeps of different cams, with a follower train, with a motor, of machines.
 constexpr std::array<SweepCamColumn, 3> cam_columns = {
-    {{"pressure_angle_deg", "largest pressure angle", &SweepCam::pressure_angle, true},
-     {"convex_radius_mm", "least convex radius of the cam", &SweepCam::convex_radius, false},
-     {"concave_radius_mm", "least concave radius of the cam", &SweepCam::concave_radius, false}}};
+    {{"pressure_angle_deg", "largest pressure angle", &SweepCam::pressure_angle, &degrees_shown},
+     {"convex_radius_mm", "least convex radius of the cam", &SweepCam::convex_radius, &millimetres_shown},
+     {"concave_radius_mm", "least concave radius of the cam", &SweepCam::concave_radius,
+      &millimetres_shown}}};
+constexpr std::array<SweepPartColumn<SweepTrain>, 3> train_columns = {
+    {{"residual", "", &SweepTrain::residual, &without_unit},
+     {"dynamic_acceleration", "", &SweepTrain::dynamic_acceleration, &without_unit},
+     {"dynamic_contact_force", "", &SweepTrain::contact_force, &without_unit}}};
+constexpr std::array<SweepDriveColumn, 3> drive_columns = {
+    {{"motor_torque_nm", "torque of the motor", &SweepDrive::torque, &newton_metres},
+     {"motor_torque_rms_nm", "rms torque of the motor", &SweepDrive::rms_torque, &newton_metres},
+     {"motor_speed_rpm", "speed of the motor", &SweepDrive::speed, &rpm_shown}}};
+constexpr std::array<SweepPartColumn<SweepMachine>, 2> machine_columns = {
+    {{"speed_rpm", "", &SweepMachine::speed, &rpm_shown},
+     {"impossible_above_rpm", "", &SweepMachine::impossible_above, &rpm_shown}}};
+
+/// visit(columns of a part, the part of a row) for each that the sweep has, in their order.
+template <class Row, class Visit>
+void for_each_part(const SweepColumns& columns, Row&& row, const Visit& visit) {
+    if (columns.cam()) visit(cam_columns, row.cam);
+    if (columns.train) visit(train_columns, row.train);
+    if (columns.drive) visit(drive_columns, row.drive);
+    if (columns.machine) visit(machine_columns, row.machine);
+}
 
 std::string dimension_column(DimensionIndex index) {
     return fmt::format("{}_mm", name_of(index));
@@ -62,12 +68,9 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
         line.number(si ? std::optional(unit.of(*si)) : std::nullopt);
     };
     for (const DimensionIndex index : columns.dimensions) shown(millimetres_shown, row.dimension(index));
-    if (columns.cam())
-        for (const SweepCamColumn& column : cam_columns) shown(column.file_unit(), row.cam.*column.value);
-    if (columns.train)
-        for (const TrainColumn& column : train_columns) line.number(row.train.*column.value);
-    if (columns.machine)
-        for (const MachineColumn& column : machine_columns) shown(rpm_shown, row.machine.*column.value);
+    for_each_part(columns, row, [&](const auto& of_part, const auto& part) {
+        for (const auto& column : of_part) shown(*column.file_unit, part.*column.value);
+    });
     line.words(fmt::format("{}", fmt::join(row.active_limits, between_limits))).words(proof_cell(row));
     const EvaluationCounts& counts = row.evaluations;
     if (!columns.machine)
@@ -166,14 +169,10 @@ SweepRow read_row(const SweepColumns& columns, Cells cells) {
         for (auto& figure : row.figures) figure = cells.number_or_none();
     for (const DimensionIndex index : columns.dimensions)
         row.dimensions[static_cast<std::size_t>(index)] = si_value(millimetres_shown, cells.number_or_none());
-    if (columns.cam())
-        for (const SweepCamColumn& column : cam_columns)
-            row.cam.*column.value = si_value(column.file_unit(), cells.number_or_none());
-    if (columns.train)
-        for (const TrainColumn& column : train_columns) row.train.*column.value = cells.number_or_none();
-    if (columns.machine)
-        for (const MachineColumn& column : machine_columns)
-            row.machine.*column.value = si_value(rpm_shown, cells.number_or_none());
+    for_each_part(columns, row, [&](const auto& of_part, auto& part) {
+        for (const auto& column : of_part)
+            part.*column.value = si_value(*column.file_unit, cells.number_or_none());
+    });
     row.active_limits = cells.list();
     row.proved_from = cells.proved_from();
     if (!columns.machine) {
@@ -200,8 +199,12 @@ SweepColumns read_columns(const CsvRecord& record, std::string_view name) {
         if (std::find(verdict, cells.end(), dimension_column(index)) != cells.end())
             columns.dimensions.push_back(index);
     }
-    columns.train = std::find(verdict, cells.end(), train_columns.front().name) != cells.end();
-    columns.machine = std::find(verdict, cells.end(), machine_columns.front().name) != cells.end();
+    const auto has = [&](const auto& of_part) {
+        return std::find(verdict, cells.end(), of_part.front().name) != cells.end();
+    };
+    columns.train = has(train_columns);
+    columns.drive = has(drive_columns);
+    columns.machine = has(machine_columns);
     if (cells != sweep_csv_columns(columns))
         throw InputError(fmt::format("{}:{}: found other columns than those of a sweep; allowed: {}", name,
                                      record.line, fmt::join(sweep_csv_columns(columns), ",")));
@@ -257,6 +260,10 @@ std::span<const SweepCamColumn> sweep_cam_columns() {
     return cam_columns;
 }
 
+std::span<const SweepDriveColumn> sweep_drive_columns() {
+    return drive_columns;
+}
+
 std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
     std::vector<std::string> names = {"row"};
     const auto add = [&](std::initializer_list<const char*> more) {
@@ -267,12 +274,9 @@ std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
     for (int i = 0; i < sweep_figure_count && !columns.machine; ++i)
         add({name_of(static_cast<SweepFigure>(i))});
     for (const DimensionIndex index : columns.dimensions) names.push_back(dimension_column(index));
-    if (columns.cam())
-        for (const SweepCamColumn& column : cam_columns) names.emplace_back(column.name);
-    if (columns.train)
-        for (const TrainColumn& column : train_columns) names.emplace_back(column.name);
-    if (columns.machine)
-        for (const MachineColumn& column : machine_columns) names.emplace_back(column.name);
+    for_each_part(columns, SweepRow(), [&](const auto& of_part, const auto&) {
+        for (const auto& column : of_part) names.emplace_back(column.name);
+    });
     add({"active_limits", "proof"});
     if (!columns.machine)
         add({"iterations", "exchange_rounds", "cost_evaluations", "gradient_evaluations",

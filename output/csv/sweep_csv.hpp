@@ -3,8 +3,9 @@
 //
 // Columns: row, the varied keys as written, verdict, reason, pareto_front (1 or 0), objective, lower_bound,
 // gap, any_curve_limit, the figures (normalised), the variable dimensions in mm, properties of the cam
-// (SweepColumns::cam), active_limits (keys, joined by "; "), proof, counts, seconds_solve, seconds_total.
-// Numbers read back as the same double; what does not exist is an empty cell. docs/sweep.md explains each.
+// (SweepColumns::cam) and of the motor, active_limits (keys, joined by "; "), proof, counts, seconds_solve,
+// seconds_total. Numbers read back as the same double; what does not exist is an empty cell. docs/sweep.md
+// explains each.
 #pragma once
 
 #include "output/view/shown_units.hpp"
@@ -12,16 +13,18 @@
 
 namespace camopt {
 
-/// A property of the delivered cam: a column of sweep.csv, and a panel of sweep.svg.
-struct SweepCamColumn {
+/// A figure of a part of a row: a column of sweep.csv, and a panel of sweep.svg.
+template <class Part>
+struct SweepPartColumn {
     const char* name;   ///< in files, with their unit: "pressure_angle_deg"
     const char* title;  ///< for people: "largest pressure angle"
-    std::optional<double> SweepCam::*value;
-    bool is_angle;
-
-    [[nodiscard]] const ShownUnit& file_unit() const { return is_angle ? degrees_shown : millimetres_shown; }
+    std::optional<double> Part::*value;
+    const ShownUnit* file_unit;
 };
+using SweepCamColumn = SweepPartColumn<SweepCam>;
+using SweepDriveColumn = SweepPartColumn<SweepDrive>;
 [[nodiscard]] std::span<const SweepCamColumn> sweep_cam_columns();
+[[nodiscard]] std::span<const SweepDriveColumn> sweep_drive_columns();
 
 /// The first line.
 [[nodiscard]] std::vector<std::string> sweep_csv_columns(const SweepColumns& columns);

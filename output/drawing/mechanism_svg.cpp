@@ -245,7 +245,7 @@ std::string guide_svg(const View& view, const std::vector<DeliveredRow>& left_wa
     for (const auto& [point, x] :
          {std::pair{middle.front(), left_wall.front().x}, std::pair{middle.back(), left_wall.back().x}}) {
         on.circle(point, radius, "roller");
-        label(point, on.scale * radius, fmt::format("θ = {}°", short_text(view.degrees(x), 5)));
+        label(point, on.scale * radius, fmt::format("θ = {}°", short_text(view.units.degrees_per_x * x, 5)));
     }
     on.circle({0.0, 0.0}, on.px(5), "pivot");
     label({0.0, 0.0}, 6, "body's pivot");

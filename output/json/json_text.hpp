@@ -48,7 +48,7 @@ using Json = nlohmann::ordered_json;
 /// What an engine builder asks of a valve lobe; the solution has a motion.
 [[nodiscard]] Json valve_json(const Solution& solution);
 /// What the motion asks of the motor. The solution has one.
-[[nodiscard]] Json drive_json(const Solution& solution);
+[[nodiscard]] Json drive_json(const Scene& scene, const DriveFigures& drive);
 /// Harmonics of the lift and the spring. The solution has them.
 [[nodiscard]] Json surge_json(const Solution& solution);
 

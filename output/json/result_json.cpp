@@ -88,6 +88,8 @@ Json measured_json(const Solution& solution) {
     if (table.place) {
         place["law"] = words_json(table.place->law);
         placed("start_deg", table.place->angle, degrees_shown);
+        place["residual_rms_" + output.name] = number_json(displacement.of(table.place->residual));
+        place["noise_" + output.name] = number_json(displacement.of(table.place->noise));
         placed("zero_" + output.name, table.place->zero, displacement);
         place["base_radius_mm"] =
             table.place->base_radius ? number_json(millimetres_shown.of(*table.place->base_radius)) : Json();
@@ -124,6 +126,7 @@ Json constraints_json(const Solution& solution) {
                         {"no_contact", row.no_contact},
                         {"key", row.key}});
         if (!row.side.empty()) list.back()["side"] = row.side;
+        if (!row.speed.empty()) list.back()["speed"] = row.speed;
     }
     return list;
 }
@@ -247,7 +250,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["stationarity"] = number_json(certificate.stationarity);
     if (!solution.own_terms.empty()) json["own_terms"] = own_terms_json(solution);
     if (solution.train) json["dynamics"] = train_json(solution);
-    if (solution.drive) json["drive"] = drive_json(solution);
+    if (solution.drive) json["drive"] = drive_json(solution.scene, *solution.drive);
     if (solution.motion && solution.scene.motion.valve) json["valve"] = valve_json(solution);
     if (solution.surge) json["surge"] = surge_json(solution);
     json["constraints"] = constraints_json(solution);

@@ -84,7 +84,7 @@ Json base_json(const ComparisonRow& row) {
             {"stays_broken", words_json(row.base->broken)}};
 }
 
-Json row_json(const ComparisonRow& row, double degrees_per_x) {
+Json row_json(const Scene& scene, const ComparisonRow& row) {
     Json json;
     json["law"] = words_json(row.key);
     json["title"] = row_title(row);
@@ -94,8 +94,9 @@ Json row_json(const ComparisonRow& row, double degrees_per_x) {
     json["objective"] = row.misfit.empty() ? number_json(row.objective) : Json(nullptr);
     json["loss_percent"] = number_json(row.loss_percent);
     json["peaks"] = peaks_json(row.misfit.empty() ? std::optional(row.peaks) : std::nullopt);
-    json["limits"] = limits_json(row, degrees_per_x);
+    json["limits"] = limits_json(row, file_units(scene).degrees_per_x);
     json["base_radius"] = base_json(row);
+    if (scene.drive) json["drive"] = row.drive ? drive_json(scene, *row.drive) : Json(nullptr);
     return json;
 }
 
@@ -233,9 +234,8 @@ Json train_json(const Solution& solution) {
     return json;
 }
 
-Json drive_json(const Solution& solution) {
-    const DriveFigures& drive = *solution.drive;
-    const double degrees_per_x = file_units(solution.scene).degrees_per_x;
+Json drive_json(const Scene& scene, const DriveFigures& drive) {
+    const double degrees_per_x = file_units(scene).degrees_per_x;
     const auto at = [&](const Extremum& one) { return number_json(one.at * degrees_per_x); };
     Json json = {{"peak_torque_nm", number_json(drive.torque.value)},
                  {"peak_torque_at_deg", at(drive.torque)},
@@ -244,8 +244,8 @@ Json drive_json(const Solution& solution) {
                  {"peak_speed_at_deg", at(drive.speed)},
                  {"peak_power_w", number_json(drive.power.value)},
                  {"peak_power_at_deg", at(drive.power)},
-                 {"inertia_ratio", number_json(solution.scene.drive->inertia_ratio())}};
-    if (!solution.scene.limits.motor_curve.empty()) {
+                 {"inertia_ratio", number_json(scene.drive->inertia_ratio())}};
+    if (!scene.limits.motor_curve.empty()) {
         json["share_of_curve"] = number_json(drive.share_of_curve.value);
         json["share_of_curve_at_deg"] = at(drive.share_of_curve);
     }
@@ -271,7 +271,6 @@ Json surge_json(const Solution& solution) {
 std::string comparison_json(const Comparison& comparison, const RunOrigin& origin) {
     const Solution& solution = comparison.optimum;
     const Certificate& certificate = solution.certificate;
-    const double degrees_per_x = file_units(solution.scene).degrees_per_x;
     Json json;
     json["camopt"] = version();
     json["study"] = "compare";
@@ -283,7 +282,7 @@ std::string comparison_json(const Comparison& comparison, const RunOrigin& origi
     const ComparisonRow* best = best_law(comparison);
     json["best_law"] = best ? Json(best->key) : Json(nullptr);
     json["rows"] = Json::array();
-    for (const ComparisonRow& row : comparison.rows) json["rows"].push_back(row_json(row, degrees_per_x));
+    for (const ComparisonRow& row : comparison.rows) json["rows"].push_back(row_json(solution.scene, row));
     return json_text(json);
 }
 

@@ -44,6 +44,7 @@ StoredSweep sweep_of(const Json& json) {
     json.at("keys").get_to(identity.columns.keys);
     identity.columns.dimensions = dimensions_of(json.at("dimensions"));
     identity.columns.train = json.value("train", false);
+    identity.columns.drive = json.value("drive", false);
     identity.columns.machine = json.value("machine", false);
     json.at("criteria").get_to(identity.columns.criteria);
     if (json.at("length_unit") == name_of(LengthUnit::inch)) identity.columns.length_unit = LengthUnit::inch;
@@ -81,6 +82,7 @@ std::string sweep_json(const StoredSweep& sweep) {
                        {"keys", identity.columns.keys},
                        {"dimensions", names_json(identity.columns.dimensions)},
                        {"train", identity.columns.train},
+                       {"drive", identity.columns.drive},
                        {"machine", identity.columns.machine},
                        {"criteria", identity.columns.criteria},
                        {"length_unit", name_of(identity.columns.length_unit)},

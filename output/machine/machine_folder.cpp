@@ -31,6 +31,8 @@ RunOrigin origin_of(const MachineSolution& solution, std::size_t own, const std:
     const AxisSpec& axis = solution.spec.axes[own];
     std::vector<std::string> settings = axis.settings;
     settings.push_back(input::speed_setting(solution.speed));
+    if (axis.phase != axis.scene.motion.phase)
+        settings.push_back(fmt::format("motion.phase_deg={:.15g}", degrees_shown.of(axis.phase)));
     const MotionSpec& motion = axis.scene.motion;
     for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s) {
         if (!solution.timing->searched[own][s]) continue;
@@ -63,13 +65,14 @@ MachineRun machine_run(const std::string& file, std::span<const std::string> set
 
 void write_machine_folder(const std::filesystem::path& out, const MachineRun& run,
                           const MachineSolution& solution, const std::vector<std::string>& plc) {
+    std::vector<PlcExport> cams;  // first: a format that is refused leaves no part of the folder
+    for (const Solution& axis : solution.axes)
+        if (!plc.empty()) cams.push_back(plc_export(axis, plc, {}));
     for (std::size_t b = 0; b < solution.axes.size(); ++b) {
-        const Solution& axis = solution.axes[b];
-        const View view(axis);
+        const View view(solution.axes[b]);
         std::vector<FolderFile> also = result_extras(view, run.axes[b]);
         if (!plc.empty())
-            for (const PlcFile& file : plc_export(axis, plc, {}).files)
-                also.push_back({file.name, file.text});
+            for (const PlcFile& file : cams[b].files) also.push_back({file.name, file.text});
         write_result_folder(out / solution.spec.axes[b].name, view, run.axes[b],
                             {{}, false, std::move(also)});
     }

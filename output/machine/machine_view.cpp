@@ -19,29 +19,24 @@ const AxisSpec& axis_of(const MachineSolution& solution, std::size_t index) {
     return solution.spec.axes[index];
 }
 
-/// The displacement of an axis at an angle of the master, SI.
+/// The displacement of an axis at an angle of the master, SI; of one that advances over the whole turn.
 class AxisAlong {
  public:
-    AxisAlong(const Solution& axis, double phase)
-        : turn_(axis.whole_turn()), scene_(axis.scene), phase_(phase) {}
+    explicit AxisAlong(const Solution& axis) : turn_(axis.master_turn()), scene_(axis.scene) {}
 
     [[nodiscard]] double at(double master) const {
-        double own = std::fmod(master - phase_, units::turn);
-        if (own < 0.0) own += units::turn;
-        const double x = turn_.begin() + own / scene_.motion.unit_angle();
+        const double x = turn_.begin() + master / scene_.motion.unit_angle();
         return scene_.motion.lift * turn_.at(std::min(x, turn_.end())).derivative[0];
     }
 
  private:
     MotionChain turn_;
     const Scene& scene_;
-    double phase_;
 };
 
 std::vector<AxisAlong> axes_along(const MachineSolution& solution) {
     std::vector<AxisAlong> all;
-    for (std::size_t a = 0; a < solution.axes.size(); ++a)
-        all.emplace_back(solution.axes[a], axis_of(solution, a).phase);
+    for (const Solution& axis : solution.axes) all.emplace_back(axis);
     return all;
 }
 
@@ -264,9 +259,9 @@ std::string timing_svg(const MachineView& view) {
 
 std::string machine_markdown(const MachineView& view, const RunOrigin& origin) {
     const MachineSolution& solution = view.solution;
-    std::string text =
-        fmt::format("# {}\n\n**{}.**\n\n",
-                    solution.spec.title.empty() ? "Machine" : printable(solution.spec.title), view.headline);
+    std::string text = fmt::format(
+        "# {}\n\n**{}.**\n\n", solution.spec.title.empty() ? "Machine" : markdown_words(solution.spec.title),
+        view.headline);
     for (const std::string& sentence : view.sentences) text += sentence + "\n\n";
     if (!view.curves.empty())
         text += "![Timing diagram and clearances over one revolution of the master](timing.svg)\n";
@@ -280,8 +275,8 @@ std::string machine_markdown(const MachineView& view, const RunOrigin& origin) {
                 fmt::format("- `{0}/`: report, motion table and certificate of {0}\n", printable(axis.name));
     }
     if (!solution.notes.empty()) text += "\n## Notes\n\n";
-    for (const std::string& note : solution.notes) text += "- " + note + "\n";
-    return text + fmt::format("\nCommand: `{}`, camopt {}\n", printable(origin.command), version());
+    for (const std::string& note : solution.notes) text += "- " + markdown_words(note) + "\n";
+    return text + fmt::format("\nCommand: {}, camopt {}\n", markdown_code(origin.command), version());
 }
 
 }  // namespace camopt

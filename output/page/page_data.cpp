@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/version.hpp"
+#include "output/chart/curve_chart.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/view/peak_comparison.hpp"
@@ -131,6 +132,7 @@ std::string page_data(const View& view, const RunOrigin& origin, const PageDataO
     page["curves"] = curves_part(view.curves);
     page["segments"] = segments_part(view);
     page["breakpoints"] = numbers(view.breakpoints);
+    page["motor"] = solution.drive ? Json(torque_over_speed_svg(view)) : Json(nullptr);
     page["drawing"] = plane_drawing(view);
     page["solid"] = options.solid ? solid_drawing(view) : Json(nullptr);
     page["tables"] = options.proof ? tables_part(solution) : Json::array();

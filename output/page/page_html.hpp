@@ -25,6 +25,7 @@
 //                   given: true: an exact point of the scene; with "to" that velocity is held so far
 //   segments[]    from, to, title: of a program
 //   breakpoints[] cam angles
+//   motor         null, or an SVG: torque over speed of a motor, with its curve
 //   drawing       null, or a plane cam and its mechanism in the frame that stands still:
 //     unit, rotation (+1 counterclockwise), center[x, y]
 //     outlines[]    name, closed, pitch (it is the path of a roller's centre), points[x, y, …] in the

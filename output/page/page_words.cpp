@@ -25,7 +25,8 @@ struct PlainVerdict {
 };
 
 /// For readers who do not know what a bound is.
-PlainVerdict plain_verdict(const Certificate& certificate) {
+PlainVerdict plain_verdict(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
     const std::string gap = gap_words(certificate);
     const std::string proved = gap.empty() ? gap : "Proved: it is " + gap + ".";
     switch (certificate.verdict) {
@@ -38,6 +39,10 @@ PlainVerdict plain_verdict(const Certificate& certificate) {
                     "It satisfies every limit. " +
                         (gap.empty() ? "A quite different motion may still be better." : proved)};
         case Verdict::feasible:
+            if (!solution.machine.empty())
+                return {"good", "An axis of a machine",
+                        "It satisfies every limit. All axes were solved together: " + solution.machine +
+                            ". What is proved is in the report of the machine."};
             return {"fair", "A motion that satisfies every limit",
                     gap.empty() ? "Whether it is the best one is not known: the search ended early."
                                 : proved + " The search for a better one ended early."};
@@ -102,7 +107,7 @@ Json table_json(std::string_view key, std::string_view title, const TextTable& t
 
 Json verdict_part(const Solution& solution) {
     const Verdict verdict = solution.certificate.verdict;
-    const PlainVerdict plain = plain_verdict(solution.certificate);
+    const PlainVerdict plain = plain_verdict(solution);
     Json sentences = Json::array({plain.meaning});
     if (has_motion(solution)) sentences.push_back(active_sentence(solution));
     for (const std::string& sentence : excursion_sentences(solution)) sentences.push_back(sentence);
@@ -164,7 +169,11 @@ Json reference_part(const Solution& solution, PageReference wish) {
         sentences.push_back(fmt::format("The {} law does not fit this motion: {}.", name, law.misfit));
         return {{"title", name}, {"sentences", std::move(sentences)}};
     }
-    if (law.loss_percent)
+    // Of an axis of a machine the total is the least, not its own objective: a law is neither better nor
+    // worse.
+    if (!solution.machine.empty())
+        sentences.push_back("Its objective is not compared: clearances to other axes hold, too.");
+    else if (law.loss_percent)
         sentences.push_back(
             *law.loss_percent >= noticed
                 ? fmt::format("The {} law would be {} % worse in the objective.", name,

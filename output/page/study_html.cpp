@@ -131,7 +131,7 @@ std::string comparison_html(const Comparison& comparison, const RunOrigin& origi
     page.add_column("loss", "loss (%)",
                     column_of(rows, [](const ComparisonRow& row) { return cell_json(row.loss_percent); }));
     for (const PhysicalPeak& peak : physical_peaks(comparison))
-        page.add_column(peak.title.substr(0, 1), peak.title,
+        page.add_column(peak.title, peak.title,
                         number([&](const ComparisonRow& row) { return peak.value(row); }));
     const ShownUnit length = shown_units(comparison.optimum.scene).length;
     page.add_column("velocity", "V",

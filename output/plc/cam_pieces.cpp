@@ -74,14 +74,6 @@ double clean_degrees(double theta) {
     return std::abs(rounded - theta) <= rounding_of_turn ? rounded : theta;
 }
 
-std::size_t nearest_index(const std::vector<double>& ascending, double value) {
-    const auto above = std::ranges::lower_bound(ascending, value);
-    if (above == ascending.begin()) return 0;
-    if (above == ascending.end()) return ascending.size() - 1;
-    const bool below_is_nearer = value - *(above - 1) < *above - value;
-    return static_cast<std::size_t>(above - ascending.begin()) - (below_is_nearer ? 1 : 0);
-}
-
 double shape_place(const SplineCurve& curve, double own) {
     constexpr double same_place = 1e-12;
     const std::vector<double> breakpoints = curve.breakpoints();
@@ -288,8 +280,11 @@ MasterCurve::MasterCurve(MotionChain turn, const MotionSpec& motion)
     : turn_(std::move(turn)),
       lift_((motion.lift_is_angle ? degrees_shown : millimetres_shown).of(motion.lift)),
       degrees_per_x_(degrees_shown.of(motion.unit_angle())),
+      phase_(degrees_shown.of(motion.phase)),
       swings_(motion.lift_is_angle),
       places_(turn_.breakpoints()) {
+    const auto [low, high] = motion.displacements();
+    displacements_ = {lift_ * (low / motion.lift), lift_ * (high / motion.lift)};
     for (const double x : places_) breakpoints_.push_back(clean_degrees(degrees_per_x_ * x));
     constexpr double whole = 360.0;
     if (is_whole_turn(breakpoints_.back() * units::degree)) breakpoints_.back() = whole;

@@ -20,7 +20,7 @@ struct MasterStretch {
 // dʳs/dθʳ in mm/degʳ (deg/degʳ). At a joint each side has its own value.
 class MasterCurve {
  public:
-    /// turn: Solution::whole_turn.
+    /// turn: Solution::master_turn.
     MasterCurve(MotionChain turn, const MotionSpec& motion);
 
     [[nodiscard]] double end() const { return breakpoints_.back(); }  ///< deg; one revolution is 360 exactly
@@ -38,20 +38,25 @@ class MasterCurve {
     [[nodiscard]] std::array<Interval, 5> ranges(const MasterStretch& stretch) const;
 
     [[nodiscard]] double lift() const { return lift_; }  ///< mm or deg
+    /// The least and the largest that the scene gives, mm or deg.
+    [[nodiscard]] std::pair<double, double> displacements() const { return displacements_; }
     [[nodiscard]] bool swings() const { return swings_; }
     [[nodiscard]] const char* slave_unit() const { return swings_ ? "deg" : "mm"; }
     [[nodiscard]] double degrees_per_x() const { return degrees_per_x_; }
     /// The slave at the end less the slave at 0: 0 where the cam closes.
     [[nodiscard]] double travel() const { return at(end(), Side::left)[0] - at(0.0, Side::right)[0]; }
     [[nodiscard]] bool closes() const;
+    /// deg of the master, where the motion begins.
+    [[nodiscard]] double phase() const { return phase_; }
 
  private:
     /// x, and the breakpoint itself where the angle is one but for rounding.
     [[nodiscard]] double place(double theta) const;
 
     MotionChain turn_;
-    double lift_ = 1.0, degrees_per_x_ = 1.0;
+    double lift_ = 1.0, degrees_per_x_ = 1.0, phase_ = 0.0;
     bool swings_ = false;
+    std::pair<double, double> displacements_;
     std::vector<double> breakpoints_, places_;  ///< deg, and x of each
 };
 

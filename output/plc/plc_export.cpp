@@ -2,6 +2,7 @@
 #include "output/plc/plc_export.hpp"
 
 #include "core/version.hpp"
+#include "objectives/scene_model.hpp"
 #include "output/json/json_text.hpp"
 #include "output/plc/structured_text.hpp"
 #include "output/view/shown_units.hpp"
@@ -61,8 +62,15 @@ std::string degrees_text(double value) {
 
 std::string range_words(const MasterCurve& curve) {
     const double ends = curve.at(curve.end(), Side::left)[0];
-    std::string text = fmt::format("master 0 to {}, lift {} {}; ", degrees_text(curve.end()),
-                                   short_text(curve.lift(), 6), curve.slave_unit());
+    const auto [low, high] = curve.displacements();
+    const std::string travel =
+        low == 0.0 && high == curve.lift()
+            ? "lift " + short_text(high, 6)
+            : fmt::format("strokes from {} to {}", short_text(low, 6), short_text(high, 6));
+    std::string text =
+        fmt::format("master 0 to {}, {} {}; ", degrees_text(curve.end()), travel, curve.slave_unit());
+    if (curve.phase() != 0.0)
+        text += fmt::format("the motion begins at {} of the master; ", degrees_text(curve.phase()));
     if (curve.closes()) return text + "the cam closes";
     return text + fmt::format(
                       "the cam does not close: it ends {} {} from where it began, run it once or with "
@@ -195,7 +203,7 @@ std::string plc_json(const Solution& solution, const MasterCurve& curve,
                      const std::vector<PlcResult>& results) {
     ordered_json json{{"camopt", version()},
                       {"scene", solution.scene.title},
-                      {"master", {{"unit", "deg"}, {"end", curve.end()}}},
+                      {"master", {{"unit", "deg"}, {"end", curve.end()}, {"phase", curve.phase()}}},
                       {"slave",
                        {{"unit", curve.slave_unit()},
                         {"lift", curve.lift()},
@@ -212,11 +220,12 @@ constexpr double lossless_derivative = 1e-9;     // of its peak
 void check_count(const PlcFormat& format, int count) {
     if (!format.limit || count <= *format.limit) return;
     const int points = format.counted == PlcCount::points ? *format.limit : *format.limit + 1;
-    throw InputError(fmt::format(
-        "--plc {}: {} {}, {} holds {}{}; allowed: --points {} or fewer (with the loss that is stated), fewer "
-        "segments of the spline, or another format",
-        format.key, count, format.element, format.limit_words, *format.limit,
-        format.limit_note.empty() ? "" : fmt::format(" ({})", format.limit_note), points));
+    throw InputError(
+        fmt::format("--plc {}: {} {}, {} holds {}{}; allowed: --points {} or fewer of camopt export (with "
+                    "the loss that is "
+                    "stated), fewer segments of the spline, or another format",
+                    format.key, count, format.element, format.limit_words, *format.limit,
+                    format.limit_note.empty() ? "" : fmt::format(" ({})", format.limit_note), points));
 }
 
 std::string formats_that_hold_jumps() {
@@ -269,8 +278,11 @@ void judge(PlcResult& result, const MasterCurve& curve, const std::array<CamDiff
             result.lossless = false;
             continue;
         }
-        result.loss[r]->value = figure_not_exceeded(result.loss[r]->value);
+        // Doubles know the difference of two polynomials of this size to some units of their last place.
+        constexpr double unknown = 32.0 * std::numeric_limits<double>::epsilon();
         const double peak = r == 0 ? curve.lift() : peaks[r].value;
+        if (double& value = result.loss[r]->value; value > 0.0)
+            value = figure_not_exceeded(value + unknown * peak);
         result.of_peak[r] = peak > 0.0 ? figure_not_exceeded(result.loss[r]->value / peak) : 0.0;
         const double allowed = r == 0 ? lossless_displacement : lossless_derivative;
         if (!(result.of_peak[r] <= allowed)) result.lossless = false;
@@ -345,11 +357,20 @@ std::array<std::optional<CamDifference>, 4> plc_loss(const PlcFormat& format, co
     return loss_of_pieces(format, format.read(text, units), slave_at_start, curve);
 }
 
+void refuse_too_few_elements(const Scene& scene, const std::vector<std::string>& formats) {
+    if (formats.empty()) return;
+    const int pieces = static_cast<int>(scene_family(scene, DesignKind::states).pieces().size());
+    for (const std::string& key : formats) {
+        const PlcFormat& format = plc_format(key);
+        check_count(format, pieces + (format.counted == PlcCount::points ? 1 : 0));
+    }
+}
+
 PlcExport plc_export(const Solution& solution, const std::vector<std::string>& formats,
                      const PlcOptions& options) {
     if (!solution.motion)
         throw InputError("--plc: an electronic cam needs a motion, and this solution has none");
-    const MasterCurve curve(solution.whole_turn(), solution.scene.motion);
+    const MasterCurve curve(solution.master_turn(), solution.scene.motion);
     const PlcWriter writer(solution, curve);
     PlcExport result;
     std::set<std::string> done;

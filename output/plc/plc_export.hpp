@@ -5,7 +5,8 @@
 // lossless: over one revolution s stays within 1e-12 of the lift, and s', s'', s''' within 1e-9 of their
 // peaks (they magnify the rounding of s).
 //
-// plc.json: { "camopt", "scene", "master": {"unit", "end"}, "slave": {"unit", "lift", "travel", "closes"},
+// plc.json: { "camopt", "scene", "master": {"unit", "end", "phase"}, "slave": {"unit", "lift", "travel",
+// "closes"},
 //   "formats": [{ "format", "file", "text_file", "controller", "rule", "numbers", "element", "count",
 //   "limit",
 //     "degree", "units": {"master_deg", "slave"}, "slave_at_start", "verdict", "drift_per_turn",
@@ -47,6 +48,10 @@ struct PlcExport {
 /// has.
 [[nodiscard]] PlcExport plc_export(const Solution& solution, const std::vector<std::string>& formats,
                                    const PlcOptions& options);
+
+/// Throws InputError where a format holds fewer elements than every motion of the scene has: known before it
+/// is solved.
+void refuse_too_few_elements(const Scene& scene, const std::vector<std::string>& formats);
 
 /// "codesys.check.json".
 [[nodiscard]] std::string plc_check_name(const PlcFormat& format);

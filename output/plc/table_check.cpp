@@ -54,7 +54,7 @@ class TableReader {
  public:
     TableReader(const Solution& solution, const UniformTable& table)
         : motion_(solution.scene.motion),
-          curve_(solution.whole_turn(), motion_),
+          curve_(solution.master_turn(), motion_),
           records_(csv_records(table.text, "table.csv")),
           columns_(columns_of(records_.front().cells)) {
         const auto angle = std::ranges::find(columns_, "theta_deg", &TableColumn::key);

@@ -19,7 +19,7 @@ namespace {
 
 std::string list_of(const std::vector<std::string>& sentences) {
     std::string text;
-    for (const std::string& sentence : sentences) text += fmt::format("- {}\n", sentence);
+    for (const std::string& sentence : sentences) text += fmt::format("- {}\n", markdown_words(sentence));
     return text;
 }
 
@@ -41,18 +41,14 @@ std::string cam_section(const Solution& solution) {
     return fmt::format("\n{}\n{}", list_of(cam_remarks(solution)), pictures_of(solution));
 }
 
-std::string code(const std::string& text) {
-    return text.find('`') == std::string::npos ? fmt::format("`{}`", text) : text;
-}
-
 /// "The scene, key by key" and the scene file itself: the report alone repeats the run. Empty where the
 /// origin has no text.
 std::string scene_section(const RunOrigin& origin) {
     if (origin.scene_text.empty()) return {};
     TextTable table;
-    table.columns = {{"key", true}, {"value", true}, {"unit", true}, {"meaning", true}};
+    table.columns = {{"key", true, true}, {"value", true, true}, {"unit", true}, {"meaning", true}};
     for (const input::WrittenKey& row : input::keys_written_in(origin.scene_text, origin.scene_file))
-        table.rows.push_back({code(printable(row.key)), code(row.value), row.unit, row.meaning});
+        table.rows.push_back({row.key, row.value, row.unit, row.meaning});
     std::string fence = "```";
     while (origin.scene_text.find(fence) != std::string::npos) fence += '`';
     const bool ends = origin.scene_text.ends_with('\n');
@@ -84,9 +80,7 @@ std::string infeasible_section(const Solution& solution, const std::vector<ViewT
 }
 
 std::string asked(const Scene& scene) {
-    std::string text = "## The problem\n\n";
-    for (const std::string& line : scene_lines(scene)) text += fmt::format("- {}\n", line);
-    return text;
+    return "## The problem\n\n" + list_of(scene_lines(scene));
 }
 
 std::string verdict_section(const Solution& solution) {
@@ -122,10 +116,9 @@ std::string dynamics_section(const Solution& solution) {
 
 std::string own_terms_section(const Solution& solution) {
     if (solution.own_terms.empty()) return {};
-    std::string text = "\n## Terms of the program\n\n";
-    for (const OwnTermReport& term : solution.own_terms)
-        text += fmt::format("- {}\n", own_term_sentence(term));
-    return text;
+    std::vector<std::string> sentences;
+    for (const OwnTermReport& term : solution.own_terms) sentences.push_back(own_term_sentence(term));
+    return "\n## Terms of the program\n\n" + list_of(sentences);
 }
 
 std::string design_section(const DesignReport& design) {
@@ -142,17 +135,14 @@ std::string design_section(const DesignReport& design) {
 }
 
 std::string solver_section(const Solution& solution, const RunOrigin& origin) {
-    std::string text = "\n## How it was found\n\n";
-    for (const std::string& sentence : solver_sentences(solution)) text += fmt::format("- {}\n", sentence);
-    if (!origin.command.empty()) text += fmt::format("- Command: `{}`\n", printable(origin.command));
+    std::string text = "\n## How it was found\n\n" + list_of(solver_sentences(solution));
+    if (!origin.command.empty()) text += fmt::format("- Command: {}\n", markdown_code(origin.command));
     return text + fmt::format("- camopt {}\n", version());
 }
 
 std::string notes_section(const std::vector<std::string>& notes) {
     if (notes.empty()) return {};
-    std::string text = "\n## Notes\n\n";
-    for (const std::string& note : notes) text += fmt::format("- {}\n", note);
-    return text;
+    return "\n## Notes\n\n" + list_of(notes);
 }
 
 }  // namespace
@@ -163,8 +153,8 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
         const auto found = std::ranges::find(tables, key, &ViewTable::key);
         return found == tables.end() ? "" : fmt::format("\n## {}\n\n{}", found->title, section_text(*found));
     };
-    std::string text =
-        fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : printable(solution.scene.title));
+    std::string text = fmt::format(
+        "# {}\n\n", solution.scene.title.empty() ? "Motion" : markdown_words(solution.scene.title));
     text += asked(solution.scene) + verdict_section(solution) + infeasible_section(solution, tables);
     text += section("peaks") + section("valve") + section("valve_figures") + section("segments");
     for (const std::string& sentence : excursion_sentences(solution)) text += "\n" + sentence + "\n";

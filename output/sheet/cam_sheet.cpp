@@ -25,7 +25,7 @@ constexpr double leader_reach = 4e-3, datum_reach = 3e-3, rotation_distance = 3.
                  thickness_line = 6e-3, bore_line = 7e-3, depth_line = 15e-3, hatch_step = 2.5e-3,
                  center_overhang = 3e-3;
 constexpr double rotation_head = 3.0e-3, rotation_half_width = 0.8e-3, rotation_angle = 26 * degree;
-constexpr double datum_apart = 15 * degree;
+constexpr double datum_apart = 15 * degree, keyway_apart = 60 * degree;
 
 /// "cam radius" of cam_radius_min: the sign beside it says the rest.
 std::string limit_words(const LimitRow& row) {
@@ -60,7 +60,7 @@ class CamSheetMaker {
         if (disk_) {
             box_.add(Vector2d::Constant(*disk_));
             box_.add(Vector2d::Constant(-*disk_));
-            rim_.push_back(*disk_ * ray_at(cam_.rotation(), drawing.datum));
+            rim_.emplace_back(*disk_ * ray_at(cam_.rotation(), drawing.datum));
             farthest_ = other_side_farthest();
         }
         box_.add(Vector2d::Constant(prime_));
@@ -77,9 +77,9 @@ class CamSheetMaker {
         add_datum();
         add_section();
         add_dimensions();
+        separate_dimensions(sheet_);
         add_rotation();
         add_furniture();
-        for (SheetDimension& dimension : sheet_.dimensions) dimension.lengths = sheet_.lengths;
         return std::move(sheet_);
     }
 
@@ -106,6 +106,10 @@ class CamSheetMaker {
                 if (point.contact.norm() > farthest.norm()) farthest = in_plane(point.contact);
         return farthest;
     }
+    [[nodiscard]] double keyway_from_datum() const {
+        return std::remainder(direction_angle(cut_) - direction_angle(datum_), units::turn);
+    }
+    [[nodiscard]] bool has_keyway_angle() const { return std::abs(keyway_from_datum()) > 1e-9; }
     [[nodiscard]] double thickness() const { return *drawing_.thickness; }
     /// m of the model in so much on the paper.
     [[nodiscard]] double paper(double length) const { return length / sheet_.view.scale; }
@@ -198,18 +202,17 @@ class CamSheetMaker {
         sheet_.line("DATUM", SheetPen::thin, drawing_.reach() * datum_, reach * datum_);
         sheet_.line("DATUM", SheetPen::thick, (rim - paper(4e-3)) * datum_, rim * datum_);
         add_word("DATUM", "datum, α = 0", reach, datum_);
-        make_way_for_radius();
+        if (!make_way(farthest_, datum_apart) && has_keyway_angle()) make_way(cut_, keyway_apart);
         free_.take(direction_angle(datum_));
         for (const double axis : {0.0, 90.0, 180.0, 270.0})
             if (std::abs(std::remainder(axis * degree - direction_angle(datum_), units::turn)) > 20 * degree)
                 free_.take(axis * degree);
     }
-    /// The largest radius has its words beside those of the datum where both point nearly the same way: the
-    /// datum's step aside, away from it.
-    void make_way_for_radius() {
-        const double apart =
-            std::remainder(direction_angle(farthest_) - direction_angle(datum_), units::turn);
-        if (std::abs(apart) > datum_apart) return;
+    /// The largest radius, and the angle of the keyway, have their words beside those of the datum where both
+    /// point nearly the same way: the datum's step aside, away from it.
+    bool make_way(const Vector2d& other, double near) {
+        const double apart = std::remainder(direction_angle(other) - direction_angle(datum_), units::turn);
+        if (std::abs(apart) > near) return false;
         SheetText& word = sheet_.texts.back();
         const Vector2d left(-datum_.y(), datum_.x());
         const Vector2d away = apart < 0.0 ? left : Vector2d(-left);
@@ -219,6 +222,7 @@ class CamSheetMaker {
         } else {
             word.at.y() += (away.y() > 0.0 ? 1.0 : -1.0) * 3.5e-3;
         }
+        return true;
     }
     /// At so much of the model along a ray, outside of its end.
     void add_word(const char* layer, const std::string& words, double reach, const Vector2d& ray) {
@@ -343,17 +347,18 @@ class CamSheetMaker {
         width.place = sheet_.view.on_paper(floor * cut_) + keyway_line * cut_;
         width.tolerance = drawing_.title_block.keyway_tolerance;
         sheet_.dimensions.push_back(width);
-        const double from_datum = std::remainder(way - direction_angle(datum_), units::turn);
-        if (std::abs(from_datum) < 1e-9) return;
+        if (!has_keyway_angle()) return;
         SheetDimension angle;
         angle.kind = SheetDimension::Kind::angle;
         angle.direction = direction_angle(datum_);
-        angle.sweep = from_datum;
+        angle.sweep = keyway_from_datum();
         const double reach = std::max(0.5 * (drawing_.reach() + base_), drawing_.reach() + paper(11e-3));
         angle.place = sheet_.view.on_paper(reach * datum_);
         sheet_.dimensions.push_back(angle);
-        const double behind_words = floor + paper(keyway_line + 3.5e-3);
-        sheet_.line("AXES", SheetPen::chain, behind_words * cut_, (reach + paper(2e-3)) * cut_);
+        separate_dimensions(sheet_);
+        const double behind_words = floor + paper(keyway_line + 3.5e-3),
+                     end = sheet_.view.in_model(sheet_.dimensions.back().place).norm() + paper(2e-3);
+        sheet_.line("AXES", SheetPen::chain, behind_words * cut_, end * cut_);
         free_.take(way);
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/sheet_painter.hpp"
 
+#include <Eigen/Geometry>
+
 namespace camopt {
 
 namespace {
@@ -13,7 +15,7 @@ constexpr std::array<double, 4> chain_line = {6.0e-3, 1.0e-3, 1.0e-3, 1.0e-3};
 
 // m on the paper.
 constexpr double mark_arrow = 2.5e-3, mark_arrow_half = 0.45e-3, mark_overshoot = 1.2e-3, mark_gap = 0.6e-3,
-                 mark_tail = 4.0e-3, words_above = 0.8e-3, leader_shoulder = 3.0e-3;
+                 mark_tail = 4.0e-3, words_above = 0.8e-3, words_beside = 1.2e-3, leader_shoulder = 3.0e-3;
 const char* const dimension_layer = "DIMENSIONS";
 
 Vector2d direction_of(double angle) {
@@ -85,8 +87,8 @@ DimensionMarks linear_marks(const SheetDimension& dimension, const SheetView& vi
     // Beside the line, at the end from which the words run on outwards.
     const bool forwards = direction_of(turn).dot(along) > 0.0;
     const Vector2d start = right + (arrows_fit ? 0.0 : mark_tail) * along;
-    add_mark_line(marks, start, start + (width + 1e-3) * along);
-    set_mark_text(marks, start + 0.5e-3 * along + words_above * up, words,
+    add_mark_line(marks, start, start + (width + 2.0 * words_beside) * along);
+    set_mark_text(marks, start + words_beside * along + words_above * up, words,
                   forwards ? TextAnchor::start : TextAnchor::end, turn);
     return marks;
 }
@@ -132,7 +134,91 @@ DimensionMarks angle_marks(const SheetDimension& dimension, const SheetView& vie
     return marks;
 }
 
+/// Words with some room around them, and points along all that is drawn with them.
+struct PlacedWords {
+    Vector2d corner, along;
+    double width = 0.0, height = 0.0;
+    std::vector<Vector2d> points = {};
+
+    explicit PlacedWords(const SheetText& text) : along(direction_of(text.turn)) {
+        constexpr double room = 0.8e-3;
+        const double own = widest_text(text.words, text.height);
+        const double part = text.anchor == TextAnchor::start    ? 0.0
+                            : text.anchor == TextAnchor::middle ? 0.5
+                                                                : 1.0;
+        const Vector2d up = left_of(along);
+        corner = text.at - (room + part * own) * along - room * up;
+        width = own + 2.0 * room;
+        height = text.height + 2.0 * room;
+        for (const double line : {0.0, 0.5, 1.0})
+            add(corner + line * height * up, corner + line * height * up + width * along);
+    }
+    explicit PlacedWords(const DimensionMarks& marks) : PlacedWords(marks.text) {
+        for (const SheetPath& line : marks.lines)
+            for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i)
+                add(line.vertices[i].position, line.vertices[i + 1].position, line.vertices[i].bulge);
+    }
+    void add(const Vector2d& from, const Vector2d& to, double bulge = 0.0) {
+        constexpr int steps = 100;
+        for (int k = 0; k <= steps; ++k) {
+            const double part = static_cast<double>(k) / steps;
+            if (bulge == 0.0) {
+                points.emplace_back(from + part * (to - from));
+                continue;
+            }
+            const BulgeArc arc = bulge_arc(from, to, bulge);
+            points.emplace_back(arc.center +
+                                arc.radius * direction_of(arc.from + part * (arc.to - arc.from)));
+        }
+    }
+    [[nodiscard]] bool covers(const PlacedWords& other) const {
+        return std::ranges::any_of(other.points, [&](const Vector2d& point) {
+            const double across = along.dot(point - corner), up = left_of(along).dot(point - corner);
+            return across >= 0.0 && across <= width && up >= 0.0 && up <= height;
+        });
+    }
+};
+
+/// The k-th place to try: further out, of a diameter to both sides of where it was.
+SheetDimension moved(SheetDimension dimension, const SheetView& view, int k) {
+    constexpr double step = 1.5e-3, turn = 7.0 * units::degree;
+    const bool leads =
+        dimension.kind == SheetDimension::Kind::diameter || dimension.kind == SheetDimension::Kind::radius;
+    const Vector2d center = view.on_paper(dimension.first);
+    Vector2d out = (dimension.place - (leads ? view.on_paper(dimension.second) : center)).normalized();
+    if (dimension.kind == SheetDimension::Kind::diameter) {
+        const Eigen::Rotation2D<double> rotation((k % 2 == 0 ? -0.5 * k : 0.5 * (k + 1)) * turn);
+        dimension.second = dimension.first + rotation * (dimension.second - dimension.first);
+        dimension.place = center + rotation * (dimension.place - center);
+        return dimension;
+    }
+    if (dimension.kind == SheetDimension::Kind::linear) {
+        const Vector2d across = left_of(direction_of(dimension.direction));
+        out = across.dot(out) < 0.0 ? Vector2d(-across) : across;
+    }
+    dimension.place += k * step * out;
+    return dimension;
+}
+
 }  // namespace
+
+void separate_dimensions(Sheet& sheet) {
+    constexpr int most_steps = 20;
+    std::vector<PlacedWords> placed(sheet.texts.begin(), sheet.texts.end());
+    for (SheetDimension& dimension : sheet.dimensions) {
+        dimension.lengths = sheet.lengths;
+        for (int k = 0; k < most_steps; ++k) {
+            const SheetDimension tried = moved(dimension, sheet.view, k);
+            const PlacedWords own(dimension_marks(tried, sheet.view));
+            if (std::ranges::any_of(
+                    placed, [&](const PlacedWords& other) { return own.covers(other) || other.covers(own); }))
+                continue;
+            dimension = tried;
+            break;
+        }
+        placed.emplace_back(dimension_marks(dimension, sheet.view));
+    }
+}
 
 PenLook look_of(SheetPen pen) {
     switch (pen) {

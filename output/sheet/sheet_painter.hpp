@@ -51,6 +51,11 @@ struct DimensionMarks {
 
 [[nodiscard]] DimensionMarks dimension_marks(const SheetDimension& dimension, const SheetView& view);
 
+/// Gives the dimensions the sheet's unit, and moves them, one after another, outwards or about the circle
+/// that they measure, until no words lie on the words or lines of those before. One that finds no such place
+/// stays.
+void separate_dimensions(Sheet& sheet);
+
 // What stands around the views of a drawing: frame, title block, tables, notes. m on the paper.
 
 inline constexpr double sheet_margin = 10e-3, sheet_left_margin = 20e-3;

@@ -61,9 +61,9 @@ struct CamFigure {
 // Private to output/words: a place of the motion as a person reads it.
 inline constexpr int angle_digits = 5;
 
-/// The cam angle of x, degrees, without the unit.
+/// The cam angle of x (the master's), degrees, without the unit.
 [[nodiscard]] inline std::string degrees_at(const Solution& solution, double x) {
-    return short_text(degrees_shown.of(x * solution.scene.motion.unit_angle()), angle_digits);
+    return short_text(degrees_shown.of(solution.scene.motion.master_angle(x)), angle_digits);
 }
 
 }  // namespace camopt

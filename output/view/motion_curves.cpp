@@ -145,8 +145,8 @@ Curve residual_curve(const View& view) {
     std::vector<std::array<double, 2>> points = table_points(view);
     CurveMark largest;
     for (auto& [at, value] : points) {
-        const double x =
-            std::clamp(at / view.units.degrees_per_x, measured.motion->begin(), measured.motion->end());
+        const double x = std::clamp((at - view.degrees(0.0)) / view.units.degrees_per_x,
+                                    measured.motion->begin(), measured.motion->end());
         value -= unit.per_normalised * measured.motion->at(x).derivative[0];
         if (std::abs(value) > std::abs(largest.value)) largest = {at, value, {}};
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/number_text.hpp"
 
+#include "core/text/printable.hpp"
+
 #include <fmt/format.h>
 
 #include <sstream>
@@ -58,9 +60,11 @@ std::string without_trailing_blanks(std::string line) {
     return line;
 }
 
-std::string markdown_cell(const std::string& text) {
+std::string markdown_cell(const std::string& text, bool code = false) {
     std::string escaped;
-    for (const char letter : text) escaped += letter == '|' ? std::string("\\|") : std::string(1, letter);
+    if (text.empty()) return escaped;
+    for (const char letter : code ? markdown_code(text) : markdown_words(text))
+        escaped += letter == '|' ? std::string("\\|") : std::string(1, letter);
     return escaped;
 }
 
@@ -130,6 +134,38 @@ std::string aligned_text(const TextTable& table) {
     return without_trailing_blanks(titles) + "\n" + rule + "\n" + body;
 }
 
+std::string markdown_words(std::string_view text) {
+    const std::string words = printable(text);
+    const auto letter_at = [&](std::size_t i) { return i < words.size() ? words[i] : ' '; };
+    const auto is_word = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    };
+    std::string result;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const char next = letter_at(i + 1), last = i > 0 ? words[i - 1] : ' ';
+        const auto before = [&](std::string_view marks) {
+            return marks.find(next) != std::string_view::npos;
+        };
+        const bool obeyed = words[i] == '\\' || words[i] == '`' || words[i] == '*' ||
+                            (words[i] == '_' && !(is_word(last) && is_word(next))) ||
+                            (words[i] == '<' && (is_word(next) || before("/!?"))) ||
+                            (words[i] == '&' && (is_word(next) || next == '#')) ||
+                            (words[i] == ']' && before("([:")) ||
+                            (i == 0 && (words[i] == '#' || words[i] == '>'));
+        if (obeyed) result += '\\';
+        result += words[i];
+    }
+    return result;
+}
+
+std::string markdown_code(std::string_view text) {
+    const std::string words = printable(text);
+    std::string fence = "`";
+    while (words.find(fence) != std::string::npos) fence += '`';
+    const std::string_view gap = fence.size() > 1 ? " " : "";
+    return fmt::format("{0}{1}{2}{1}{0}", fence, gap, words);
+}
+
 std::string markdown_text(const TextTable& table) {
     std::string text = "|", rule = "|";
     for (const TextTable::Column& column : table.columns) {
@@ -140,7 +176,7 @@ std::string markdown_text(const TextTable& table) {
     for (const auto& row : table.rows) {
         text += "|";
         for (std::size_t column = 0; column < table.columns.size(); ++column)
-            text += fmt::format(" {} |", markdown_cell(cell(row, column)));
+            text += fmt::format(" {} |", markdown_cell(cell(row, column), table.columns[column].code));
         text += "\n";
     }
     return text;

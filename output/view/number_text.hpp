@@ -40,6 +40,7 @@ struct TextTable {
     struct Column {
         std::string title;
         bool left = false;  ///< words stand left, numbers right
+        bool code = false;  ///< in Markdown, else words
     };
     std::vector<Column> columns;
     std::vector<std::vector<std::string>> rows;
@@ -49,6 +50,12 @@ struct TextTable {
 [[nodiscard]] std::string aligned_text(const TextTable& table);
 
 [[nodiscard]] std::string markdown_text(const TextTable& table);
+
+/// `printable` for Markdown, on one line: nothing in it is a tag, a link, a picture, code or emphasis.
+[[nodiscard]] std::string markdown_words(std::string_view text);
+
+/// `printable` as code in Markdown, also where it has backticks.
+[[nodiscard]] std::string markdown_code(std::string_view text);
 
 /// `decimals` digits after the point; "∞" where infinite, "–" where there is none.
 [[nodiscard]] std::string fixed_text(const std::optional<double>& value, int decimals);

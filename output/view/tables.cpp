@@ -82,7 +82,7 @@ TextTable measured_table(const Solution& solution) {
             {{"rows", fmt::format("{}", measured.rows)},
              {"free numbers", fmt::format("{}", measured.freedom)},
              {"largest error", unit.normalised_text(measured.largest_error, 3)},
-             {"at", units.angle.text(measured.at * units.degrees_per_x * units.angle.size)},
+             {"at", units.angle.text(solution.scene.motion.master_angle(measured.at))},
              {"rms error", unit.normalised_text(measured.rms_error, 3)}}};
 }
 
@@ -136,11 +136,13 @@ TextTable segment_table(const Solution& solution) {
                      {"J"},
                      {"joint"}};
     for (const SegmentReport& segment : solution.segments) {
-        const double begin = shown.degrees_per_x * segment.begin, end = shown.degrees_per_x * segment.end;
+        const MotionSpec& motion = solution.scene.motion;
+        const double begin = degrees_shown.of(motion.master_angle(segment.begin)),
+                     end = degrees_shown.of(motion.master_angle(segment.end));
         std::vector<std::string> row = {segment_title(segment),
                                         short_text(begin),
                                         short_text(end),
-                                        short_text(end - begin),
+                                        short_text(shown.degrees_per_x * (segment.end - segment.begin)),
                                         place_text(segment.from, lift),
                                         place_text(segment.to, lift)};
         const std::optional<Peaks> peaks = segment_peaks(segment);
@@ -220,12 +222,18 @@ std::string table_words(const Solution& solution) {
     if (!table.place) return text;
     const MeasuredPlace& place = *table.place;
     if (place.angle)
-        text += fmt::format("; the motion starts at {} ± {} deg of the table",
-                            short_text(degrees_shown.of(place.angle->value)),
-                            short_text(degrees_shown.of(place.angle->error), 2));
+        text += fmt::format(
+            "; the motion starts at {}{} deg of the table", short_text(degrees_shown.of(place.angle->value)),
+            std::isnan(place.angle->error) ? ""
+                                           : " ± " + short_text(degrees_shown.of(place.angle->error), 2));
     if (place.zero)
-        text += fmt::format("; its displacement 0 is at {} ± {} of the table", shown(place.zero->value),
-                            shown(place.zero->error));
+        text += fmt::format("; its displacement 0 is at {}{} of the table", shown(place.zero->value),
+                            std::isnan(place.zero->error) ? "" : " ± " + shown(place.zero->error));
+    if (place.contradicted())
+        text += fmt::format(
+            "; WARNING: the residuals, {} rms, are {} times the noise of the table: the model does not "
+            "describe it, so no standard error is given",
+            shown(place.residual), short_text(place.residual / place.noise, 3));
     if (place.base_radius)
         text += fmt::format(", a base radius of {}", shown_units(scene).length.text(*place.base_radius));
     return text + (place.law.empty() ? "" : fmt::format(" (placed by {})", words_of(place.law)));
@@ -280,7 +288,8 @@ std::string reached_text(const ConstraintReport& row, int digits) {
     if (is_nowhere(row))
         return row.name == limit_row(LimitedFigure::concave_radius).name ? "nowhere concave"
                                                                          : "nowhere convex";
-    return ShownUnit{row.unit}.text(row.worst, digits) + (row.side.empty() ? "" : " on the " + row.side);
+    return ShownUnit{row.unit}.text(row.worst, digits) + (row.side.empty() ? "" : " on the " + row.side) +
+           (row.speed.empty() ? "" : " " + row.speed);
 }
 
 std::string reached_degrees(const Solution& solution, const ConstraintReport& row) {

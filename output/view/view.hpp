@@ -72,7 +72,10 @@ struct View {
     std::vector<ViewSegment> segments;
     std::vector<double> breakpoints;  ///< of the motion, deg
 
-    [[nodiscard]] double degrees(double x) const { return units.degrees_per_x * x; }
+    /// The master's angle, from motion.phase on.
+    [[nodiscard]] double degrees(double x) const {
+        return degrees_shown.of(solution.scene.motion.phase) + units.degrees_per_x * x;
+    }
     /// The scene's title, or this.
     [[nodiscard]] std::string title(const char* untitled) const {
         return solution.scene.title.empty() ? untitled : solution.scene.title;

@@ -104,6 +104,8 @@ std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison) {
     add("rms τ " + torque.name, [torque](const ComparisonRow& row) {
         return row.drive ? torque.of(row.drive->rms_torque) : infinity;
     });
+    add("n " + rpm_shown.name,
+        [](const ComparisonRow& row) { return row.drive ? rpm_shown.of(row.drive->speed.value) : infinity; });
     return all;
 }
 
@@ -139,10 +141,18 @@ std::string objective_words(const Comparison& comparison) {
     const ObjectiveSpec& objective = comparison.optimum.scene.objective;
     const Peaks& reference = comparison.optimum.reference_peaks;
     std::string text;
+    const auto add = [&](double weight, const std::string& symbol, double divisor) {
+        if (weight != 0.0)
+            text += fmt::format("{}{} {}/{}", text.empty() ? "" : " + ", short_text(weight), symbol,
+                                short_text(divisor, table_figures));
+    };
     for (const CostTerm& term : cost_terms())
-        if (const double weight = term.weight_in(objective); weight != 0.0)
-            text += fmt::format("{}{} {}/{}", text.empty() ? "" : " + ", short_text(weight), term.symbol,
-                                short_text(term.measured.of(reference), table_figures));
+        add(term.weight_in(objective), term.symbol, term.measured.of(reference));
+    for (const OwnTermReport& term : comparison.optimum.own_terms)
+        add(term.weight, term.of_scene ? words_of(term.name) : term.name, term.reference);
+    if (comparison.optimum.train)
+        for (const ResponseTermReport& term : comparison.optimum.train->terms)
+            add(term.weight, words_of(term.name), term.reference);
     if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; }))
         text += text.empty() ? "dimensions of the cam" : " + dimensions of the cam";
     return text;

@@ -175,6 +175,9 @@ std::string verdict_sentence(const Solution& solution) {
             "Failed: double precision cannot represent the motion found{}, see the notes. Other "
             "breakpoints may.",
             because(certificate));
+    if (certificate.verdict == Verdict::feasible && !solution.machine.empty())
+        return fmt::format("An axis of a machine, solved with all the others: {}. Every limit is satisfied.",
+                           solution.machine);
     if (was_interrupted(certificate)) return interrupted_sentence(solution);
     if (solution.scene.motion.prescribed()) {
         const bool kept = certificate.verdict == Verdict::optimal;

@@ -68,6 +68,13 @@ Fault force_fault(const Scene& scene) {
     if (scene.cam->face_radius && scene.cam->face_half_width == 0.0)
         return SceneFault{"cam.face_radius", fmt::format("{} m", *scene.cam->face_radius),
                           "more than half of forces.contact_width, which lies on the round face"};
+    if (const auto& range = scene.forces->speed_range;
+        range &&
+        !((*range)[0] >= 0.0 && (*range)[0] <= *scene.motion.speed && *scene.motion.speed <= (*range)[1]))
+        return SceneFault{"forces.speed_range",
+                          fmt::format("{:g} to {:g} rpm", (*range)[0] / units::revolution_per_minute,
+                                      (*range)[1] / units::revolution_per_minute),
+                          "two speeds, not negative and the lower first, with motion.speed between them"};
     const std::vector<std::array<double, 2>>& load = scene.forces->load;
     for (std::size_t i = 0; i < load.size(); ++i)
         if (!std::isfinite(load[i][0]) || !std::isfinite(load[i][1]) ||

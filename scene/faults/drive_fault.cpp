@@ -11,8 +11,8 @@ namespace {
 Fault drive_number_fault(const DriveSpec& drive) {
     using ranges::any, ranges::not_negative, ranges::positive;
     struct Row {
-        const char* member;
-        double value;
+        const char* member = nullptr;
+        double value = 0.0;
         Range range;
     };
     for (const Row& row :

@@ -19,8 +19,8 @@ const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
 using Number = std::optional<double>;
 
 struct NumberRule {
-    const char* member;
-    Number (*value)(const Scene&);
+    const char* member = nullptr;
+    Number (*value)(const Scene&) = nullptr;
     Range range;
 };
 

@@ -179,7 +179,7 @@ class Bound:
             return self.use(self.problem.table.row(origin["remark"]), multiplier)
         if self.motor and self.motor.takes(origin):
             return self.motor.add(origin, multiplier)
-        at, side = number(origin["at"]), origin.get("side", "right")
+        at, side = self.problem.place_of(origin)
         found = self.row_of(origin, at, side, *self.run_at(at, side))
         if found is None:
             return self.leave_out(origin["rule"], multiplier)

@@ -276,7 +276,7 @@ class BoxProof:
         origin = step.data["origin"]
         if "at" not in origin:
             return self.condition(step, index)
-        at, side = number(origin["at"]), origin.get("side", "right")
+        at, side = self.problem.place_of(origin)
         row = self.bound.row_of(origin, at, side, *self.bound.run_at(at, side))
         if row is None:  # it adds nothing
             self.left_out[origin["rule"]] = True
@@ -360,7 +360,7 @@ class BoxProof:
 
     def plane(self, step, index):
         data, origin = step.data, step.data["origin"]
-        at, side = number(origin["at"]), origin.get("side", "right")
+        at, side = self.problem.place_of(origin)
         slopes = [number(s) for s in data["slope"]]
         states = [self.state(at, side, order) for order in range(4)]
         formulas, parameters = self.rules_of(origin, states[0][3], at)

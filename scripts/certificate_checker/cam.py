@@ -8,7 +8,7 @@ from .dimensions import corners_of, largest_of, middle_size, parts_of
 from .inverse_rules import InverseRules
 from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
-from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides
+from .disk_rules import FACE_TURNS, LOADED, DiskRules, Side, TwoSides
 from .exact import (
     KEPT, ORDERS, STATED, Refuted, Unverified, add_to, derivative, exactly, largest_magnitude, middle_of, number, root, times)
 from .forces import Forces
@@ -25,7 +25,6 @@ DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat"
               "oscillating_flat": ("base_radius", "center_distance", "face_offset")}
 
 
-LOADED = "contact_force_min_n", "torque_max_nm", "hertz_pressure_max_mpa"
 STRAIGHT = Fraction(1, 10**25)  # slopes that differ by less do so by rounding
 OTHER_RULES = {"barrel": SpatialRules, "cylindrical": SpatialRules, "remote": RemoteRules, "inverse": InverseRules}
 

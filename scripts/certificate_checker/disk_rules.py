@@ -16,6 +16,7 @@ from .laws import constant
 from .units import dimension_of, enclosed
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
+LOADED = "contact_force_min_n", "torque_max_nm", "hertz_pressure_max_mpa"
 TOUCHES = Fraction(1, 10**6)      # contact: regularity, and height over the centre in parts of the cam's length
 
 
@@ -140,13 +141,22 @@ class DiskRules:
 
     # -- the rules
 
-    def formulas(self, key, order=None, sign=0, remark=""):
+    def formulas(self, key, order=None, sign=0, remark=None):
         """The rules that the key of a limit may mean: none where there is no such here, two where the file does not say
-        which side it is."""
-        if key == "limits.torque_max_nm" and not remark:
-            return [self.torque(1), self.torque(-1)]
-        found = self.formula(key, order, sign, remark)
+        which side it is. `remark`: the speed that a limit on a load is meant at, "" or "at 0 rpm"; None: all of them."""
+        name = key.removeprefix("limits.")
+        if name in LOADED:
+            return self.loads(name, Forces(self.problem, self.problem.scene).corners_named(remark))
+        found = self.formula(key, order, sign, remark or "")
         return [found] if found else []
+
+    def loads(self, name, corners):
+        if name == "torque_max_nm":
+            return [self.torque(sign, corner) for corner in corners for sign in (1, -1)]
+        if name == "contact_force_min_n":
+            return [self.contact(corner) for corner in corners]
+        found = [self.hertz(number(self.limits[name]) * 10**6, corner) for corner in corners]
+        return [rule for rule in found if rule]
 
     def formula(self, key, order, sign, remark):
         name, _, part = key.partition(" (")
@@ -166,12 +176,8 @@ class DiskRules:
         for start, make in (("cam_radius_min_", self.convex_radius), ("concave_radius_min_", self.concave_radius)):
             if name.startswith(start):
                 return make(dimension_of(self.limits, start[:-1]))
-        if name == "contact_force_min_n":
-            return self.contact()
         if name == "undercut_margin":
             return self.margin(number(self.limits[name]))
-        if name == "hertz_pressure_max_mpa":
-            return self.hertz(number(self.limits[name]) * 10**6)
         return None
 
     def pressures(self, limit, sign):
@@ -244,19 +250,19 @@ class DiskRules:
             return lambda numbers: constant(TOUCHES) - self.face(numbers)[1] * inverse
         return lambda numbers: constant(TOUCHES) - self.pitch(numbers)[1] * inverse
 
-    def force(self, numbers):
+    def force(self, numbers, corner):
         """F = mass speed^2 s'' + damping speed s' + rate s + preload + load; of an arm the moment, at that angle."""
-        own, speed = Forces(self.problem, self.problem.scene), self.problem.turns_per_second()
-        return numbers[2] * constant(own.mass * speed**2 * own.lift) + numbers[1] * constant(own.damping * speed * own.lift) + \
+        own, (square, speed) = Forces(self.problem, self.problem.scene), corner
+        return numbers[2] * constant(own.mass * square * own.lift) + numbers[1] * constant(own.damping * speed * own.lift) + \
             numbers[0] * constant(own.rate * own.lift) + constant(own.preload) + self.load
 
-    def contact(self):
+    def contact(self, corner):
         """F >= least."""
         forces = Forces(self.problem, self.problem.scene)
         inverse = constant(1 / forces.unit(self.problem))
-        return lambda numbers: (constant(forces.least) - self.force(numbers)) * inverse - self.room
+        return lambda numbers: (constant(forces.least) - self.force(numbers, corner)) * inverse - self.room
 
-    def hertz(self, most):
+    def hertz(self, most, corner):
         """F <= carried * radius * lever, carried = pi b C most^2, in parts of a unit of force (of an arm: of a moment). A roller
         of radius r lies on its side with the radius r (1 - R curvature) / (1 - (R - r) curvature), R to the surface."""
         if self.follower == "translating_knife":
@@ -277,22 +283,22 @@ class DiskRules:
             else:
                 s, _, bend = self.states(numbers)
                 radius, lever = self.sizes(numbers)["base_radius"] + s + bend, constant(1)
-            return self.force(numbers) * constant(1 / unit) - carried * radius * lever - self.room
+            return self.force(numbers, corner) * constant(1 / unit) - carried * radius * lever - self.room
 
         def rule(numbers):
             curvature, speed = self.curvature(numbers)
             along, _, arm = self.pitch(numbers)[1:4]
             radius = (constant(1) - self.surface(numbers) * curvature) * self.own_roller(numbers)
-            press = self.force(numbers) * constant(self.side.pressed / unit)
+            press = self.force(numbers, corner) * constant(self.side.pressed / unit)
             if self.side.wider:
                 press = press * (constant(1) - constant(self.side.wider) * curvature)
             return press - carried * radius * arm * along * speed.inverse() - self.room
         return rule if self.roller else flat
 
-    def torque(self, sign):
+    def torque(self, sign, corner):
         """sign F s' / most - 1."""
         most = number(self.limits["torque_max_nm"])
-        return lambda numbers: self.force(numbers) * self.states(numbers)[1] * constant(sign / most) - constant(1) - self.room
+        return lambda numbers: self.force(numbers, corner) * self.states(numbers)[1] * constant(sign / most) - constant(1) - self.room
 
 
 class TwoSides:
@@ -311,10 +317,12 @@ class TwoSides:
 
     load = property(None, bear)
 
-    def formulas(self, key, order=None, sign=0, remark=""):
+    def formulas(self, key, order=None, sign=0, remark=None):
+        side_name, _, speed = (remark or "").rpartition(", ") if "rpm" in (remark or "") else (remark, "", "")
         once = key.endswith("pressure_angle_deg") and not self.sides[1].side.turn
-        named = [side for side in self.sides if not remark or side.side.name == remark]
-        return [f for side in (named[:1] if once else named) for f in side.formulas(key, order, sign)]
+        named = [side for side in self.sides if not side_name or side.side.name == side_name]
+        return [f for side in (named[:1] if once else named)
+                for f in side.formulas(key, order, sign, None if remark is None else speed)]
 
     def pressures(self, limit, sign):
         return [side.pressure(limit, sign) for side in (self.sides if self.sides[1].side.turn else self.sides[:1])]

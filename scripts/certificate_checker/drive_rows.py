@@ -41,7 +41,7 @@ class MotorRows:
                 return self.bound.leave_out(origin["rule"] + RELIEVED, multiplier)
             self.square += multiplier
             return None
-        at, side = number(origin["at"]), origin.get("side", "right")
+        at, side = self.problem.place_of(origin)
         own = [rule for rule in self.rules if rule.is_meant(origin)]
         if not own:
             raise Refuted(f"{origin['rule']} at x = {float(at)}: the scene has no such rule")

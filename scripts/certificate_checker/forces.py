@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The load of a follower: mass, spring, preload, viscous damping, and a load over the cam angle; of an arm inertia and moments."""
+import math
 from fractions import Fraction
 
-from .exact import number
+from .exact import Unverified, number
 from .units import in_unit
 
 
@@ -19,6 +20,8 @@ class Forces:
         self.end = problem.stretches[-1].end * problem.copies
         self.points = self.points_of(problem, given)  # (x, load), ascending over one turn of the cam
         self.turn = self.points[-1][0] - self.points[0][0]
+        self.corners = self.corners_of(problem, given)
+        self.rpm = float(problem.motion.get("speed_rpm") or float(problem.motion.get("speed_rad_s", 0)) * 30 / math.pi)
 
     @staticmethod
     def points_of(problem, given):
@@ -30,6 +33,38 @@ class Forces:
         points = [(number(angle) * degree, number(load)) for angle, load in value]
         turn = points[0][0] + 360 * degree
         return points + ([(turn, points[0][1])] if points[-1][0] < turn else [])
+
+    def corners_of(self, problem, given):
+        """[(square, speed)], unit angles a second: F is linear in both. That of the scene, the ends of the range that limits hold over, and
+        with damping the point where the tangents of the curve (speed^2, speed) at these meet: the curve lies in that triangle."""
+        own = problem.turns_per_second()
+        if not self.mass and not self.damping:
+            return [(own**2, own)]
+        presses = self.rate > 0 or self.preload > 0
+        shares = [Fraction(0) if presses and "hertz_pressure_max_mpa" in problem.limits else Fraction(1), Fraction(1)]
+        for unit in ("rpm", "rad_s"):
+            if f"speed_range_{unit}" in given:
+                if f"speed_{unit}" not in problem.motion:
+                    raise Unverified("a speed and a range of speeds in two units")
+                shares = [number(end) / number(problem.motion[f"speed_{unit}"]) for end in given[f"speed_range_{unit}"]]
+        low, high = (own * share for share in shares)
+        self.shares = [Fraction(1), *(share for share in shares if share != 1)]
+        corners = [(own**2, own), *((end**2, end) for end in (low, high) if end != own)]
+        if self.damping and low < high:
+            corners.append((low * high, (low + high) / 2))
+        return corners
+
+    def corners_named(self, remark):
+        """Those that a remark means, "at 0 rpm"; None: all of them."""
+        if remark is None:
+            return self.corners
+        if "rpm" not in remark:
+            return self.corners[:1]
+        if remark.startswith("between"):
+            return self.corners[-1:]
+        named = float(remark.split()[1])
+        nearest = min(range(1, len(self.shares)), key=lambda i: abs(float(self.shares[i]) * self.rpm - named), default=0)
+        return self.corners[nearest:nearest + 1]
 
     def is_constant(self):
         return len({load for _, load in self.points}) == 1

@@ -13,7 +13,7 @@ KNOWN_LIMITS = ("velocity", "acceleration", "jerk", "pressure_angle", "rise_pres
 
 
 KNOWN_OF_MOTION = ("type", "lift_", "rise_", "return_", "speed_", "symmetric", "within_lift", "monotone", "via", "start", "end",
-                   "corridor", "segments", "closed", "repeat", "stops")
+                   "corridor", "segments", "closed", "repeat", "stops", "phase_")
 
 
 KNOWN_KEYS = {"spline": ("degree", "segments", "breakpoints", "knots", "continuity", "end_jerk", "design"),

@@ -92,8 +92,9 @@ def judge_passed_limit(problem, proof, report):
     if proof is None or proof["statement"] != "least_common_violation" or len(proof["rows"]) != 1:
         raise Unverified("infeasibility at a place that the scene prescribes without a row that says where")
     origin = proof["rows"][0]["origin"]
-    rule, at = origin["rule"], number(origin["at"])
-    sides = [side for side in ("right", "left") if side == origin.get("side", side) and problem.stretch_at(problem.folded(at, side), side)]
+    rule, (at, side) = origin["rule"], problem.place_of(origin)
+    sides = [own for own in ("right", "left") if own == (side if "side" in origin else own) and
+             problem.stretch_at(problem.folded(at, own), own)]
     passed, unknown = False, None
     for side in sides:
         try:
@@ -155,7 +156,7 @@ def bound_of(problem, curve, proof):
         origin = row["origin"]
         if "at" not in origin or not row["multiplier"]:
             continue
-        at, side = number(origin["at"]), origin.get("side", "right")
+        at, side = problem.place_of(origin)
         found = least_dimension(cam, origin, state_at(problem, at, side)[0], name)
         if found is None:
             left_out.add(origin["rule"])

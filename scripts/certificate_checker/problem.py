@@ -9,7 +9,7 @@ from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
 from .motion_bounds import area_reference, motion_bounds
 from .runs import Peak, Run, Stretch
 from .spaces import Space
-from .strokes import turning_points
+from .strokes import points_at_limits, turning_points
 from .units import LENGTHS, angle_of, in_unit, ratio
 
 CLOSE = Fraction(1, 10**6)  # set points nearer than this, in x, fix a slope that a last digit moves
@@ -167,6 +167,8 @@ class Problem:
         self.runs = [run]
         for at in turning_points(self, stretch, self.motion.get("via", []), Fraction(0), Fraction(1)):
             run.demand(at, 1, "right", Fraction(0), "turning point")
+        for at, order in points_at_limits(self, stretch, self.motion.get("via", []), Fraction(0), Fraction(1)):
+            run.demand(at, order, "right", Fraction(0), "a set point at a limit")
 
     def state_at_end(self, at_end):
         """y' and y'' where a motion that is not closed starts or ends: what is asked, or that of a region there; else rest."""
@@ -312,11 +314,15 @@ class Problem:
                 run.demand(run.begin_of(own) + own.end - own.begin, 0, "left", level, "displacement at a joint")
             if self.turns_back(segments, i, following):
                 run.demand(run.begin_of(self.stretches[following]), 1, "right", Fraction(0), "turning point")
+            if self.rests_between(segments, i, following):
+                run.demand(run.begin_of(self.stretches[following]), 2, "right", Fraction(0), "rest between strokes of one direction")
         self.end_jerk(run)
         for i, own in zip(group, stretches):
             self.set_points(run, segments[i].get("via", []), own, own.end - own.begin)
             for at in turning_points(self, own, segments[i].get("via", []), own.begin, own.end - own.begin):
                 run.demand(at + run.begin_of(own) - own.begin, 1, "right", Fraction(0), "turning point")
+            for at, order in points_at_limits(self, own, segments[i].get("via", []), own.begin, own.end - own.begin):
+                run.demand(at + run.begin_of(own) - own.begin, order, "right", Fraction(0), "a set point at a limit")
             if "end" in segments[i]:
                 self.set_points(run, [segments[i]["end"] | {"at": 1}], own, own.end - own.begin)
         self.runs.append(run)
@@ -353,13 +359,44 @@ class Problem:
         """Two splines that reverse the motion, neither of which may pass the joint between them."""
         if not self.motion.get("within_lift", True) and not self.motion.get("monotone", False):
             return False
-        if following == 0 and self.motion.get("closed", True) is not True:
+        if following == 0 and not self.wraps:
             return False
-        if any(key.startswith("displacement") for j in (i, following)
-               for point in segments[j].get("via", []) for key in point):
+        if not self.moved(i) * self.moved(following) < 0:
             return False
+        passing = {j for j in (i, following) for point in segments[j].get("via", []) if any(k.startswith("displacement") for k in point)}
+        if any(self.stretches[j].free for j in passing):
+            return False
+        upper, levels = self.moved(i) > 0, {i: self.stretches[i].to, following: self.stretches[following].start}
+        return not any(self.leads_beyond(segments[j].get("via", []), self.stretches[j], levels[j], upper) for j in passing)
 
-        return self.moved(i) * self.moved(following) < 0
+    def rests_between(self, segments, i, following):
+        """Strokes of one direction with the velocity 0 where they join: each keeps to its side of the joint."""
+        joint = segments[i].get("end", {})
+        if (following == 0 and not self.wraps) or \
+                (not self.motion.get("within_lift", True) and not self.motion.get("monotone", False)):
+            return False
+        if self.stretches[i].free or self.stretches[following].free or not self.moved(i) * self.moved(following) > 0:
+            return False
+        velocity = self.derivative_in_unit(joint, "velocity", self.stretches[i].end - self.stretches[i].begin) if joint else None
+        if velocity != 0 or any(key.startswith("acceleration") for key in joint):
+            return False
+        rises = self.moved(i) > 0
+        return not any(self.leads_beyond(segments[j].get("via", []), self.stretches[j], level, upper)
+                       for j, level, upper in ((i, self.stretches[i].to, rises), (following, self.stretches[following].start, not rises)))
+
+    def leads_beyond(self, via, stretch, level, upper):
+        """Whether set points of a stroke lead beyond its upper or its lower end."""
+        sign, width = 1 if upper else -1, stretch.end - stretch.begin
+        for point in via:
+            y, slope = self.in_lifts(point, "displacement"), self.derivative_in_unit(point, "velocity", width) or Fraction(0)
+            if y is None:
+                continue
+            begin, end = (self.place(point, key, stretch.begin, width) for key in ("from", "to"))
+            last = y if begin is None else y + slope * (end - begin)
+            moves = abs(slope) > STATED or any(key.startswith("acceleration") for key in point)
+            if max(sign * y, sign * last) > sign * level + (-STATED if moves else STATED):
+                return True
+        return False
 
     def moved(self, i):
         """By a stroke; of a free one 1 or -1 in the direction of the case, 0: not known."""
@@ -370,9 +407,15 @@ class Problem:
         """The place in the part of the turn that is repeated."""
         end = self.stretches[-1].end
         while self.copies > 1 and (x > end + SAME_PLACE or (side == "right" and x >= end - SAME_PLACE)) and \
-                x < self.copies * end - SAME_PLACE:
+                x <= self.copies * end + SAME_PLACE:
             x -= end
         return x
+
+    def place_of(self, origin):
+        """(x, the side) of a row. Nothing of the motion follows its end: a row there is one of what leads to it."""
+        at = number(origin["at"])
+        at_end = abs(at - self.copies * self.stretches[-1].end) <= SAME_PLACE
+        return at, "left" if at_end else origin.get("side", "right")
 
     # -- breakpoints and set points
 
@@ -473,4 +516,5 @@ class Problem:
             if inner or (abs(x - stretch.begin) <= SAME_PLACE and side == "right") or \
                     (abs(x - stretch.end) <= SAME_PLACE and side == "left"):
                 return stretch
-        return None
+        # The end of the motion has one side: a stretch of the cam angle that ends there is seen from within.
+        return self.stretches[-1] if side == "right" and abs(x - self.stretches[-1].end) <= SAME_PLACE else None

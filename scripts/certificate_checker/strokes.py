@@ -2,7 +2,7 @@
 """What a stroke may pass: motion.within_lift and motion.monotone."""
 from fractions import Fraction
 
-from .exact import STATED
+from .exact import ORDERS, STATED, number
 
 SLOW = STATED  # lifts by x: what passes a place no faster does not leave the range there
 
@@ -51,6 +51,38 @@ def turning_points(problem, stretch, via, begin, width):
         ends = sorted((stroke.start, stroke.to))
         if problem.type != "program" or y < ends[0] - STATED or y > ends[1] + STATED:
             yield at
+
+
+def points_at_limits(problem, stretch, via, begin, width):
+    """[(x, order)]: derivatives that are 0 because the one before them has the value of a limit, or of the edge of a corridor that lies on
+    both sides of the place."""
+    for point in via:
+        at = problem.place(point, "at", begin, width)
+        if at is None or not stretch.begin + STATED < at < stretch.end - STATED:
+            continue
+        slope, bend = (problem.derivative_in_unit(point, name, width) for name in ("velocity", "acceleration"))
+        values = [problem.in_lifts(point, "displacement"), slope, bend]
+        for order in range(2):
+            if values[order] is not None and values[order + 1] is None and \
+                    any(abs(values[order] - edge) <= STATED * max(1, abs(edge)) for edge in edges(problem, stretch, order, at)):
+                yield at, order + 1
+
+
+def edges(problem, stretch, order, at):
+    """What y^(order) is bounded by around a place."""
+    name = ("displacement", *ORDERS)[order]
+    key, unit = problem.derivative_of(problem.limits, name) if order else (None, None)
+    if key is not None:
+        size = stretch.scale(order) if problem.type == "program" and key == name else unit
+        limit = problem.limits[key]
+        yield from (number(limit[side]) * size for side in limit) if isinstance(limit, dict) else (sign * number(limit) * size for sign in (1, -1))
+    for corridor in problem.motion.get("corridor", []):
+        first, last = (problem.place(corridor, end, Fraction(0), Fraction(1)) for end in ("from", "to"))
+        key, unit = problem.derivative_of(corridor, name) if order else problem.lifts_of(corridor, name)
+        if key and (first or 0) < at and (last is None or at < last):
+            yield from (number(bound) * unit for bound in corridor[key].values())
+    if order == 1 and problem.motion.get("monotone", False):
+        yield Fraction(0)
 
 
 def slope_beside(problem, neighbour, after):

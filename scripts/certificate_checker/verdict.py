@@ -270,7 +270,8 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
         if verdict == "optimal":
             raise Refuted("optimal without a bound")
         return missing
-    allowed = problem.gap * (max(Fraction(1), abs(high)) if high > Fraction(1, 16) else 16 * high)
+    may_vanish = any(term.kind == "area" for term in problem.terms)  # and be negative: nothing is relative to it
+    allowed = problem.gap * (max(Fraction(1), abs(high)) if may_vanish or high > Fraction(1, 16) else 16 * high)
     not_convex = "gap" not in problem.solver and not result["solver"]["convex"]
     allowed_gap = allowed * (NOT_CONVEX if not_convex else 1)
     rest = Fraction(0)  # what multipliers leave, bounded by less than the file knows

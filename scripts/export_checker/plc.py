@@ -14,7 +14,7 @@ from certificate_checker.verdict import delivered_problem
 
 from .outcome import Outcome
 from .plc_tables import READERS, STRAIGHT, TEXT_READERS
-from .plc_turn import SAME_JOINT, Departure, whole_turn
+from .plc_turn import SAME_JOINT, Departure, phase_of, whole_turn
 
 QUANTITIES = "svaj"
 ROUNDING = Fraction(1, 10**12)  # of a claim: its own last digit
@@ -53,7 +53,7 @@ def verify(text, claims, scene, second=False):
     problem = problem_of(scene, design)
     lift, per_x = scales_of(problem)
     pieces = pieces_of(text, claims, second)
-    departure = Departure(whole_turn(design["motion"], problem.type, per_x, lift), pieces)
+    departure = Departure(whole_turn(design["motion"], problem, per_x, lift), pieces)
     orders = 2 if claims["format"] in STRAIGHT else 4
     for order, (quantity, row) in enumerate(zip(QUANTITIES, claims["loss"])):
         if order >= orders:
@@ -61,7 +61,7 @@ def verify(text, claims, scene, second=False):
         if row["quantity"] != quantity or row["per_degree"] is None:
             raise Refuted(f"no departure of {quantity} is claimed")
         judge(outcome, quantity, departure, order, number(row["per_degree"]))
-    judge_limits(outcome, problem, design, pieces, per_x, lift, orders)
+    judge_limits(outcome, problem, design, by_own_angle(pieces, phase_of(problem)), per_x, lift, orders)
     return outcome
 
 
@@ -99,6 +99,22 @@ def table_between(pieces, begin, end, per_x, lift, level):
             continue
         own = [part * per_x**k / lift for k, part in enumerate(shifted(list(c), at * per_x - from_deg))]
         yield [own[0] + level, *own[1:]], until - at, at
+
+
+def by_own_angle(pieces, phase):
+    """Of a table over the master: over the motion's own angle, which begins at `phase` of the master."""
+    cut = phase % 360
+    if not cut:
+        return pieces
+    (_, _, first), (begin, end, last) = pieces[0], pieces[-1]
+    travel = shifted(list(last), end - begin)[0] - first[0]
+    early, late = [], []
+    for begin, end, c in pieces:
+        for parts, low, high, by, up in ((early, max(begin, cut), end, -cut, 0), (late, begin, min(end, cut), 360 - cut, travel)):
+            if low < high:
+                moved = shifted(list(c), low - begin)
+                parts.append((low + by, high + by, [moved[0] + up, *moved[1:]]))
+    return early + late
 
 
 def keep_beside_splines(problem, pieces, per_x, lift, slack):

@@ -14,6 +14,7 @@ from certificate_checker.exact import Refuted
 ELEMENT = re.compile(r"\w+(?:\.\w+)*\[(\d+)\]\.(\w+)\s*:=\s*([^;]+);")
 FIELD = re.compile(r"(?<![\w\]])(\w+\.\w+)\s*:=\s*([^;]+);")
 SAME_END = Fraction(1, 10**6)
+SAME_JERK, LAST_DIGITS = Fraction(1, 10**9), Fraction(1, 10**13)  # of the jerk; of the states that it follows from
 # Columns: what one unit of s0, s1, v0·h, v1·h, a0·h², a1·h² gives to c0 … c5 over u = t / h.
 QUINTIC = [[1, 0, 0, -10, 15, -6], [0, 0, 0, 10, -15, 6], [0, 1, 0, -6, 8, -3], [0, 0, 0, -4, 7, -3],
            [0, 0, Fraction(1, 2), Fraction(-3, 2), Fraction(3, 2), Fraction(-1, 2)],
@@ -54,6 +55,16 @@ def quintic(start, end):
     return start[0], end[0], [c / h**k for k, c in enumerate(scaled)]
 
 
+def demand_jerk(text, piece, at_end, place, name):
+    """A jerk that a file states beside states from which the curve follows: that of the piece at its beginning or its end."""
+    begin, end, c = piece
+    h = end - begin
+    c = [*c, *[Fraction(0)] * (6 - len(c))]
+    jerk = 6 * c[3] + (24 * c[4] * h + 60 * c[5] * h**2 if at_end else 0)
+    states = 60 * (abs(c[0]) + max(abs(own) * h**k for k, own in enumerate(c))) / h**3
+    demand(abs(lreal(text) - jerk) <= SAME_JERK * abs(jerk) + LAST_DIGITS * states, place, f"{name} is {text}, the curve has {float(jerk)}")
+
+
 def lines(points):
     for a, b in zip(points, points[1:]):
         demand(b[0] > a[0], f"master {float(a[0])}", f"is followed by {float(b[0])}")
@@ -81,11 +92,17 @@ def twincat(text, _):
     demand(sorted(elements) == list(range(1, count + 1)), "Cam.NoOfRows", f"{count} of {len(elements)} points")
     for index, element in elements.items():
         following = 0 if index == count else 1
-        for name, value in (("PointIndex", str(index)), ("FunctionType", "MOTIONFUNCTYPE_POLYNOM5_MM"), ("RelIndexNextPoint", str(following))):
+        for name, value in (("PointIndex", str(index)), ("FunctionType", "MOTIONFUNCTYPE_POLYNOM5_MM"),
+                            ("PointType", "MOTIONPOINTTYPE_MOTION"), ("RelIndexNextPoint", str(following))):
             demand(element[name] == value, f"point {index}", f"{name} is {element[name]}, not {value}")
+    for name, value in (("Cam.TableType", "MC_TABLETYPE_MOTIONFUNCTION"), ("Cam.NoOfColumns", "1")):
+        demand(fields[name] == value, name, f"{fields[name]}, not {value}")
     names = ("MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc")
     knots = [[lreal(elements[i + 1][name]) for name in names] for i in range(count)]
-    return [quintic(a, b) for a, b in zip(knots, knots[1:])]
+    pieces = [quintic(a, b) for a, b in zip(knots, knots[1:])]
+    for index, piece in enumerate([*pieces, pieces[-1]], 1):
+        demand_jerk(elements[index]["SlaveJerk"], piece, index == count, f"point {index}", "SlaveJerk")
+    return pieces
 
 
 def siemens(text, _):
@@ -102,6 +119,8 @@ def siemens(text, _):
             demand(int(one["camProfileType"]) == 5, f"element {index}", f"camProfileType {one['camProfileType']}")
             demand(start[1] != end[1], f"element {index}", "ends where it begins, which the block refuses")
             pieces.append(quintic(start, end))
+        for name, at_end in (("geoJerkStart", False), ("geoJerkEnd", True)):
+            demand_jerk(one[name], pieces[-1], at_end, f"element {index}", name)
     return pieces
 
 

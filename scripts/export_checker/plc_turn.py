@@ -11,6 +11,7 @@ from fractions import Fraction
 from certificate_checker.enclosures import ends_of
 from certificate_checker.exact import Refuted, Unverified, combination, derivative, largest_magnitude, middle_of, number, shifted
 from certificate_checker.laws import along, constant, harmonic, polynomials_of
+from certificate_checker.units import RADIAN, angle_of
 
 SAME_JOINT = Fraction(1, 10**9)  # deg: what rounding makes of one joint
 NOTHING = (Fraction(0),) * 4
@@ -107,15 +108,42 @@ def part_stretches(part, curves, per_x, lift):
     return sorted(found, key=lambda own: own.begin)
 
 
-def whole_turn(motion, motion_type, per_x, lift):
-    """The stretches of the delivered motion over 360 degrees; where it ends earlier the slave rests."""
+def phase_of(problem):
+    """Degrees of the master, where the motion begins."""
+    value, unit = angle_of(problem.motion, "phase") or (Fraction(0), "deg")
+    return value if unit == "deg" else value * RADIAN
+
+
+def by_master(stretches, phase):
+    """The same over the master, which is at `phase` (deg) where the motion begins: from its angle 0 on. What lies before the beginning of
+    a motion that advances counts from the same displacement."""
+    cut = -phase % 360  # the motion's own angle there
+    if cut < SAME_JOINT or cut > 360 - SAME_JOINT:
+        return stretches
+
+    def value(stretch, begin, end, at):
+        return sum(c * at**k for k, c in enumerate(stretch.about(begin, end)[0]))
+
+    first, last = stretches[0], stretches[-1]
+    travel = value(last, last.begin, last.end, last.end - last.begin) - value(first, first.begin, first.end, Fraction(0))
+    early, late = [], []
+    for own in stretches:
+        for parts, begin, end, by, down in ((early, max(own.begin, cut), own.end, -cut, travel),
+                                            (late, own.begin, min(own.end, cut), 360 - cut, Fraction(0))):
+            if begin < end:
+                parts.append(Stretch(begin + by, end + by, own.origin + by, own.scale, own.base - down, own.size, own.shape, own.at))
+    return early + late
+
+
+def whole_turn(motion, problem, per_x, lift):
+    """The stretches of the delivered motion over 360 degrees of the master; where it ends earlier the slave rests."""
     stretches = [own for part in motion["parts"] for own in part_stretches(part, motion["curves"], per_x, lift)]
     end = stretches[-1].end
     if end < 360 - SAME_JOINT:
         coefficients, _ = stretches[-1].about(end - SAME_JOINT, end)
-        level = Fraction(0) if motion_type == "RR" else sum(c * SAME_JOINT**k for k, c in enumerate(coefficients))
+        level = Fraction(0) if problem.type == "RR" else sum(c * SAME_JOINT**k for k, c in enumerate(coefficients))
         stretches.append(Stretch(end, Fraction(360), Fraction(0), Fraction(1), level, Fraction(0), [Fraction(0)], Fraction(0)))
-    return stretches
+    return by_master(stretches, phase_of(problem))
 
 
 def common(stretches, pieces, last):

@@ -63,7 +63,7 @@ def verify(text, claims, scene):
     if "theta_deg" not in table:
         raise Unverified("a table without theta_deg")
     lift, per_x = scales_of(problem)
-    stretches = whole_turn(design["motion"], problem.type, per_x, lift)
+    stretches = whole_turn(design["motion"], problem, per_x, lift)
     end = number(design["motion"]["parts"][-1]["end"]) * per_x
     angles = angles_of(table, Fraction(360) if problem.type == "RR" or abs(end - 360) < SAME_JOINT else end)
     outcome.unverified += [key for key in table if key != "theta_deg" and key not in claims["departure"]]

@@ -47,10 +47,11 @@ void ActiveSetStep::guess(const VectorXd& multipliers) {
     for (int j = 0; j < variables_; ++j) {
         const bool at_lower = model_.step_lower[j] >= -bound_slack,
                    at_upper = model_.step_upper[j] <= bound_slack;
+        const int index = rows_ + j;
         if ((at_lower && rest[j] > least) || (at_lower && at_upper))
-            side_[static_cast<std::size_t>(rows_ + j)] = Side::lower;
+            side_[static_cast<std::size_t>(index)] = Side::lower;
         else if (at_upper && rest[j] < -least)
-            side_[static_cast<std::size_t>(rows_ + j)] = Side::upper;
+            side_[static_cast<std::size_t>(index)] = Side::upper;
     }
 }
 
@@ -72,12 +73,13 @@ bool ActiveSetStep::solve_equalities() {
         add_held(i, side, side == Side::none ? 0.0 : (bound - model_.rows[i]) / length_[i]);
     }
     for (int j = 0; j < variables_; ++j) {
-        const Side side = side_[static_cast<std::size_t>(rows_ + j)];
-        add_held(rows_ + j, side, side == Side::lower ? model_.step_lower[j] : model_.step_upper[j]);
+        const int index = rows_ + j;
+        const Side side = side_[static_cast<std::size_t>(index)];
+        add_held(index, side, side == Side::lower ? model_.step_lower[j] : model_.step_upper[j]);
     }
     const auto held = static_cast<int>(held_.size()), size = variables_ + held;
     Triplets entries;
-    entries.reserve(static_cast<std::size_t>(model_.curvature.nonZeros() + size + 8 * held));
+    entries.reserve(static_cast<std::size_t>(model_.curvature.nonZeros() + size + Index{8} * held));
     for (int i = 0; i < size; ++i) entries.emplace_back(i, i, 0.0);
     for (Index j = 0; j < model_.curvature.outerSize(); ++j)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(model_.curvature, j); entry; ++entry)

@@ -133,9 +133,8 @@ ForceSummary force_summary(const DrivenMechanism& cam, const CamTurn& turn, cons
                            CamSummary& of) {
     const std::optional<double>& no_contact = of.no_contact;
     const ForceSpec& forces = forced.forces;
-    const double speed = forced.speed;
     const auto force = [&](const CamPlace& place) {
-        return forces.force(speed, place.state, place.point.theta);
+        return forces.force(forced.speed, place.state, place.point.theta);
     };
     const auto normal = [&](const CamPlace& place) { return normal_force(cam, place.state, force(place)); };
     ForceSummary summary;
@@ -221,8 +220,18 @@ void add_follower_figures(CamSummary& summary, const DrivenMechanism& cam, const
         if (!(turning.value > 0.0)) set_turning_back(summary, turning);
     }
     summary.no_contact = place_without_contact(cam, turn, summary);
-    if (scene.forces && scene.motion.speed)
-        summary.forces = force_summary(cam, turn, {*scene.forces, *scene.motion.speed}, summary);
+    if (!scene.forces || !scene.motion.speed) return;
+    const CamSummary without_loads = summary;
+    for (const LoadSpeed& speed : scene.load_speeds()) {
+        if (!speed.is_speed) continue;
+        if (!summary.forces) {
+            summary.forces = force_summary(cam, turn, {*scene.forces, speed.speed}, summary);
+            continue;
+        }
+        CamSummary other = without_loads;
+        other.forces = force_summary(cam, turn, {*scene.forces, speed.speed}, other);
+        summary.other_loads.push_back({speed.words, std::move(*other.forces)});
+    }
 }
 
 /// Radii of the cam follow from the pitch curve's: the curvature is smooth where a radius is not.
@@ -337,6 +346,12 @@ void add_limited(CamSummary& summary, const LimitSpec& limits) {
         at(all, contact_force) = forces->least_force;
         at(all, torque) = forces->torque;
         at(all, hertz_pressure) = forces->hertz_pressure;
+        for (const auto& [speed, other] : summary.other_loads) {
+            if (other.least_force.value < at(all, contact_force)->value)
+                at(all, contact_force) = other.least_force;
+            at(all, torque) = larger(at(all, torque), other.torque);
+            at(all, hertz_pressure) = larger(at(all, hertz_pressure), other.hertz_pressure);
+        }
     }
     for (SideSummary& side : summary.sides) add_limited(side);
 }

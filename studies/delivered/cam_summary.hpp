@@ -53,8 +53,10 @@ struct CamSummary {
     /// turns back, a contact below the cam's centre. None where it can everywhere.
     std::optional<double> no_contact;
     std::optional<ForceSummary> forces;  ///< of a direct cam where the scene has forces and a speed
-    std::vector<SideSummary> sides;      ///< in the order of the stations; empty: the cam has one side
-    LimitedFigures limited;              ///< what the scene's limits compare with; of a scene's cam
+    /// The same at the other ends of the range of speeds (Scene::load_speeds), with "at 0 rpm".
+    std::vector<std::pair<std::string, ForceSummary>> other_loads;
+    std::vector<SideSummary> sides;  ///< in the order of the stations; empty: the cam has one side
+    LimitedFigures limited;          ///< what the scene's limits compare with; of a scene's cam
 
     [[nodiscard]] bool undercut() const { return !(regularity.value >= 0.0); }
     /// Touched as designed, and pointed: what a limit of 0 on the radius or on the margin allows.

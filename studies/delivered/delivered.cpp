@@ -70,7 +70,7 @@ std::string open_because(const Solution& solution) {
     return "";
 }
 
-std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks) {
+std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks, double also) {
     const double begin = motion.begin(), end = motion.end();
     const double near = same_angle * (end - begin);
     const std::vector<double> breakpoints = motion.breakpoints();
@@ -82,6 +82,7 @@ std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks) {
     };
     for (const Extremum* peak : {&peaks.velocity, &peaks.acceleration, &peaks.jerk, &peaks.torque})
         add(peak->at);
+    add(also);
     for (int i = 0; i <= uniform_steps; ++i) add(begin + (end - begin) * i / uniform_steps);
     std::vector<MotionRow> rows;
     for (const double x : angles) {
@@ -116,7 +117,8 @@ Delivered sample_delivered(const Solution& solution) {
     const auto add = [&all](const Motion& motion, const MotionRow& row, bool closing) {
         all.rows.push_back({row.x, row.side, motion.at(row.x, row.side), closing, {}, {}});
     };
-    for (const MotionRow& row : motion_rows(*solution.motion, solution.motion_peaks))
+    for (const MotionRow& row :
+         motion_rows(*solution.motion, solution.motion_peaks, solution.scene.motion.own_place(0.0)))
         add(*solution.motion, row, false);
     if (solution.drive) {
         const DriveAlong along(solution.scene);

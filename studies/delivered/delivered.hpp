@@ -35,8 +35,8 @@ struct MotionRow {
 };
 
 /// Rows of motion.csv: every degree of 360 over the motion, its breakpoints and the places of its peaks;
-/// twice where the jerk jumps, from the left and then from the right. Ascending.
-[[nodiscard]] std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks);
+/// twice where the jerk jumps, from the left and then from the right; and one at x = also. Ascending.
+[[nodiscard]] std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks, double also = 0.0);
 
 /// The points of a cam along its motion. A point is evaluated where it is asked for first and remembered, so
 /// that tables, drawings and programs made from one cam share them. One thread at a time.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered_audit.hpp"
 
+#include "objectives/motion_bounds.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
@@ -145,6 +146,18 @@ std::optional<Fault> limit_between_fault(const Solution& solution) {
     return {};
 }
 
+/// A mean displacement near the end of what is searched.
+std::optional<Fault> unbounded_fault(const Solution& solution) {
+    constexpr double nearly = 0.5;
+    if (!(solution.scene.objective.area > 0.0)) return {};
+    if (!(lost_area(*solution.motion) < 1.0 - nearly * farthest_displacement)) return {};
+    return Fault{
+        Reason::unbounded,
+        "the objective has no least value: the more a motion leaves the lift, the less area is lost, "
+        "and the other terms cost less than that gains; motion.within_lift = true, a limit or larger "
+        "weights of the other terms bound it"};
+}
+
 std::optional<Fault> objective_fault(double believed, double found) {
     if (std::abs(believed - found) <= objective_rounding * std::max(1.0, std::abs(found))) return {};
     return Fault{
@@ -259,9 +272,9 @@ JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
     return worst;
 }
 
-void drop_idle_bound(Certificate& certificate) {
+void drop_idle_bound(Certificate& certificate, const ObjectiveSpec& objective) {
     if (certificate.verdict == Verdict::optimal) return;
-    if (!certificate.lower_bound || *certificate.lower_bound >= 0.0) return;
+    if (!certificate.lower_bound || *certificate.lower_bound >= least_objective(objective)) return;
     forget_proof(certificate);
 }
 
@@ -276,7 +289,8 @@ void audit_delivered(Solution& solution) {
     if (certificate.lower_bound && certificate.gap)
         certificate.gap =
             std::max(*certificate.gap, relative_gap(certificate.objective, *certificate.lower_bound));
-    std::optional<Fault> fault = joint_fault(solution);
+    std::optional<Fault> fault = unbounded_fault(solution);
+    if (!fault) fault = joint_fault(solution);
     for (const SplineCurve* curve : curves_of(solution))
         if (!fault) fault = coefficient_fault(*curve, solution.motion_peaks);
     if (!fault) fault = condition_fault(solution);
@@ -288,7 +302,7 @@ void audit_delivered(Solution& solution) {
         tell_of_enclosures(solution);
         judge_gap(certificate, solution.scene.solver.wanted_gap(solution.solver.convex));
         drop_passed_bound(certificate, solution.scene.solver.tolerance);
-        drop_idle_bound(certificate);
+        drop_idle_bound(certificate, solution.scene.objective);
         return tell_of_rounding(solution);
     }
     fail(certificate, fault->reason);

@@ -48,9 +48,9 @@ struct JointJump {
 /// The worst jump of a derivative up to min(continuity, 3) at an interior breakpoint.
 [[nodiscard]] JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion = {});
 
-/// A cost is never negative: a bound below that says nothing, and goes with its proof; but for one that an
-/// optimum rests on.
-void drop_idle_bound(Certificate& certificate);
+/// A cost without a lost area is never negative: a bound below that says nothing, and goes with its proof;
+/// but for one that an optimum rests on.
+void drop_idle_bound(Certificate& certificate, const ObjectiveSpec& objective);
 
 /// Sets the objective (and with it the gap) to that of the delivered curve. The verdict becomes `failed`
 /// where the audit finds a fault: "breakpoints_too_close", "coefficients_too_coarse",

@@ -22,6 +22,7 @@ struct ConstraintReport {
     bool verified = false;
     bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
     std::string side = {};    ///< where it is worst: "outer flank"; empty: the cam has one side
+    std::string speed = {};   ///< at which it is worst: "at 0 rpm"; empty: that of the scene
     double scale = 0.0;       ///< of the quantity, in the unit; 0: known from the limit and its row
 };
 
@@ -284,11 +285,16 @@ struct Solution {
     /// The motions of the scene, until the solution is audited (family_of()).
     std::shared_ptr<const MotionFamily> family;
     std::vector<std::string> notes;  ///< redundant conditions by name, and other things worth a line
+    /// Of an axis of a machine: its phase and the clearances that shape it, in words; empty: a motion alone.
+    std::string machine = {};
 
     /// The delivered motion over the whole turn, x from 0 to 2π / unit angle: what it leaves of the turn
     /// rests where it ends; of a motion whose ends move the motion itself. Throws InputError where there is
     /// no motion.
     [[nodiscard]] MotionChain whole_turn() const;
+    /// whole_turn() from master angle 0 on: the motion begins at motion.phase. What a motion that advances
+    /// has before its beginning counts from the same displacement, so that the turn is continuous.
+    [[nodiscard]] MotionChain master_turn() const;
 };
 
 /// Of the delivered cam, m or rad; none: there is no cam, or it has no such dimension.

@@ -10,6 +10,8 @@
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/laws/law_motion.hpp"
 
+#include <fmt/format.h>
+
 namespace camopt {
 
 namespace {
@@ -148,7 +150,8 @@ ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst
             worst.value / limit.unit_value, limit.unit, worst.at};
 }
 
-/// The side that reaches the extreme of the whole cam; empty where the limit is not of one side, or both do.
+/// The side that reaches the extreme of the whole cam; empty
+/// where the limit is not of one side, or both do.
 std::string side_of(std::size_t figure, const CamExtreme& worst, const CamSummary& summary) {
     std::string name;
     for (const SideSummary& side : summary.sides) {
@@ -158,6 +161,16 @@ std::string side_of(std::size_t figure, const CamExtreme& worst, const CamSummar
         name = side.name;
     }
     return name;
+}
+
+/// The speed, other than that of the scene, at which a load is worst.
+std::string speed_of(const LimitRow& limit, const CamExtreme& worst, const CamSummary& summary) {
+    if (!limit.needs_forces) return {};
+    for (const auto& [speed, loads] : summary.other_loads)
+        for (const std::optional<CamExtreme>& own :
+             {std::optional(loads.least_force), std::optional(loads.torque), loads.hertz_pressure})
+            if (own && own->value == worst.value) return speed;
+    return {};
 }
 
 /// The limits that need forces, or those that do not.
@@ -171,6 +184,7 @@ void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, con
         if (!worst) continue;
         all.push_back(limit_report(*limit, *worst));
         all.back().side = side_of(figure, *worst, summary);
+        all.back().speed = speed_of(row, *worst, summary);
         if (row.needs_contact && summary.no_contact) all.back().worst = infinity;
         all.back().no_contact = summary.no_contact && std::isinf(all.back().worst) && !row.may_be_infinite;
     }
@@ -180,14 +194,14 @@ void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, con
 
 SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double shift) {
     const SplineSpace& space = run.space();
-    const int first = space.segment_of(begin + shift, Side::right);
-    const int last = space.segment_of(end + shift, Side::left);
+    // The nearest ones: there and back by the shift rounds.
+    const int first = space.breakpoint_at(begin + shift), last = space.breakpoint_at(end + shift);
     std::vector<double> breakpoints;
-    for (int i = first; i <= last + 1; ++i) breakpoints.push_back(space.breakpoints()[i] - shift);
-    breakpoints.front() = begin;  // there and back by the shift is not exact
+    for (int i = first; i <= last; ++i) breakpoints.push_back(space.breakpoints()[i] - shift);
+    breakpoints.front() = begin;
     breakpoints.back() = end;
     return {SplineSpace(run.degree(), run.continuity(), std::move(breakpoints)),
-            run.pieces().middleCols(first, last - first + 1)};
+            run.pieces().middleCols(first, last - first)};
 }
 
 void report_delivered(Solution& solution, MotionAndCam delivered) {
@@ -263,6 +277,41 @@ MotionChain Solution::whole_turn() const {
     std::vector<ChainPart> parts = motion->parts();
     parts.push_back({motion->end(), turn, nullptr, 0.0, 1.0, end, 1.0});
     return MotionChain(std::move(parts));
+}
+
+void note_phase(Solution& solution) {
+    const double phase = solution.scene.motion.phase;
+    if (phase == 0.0 || !solution.motion) return;
+    solution.notes.push_back(
+        fmt::format("angles of reports, motion tables and controller tables are the master's: the motion "
+                    "begins at {:.9g} deg "
+                    "(the cam's own angle there is 0)",
+                    phase / units::degree));
+}
+
+MotionChain Solution::master_turn() const {
+    MotionChain turn = whole_turn();
+    const double at_zero = scene.motion.own_place(0.0);
+    if (at_zero <= turn.begin()) return turn;
+    const double travel = turn.at(turn.end(), Side::left).derivative[0] - turn.at(turn.begin()).derivative[0];
+    const auto moved = [](ChainPart part, double by, double down) {
+        part.begin += by;
+        part.end += by;
+        part.x0 += by;
+        part.y0 -= down;
+        return part;
+    };
+    std::vector<ChainPart> first, second;
+    for (const ChainPart& part : turn.parts()) {
+        ChainPart before = part, after = part;
+        before.end = std::min(part.end, at_zero);
+        after.begin = std::max(part.begin, at_zero);
+        if (after.begin < after.end) first.push_back(moved(after, -at_zero, travel));
+        if (before.begin < before.end) second.push_back(moved(before, turn.end() - at_zero, 0.0));
+    }
+    if (!first.empty() && !second.empty()) second.front().begin = first.back().end;
+    first.insert(first.end(), second.begin(), second.end());
+    return MotionChain(std::move(first));
 }
 
 CamReport cam_report(const Scene& scene, std::vector<double> dimensions, const Motion& motion) {

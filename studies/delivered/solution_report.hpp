@@ -26,6 +26,9 @@ void report_delivered(Solution& solution, MotionAndCam delivered);
 /// The part of a spline over [begin, end] of x, where the spline's own x is x + shift; both at breakpoints.
 [[nodiscard]] SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double shift);
 
+/// Says that angles are the master's, where the motion has a phase.
+void note_phase(Solution& solution);
+
 /// Which limits fight and where, from the rows of the proof of infeasibility.
 void report_conflict(Solution& solution);
 

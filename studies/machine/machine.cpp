@@ -14,7 +14,7 @@ namespace {
 
 // Of trials: the sign of the least common violation is proved, its value only steers the search.
 constexpr double trial_tolerance = 1e-6;
-constexpr int most_trials = 60;
+constexpr int most_trials = 60, few_trials = 4;
 // Of the steepness by log ω: of a limit on acceleration, and less than that of any limit in time.
 constexpr double usual_slope = 2.0, least_slope = 0.2;
 
@@ -194,12 +194,23 @@ class MachineSearch {
         Trial most = trial(machine().most_speed);
         if (most.feasible() && !result_.scanned) return Bracket{std::move(most), {}};
         if (result_.scanned) return scanned_bracket(std::move(most));
+        std::optional<Trial> least = slowest();
+        if (!least) return {};
+        return Bracket{std::move(*least), std::move(most)};
+    }
+
+    /// Motions at the least speed or, where that is not decided, at one a little above it: then they exist at
+    /// every lower one. Nullopt: there are none, which is reported.
+    std::optional<Trial> slowest() {
         Trial least = trial(machine().least_speed);
-        if (!least.feasible()) {
-            least.proof ? report_infeasible(least) : report_undecided(least);
-            return {};
+        double speed = machine().least_speed;
+        for (int k = 0; k < few_trials && !least.settled() && !control_.ending(); ++k) {
+            speed = std::pow(speed, 0.75) * std::pow(machine().most_speed, 0.25);
+            if (Trial next = trial(speed); next.feasible()) least = std::move(next);
         }
-        return Bracket{std::move(least), std::move(most)};
+        if (least.feasible()) return least;
+        least.proof ? report_infeasible(least) : report_undecided(least);
+        return {};
     }
 
     /// The largest feasible one of speeds over the whole range, and the next above it.
@@ -220,24 +231,47 @@ class MachineSearch {
         return {};
     }
 
-    /// Narrows the bracket to the gap.
+    /// Narrows the bracket to the gap. Around a speed that is not decided the speeds below and above it are
+    /// tried: what remains is said by note_undecided.
     void narrow(Bracket& bracket) {
         bool low_is_new = false, slow = false;
+        std::optional<std::array<double, 2>> open;  // the lowest and the highest speed without a decision
         const auto width = [&] { return std::log(bracket.high->speed / bracket.low.speed); };
         const double gap = std::log1p(options_.speed_gap);
         for (int k = 0; k < most_trials && width() > gap * (1.0 + 1e-9) && !control_.ending(); ++k) {
             const double before = width();
-            const double speed = next_speed(bracket.low, *bracket.high, low_is_new, slow);
+            double speed = 0.0;
+            if (open) {
+                const double below = (*open)[0] / bracket.low.speed, above = bracket.high->speed / (*open)[1];
+                if (std::log(std::max(below, above)) <= gap) break;
+                speed = rounded(below >= above ? std::sqrt(bracket.low.speed * (*open)[0])
+                                               : std::sqrt((*open)[1] * bracket.high->speed));
+            } else {
+                speed = next_speed(bracket.low, *bracket.high, low_is_new, slow);
+            }
             Trial next = trial(speed);
-            if (!next.settled()) {  // its neighbours may be decided
-                next = trial(std::sqrt(bracket.low.speed * speed));
-                if (!next.settled()) return;
+            if (!next.settled() && bracket.high->proof) {
+                if (!open) open = {speed, speed};
+                (*open)[speed > (*open)[0] ? 1 : 0] = speed;
+                continue;
             }
             low_is_new = next.feasible();
+            if (open && (low_is_new ? speed >= (*open)[1] : speed <= (*open)[0])) open.reset();
             (low_is_new ? bracket.low : *bracket.high) = std::move(next);
             // Two estimates that fall short: the middle needs no model of the violation.
             slow = width() > 0.5 * before && (low_is_new || !slow) && width() > 4.0 * gap;
         }
+    }
+
+    /// The speeds of which neither motions nor their impossibility are known.
+    void note_undecided(const Bracket& bracket) {
+        const double known = bracket.high->proof ? bracket.high->speed : machine().most_speed;
+        if (bracket.high->proof && known <= bracket.low.speed * (1.0 + options_.speed_gap) * (1.0 + 1e-9))
+            return;
+        result_.notes.push_back(fmt::format(
+            "between {:.6g} and {:.6g} rpm neither motions nor a proof of impossibility were found{}",
+            rpm(bracket.low.speed), rpm(known),
+            control_.ending() ? fmt::format(": {}", name_of(reason_of(*control_.ending()))) : ""));
     }
 
     void search_speed() {
@@ -256,17 +290,15 @@ class MachineSearch {
                 continue;
             }
             bracket->high = std::move(again);
-            Trial least = trial(machine().least_speed);
-            if (!least.feasible()) {
-                least.proof ? report_infeasible(least) : report_undecided(least);
-                return;
-            }
-            bracket->low = std::move(least);
+            std::optional<Trial> least = slowest();
+            if (!least) return;
+            bracket->low = std::move(*least);
         }
         if (!bracket) return;
         result_.reached_most = !bracket->high;
         if (bracket->high) {
             if (bracket->high->proof) take_proof(*bracket->high);
+            if (!result_.scanned) note_undecided(*bracket);
             if (options_.explain && !control_.ending())
                 ask_what_is_needed(machine(),
                                    scenes_at(machine(), result_.speed * (1.0 + options_.more_speed)), memory_,
@@ -367,6 +399,26 @@ class MachineSearch {
             worst.value *= -posed.problem->clearance_scale(k);
             result_.clearances.push_back(worst);
         }
+        for (std::size_t b = 0; b < result_.axes.size(); ++b)
+            result_.axes[b].machine = words_of_axis(static_cast<int>(b), *posed.problem);
+    }
+
+    /// Solution::machine.
+    [[nodiscard]] std::string words_of_axis(int axis, const MachineProblem& problem) const {
+        constexpr double active = 1e-6;  // of the clearance's scale
+        std::string text = fmt::format("it begins at {:.6g} deg of the master",
+                                       machine().axes[static_cast<std::size_t>(axis)].phase / units::degree);
+        for (std::size_t k = 0; k < result_.clearances.size(); ++k) {
+            const Clearance& given = machine().clearances[k];
+            const auto own = std::ranges::find(given.axes, axis) - given.axes.begin();
+            if (own == std::ssize(given.axes) || given.factors[static_cast<std::size_t>(own)] == 0.0)
+                continue;
+            if (result_.clearances[k].value > active * problem.clearance_scale(static_cast<int>(k))) continue;
+            text += fmt::format("; {} shapes it, active at {:.6g} deg of the master",
+                                given.key.empty() ? name_of_clearance(static_cast<int>(k)) : given.key,
+                                result_.clearances[k].at / units::degree);
+        }
+        return text;
     }
 
     const MachineOptions& options_;

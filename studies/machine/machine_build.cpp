@@ -52,9 +52,20 @@ std::vector<ClearanceRule> clearance_rules(const MachineSpec& machine, const Mac
     rules.reserve(machine.clearances.size());
     for (std::size_t k = 0; k < machine.clearances.size(); ++k) {
         const Clearance& given = machine.clearances[k];
-        rules.push_back({name_of_clearance(static_cast<int>(k)), given.axes, given.factors, given.at_least,
-                         given.from, given.to, scale_of(machine, given),
-                         k < memory.clearances.size() ? memory.clearances[k] : std::vector<double>{}});
+        ClearanceRule rule{name_of_clearance(static_cast<int>(k)),
+                           {},
+                           {},
+                           given.at_least,
+                           given.from,
+                           given.to,
+                           scale_of(machine, given)};
+        if (k < memory.clearances.size()) rule.samples = memory.clearances[k];
+        for (std::size_t i = 0; i < given.axes.size(); ++i) {
+            if (given.factors[i] == 0.0) continue;
+            rule.axes.push_back(given.axes[i]);
+            rule.factors.push_back(given.factors[i]);
+        }
+        rules.push_back(std::move(rule));
     }
     return rules;
 }
@@ -107,8 +118,11 @@ PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>&
         refuse_general(posed.model, b);
         made.plans.push_back(std::make_shared<const SolvePlan>(plan_of(posed)));
         const MotionSpec& motion = scene.motion;
+        double advance = 0.0;
+        for (const ProgramSegment& segment : motion.segments)
+            if (motion.relative) advance = segment.to.value_or(advance);
         blocks.push_back({{machine.axes[b].name, machine.axes[b].phase, motion.unit_angle(), motion.lift,
-                           posed.scale.factor()},
+                           posed.scale.factor(), advance},
                           std::move(posed.model),
                           b < memory.axes.size() ? memory.axes[b] : std::vector<RuleSample>{}});
     }
@@ -127,8 +141,10 @@ Scene at_speed(const Scene& scene, double speed) {
 std::vector<Scene> scenes_at(const MachineSpec& machine, double speed) {
     std::vector<Scene> scenes;
     scenes.reserve(machine.axes.size());
-    for (const AxisSpec& axis : machine.axes)
+    for (const AxisSpec& axis : machine.axes) {
         scenes.push_back(with_written_limits(at_speed(axis.scene, speed)));
+        scenes.back().motion.phase = axis.phase;
+    }
     return scenes;
 }
 
@@ -184,6 +200,7 @@ Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd&
     solution.notes.emplace_back(
         "an axis of a machine: the least total objective of all axes is proved in machine.json, not the "
         "least of this axis alone");
+    note_phase(solution);
     return solution;
 }
 

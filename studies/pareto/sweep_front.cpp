@@ -16,11 +16,10 @@ double criterion_of(const SweepRow& row, std::string_view name) {
     for (int i = 0; i < sweep_figure_count; ++i)
         if (name == name_of(static_cast<SweepFigure>(i)))
             return row.figures[static_cast<std::size_t>(i)].value_or(absent);
-    for (const ResponseTerm& term : response_terms())
-        if (name == term.name && term.needs_dynamics())
-            return (term.figure == ResponseFigure::residual ? row.train.residual
-                                                            : row.train.dynamic_acceleration)
-                .value_or(absent);
+    if (name == "residual") return row.train.residual.value_or(absent);
+    if (name == "dynamic_acceleration") return row.train.dynamic_acceleration.value_or(absent);
+    if (name == "motor_torque") return row.drive.torque.value_or(absent);
+    if (name == "motor_torque_rms") return row.drive.rms_torque.value_or(absent);
     for (int i = 0; i < dimension_count; ++i)
         if (name == name_of(static_cast<DimensionIndex>(i)))
             return std::abs(row.dimensions[static_cast<std::size_t>(i)].value_or(absent));

@@ -33,7 +33,7 @@ using Angles = std::vector<double>;
 /// What is proved of a box of angles.
 struct AngleBox {
     Angles least, most;
-    double bound = 0.0;  ///< no cost is negative
+    double bound = 0.0;
     bool infeasible = false;
     std::shared_ptr<const DualityProof> proof = {};  ///< of the bound, or that nothing is feasible
 };
@@ -58,6 +58,7 @@ class AngleSearch {
           plan_(plan),
           control_(control),
           allowed_(std::min(plan.seconds, control.deadline.seconds_left())) {
+        whole_.bound = least_objective(scene.objective);
         for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
             const ProgramSegment& segment = scene.motion.segments[i];
             if (!segment.angle_range) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "scene/cost_table.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/search/settled_scene.hpp"
@@ -41,7 +42,7 @@ std::vector<std::size_t> passed_turning_points(const Scene& scene, const MotionF
 struct Case {
     std::vector<StrokeDirection> directions;
     Solution solution;
-    double bound = 0.0;  ///< no cost is negative
+    double bound = -infinity;
     std::shared_ptr<const DualityProof> proof = {};
     int leaves = -1;  ///< the open stroke that leaves its range most, −1: none does
 
@@ -107,6 +108,7 @@ class DirectionSearch {
             return contradicted(std::move(directions), *whole, apart);
         ++solves_;
         Case part{directions, solve_with_strokes(scene_, {true, directions}, control_)};
+        part.bound = least_objective(scene_.objective);
         const Certificate& certificate = part.solution.certificate;
         if (whole != nullptr) {
             part.bound = whole->bound;
@@ -207,9 +209,11 @@ class DirectionSearch {
                                                      : Reason::no_feasible_point;
             return solution;
         }
-        certificate.lower_bound = std::min(bound, certificate.objective);
-        certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
-        if (certificate.gap <= scene_.solver.wanted_gap()) {
+        if (std::isfinite(bound)) {
+            certificate.lower_bound = std::min(bound, certificate.objective);
+            certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
+        }
+        if (certificate.gap && *certificate.gap <= scene_.solver.wanted_gap()) {
             certificate.verdict = Verdict::optimal;
             certificate.reason = Reason::none;
         } else if (own.verdict == Verdict::optimal) {

@@ -21,24 +21,55 @@ namespace {
 constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
 // Where limits are steep a violation within the tolerance costs more than the gap: a finer search closes it.
 constexpr double finer = 1e-2, nearly_proved = 1e-4;
+// Where segments differ by two orders of magnitude the default shift hides rows, and errors fall late.
+constexpr double fine_shift = 1e-11;
+constexpr long long long_patience = 60;
+constexpr double share_of_first = 0.5;  // of the time, before the next backend begins
 
 bool is_proved(const ContinuousResult& result) {
     return result.certificate.verdict == Verdict::optimal ||
            result.certificate.verdict == Verdict::infeasible;
 }
 
-/// Solves again with other options; what proves more counts.
+/// Keeps the better of two results: what proves more, of what does not the motion of the least objective with
+/// the largest bound of either. Whether it is the motion of `other`.
+bool keep_better(ContinuousResult& result, ContinuousResult other, const JudgeOptions& judge) {
+    if (is_proved(result)) return false;
+    const auto is_first = [&](const ContinuousResult& one, const ContinuousResult& two) {
+        if (is_proved(one) || one.x.size() == 0 || two.x.size() == 0)
+            return is_proved(one) || (one.x.size() > 0 && two.x.size() == 0);
+        const double less = two.certificate.objective - one.certificate.objective;
+        const bool equal = std::abs(less) <= judge.gap * std::max(1.0, std::abs(one.certificate.objective));
+        return equal ? one.certificate.verdict < two.certificate.verdict : less > 0.0;
+    };
+    const bool takes = is_first(other, result);
+    if (takes) std::swap(result, other);
+    Certificate& kept = result.certificate;
+    Certificate& left = other.certificate;  // its bound is one for all motions that are no worse than its own
+    if (is_proved(result) || result.x.size() == 0 || !left.proof || left.proof->limits_relaxed_by != 0.0 ||
+        left.lower_bound <= kept.lower_bound ||
+        bound_passes(kept.objective, *left.lower_bound, judge.tolerance) ||
+        !(kept.objective <= left.objective))
+        return takes;
+    kept.lower_bound = left.lower_bound;
+    kept.gap = relative_gap(kept.objective, *left.lower_bound);
+    kept.proof = std::move(left.proof);
+    kept.proof_kind = left.proof_kind;
+    result.proof_source = std::move(other.proof_source);
+    settle_verdict(kept, result.exchange.termination, judge);
+    return takes;
+}
+
+/// Solves again with other options.
 void try_again(const PlannedRun& run, const Solver& solver, const ExchangeOptions& exchange,
                const JudgeOptions& judge, CamProblem& problem, ContinuousResult& result) {
     if (is_proved(result) || run.control.ending()) return;
-    ContinuousResult again = solve_continuous(problem, solver, exchange, judge, run.control);
-    if (again.certificate.verdict < result.certificate.verdict) result = std::move(again);
+    keep_better(result, solve_continuous(problem, solver, exchange, judge, run.control), judge);
 }
 
-/// Problems whose numbers are hard: another backend tries from the same grid. It counts if it proves more.
+/// Problems whose numbers are hard: another backend tries from the same grid.
 void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProblem& problem,
                      ContinuousResult& result, Solution& solution) {
-    const Verdict verdict = result.certificate.verdict;
     if (run.plan.next_solver.empty() || is_proved(result) || run.control.ending()) return;
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.backend.native.clear();  // they belong to the first backend
@@ -48,9 +79,24 @@ void try_next_solver(const PlannedRun& run, const JudgeOptions& judge, CamProble
         solve_continuous(problem, *make_solver(run.plan.next_solver), exchange, judge, run.control);
     solution.notes.push_back(fmt::format("{} ended without a proof ({}); {} was tried next", run.plan.solver,
                                          name_of(result.certificate.reason), run.plan.next_solver));
-    if (other.certificate.verdict >= verdict) return;
-    result = std::move(other);
-    solution.solver.name = run.plan.next_solver;
+    if (keep_better(result, std::move(other), judge)) solution.solver.name = run.plan.next_solver;
+}
+
+/// With finer and more patient steps, then with exact ones, from the same grid. Each ends at the first
+/// failure, and where another backend follows all together take half of the time.
+void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exchange,
+                const JudgeOptions& judge, CamProblem& problem, ContinuousResult& result) {
+    const double share = run.plan.next_solver.empty() ? 1.0 : share_of_first;
+    const SolveControl timed = run.control.sooner(share * run.control.deadline.seconds_left());
+    const PlannedRun part{run.posed, run.plan, timed, run.known};
+    const ExchangeOptions given = exchange;
+    exchange.backend.native.emplace("regularisation", fine_shift);
+    exchange.backend.native.emplace("patience", long_patience);
+    try_again(part, solver, exchange, judge, problem, result);
+    if (result.certificate.gap.value_or(infinity) <= nearly_proved) return;
+    exchange = given;
+    exchange.backend.exact_steps = true;
+    try_again(part, solver, exchange, judge, problem, result);
 }
 
 void timed_break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result,
@@ -65,13 +111,19 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
     const JudgeOptions judge{solution.scene.solver.tolerance, solution.scene.solver.wanted_gap()};
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.staged = run.known.is_cold();
+    const bool structured = run.plan.solver == "structured";
+    // A round that fails is followed by others that fail: other steps are tried at once.
+    if (structured)
+        exchange.enough = [](const ExchangeResult& found) {
+            return found.last.termination == Termination::numerical_failure;
+        };
     ContinuousResult result = solve_continuous(problem, solver, exchange, judge, run.control);
-    const auto nearly = [&] { return result.certificate.gap.value_or(infinity) <= nearly_proved; };
-    // Where rows are nearly dependent, inexact steps end far off. From the same grid again.
-    if (run.plan.solver == "structured" && !nearly()) {
-        exchange.backend.exact_steps = true;
-        try_again(run, solver, exchange, judge, problem, result);
+    if (result.certificate.reason == Reason::unbounded) {
+        forget_proof(result.certificate);  // of motions up to the farthest that proofs cover
+        return result;
     }
+    const auto nearly = [&] { return result.certificate.gap.value_or(infinity) <= nearly_proved; };
+    if (structured && !nearly()) try_harder(run, solver, exchange, judge, problem, result);
     if (nearly()) {
         exchange.tolerance *= finer;
         exchange.backend.tolerance *= finer;
@@ -232,7 +284,8 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
         solution = solve_free_angles(scene, *plan, timed);  // each set of them by its own plan
     } else {
         solution = plan->breakpoints > 0 ? solve_free_knots(run) : solve_motion(run);
-        if (plan->strokes_first_free && leaves_its_strokes(solution)) {
+        const bool unbounded = solution.certificate.reason == Reason::unbounded;  // a lost area may be
+        if (plan->strokes_first_free && (unbounded || leaves_its_strokes(solution))) {
             run.known.optima.withdraw();
             Solution held = plan->breakpoints > 0 ? solve_held_on_breakpoints(posed.scene(), solution, timed)
                                                   : solve_held_strokes(posed.scene(), timed);

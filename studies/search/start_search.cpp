@@ -160,7 +160,7 @@ class GeneralSolve {
                         problem};
         known_.keep(*problem);
         Certificate& certificate = relaxed.result.certificate;
-        drop_idle_bound(certificate);
+        drop_idle_bound(certificate, posed_.scene().objective);
         relaxed.settled = certificate.verdict == Verdict::infeasible;
         if (certificate.verdict != Verdict::optimal) return relaxed;
         const Candidate kept = judged(whole, relaxed.result.x);

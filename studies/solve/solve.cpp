@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/solve/solve.hpp"
 
+#include "studies/delivered/solution_report.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/search/planned_solve.hpp"
 
@@ -27,6 +28,7 @@ Solution solve(const Scene& scene, const SolveControl& control) {
             "the time (solver.max_seconds = {:g}) ran out before every change was searched: what is "
             "not named may also suffice",
             scene.solver.max_seconds));
+    note_phase(solution);
     solution.seconds_total = watch.seconds();
     return solution;
 }

@@ -74,13 +74,14 @@ void check_solve(const Scene& scene, CheckedLaws& checked) {
 struct Seen {
     std::array<bool, dimension_count> variable{}, weighed{};
     std::array<bool, sweep_figure_count> figures{};
-    bool train = false;
+    bool train = false, drive = false;
     std::vector<std::string> responses;  ///< weighed ones, by name
 
     void add(const Scene& scene) {
         train = train || scene.dynamics.has_value();
+        drive = drive || scene.drive.has_value();
         for (const ResponseTerm& term : response_terms())
-            if (term.needs_dynamics() && term.weight_in(scene.objective) > 0.0 &&
+            if ((term.needs_dynamics() || term.needs_drive()) && term.weight_in(scene.objective) > 0.0 &&
                 std::ranges::find(responses, term.name) == responses.end())
                 responses.emplace_back(term.name);
         const ObjectiveSpec& objective = scene.objective;
@@ -109,6 +110,10 @@ void set_train(SweepRow& row, const TrainReport& train) {
     if (train.residual) row.train.residual = finite(train.residual->value);
     if (train.acceleration) row.train.dynamic_acceleration = finite(train.acceleration->value);
     if (train.least_force) row.train.contact_force = finite(train.least_force->value);
+}
+
+void set_drive(SweepRow& row, const DriveFigures& drive) {
+    row.drive = {finite(drive.torque.value), finite(drive.rms_torque), finite(drive.speed.value)};
 }
 
 void set_cam(SweepRow& row, const CamSummary& cam) {
@@ -241,6 +246,7 @@ SweepColumns check_rows(SweepScenes& scenes) {
         if (seen.figures[static_cast<std::size_t>(i)])
             columns.criteria.emplace_back(name_of(static_cast<SweepFigure>(i)));
     columns.train = seen.train;
+    columns.drive = seen.drive;
     columns.criteria.insert(columns.criteria.end(), seen.responses.begin(), seen.responses.end());
     for (int i = 0; i < dimension_count; ++i) {
         const auto index = static_cast<DimensionIndex>(i);
@@ -270,6 +276,7 @@ SweepRow sweep_row(int number, std::span<const double> settings, const Solution&
             set_cam(row, solution.cam->summary);
         }
         if (solution.train) set_train(row, *solution.train);
+        if (solution.drive) set_drive(row, *solution.drive);
         for (const ConstraintReport& limit : solution.constraints)
             if (limit.active) row.active_limits.push_back(limit.key);
     }

@@ -28,6 +28,11 @@ struct SweepCam {
     std::optional<double> convex_radius, concave_radius;  ///< the least of the surface, m
 };
 
+/// Of a feasible row with a motor (DriveFigures): peaks in N m and rad/s.
+struct SweepDrive {
+    std::optional<double> torque, rms_torque, speed;
+};
+
 /// Of a row of a machine, rad/s: its speed, and the one at which it is proved that no motions exist.
 struct SweepMachine {
     std::optional<double> speed, impossible_above;
@@ -43,6 +48,7 @@ struct SweepRow {
     std::array<std::optional<double>, dimension_count> dimensions{};  ///< by DimensionIndex; variable ones
     SweepCam cam;
     SweepTrain train;
+    SweepDrive drive;
     SweepMachine machine;
     /// Keys as written, in the scene's order; of a machine what stops it, the heaviest first.
     std::vector<std::string> active_limits;
@@ -75,6 +81,7 @@ struct SweepColumns {
     /// weight > 0 in at least one row.
     std::vector<std::string> criteria;
     LengthUnit length_unit = LengthUnit::millimetre;  ///< in which people read the dimensions; files: mm
+    bool drive = false;                               ///< at least one row has a motor
 
     /// The rows have different cams: a key of the cam varies, or one of its dimensions is variable.
     [[nodiscard]] bool cam() const {

@@ -17,8 +17,14 @@ KINDS = (DISK, LINKAGE, DRUM, HOPELESS, GROOVE, DISKS, GUIDE)
 
 
 def prepare(folder):
-    solved = pathlib.Path(sys.argv[3])
-    return {"downloads": folder / "downloads", **{name: solved / name for name in KINDS}}
+    solved, scenes = pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[2])
+    pusher, knife = scenes.parent / "tests/cases/wrong_conflict.toml", scenes / "machines/knife.toml"
+    browser.run_camopt(sys.argv[1], "solve", pusher, "--out", folder / "pusher")
+    limits = [word for limit in ("pressure_angle_deg=18", "contact_force_min_n=150", "acceleration_m_s2=4") for word in ("--set", "limits." + limit)]
+    browser.run_camopt(sys.argv[1], "solve", pusher, *limits, "--out", folder / "impossible")
+    browser.run_camopt(sys.argv[1], "machine", knife, "--set", "machine.speed_rpm=100", "--out", folder / "machine")
+    return {"downloads": folder / "downloads", **{name: solved / name for name in KINDS},
+            **{name: folder / name for name in ("pusher", "impossible", "machine")}}
 
 
 def number(text):
@@ -201,6 +207,43 @@ def labels_keep_off_lines_of_limits(page, made):
         assert not top < limit < top + 22, f"the limit at {limit} runs through the label from {top}"
 
 
+def labels_keep_off_curves(page, made):
+    for width in (1440, 390):
+        page.width(width)
+        page.open(made["pusher"] / "report.html")
+        for key in ("pressure_angle", "torque", "hertz_pressure", "acceleration"):
+            hidden = page.js("""
+                const plot = Camopt.page.charts.charts.get(arguments[0]).plot, written = [];
+                const context = plot.ctx, fill = context.fillText.bind(context);
+                context.fillText = (text, x, y) => { if (text.includes(' at ')) written.push([text, x, y, context.measureText(text).width]); fill(text, x, y); };
+                plot.redraw();
+                return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(written.filter(([text, x, y, width]) =>
+                  plot.data[0].some((at, row) => {
+                    const left = plot.valToPos(at, 'x', true), top = plot.valToPos(plot.data[1][row], 'y', true);
+                    return left > x && left < x + width && top > y && top < y + 9 * devicePixelRatio;
+                  }))))));""", key)
+            assert not hidden, (width, key, hidden)
+    page.width(1440)
+
+
+def what_is_needed_is_not_cut_off(page, made):
+    for width in (1440, 390):
+        page.width(width)
+        page.open(made["impossible"] / "report.html")
+        wide, room = page.js("const box = document.querySelector('[data-table=changes] .table-scroll'); return [box.scrollWidth, box.clientWidth]")
+        assert wide <= room + 1, (width, wide, room)
+    page.width(1440)
+
+
+def headings_have_something_below(page, made):
+    for name in ("machine", DISK, HOPELESS):
+        page.open(made[name] / "report.html")
+        empty = page.js("""return [...document.querySelectorAll('h2, h3')].filter((one) => one.getClientRects().length &&
+            one.parentNode.textContent.trim() === one.textContent.trim() && !one.parentNode.querySelector('canvas, svg')).map((one) => one.textContent)""")
+        assert not empty, (name, empty)
+    assert page.js("return document.querySelectorAll('ul:empty').length") == 0
+
+
 def pictures_of_cams_are_whole(page, made):
     """Nothing of a drawing, the arrow of its turn included, leaves its frame."""
     for name in (DISK, LINKAGE, GROOVE, DISKS, GUIDE):
@@ -234,5 +277,6 @@ if __name__ == "__main__":
                        marks_are_those_of_the_table, animation_moves_the_follower, slider_and_keys_set_the_angle,
                        curves_are_switched_off_and_on, every_picture_has_a_table, light_and_dark,
                        nothing_scrolls_sideways_on_a_telephone, prints, charts_begin_on_the_first_printed_page,
-                       charts_have_two_dots_a_pixel, labels_keep_off_lines_of_limits, pictures_of_cams_are_whole,
+                       charts_have_two_dots_a_pixel, labels_keep_off_lines_of_limits, labels_keep_off_curves,
+                       what_is_needed_is_not_cut_off, headings_have_something_below, pictures_of_cams_are_whole,
                        the_scene_is_handed_out], prepare)

@@ -142,6 +142,19 @@ class ByMouse(unittest.TestCase):
         hand.click("[data-control=undo]")
         self.assertEqual(angles(), before)
 
+    def test_a_valve_has_its_own_handles(self):
+        hand = self.open(SCENES / "valve_intake.toml")
+        self.assertEqual(hand.handles(), ["Nose", "End of the duration"])
+        self.assertEqual(hand.run("return document.querySelectorAll('[data-edit=add-point]').length"), 0)
+        self.assertLess(hand.distance("Nose", ""), 0.1)
+        self.assertLess(hand.distance("End of the duration", ""), 0.1)
+        duration, lift = (hand.shown(f"motion.{key}") for key in ("duration_crank_deg", "lift_mm"))
+        hand.drag("End of the duration", 8, 0)
+        self.assertGreater(hand.shown("motion.duration_crank_deg"), duration)
+        hand.drag("Nose", 0, 8)
+        self.assertLess(hand.shown("motion.lift_mm"), lift)
+        self.assertEqual(hand.fault(), "")
+
     def test_set_points_are_added_dragged_and_removed(self):
         hand = self.open(POINTS)
         count = sum("set point" in one for one in hand.handles())

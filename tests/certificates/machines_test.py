@@ -109,6 +109,18 @@ def example(camopt, module, place, name):
     expect(module, place / name, "refuted", "a speed that is possible")
 
 
+def corridor_to_the_end(camopt, module, place):
+    """A corridor that ends with the cycle, in a dwell there, is part of the proof that no speed is larger."""
+    for name in ("55c_press", "55_mill", "55c_die"):
+        shutil.copy(checker.ROOT / "tests/cases" / f"{name}.toml", place)
+    run(camopt, place / "55c_press.toml", place / "press")
+    expect(module, place / "press", "confirmed", "as camopt wrote it")
+    told = json.loads((place / "press/machine.json").read_text())
+    assert told["impossible_above_rpm"] <= told["speed_rpm"] * 1.001 * (1 + 1e-9), told["impossible_above_rpm"]
+    change(place / "press/die.toml", {"to_deg = 68": "to_deg = 67"})
+    expect(module, place / "press", "refuted", "another corridor than that of the motions")
+
+
 def main():
     camopt, module = sys.argv[1], checker.load()
     with tempfile.TemporaryDirectory() as place:
@@ -121,7 +133,8 @@ def main():
             example(camopt, module, place, name)
         for case in SMALL:
             small_machine(camopt, module, place, case)
-    print(f"{2 + len(SMALL)} machines confirmed, {2 + len(SMALL)} of them changed and then refuted or left open")
+        corridor_to_the_end(camopt, module, place)
+    print(f"{3 + len(SMALL)} machines confirmed, {3 + len(SMALL)} of them changed and then refuted or left open")
 
 
 if __name__ == "__main__":

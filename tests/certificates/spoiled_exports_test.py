@@ -86,7 +86,7 @@ class Export:
             lines[line - 1], lines[line + 1] = f"{x * along:.8f}", f"{y * along:.8f}"
         else:
             cells = [(i, found) for i, line in enumerate(lines) if is_data(line) for found in NUMBER.finditer(line)
-                     if abs(float(found[0])) > 1e-3 and "Jerk" not in line[:found.start()][-30:]]
+                     if abs(float(found[0])) > (1e-6 if "Jerk" in line[:found.start()][-30:] else 1e-3)]
             if self.claims["kind"] == "table":  # a jerk that jumps between two rows departs by as much as that
                 cells = [(i, found) for i, found in cells if lines[i].count(",", 0, found.start()) < 3]
             i, found = chance.choice(cells)

@@ -61,6 +61,10 @@ std::vector<KeyCase> segment_cases() {
     const std::string angle = program + "motion.lift_rad = 0.5\n";
     const auto to = [](const Scene& s) { return s.motion.segments.at(0).to.value(); };
     const auto first_angle = [](const Scene& s) { return s.motion.segments.at(0).angle; };
+    const auto phase = [](const Scene& s) { return s.motion.phase; };
+    const std::string turn =
+        "motion.type = \"program\"\nmotion.segments = [{ kind = \"spline\", angle_deg = 180, "
+        "to = 1 }, { kind = \"spline\", angle_deg = 180 }]\n";
     return {
         {"motion.type", "\"program\"", 1,
          [](const Scene& s) { return s.motion.type == MotionType::program ? 1.0 : 0.0; },
@@ -76,6 +80,9 @@ std::vector<KeyCase> segment_cases() {
         {"motion.repeat", "4", 8, [](const Scene& s) { return double(s.motion.segments.size()); },
          "motion.type = \"program\"\nmotion.segments = [{ kind = \"spline\", angle_deg = 45, to = 1 }, "
          "{ kind = \"spline\", angle_deg = 45 }]\n"},
+        {"motion.phase_deg", "18", pi / 10, phase, turn},
+        {"motion.phase_rad", "-0.5", -0.5, phase, turn},
+        {"motion.phase_crank_deg", "180", pi / 2, phase, turn},
         {"motion.segments.angle_crank_deg", "180", pi / 2, first_angle, program},
         {"cam.face_radius_mm", "30", 0.03, [](const Scene& s) { return s.cam.value().face_radius.value(); },
          cam(FollowerType::translating_flat)},
@@ -193,6 +200,7 @@ std::vector<KeyCase> force_cases() {
     const auto width = [](const Scene& s) { return s.forces.value().contact_width.value(); };
     const auto load = [](const Scene& s) { return s.forces.value().load.back()[1]; };
     const auto frequency = [](const Scene& s) { return s.forces.value().spring_frequency.value(); };
+    const auto fastest = [](const Scene& s) { return s.forces.value().speed_range.value()[1]; };
     const auto harmonic = of_limit(&LimitSpec::spring_harmonic);
     const std::string rr = "motion.type = \"RR\"\n";
     const std::string spring = rr + forces(roller) + "forces.spring_rate_n_mm = 12\n",
@@ -235,6 +243,8 @@ std::vector<KeyCase> force_cases() {
         {"forces.follower_modulus_pa", "1e11", 1e11, of_forces(&ForceSpec::follower_modulus), forces(roller)},
         {"forces.cam_poisson", "0.25", 0.25, of_forces(&ForceSpec::cam_poisson), forces(roller)},
         {"forces.follower_poisson", "0", 0, of_forces(&ForceSpec::follower_poisson), forces(roller)},
+        {"forces.speed_range_rpm", "[0, 6000]", 200 * pi, fastest, spring},
+        {"forces.speed_range_rad_s", "[0, 700]", 700, fastest, spring},
         {"forces.spring_frequency_hz", "40", 80 * pi, frequency, spring},
         {"forces.spring_frequency_rad_s", "250", 250, frequency, turned},
         {"limits.spring_harmonic_um", "20", 2e-5, harmonic, surge},

@@ -20,9 +20,9 @@ namespace measured_table_test {
 
 const KnownNames known = {.laws = {"modified_sine"}, .solvers = {}, .cam_formulas = cam_formulas};
 
-std::string refusal(const std::string& text) {
+std::string refusal(const std::string& text, const TableForm& form = {}) {
     try {
-        (void)measured_table_of(text, "m.csv");
+        (void)measured_table_of(text, "m.csv", form);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -47,13 +47,13 @@ TEST(MeasuredTable, SaysWhatIsWrongAndWhere) {
               "s_mm, and rows of numbers");
     EXPECT_EQ(
         refusal("angle,s_mm\n"),
-        "m.csv:1: found the columns \"angle\", \"s_mm\"; allowed: one of them named theta_deg, theta_rad or "
+        "m.csv:1: found 2 columns, of these only s_mm; allowed: one of them named theta_deg, theta_rad or "
         "crank_deg, or step_deg in [measured], or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the "
         "order "
         "of the file");
     EXPECT_EQ(
         refusal("theta_deg,s_cm\n"),
-        "m.csv:1: found the columns \"theta_deg\", \"s_cm\"; allowed: one of them "
+        "m.csv:1: found 2 columns, of these only theta_deg; allowed: one of them "
         "named s_mm, s_in, s_m, s_deg or s_rad, or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the "
         "order of the file");
     EXPECT_EQ(
@@ -309,15 +309,27 @@ TEST(InspectedTable, ReadsPointsOfTheCam) {
     EXPECT_NEAR(polar.rows[7].y(), 0.04 * std::sin(70.0 * units::degree), 1e-15);
 }
 
+/// A scene of others can name any file: what is no table is not shown to them.
+TEST(MeasuredTable, RepeatsNoLinesOfOtherFiles) {
+    const std::string secret = "root:x:0:0:root:/root:/bin/sh daily\nkey = secret\n";
+    for (const std::string& found :
+         {inspected_refusal(secret), refusal(secret), inspected_refusal("secret-host\n"),
+          refusal("secret-host\n"), refusal("secret,daily\nother,text\n"),
+          refusal("secret words\n", {.columns = {"theta_deg", "s_mm"}}),
+          refusal("1,secret\n", {.columns = {"theta_deg", "s_mm"}})})
+        for (const char* const word : {"root", "secret", "daily", "host"})
+            EXPECT_EQ(found.find(word), std::string::npos) << found;
+}
+
 TEST(InspectedTable, SaysWhatIsWrongAndWhere) {
     const std::string allowed =
         "theta_deg and s_mm of the follower, or x_mm and y_mm, or r_mm and theta_deg of the cam";
     EXPECT_EQ(inspected_refusal("angle,lift\n0,1\n"),
-              "m.csv:1: found the columns \"angle\", \"lift\"; allowed: " + allowed);
+              "m.csv:1: found 2 columns, none of these; allowed: " + allowed);
     EXPECT_EQ(inspected_refusal("\n0.5,1\n1,2\n"),
-              "m.csv:2: found the columns \"0.5\", \"1\"; allowed: " + allowed);
+              "m.csv:2: found 2 columns, none of these; allowed: " + allowed);
     EXPECT_EQ(inspected_refusal("x_mm,z_mm\n0,1\n"),
-              "m.csv:1: found the columns \"x_mm\", \"z_mm\"; allowed: " + allowed);
+              "m.csv:1: found 2 columns, none of these; allowed: " + allowed);
     EXPECT_EQ(inspected_refusal("x_mm,y_mm\n0,1\n0,one\n"),
               "m.csv:3: found \"one\" in the column y_mm; allowed: a finite number, or # before the line");
     EXPECT_EQ(inspected_refusal("theta_deg,s_mm\n0,1\n1,1\n"), "m.csv: found 2 rows; allowed: at least 8");

@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
          "missing_reading.csv:12: found \"--\" in the column s_mm; allowed: a finite number, or # before the "
          "line"},
         {"no_names.csv", "", 0, 0.0,
-         "no_names.csv:1: found the columns \"Angle\", \"Lift\"; allowed: one of them named theta_deg, "
+         "no_names.csv:1: found 2 columns, none of these; allowed: one of them named theta_deg, "
          "theta_rad or "
          "crank_deg, or step_deg in [measured], or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the "
          "order "

@@ -22,6 +22,9 @@ CLEAN = {
     "profiles/p.hpp": SPDX + "#pragma once\n",
     "benchmarks/papers/s.cpp": SPDX + '#include "profiles/inverse/i.hpp"\n',
     "CMakeLists.txt": "# SPDX-License-Identifier: MIT\nproject(camopt VERSION 0.2.0 LANGUAGES CXX)\n",
+    "tests/pairs/pairs.py": '# SPDX-License-Identifier: MIT\nOUTPUTS = {"result": ("solve", [], ["motion.csv"])}\n'
+                            'KINDS = {"rise": (["DRD", "disk"], "", [])}\nELSEWHERE = {}\n',
+    "output/plc/plc_format.cpp": SPDX,
     "README.md": "# Title\nSee [a](core/a.hpp), [here](#title) and `core/a.hpp`.\n",
 }
 # check, file, its text, words that the message must hold
@@ -66,6 +69,14 @@ PLANTED = [
     ("plain_english", "output/page/assets/b.js", SPDX + "const b = 'a limit that bites';\n", "'bites': write active"),
     ("plain_english", "tests/core/b_test.cpp", SPDX + "TEST(Rise, IsMendedAtOnce) {}\n", "'Mended': write fix"),
     ("plain_english", "tests/core/b_test.cpp", SPDX + "TEST_F(Rise,\n       EndsAtRestInTheNextDwellToo) {}\n", "9 words; allowed: 8"),
+    ("pairs", "output/b.cpp", SPDX + 'auto b = "new_chart.svg";\n', "the file new_chart.svg has no row"),
+    ("pairs", "output/plc/plc_format.cpp", SPDX + "auto b = {beckhoff_format()};\n", "the controller beckhoff has no row"),
+    ("pairs", "profiles/kinds/cam_kinds.cpp", SPDX + "auto b = {disk_kind(), linear_kind()};\n", "the type of cam linear has no row"),
+    ("pairs", "apps/command_line.cpp", SPDX + 'auto b = program.add_subcommand(\n        "tolerances", "What");\n',
+     "the command tolerances has no row"),
+    ("pairs", "input/keys/scene_keys.cpp", SPDX + 'auto b = {"motion", "type", text, plain, any, {"DRD", "cycle"}, "required"};\n',
+     "the type of motion cycle has no row"),
+    ("pairs", "scene/follower.hpp", SPDX + '#pragma once\nauto b = {FollowerType::ball, "ball", true};\n', "the follower ball has no row"),
     ("spdx", "core/b.cpp", "int b() { return 1; }\n", "core/b.cpp:1: no line"),
     ("spdx", "scripts/x", "#!/bin/sh\n", "scripts/x:1: no line"),
     ("public_headers", "core/b.hpp", "#pragma once\n#ifdef HAVE_X\n#endif\n", "features select files"),

@@ -30,7 +30,7 @@
     return all;
   }
 
-  /** Every handle of a scene. chart: unit and curve of the displacement, see curveOf. */
+  /** Every handle of a scene. chart: unit, angles and values of the displacement. */
   camopt.handlesOf = function (controls, chart, found) {
     const scene = sceneOf(controls), lift = scene.motion('lift'), type = scene.motion('type').value;
     // A displacement without a unit counts in lifts.
@@ -56,6 +56,20 @@
         add('point', words + ', end', table, placeOf(item('to'), from, stretch), null);
       }
     };
+    if (type === 'valve') {
+      // The follower lifts by (valve lift + lash) / ratio; the duration ends where the valve comes down to the checking height.
+      const { angles, values } = chart, nose = values.reduce((best, value, i) => (value > values[best] ? i : best), 0);
+      const inChart = (item) => { const one = scene.motion(item); return one && one.given ? one.value / (factorOf(one, chart.unit) ?? NaN) : 0; };
+      const ratio = scene.motion('rocker_ratio')?.given ? scene.motion('rocker_ratio').value : 1;
+      const size = factorOf(lift, chart.unit);
+      if (size) add('joint', 'Nose', 'motion', null, { path: camopt.controlPath(lift), of: (shown) => lift.value + (shown - values[nose]) * ratio * size, shown: values[nose] }, angles[nose]);
+      const duration = scene.motion('duration'), checked = (inChart('checking_height') + inChart('lash')) / ratio, last = values.findLastIndex((value) => value >= checked);
+      if (last > nose && last + 1 < values.length) {
+        const at = angles[last] + (angles[last + 1] - angles[last]) * (values[last] - checked) / (values[last] - values[last + 1]), perDegree = duration.unit === 'crank deg' ? 2 : factorOf(duration, 'deg');
+        add('joint', 'End of the duration', 'motion', { path: camopt.controlPath(duration), of: (degrees) => duration.value + (degrees - at) * perDegree, shown: at }, null);
+      }
+      return handles;
+    }
     if (type !== 'program') {
       const rise = placeOf(scene.motion('rise'), 0, 1), back = scene.motion('return');
       const top = rise.shown ?? 180;
@@ -171,7 +185,7 @@
         chart = charts.get('displacement');
         if (!chart || !chart.plot) return;
         if (host.parentNode !== chart.plot.over) chart.plot.over.append(host);
-        const fresh = camopt.handlesOf(answer.controls, { unit: chart.curve.unit }, answer.data.segments);
+        const fresh = camopt.handlesOf(answer.controls, { unit: chart.curve.unit, angles: chart.all.angle.values, values: chart.curve.values }, answer.data.segments);
         const same = fresh.length === shown.length && fresh.every((one, i) => one.words === shown[i].words && Boolean(one.x) === Boolean(shown[i].x) && Boolean(one.y) === Boolean(shown[i].y));
         if (same) fresh.forEach((one, i) => Object.assign(shown[i], one));
         else { shown = fresh; held = null; host.replaceChildren(...shown.map(make)); }

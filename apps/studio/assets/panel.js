@@ -24,7 +24,7 @@
     const button = (name, words, act) => element('button', { type: 'button', class: 'small', 'data-edit': name, onclick: act }, words);
     const value = (item) => (own.find((one) => one.item === item) || {}).value, segment = /^motion\.segments\[(\d+)\]$/.exec(table), made = [];
     const index = segment ? Number(segment[1]) : 0;
-    if (segment ? value('kind') === 'spline' : table === 'motion' && value('type') !== 'program') made.push(button('add-point', '+ set point', () => edit((edits, unit) => edits.addPoint(table, unit))));
+    if (segment ? value('kind') === 'spline' : table === 'motion' && !['program', 'valve'].includes(value('type'))) made.push(button('add-point', '+ set point', () => edit((edits, unit) => edits.addPoint(table, unit))));
     if (segment) {
       made.push(button('add-dwell', '+ dwell after', () => edit((edits, unit) => edits.addSegment(index, 'dwell', unit))),
         button('add-stroke', '+ stroke after', () => edit((edits, unit) => edits.addSegment(index, 'spline', unit))));

@@ -63,7 +63,7 @@ InterruptWatch::InterruptWatch(Signals signals) {
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
-    if (signals != Signals::interrupt) sigaction(SIGTERM, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
     if (signals == Signals::hangup_too && !is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);
 }
 

@@ -323,9 +323,15 @@ std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
         if (table.columns.cam() && std::ranges::any_of(table.rows, [&](const SweepRow& row) {
                 return value(row).value_or(0.0) != 0.0;
             }))
-            quantities.push_back(
-                unit_quantity(column.title, column.is_angle ? degrees_shown : length, value));
+            quantities.push_back(unit_quantity(
+                column.title, column.file_unit == &degrees_shown ? degrees_shown : length, value));
     }
+    for (const SweepDriveColumn& column : sweep_drive_columns())
+        if (table.columns.drive)
+            quantities.push_back(unit_quantity(
+                column.title,
+                column.file_unit == &rpm_shown ? rpm_shown : shown_units(MotionSpec(), unit).torque,
+                [&column](const SweepRow& row) { return row.drive.*column.value; }));
     return quantities;
 }
 

@@ -22,6 +22,14 @@ window.Camopt = window.Camopt || {};
     return made;
   };
 
+  /** A picture that was drawn for paper, as wide as there is room. */
+  camopt.paper = function (text) {
+    const svg = document.adoptNode(new DOMParser().parseFromString(text, 'image/svg+xml').documentElement);
+    svg.removeAttribute('width');
+    svg.removeAttribute('height');
+    return camopt.element('section', { class: 'study-picture' }, camopt.element('div', { class: 'paper' }, svg));
+  };
+
   /** As many significant digits as are asked for, no trailing zeros, a true minus. */
   camopt.numberText = function (value, digits = 5) {
     if (value === null || value === undefined || Number.isNaN(value)) return '–';

@@ -56,16 +56,18 @@
     context.font = font.replace(/^11/, String(11 * ratio));
     const width = context.measureText(text).width, height = labelRoom * ratio;
     const near = align === 'right' ? [x - width] : align === 'left' ? [x] : [x - width / 2, x + 4 * ratio, x - width - 4 * ratio];
-    const up = y - height - 4 * ratio, down = y + 5 * ratio, step = 10 * ratio;
-    const tops = above ? [up, up - step, down, down + step] : [down, down + step, up, up - step];
+    const up = y - height - 4 * ratio, down = y + 5 * ratio, step = 5 * ratio;
+    const away = (from, towards) => [0, 1, 2, 3, 4, 5, 6].map((k) => from + towards * k * step);
+    const tops = above ? [...away(up, -1), ...away(down, 1)] : [...away(down, 1), ...away(up, -1)];
     let best = null;
     near.forEach((wanted, side) => tops.forEach((top, place) => {
       const left = Math.min(Math.max(wanted, box.left + 3 * ratio), box.left + box.width - width - 3 * ratio);
       const rect = [left, top, left + width, top + height];
       if (top < box.top || top + height > box.top + box.height) return;
       if (taken.some((one) => rect[0] < one[2] && one[0] < rect[2] && rect[1] < one[3] && one[1] < rect[3])) return;
-      // Far from its place a label belongs to nothing: this much ink is worth a step away.
-      const cost = inkUnder(u, curve, rect) + 0.12 * place + 0.05 * side;
+      // Off every curve and line where there is such a place; the nearest of them.
+      const ink = inkUnder(u, curve, rect);
+      const cost = (ink > 0 ? 2 + ink : 0) + 0.06 * (place % 7) + (place < 7 ? 0 : 0.12) + 0.05 * side;
       if (!best || cost < best.cost) best = { cost, rect };
     }));
     if (!best) return false;
@@ -311,7 +313,7 @@
   camopt.charts = function (angle) {
     const host = element('div', { class: 'charts' });
     const chips = element('div', { class: 'chips', role: 'group', 'aria-label': 'Curves shown' });
-    const charts = new Map(), hidden = new Set();
+    const charts = new Map(), hidden = new Set(), motor = element('div', { 'data-picture': 'motor' });
     const self = {
       host, chips, angle, charts, data: null, nothing: [], syncKey: 'camopt-' + Math.random(),
       shown: { reference: true, measured: true, limits: true, marks: true },
@@ -346,6 +348,7 @@
         const same = keys.length === charts.size && keys.every((key) => charts.has(key));
         if (!same) build(data);
         data.curves.forEach((curve) => charts.get(curve.key).show(curve));
+        motor.replaceChildren(...(data.motor ? [camopt.paper(data.motor)] : []));
         charts.forEach((chart) => { chart.read(); chart.place(); });
       },
     };
@@ -374,6 +377,7 @@
             chart.figure.hidden = hidden.has(curve.key);
           }));
         }
+        if (group === 'motor') host.append(motor);
       }
       const reference = data.curves.find((curve) => curve.reference);
       const extras = [];

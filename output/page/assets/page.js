@@ -89,7 +89,8 @@
         words.append(camopt.figureStrip(data.figures));
         tables.replaceChildren(...data.tables.map(camopt.tableSection));
         if (data.remarks.length) tables.append(element('section', { class: 'table-block' }, element('h2', {}, 'On the cam'), camopt.list(data.remarks)));
-        end.replaceChildren(camopt.sceneSection(data.scene), camopt.appendixSection(data));
+        end.replaceChildren(...[camopt.sceneSection(data.scene), camopt.appendixSection(data)].filter((part) => part));
+        end.hidden = !end.children.length;
         foot.textContent = 'Made by camopt ' + data.camopt + '. This page loads no external resources.';
       },
     };

@@ -103,15 +103,13 @@
 
     picture() {
       if (!this.data.picture) return null;
-      const svg = document.adoptNode(new DOMParser().parseFromString(this.data.picture, 'image/svg+xml').documentElement);
-      svg.removeAttribute('width');
-      svg.removeAttribute('height');
+      const picture = camopt.paper(this.data.picture);
       const at = new Map(this.data.items.numbers.map((number, item) => [String(number), item]));
-      svg.querySelectorAll('[class]').forEach((one) => {
+      picture.querySelectorAll('svg [class]').forEach((one) => {
         const found = /(?:^| )r(\d+)(?: |$)/.exec(one.getAttribute('class'));
         if (found && at.has(found[1])) this.listen(one, at.get(found[1]));
       });
-      return element('section', { class: 'study-picture' }, element('div', { class: 'paper' }, svg));
+      return picture;
     }
 
     /** Any column against any other. */

@@ -4,11 +4,14 @@
 (function (camopt) {
   const { element } = camopt;
 
+  /** A key breaks behind its points and underscores where there is little room. */
+  const breakable = (text) => String(text).split(/(?<=[._])/).flatMap((part, i) => (i ? [element('wbr'), part] : [part]));
+
   /** {columns: [{title, left}], rows: [[text]]} */
   camopt.table = function (table, caption) {
     const head = element('tr', {}, ...table.columns.map((column) => element('th', { scope: 'col', class: column.left ? 'left' : null }, column.title)));
     const rows = table.rows.map((cells) => element('tr', {}, ...cells.map((cell, i) =>
-      element(i === 0 && table.columns[0].left ? 'th' : 'td', { scope: i === 0 && table.columns[0].left ? 'row' : null, class: (table.columns[i] || {}).left ? 'left' : null }, cell))));
+      element(i === 0 && table.columns[0].left ? 'th' : 'td', { scope: i === 0 && table.columns[0].left ? 'row' : null, class: (table.columns[i] || {}).left ? 'left' : null }, ...breakable(cell)))));
     return element('div', { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption || 'table' },
       element('table', {}, caption ? element('caption', {}, caption) : null, element('thead', {}, head), element('tbody', {}, ...rows)));
   };
@@ -18,8 +21,11 @@
 
   camopt.list = (sentences, name) => element('ul', { class: name || 'sentences' }, ...sentences.map((sentence) => element('li', {}, sentence)));
 
+  /** null where there is neither. */
   camopt.sceneSection = function (scene) {
-    const section = element('section', { class: 'scene-block' }, element('h2', {}, 'The scene'), camopt.list(scene.lines));
+    if (!scene.text && !scene.lines.length) return null;
+    const section = element('section', { class: 'scene-block' }, element('h2', {}, 'The scene'));
+    if (scene.lines.length) section.append(camopt.list(scene.lines));
     if (!scene.text) return section;
     const name = (scene.file || 'scene.toml').split(/[\\/]/).pop();
     section.append(
@@ -29,10 +35,14 @@
     return section;
   };
 
+  /** null where there is nothing to say. */
   camopt.appendixSection = function (data) {
-    const section = element('section', { class: 'appendix' }, element('h2', {}, 'Appendix: how it was found'), camopt.list(data.appendix.sentences));
+    const { sentences, command } = data.appendix;
+    if (!sentences.length && !data.notes.length && !command) return null;
+    const section = element('section', { class: 'appendix' }, element('h2', {}, 'Appendix: how it was found'));
+    if (sentences.length) section.append(camopt.list(sentences));
     if (data.notes.length) section.append(element('h3', {}, 'Notes of the solve'), camopt.list(data.notes));
-    if (data.appendix.command) section.append(element('p', { class: 'note' }, 'Command: ', element('code', {}, data.appendix.command)));
+    if (command) section.append(element('p', { class: 'note' }, 'Command: ', element('code', {}, command)));
     return section;
   };
 })(window.Camopt);

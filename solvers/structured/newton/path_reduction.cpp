@@ -120,7 +120,7 @@ std::vector<PathReduction::Candidate> PathReduction::candidates(const VectorXd& 
     std::vector<char> in_cost(static_cast<std::size_t>(full_.variables()), 0);
     VectorXd gradient(start.size());
     full_.cost->gradient(start, gradient);
-    for (Index j = 0; j < gradient.size(); ++j) in_cost[static_cast<std::size_t>(j)] = gradient[j] != 0.0;
+    for (Index j = 0; j < gradient.size(); ++j) in_cost[static_cast<std::size_t>(j)] = gradient[j] != 0.0 ? 1 : 0;
     for (const auto* indices : {&full_.hessian.rows, &full_.hessian.columns})
         for (const int j : *indices) in_cost[static_cast<std::size_t>(j)] = 1;
     std::vector<Candidate> result;
@@ -196,8 +196,7 @@ void PathReduction::number() {
         variable_[j] = static_cast<int>(kept_variables_.size());
         kept_variables_.push_back(static_cast<int>(j));
     }
-    for (std::size_t i = 0; i < row_.size(); ++i)
-        row_[i] = row_[i] < 0 ? row_count_++ : row_[static_cast<std::size_t>(row_[i])];
+    for (int& row : row_) row = row < 0 ? row_count_++ : row_[static_cast<std::size_t>(row)];
 }
 
 void PathReduction::build() {

@@ -74,8 +74,8 @@ inline double factor_of(const SideSegment& segment, const double* x) {
 
 /// Collects what a product with [C; E]ᵀ needs.
 struct Collector {
-    const double* width;
-    double* joined;
+    const double* width = nullptr;
+    double* joined = nullptr;
     Sum sum;
     template <typename V>
     void add(int r, const V& low, const V& high) {

@@ -41,6 +41,19 @@ TEST(StudioControls, CoverEveryNumberOfAProgram) {
     EXPECT_EQ(control_of(controls, "motion.segments[1]", "angle_deg")["slider"]["to"], 360.0);
 }
 
+TEST(StudioControls, OfferNoLiftThatMovesNothing) {
+    EXPECT_TRUE(control_of(studio_controls(text_of("cam_drdrd.toml")), "motion", "lift_mm").is_null())
+        << "every displacement is in mm";
+    const std::string in_lifts =
+        "[motion]\ntype = \"program\"\nlift_mm = 10\nsegments = [{ kind = \"spline\", "
+        "angle_deg = 180, to = 1 }, { kind = \"spline\", angle_deg = 180, to = 0 }]\n";
+    EXPECT_FALSE(control_of(studio_controls(in_lifts), "motion", "lift_mm").is_null());
+    EXPECT_FALSE(control_of(studio_controls("[motion]\ntype = \"DRD\"\nlift_mm = 10\nvia = [{ at_deg = 50, "
+                                            "displacement_mm = 4 }]\n"),
+                            "motion", "lift_mm")
+                     .is_null());
+}
+
 TEST(StudioControls, DistinguishRangesAndPossibleRanges) {
     const Json controls = studio_controls(text_of("cam_smallest.toml"));
     const Json radius = control_of(controls, "cam", "base_radius_mm");
@@ -59,6 +72,19 @@ TEST(StudioControls, OfferOnlyApplicableKeys) {
     EXPECT_FALSE(control_of(cam, "limits", "concave_radius_min_mm").is_null());
     EXPECT_FALSE(control_of(cam, "limits", "concave_radius_min_mm")["given"]);
     EXPECT_TRUE(control_of(cam, "limits", "torque_nm").is_null());
+}
+
+TEST(StudioControls, OfferAValveOnlyItsKeys) {
+    const Json valve = studio_controls(text_of("valve_intake.toml"));
+    for (const char* const key :
+         {"rise_deg", "return_deg", "symmetric", "monotone", "within_lift", "closed", "repeat", "stops"})
+        EXPECT_TRUE(control_of(valve, "motion", key).is_null()) << key;
+    for (const char* const key : {"lift_mm", "lash_mm", "duration_crank_deg", "rocker_ratio"})
+        EXPECT_FALSE(control_of(valve, "motion", key).is_null()) << key;
+    const Json rise = studio_controls(text_of("drd_cubic_12.toml"));
+    for (const char* const key : {"lash_mm", "duration_deg", "rocker_ratio", "closed", "repeat"})
+        EXPECT_TRUE(control_of(rise, "motion", key).is_null()) << key;
+    EXPECT_FALSE(control_of(rise, "motion", "symmetric").is_null());
 }
 
 TEST(StudioControls, CoverEveryKeyOfAScene) {

@@ -119,6 +119,24 @@ TEST(SweepCsv, ReadsBackTheSameTable) {
     EXPECT_EQ(sweep_csv(read), text);
 }
 
+TEST(SweepCsv, KeepsFiguresOfTheMotor) {
+    SweepTable table = random_table();
+    table.columns.drive = true;
+    for (SweepRow& row : table.rows)
+        if (row.number % 4 != 0) row.drive = {1.0 / (row.number + 3), 2.5, 0.1 * row.number};
+    const std::string text = sweep_csv(table);
+    EXPECT_NE(text.substr(0, text.find('\n'))
+                  .find(",motor_torque_nm,motor_torque_rms_nm,motor_speed_rpm,active_limits"),
+              std::string::npos);
+    const SweepTable read = read_sweep_csv(text, "sweep.csv");
+    EXPECT_TRUE(read.columns.drive);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        EXPECT_EQ(read.rows[i].drive.torque, table.rows[i].drive.torque);
+        EXPECT_EQ(read.rows[i].drive.speed.has_value(), table.rows[i].drive.speed.has_value());
+    }
+    EXPECT_EQ(sweep_csv(read), text);
+}
+
 TEST(SweepCsv, NamesItsColumnsWithUnits) {
     EXPECT_TRUE(
         sweep_csv(random_table())

@@ -155,6 +155,39 @@ TEST(Sheet, MarksAvoidOverlap) {
     }
 }
 
+/// Words of a keyway 6 wide and of its angle, and others at one place: none lie over another.
+TEST(Sheet, DimensionsMoveApart) {
+    Sheet sheet;
+    sheet.texts.push_back({"DATUM", {-0.004, 0.016}, 2.5e-3, "datum, α = 0", TextAnchor::end});
+    for (const double height : {0.012, 0.012, 0.016}) {
+        SheetDimension dimension;
+        dimension.first = {-0.003, 0.005};
+        dimension.second = {0.003, 0.005};
+        dimension.place = {0.0, height};
+        dimension.tolerance = height > 0.015 ? "JS9" : "";
+        sheet.dimensions.push_back(dimension);
+    }
+    separate_dimensions(sheet);
+    std::vector<SheetText> words = sheet.texts;
+    for (const SheetDimension& dimension : sheet.dimensions)
+        words.push_back(dimension_marks(dimension, sheet.view).text);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const auto box = [](const SheetText& text) {
+                const double width = widest_text(text.words, text.height);
+                const double part = text.anchor == TextAnchor::start    ? 0.0
+                                    : text.anchor == TextAnchor::middle ? 0.5
+                                                                        : 1.0;
+                return std::pair(text.at.x() - part * width, text.at.x() + (1.0 - part) * width);
+            };
+            const auto [left, right] = box(words[i]);
+            const auto [other_left, other_right] = box(words[k]);
+            const bool beside = right <= other_left || other_right <= left;
+            const bool above = std::abs(words[i].at.y() - words[k].at.y()) >= 2.5e-3;
+            EXPECT_TRUE(beside || above) << words[i].words << " and " << words[k].words;
+        }
+}
+
 TEST(Sheet, WordsThatDoNotFitAreCut) {
     EXPECT_EQ(fitted_words("short", 2.5e-3, 0.1), "short");
     const std::string cut = fitted_words("Größe der Kurvenscheibe für den Vorschub", 2.5e-3, 0.03);

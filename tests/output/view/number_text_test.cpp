@@ -21,6 +21,23 @@ TEST(ShortText, AvoidsExponentsBelowTenMillion) {
     EXPECT_EQ(short_text(1e-100), "1e-100");
 }
 
+TEST(MarkdownText, ObeysNothingInWords) {
+    EXPECT_EQ(markdown_words("Cam 3 <= 4 & more, limits.velocity_mm_s [2].to"),
+              "Cam 3 <= 4 & more, limits.velocity_mm_s [2].to");
+    EXPECT_EQ(markdown_words("<b>x</b>"), "\\<b>x\\</b>");
+    EXPECT_EQ(markdown_words("[a](b) ![c][d]"), "[a\\](b) ![c\\][d]");
+    EXPECT_EQ(markdown_words("# a *b* _c_ `d` &lt; \\"), "\\# a \\*b\\* \\_c\\_ \\`d\\` \\&lt; \\\\");
+    EXPECT_EQ(markdown_words("a\nb"), "a\\\\u000ab");
+}
+
+TEST(MarkdownText, CodeMayHaveBackticks) {
+    EXPECT_EQ(markdown_code("a = 1"), "`a = 1`");
+    EXPECT_EQ(markdown_code("a ` <b> `` c"), "``` a ` <b> `` c ```");
+    TextTable table{{{"key", true, true}, {"words", true}}, {{"x`|y", "p|*q*"}}};
+    EXPECT_NE(markdown_text(table).find("| `` x`\\|y `` | p\\|\\*q\\* |"), std::string::npos)
+        << markdown_text(table);
+}
+
 // One number, one text: an axis writes its large numbers as the tables do.
 TEST(ShortText, IsWhatAxesWrite) {
     EXPECT_EQ(power_text(2e6, 3), "2e6");

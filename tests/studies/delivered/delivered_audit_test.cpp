@@ -302,7 +302,11 @@ TEST(DeliveredAudit, NegativeBoundIsHidden) {
     certificate.lower_bound = -3.0;
     certificate.gap = 4.0;
     certificate.proof_kind = ProofKind::duality;
-    drop_idle_bound(certificate);
+    ObjectiveSpec objective;
+    objective.area = 1.0;  // may be negative
+    drop_idle_bound(certificate, objective);
+    EXPECT_EQ(certificate.lower_bound, -3.0);
+    drop_idle_bound(certificate, {});
     EXPECT_FALSE(certificate.lower_bound || certificate.gap || certificate.proof);
     EXPECT_EQ(certificate.proof_kind, ProofKind::none);
 }

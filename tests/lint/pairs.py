@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""pairs.py ROOT: whatever the program can write, and every kind of scene, has its row in tests/pairs/pairs.py, so that a test tries each
+output for each kind: files that output/ and apps/ name, formats of controllers and of drawings, commands, types of motion, of segments
+and of cams, followers."""
+
+import pathlib
+import re
+import sys
+
+import source_tree
+
+FILE = re.compile(r'"([a-z_]+\.(?:csv|svg|json|html|md|dxf|pdf|step|stl|nc|obj|st|scl|txt|toml))"')
+# Where else a row is demanded: file, a pattern of what is said there, and what it is.
+WORDS = (
+    ("output/plc/plc_format.cpp", r"\b(\w+)_format\(\)", "controller"),
+    ("apps/command_line.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
+    ("apps/export_options.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
+    ("input/keys/scene_keys.cpp", r'"type", text, plain, any, \{([^}]*)\}', "type of motion"),
+    ("input/keys/scene_keys.cpp", r'"kind", text, plain, any, \{([^}]*)\}', "kind of segment"),
+    ("profiles/kinds/cam_kinds.cpp", r"\b(\w+)_kind\(\)", "type of cam"),
+    ("scene/follower.hpp", r'\{FollowerType::\w+, ("\w+")', "follower"),
+)
+
+
+def table_of(root):
+    """The names that OUTPUTS and KINDS have; None: there is no table."""
+    path = pathlib.Path(root) / "tests/pairs/pairs.py"
+    if not path.exists():
+        return None
+    table = {}
+    exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), table)  # pylint: disable=exec-used
+    names = set(table["OUTPUTS"]) | set(table["ELSEWHERE"])
+    for command, words, files in table["OUTPUTS"].values():
+        names |= {command, *words, *files}
+    for stands_for, _, _ in table["KINDS"].values():
+        names |= set(stands_for)
+    return names
+
+
+def main(root):
+    names = table_of(root)
+    faults, seen = [], 0
+    if names is None:
+        source_tree.report("pairs", [], 0)
+    for path in source_tree.code(root):
+        if path.parts[0] in ("output", "apps"):
+            seen += 1
+            code = re.sub(r"//[^\n]*", "", (pathlib.Path(root) / path).read_text(encoding="utf-8"))
+            faults += [f"{path}: the file {name} has no row in tests/pairs/pairs.py" for name in sorted(set(FILE.findall(code)) - names)]
+    for file, pattern, what in WORDS:
+        path = pathlib.Path(root) / file
+        if not path.exists():
+            continue
+        for match in re.finditer(pattern, path.read_text(encoding="utf-8")):
+            for word in re.findall(r"\w+", match.group(1)):
+                if word not in names:
+                    faults.append(f"{file}: the {what} {word} has no row in tests/pairs/pairs.py")
+    source_tree.report("pairs", sorted(set(faults)), seen)
+
+
+main(sys.argv[1])
