@@ -110,15 +110,6 @@ std::string key_name(std::string_view table, std::string_view key) {
     return words_of(key);
 }
 
-/// "mm/s^2" is "mm/s²".
-std::string shown_unit(std::string_view unit) {
-    std::string shown(unit);
-    for (const auto& [written, sign] : {std::pair("^2", "²"), std::pair("^3", "³"), std::pair("um", "µm")})
-        if (const std::size_t found = shown.find(written); found != std::string::npos)
-            shown.replace(found, std::string_view(written).size(), sign);
-    return shown;
-}
-
 }  // namespace
 
 ControlWords control_words(std::string_view table, std::string_view key, std::string_view unit) {
@@ -136,7 +127,7 @@ ControlWords control_words(std::string_view table, std::string_view key, std::st
     if (parts.size() > 1) parts.erase(parts.begin());
     words.group = capitalized(fmt::format("{}", fmt::join(parts, ", ")));
     words.name = key_name(path, key);
-    words.unit = shown_unit(unit);
+    words.unit = unit_words(unit);
     words.label = words.name + (words.unit.empty() ? "" : ", " + words.unit);
     const bool listed = table.find('[') != std::string_view::npos;
     if (!listed) words.name = capitalized(words.name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/key_words.hpp"
 
+#include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
@@ -41,13 +42,23 @@ double rounded_on(double needed, bool up) {
     return unit * (up ? std::ceil(steps - slack) : std::floor(steps + slack));
 }
 
-/// Of a number in a list of the motion: "motion.via[0].velocity_mm_deg" is "motion.via[0].velocity" in
-/// "mm/deg". The unit is what follows the name.
+/// Of a number in a list of the motion: "motion.segments[1].via[0].velocity_mm_deg" is "velocity of set point
+/// 1 of segment 2", with the key beside it for those who edit, in "mm/deg". The unit is what follows the
+/// name.
 KeyWords listed_key_words(std::string_view key) {
     const std::string_view side = key.ends_with(".max") ? ", max" : key.ends_with(".min") ? ", min" : "";
     if (!side.empty()) key.remove_suffix(std::string_view(".max").size());
     const std::size_t name = key.rfind('.') + 1, end = std::min(key.find('_', name), key.size());
-    KeyWords found{std::string(key.substr(0, end)), "", false};
+    KeyWords found{std::string(key.substr(name, end - name)), "", false};
+    std::string places;
+    for (std::size_t open = key.find('['); open != std::string_view::npos; open = key.find('[', open + 1)) {
+        const std::size_t dot = key.rfind('.', open) + 1;
+        const std::string list(key.substr(dot, open - dot));
+        const char* const thing = list == "via" ? "set point" : list == "segments" ? "segment" : list.c_str();
+        const std::string_view index = key.substr(open + 1, key.find(']', open) - open - 1);
+        places.insert(0, fmt::format(" of {} {}", thing, 1 + integer_in(index).value_or(0)));
+    }
+    found.words += fmt::format("{}{} ({})", places, side, key);
     for (const char letter : key.substr(std::min(end + 1, key.size()))) {
         if (letter == '2' || letter == '3')
             found.unit += letter == '2' ? "²" : "³";
@@ -55,7 +66,6 @@ KeyWords listed_key_words(std::string_view key) {
             found.unit += letter == '_' ? '/' : letter;
     }
     if (found.unit == "crank/deg") found.unit = "crank deg";
-    found.words += side;
     found.limit = !side.empty();
     return found;
 }
@@ -112,9 +122,8 @@ std::string also_words(const Relaxation& row) {
         const KeyWords key = key_words(one.key);
         const std::string now = fmt::format("{} {}", short_text(one.solved, needed_digits), key.unit);
         const bool gives_way = one.solved < one.given;
-        text += gives_way ? fmt::format(", taken from {}, which becomes {}", key.words, now)
-                          : fmt::format(", with {}{} at {}",
-                                        one.key.find('[') == std::string::npos ? "the " : "", key.words, now);
+        text += gives_way ? fmt::format(", taken from the {}, which becomes {}", key.words, now)
+                          : fmt::format(", with the {} at {}", key.words, now);
     }
     return text;
 }
@@ -127,9 +136,8 @@ std::string change_words(const Relaxation& row) {
     }
     const KeyWords key = key_words(row.key);
     const std::string unit = key.unit.empty() ? "" : " " + key.unit;
-    // What has an index is no word that takes an article, and its old value tells which it is.
     const bool listed = row.key.find('[') != std::string::npos;
-    return fmt::format("{} {}{}{} to {}{}{}", verb_of(row, key), listed ? "" : "the ", key.words,
+    return fmt::format("{} the {}{} to {}{}{}", verb_of(row, key), key.words,
                        key.limit ? " limit"
                        : listed  ? fmt::format(" from {}", short_text(row.given, needed_digits))
                                  : "",

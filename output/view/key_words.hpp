@@ -15,8 +15,8 @@ struct KeyWords {
 [[nodiscard]] KeyWords key_words(std::string_view key, std::string_view remark = {});
 
 /// What to do: "increase the base radius to 31.4 mm", "raise the pressure angle limit to 33.1 deg",
-/// "lengthen motion.segments[2].angle from 50 to 54 deg, taken from motion.segments[3].angle, which becomes
-/// 36 deg". Empty where no change of it alone helps.
+/// "lengthen the angle of segment 3 (motion.segments[2].angle_deg) from 50 to 54 deg, taken from …, which
+/// becomes 36 deg". Empty where no change of it alone helps.
 [[nodiscard]] std::string change_words(const Relaxation& row);
 
 /// What changes along with it: ", with the return at 95 deg"; empty: nothing.

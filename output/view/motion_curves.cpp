@@ -28,7 +28,7 @@ std::vector<CurveLimit> bounds_of(const View& view, const MotionUnit& unit) {
                        view.degrees(std::min(bound.until, motion.end())),
                        unit.per_normalised * bound.sign * bound.bound, bound.sign,
                        fmt::format("limit {}{}{}", short_text(bound.given), bound.unit.empty() ? "" : " ",
-                                   bound.unit)});
+                                   unit_words(bound.unit))});
     }
     return all;
 }

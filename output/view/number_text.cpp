@@ -106,6 +106,14 @@ std::string words_of(std::string_view key) {
     return words;
 }
 
+std::string unit_words(std::string_view unit) {
+    std::string shown(unit);
+    for (const auto& [written, sign] : {std::pair("^2", "²"), std::pair("^3", "³"), std::pair("um", "µm")})
+        if (const std::size_t found = shown.find(written); found != std::string::npos)
+            shown.replace(found, std::string_view(written).size(), sign);
+    return shown;
+}
+
 std::string aligned_text(const TextTable& table) {
     const std::vector<std::size_t> widths = widths_of(table);
     std::string titles, rule, body;

@@ -28,6 +28,9 @@ inline constexpr const char* no_contact_words = "undercut, no contact";
 /// A key in words: "modified_sine" becomes "modified sine".
 [[nodiscard]] std::string words_of(std::string_view key);
 
+/// A unit as it is read: "mm/s^2" becomes "mm/s²", "um" "µm".
+[[nodiscard]] std::string unit_words(std::string_view unit);
+
 // A table of words and numbers, written for a terminal or as Markdown.
 //
 // Widths are counted in characters, not bytes: "∞" and "y″" stay in their columns. Rows may be shorter than

@@ -86,7 +86,7 @@ ShownDerivative shown_derivative(const MotionSpec& motion, LengthUnit length, st
 }
 
 std::string with_unit_name(double value, const std::string& name, int digits) {
-    return short_text(value, digits) + (name.empty() ? "" : " " + name);
+    return short_text(value, digits) + (name.empty() ? "" : " " + unit_words(name));
 }
 
 }  // namespace

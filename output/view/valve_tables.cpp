@@ -10,20 +10,35 @@ namespace {
 
 const ShownUnit crank_shown{"crank deg", units::degree};
 
+/// After or before the dead centre after so many half turns.
+std::string stroke_text(double crank, int half_turns) {
+    const double from = degrees_shown.of(crank) - 180.0 * half_turns;
+    return fmt::format("{} {}{}", short_text(std::abs(from)), from < 0.0 ? "B" : "A",
+                       half_turns % 2 == 0 ? "TDC" : "BDC");
+}
+
 std::string event_text(const ValveSpec& valve, double from_nose) {
-    if (valve.centerline) return dead_centre_text(2.0 * *valve.centerline + from_nose);
+    // An intake opens about top dead centre and closes after bottom dead centre, an exhaust the reverse.
+    if (valve.centerline) {
+        const double nose = 2.0 * *valve.centerline;
+        const bool intake = nose > 0.0, opening = from_nose < 0.0;
+        return stroke_text(nose + from_nose, intake == opening ? 0 : intake ? 1 : -1);
+    }
     return fmt::format("{} {} the nose", short_text(std::abs(degrees_shown.of(from_nose))),
                        from_nose < 0.0 ? "before" : "after");
 }
 
-/// By the cam angle, in both systems of units: "0.0203 mm/deg² (0.000799 in/deg²)".
-std::string both_texts(double value, int order, bool swings) {
+/// By the cam angle: "0.0203 mm/deg² (0.000799 in/deg²)", or inches alone where lengths are in inches.
+std::string rate_text(double value, int order, bool swings, LengthUnit unit) {
     const double per_degree = std::pow(units::degree, order);
     const char* const power = order == 1 ? "" : "²";
     if (swings) return ShownUnit{fmt::format("deg/deg{}", power), units::degree / per_degree}.text(value, 5);
+    const std::string inches =
+        ShownUnit{fmt::format("in/deg{}", power), units::inch / per_degree}.text(value, 5);
+    if (unit == LengthUnit::inch) return inches;
     return fmt::format(
         "{} ({})", ShownUnit{fmt::format("mm/deg{}", power), units::millimetre / per_degree}.text(value, 5),
-        ShownUnit{fmt::format("in/deg{}", power), units::inch / per_degree}.text(value, 5));
+        inches);
 }
 
 TextTable event_table(const Solution& solution, const ValveReport& report) {
@@ -52,11 +67,18 @@ TextTable figure_table(const Solution& solution, const ValveReport& report) {
         table.rows.push_back({std::move(name), std::move(value)});
     };
     add("lift of the follower", shown.motion[0].first.text(motion.lift));
-    add("velocity of the opening valve", both_texts(report.opening_velocity, 1, false));
-    add("velocity of the closing valve", both_texts(report.closing_velocity, 1, false));
-    add("acceleration, opening flank", both_texts(report.opening_acceleration, 2, swings));
-    add("acceleration, nose", both_texts(report.nose_acceleration, 2, swings));
-    add("acceleration, closing flank", both_texts(report.closing_acceleration, 2, swings));
+    add("velocity of the opening valve",
+        rate_text(report.opening_velocity, 1, false, solution.scene.length_unit));
+    add("velocity of the closing valve",
+        rate_text(report.closing_velocity, 1, false, solution.scene.length_unit));
+    add("acceleration, opening flank",
+        rate_text(report.opening_acceleration, 2, swings, solution.scene.length_unit));
+    add("acceleration, nose", rate_text(report.nose_acceleration, 2, swings, solution.scene.length_unit));
+    add("acceleration, closing flank",
+        rate_text(report.closing_acceleration, 2, swings, solution.scene.length_unit));
+    for (const auto& [height, duration] : report.tappet_durations)
+        add(fmt::format("duration at {} of the tappet", shown.length.text(height)),
+            crank_shown.text(duration, 7));
     if (report.nose_radius) add("nose radius", shown.length.text(*report.nose_radius));
     if (report.contact_offset)
         add("contact eccentricity on the tappet", shown.length.text(*report.contact_offset));
@@ -73,10 +95,7 @@ TextTable figure_table(const Solution& solution, const ValveReport& report) {
 }  // namespace
 
 std::string dead_centre_text(double crank) {
-    const double degrees = degrees_shown.of(crank), half_turns = std::round(degrees / 180.0);
-    const double from = degrees - 180.0 * half_turns;
-    const bool top = std::abs(std::fmod(half_turns, 2.0)) < 0.5;
-    return fmt::format("{} {}{}", short_text(std::abs(from)), from < 0.0 ? "B" : "A", top ? "TDC" : "BDC");
+    return stroke_text(crank, static_cast<int>(std::lround(degrees_shown.of(crank) / 180.0)));
 }
 
 std::vector<ViewTable> valve_tables(const Solution& solution) {
@@ -94,8 +113,8 @@ std::string valve_pair_text(const ValvePair& pair, LengthUnit unit) {
     const ShownUnit length{name_of(unit), metres_of(unit)};
     TextTable table{{{"valve lift"}, {"intake opens"}, {"exhaust closes"}, {"overlap (crank deg)"}}, {}};
     for (const ValvePair::Overlap& overlap : pair.overlaps)
-        table.rows.push_back({length.text(overlap.height), dead_centre_text(overlap.opens),
-                              dead_centre_text(overlap.closes),
+        table.rows.push_back({length.text(overlap.height), stroke_text(overlap.opens, 0),
+                              stroke_text(overlap.closes, 0),
                               overlap.duration() > 0.0 ? short_text(degrees_shown.of(overlap.duration()), 7)
                                                        : std::string("none")});
     std::string text =

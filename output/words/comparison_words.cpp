@@ -12,7 +12,7 @@ constexpr int table_figures = 4;
 constexpr int base_decimals = 3, base_decimals_of_inches = 4;  // a micrometre, a ten-thousandth of an inch
 
 std::string with_unit(double value, const std::string& unit) {
-    return short_text(value, table_figures) + (unit.empty() ? "" : " " + unit);
+    return short_text(value, table_figures) + (unit.empty() ? "" : " " + unit_words(unit));
 }
 
 /// By how much of its scale the limit is passed.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/key_words.hpp"
 #include "output/view/shown_units.hpp"
+#include "output/view/view.hpp"
 #include "output/words/solution_text.hpp"
 #include "scene/motion/set_points.hpp"
 
@@ -108,11 +109,33 @@ bool has_key_of(const std::vector<std::string>& keys, const OneLimit& limit) {
     });
 }
 
+/// Of a scene whose laws fix every displacement.
+constexpr const char* prescribed_words = "the prescribed motion with any cam of this scene";
+
+/// "motion.start" or "motion.end" where a state given there violates the limit by itself.
+std::string end_beyond(const OneLimit& limit, const Scene& scene) {
+    for (const bool at_end : {false, true}) {
+        if (!(at_end ? scene.motion.end : scene.motion.start)) continue;
+        const std::array<double, 2> given = end_velocities(scene.motion, at_end);
+        for (std::size_t order = 1; order <= given.size(); ++order) {
+            const std::optional<PeakLimit>& most = peak_limit_of(scene.limits, static_cast<int>(order));
+            const bool whole = most && (most->physical() || scene.motion.type != MotionType::program);
+            if (whole && most->key == limit.rows.front().key && std::abs(given[order - 1]) > most->normalised)
+                return at_end ? "motion.end" : "motion.start";
+        }
+    }
+    return {};
+}
+
 std::string alone_sentence(const OneLimit& limit, const std::string& words, const Solution& solution) {
     const std::string law = law_of(limit, solution.scene.motion);
     if (!law.empty())
         return fmt::format(
             "{} cannot be satisfied: the motion there is the law {}, regardless of the splines.", words, law);
+    if (const std::string end = end_beyond(limit, solution.scene); !end.empty())
+        return fmt::format("{} cannot be satisfied: {} alone violates it.", words, end);
+    if (solution.scene.motion.prescribed())
+        return fmt::format("{} cannot be satisfied by {}.", words, prescribed_words);
     const bool any = solution.explanation && has_key_of(solution.explanation->any_motion, limit);
     constexpr const char* makes = "that makes the lift in its angle";
     if (any) return fmt::format("{} cannot be satisfied by any motion {}.", words, makes);
@@ -244,9 +267,11 @@ std::string conflict_sentence(const Solution& solution) {
         if (limits.size() == 1 || known) alone.push_back(limit);
     }
     if (!alone.empty()) return alone_sentences(alone, solution);
-    return fmt::format("{} conflicts with {}: no {} satisfies all limits.",
-                       capitalised(text_of(limits.front(), motion)), joined(limits, 1, motion),
-                       spline_words(solution.scene));
+    const bool prescribed = motion.prescribed();
+    return fmt::format(
+        "{} conflicts with {}: {} satisfies all limits.", capitalised(text_of(limits.front(), motion)),
+        joined(limits, 1, motion),
+        prescribed ? "no cam of this scene for the prescribed motion" : "no " + spline_words(solution.scene));
 }
 
 std::string sufficient_changes(const std::vector<Relaxation>& rows) {

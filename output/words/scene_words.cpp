@@ -288,7 +288,7 @@ std::string train_line(const Scene& scene) {
 
 std::string limit_text(const std::string& key, bool least, double given, const std::string& unit) {
     return fmt::format("{} {} {}{}{}", key_words(key).words, least ? ">=" : "<=", short_text(given),
-                       unit.empty() ? "" : " ", unit);
+                       unit.empty() ? "" : " ", unit_words(unit));
 }
 
 std::string drive_line(const Scene& scene) {

@@ -186,6 +186,8 @@ std::string verdict_sentence(const Solution& solution) {
             return kept ? "Prescribed motion, nothing to optimize; every limit is satisfied."
                         : "Proved infeasible: the prescribed motion violates a limit.";
         if (kept) return "Prescribed motion; the dimensions of its cam are proved optimal.";
+        if (certificate.verdict == Verdict::infeasible)
+            return "Proved infeasible: the prescribed motion violates a limit with every cam of this scene.";
     }
     if (!searched(solution) || certificate.verdict == Verdict::optimal ||
         certificate.verdict == Verdict::infeasible)
@@ -277,12 +279,19 @@ std::string relaxation_sentence(const Relaxation& row) {
     return fmt::format("{} = {}: {}", row.key, short_text(row.given), change_words(row));
 }
 
+std::string solver_words(const Solution& solution) {
+    const std::string& used = solution.solver.name;
+    if (!solution.plan || solution.plan->solver == used || solution.plan->next_solver == used) return used;
+    return fmt::format("{}; {} was not needed, the problem without the limits that are not convex decides it",
+                       used, solution.plan->solver);
+}
+
 std::vector<std::string> solver_sentences(const Solution& solution) {
     const SolverReport& solver = solution.solver;
     std::vector<std::string> all;
     if (!solver.name.empty())
         all.push_back(
-            fmt::format("Solver: {}{}; {}; {} s in all.", solver.name,
+            fmt::format("Solver: {}{}; {}; {} s in all.", solver_words(solution),
                         solver.choice.empty() ? "" : " (" + solver.choice + ")",
                         solver.termination == Termination::not_run
                             ? std::string("not run: the search for a first point decided the scene")
@@ -323,7 +332,7 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
     const SolverReport& solver = solution.solver;
     if (!solver.name.empty())
-        text += fmt::format("  solver: {}, iterations {}, exchange rounds {}, {} s\n", solver.name,
+        text += fmt::format("  solver: {}, iterations {}, exchange rounds {}, {} s\n", solver_words(solution),
                             solver.iterations, solver.exchange_rounds, short_text(solution.seconds_total, 3));
     for (const auto& path : written) text += fmt::format("  wrote {}\n", path.string());
     return text;

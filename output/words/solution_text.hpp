@@ -10,6 +10,9 @@ namespace camopt {
 
 /// "Proved optimal: …" One sentence.
 [[nodiscard]] std::string verdict_sentence(const Certificate& certificate);
+
+/// The backend of the result, and the planned one where it was not used.
+[[nodiscard]] std::string solver_words(const Solution& solution);
 /// The same, and what a search from several starts can say and cannot.
 [[nodiscard]] std::string verdict_sentence(const Solution& solution);
 

@@ -131,7 +131,8 @@ class Explainer {
 
     void try_segments() {
         segments_tried_ = true;
-        if (!found_.any_motion.empty() || no_motion_keeps_all_caps(scene_)) return;
+        if (scene_.motion.prescribed() || !found_.any_motion.empty() || no_motion_keeps_all_caps(scene_))
+            return;
         const Budget part = budget_.part(part_of_segments);
         FinerSpline finer = finer_spline(scene_, part);
         if (finer.row) solution_.relaxation.push_back(*finer.row);

@@ -176,13 +176,21 @@ ValveReport valve_report(const Solution& solution) {
     const ValveSpec& valve = spec_of(solution);
     const Motion& motion = *solution.motion;
     ValveReport report;
-    std::vector<double> heights = {0.1 * units::millimetre, valve.checking_height, 0.05 * units::inch,
-                                   units::millimetre, 0.2 * units::inch};
+    std::vector<double> heights = {valve.checking_height, 0.05 * units::inch, 0.2 * units::inch};
+    // Heights at which lobes are measured: with feelers of an inch, or of a millimetre.
+    if (solution.scene.length_unit == LengthUnit::inch)
+        heights.insert(heights.end(), {0.004 * units::inch, 0.006 * units::inch, 0.02 * units::inch});
+    else
+        heights.insert(heights.end(), {0.1 * units::millimetre, units::millimetre});
     std::ranges::sort(heights);
     const auto same = [](double one, double other) { return std::abs(one - other) < same_height; };
     heights.erase(std::unique(heights.begin(), heights.end(), same), heights.end());
     for (const double height : heights)
         if (height < valve.lift) report.events.push_back(event_at(solution, height));
+    if (!solution.scene.motion.lift_is_angle)  // of a tappet, which has no lash
+        for (const double height : {0.02 * units::inch, 0.05 * units::inch})
+            if (const double lift = valve.ratio * height - valve.lash; height < solution.scene.motion.lift)
+                report.tappet_durations.emplace_back(height, event_at(solution, lift).duration());
     const double nose = nose_of(solution);
     report.opening_velocity = valve_velocity_at(solution, place_of_lift(solution, 0.0, -1));
     report.closing_velocity = valve_velocity_at(solution, place_of_lift(solution, 0.0, 1));

@@ -25,8 +25,10 @@ struct ValveMargin {
 };
 
 struct ValveReport {
-    /// By ascending height: 0.1 mm, the checking height, 0.05 in, 1 mm, 0.2 in; those below the lift.
+    /// By ascending height: the checking height, 0.05 in, 0.2 in, and 0.1 mm, 1 mm or, where lengths are in
+    /// inches, 0.004 in, 0.006 in, 0.02 in; those below the lift.
     std::vector<ValveEvent> events;
+    std::vector<std::pair<double, double>> tappet_durations;  ///< crank angle above a lift of the tappet
     double opening_velocity = 0.0, closing_velocity = 0.0;  ///< of the valve at lift 0, m/rad of the cam, > 0
     /// Of the follower by the cam angle, m/rad² or 1/rad: largest on each flank, and least (the nose's).
     double opening_acceleration = 0.0, closing_acceleration = 0.0, nose_acceleration = 0.0;

@@ -46,5 +46,12 @@ TEST(ShortText, IsWhatAxesWrite) {
     EXPECT_EQ(tick_text(2e-6, 1e-6), short_text(2e-6));
 }
 
+TEST(UnitWords, HaveSuperscripts) {
+    EXPECT_EQ(unit_words("m/s^2"), "m/s²");
+    EXPECT_EQ(unit_words("mm/deg^3"), "mm/deg³");
+    EXPECT_EQ(unit_words("um"), "µm");
+    EXPECT_EQ(unit_words("lbf in"), "lbf in");
+}
+
 }  // namespace number_text_test
 }  // namespace camopt

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What terminal summary and report say about cams, programs and scenes that have no motion.
+#include "input/loading/load_scene.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
@@ -7,6 +8,8 @@
 #include "output/view/tables.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/check/check_cam.hpp"
+#include "studies/search/plan.hpp"
+#include "studies/solve/solve.hpp"
 #include "tests/output/sample_solution.hpp"
 
 #include <gtest/gtest.h>
@@ -44,11 +47,15 @@ TEST(KeyWords, NamesAndUnitsOfKeys) {
     EXPECT_EQ(key_words("cam.base_radius_mm.max").unit, "mm");
 }
 
-TEST(KeyWords, ListNumbersKeepTheirIndex) {
-    EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").words, "motion.via[0].velocity");
+TEST(KeyWords, ListNumbersCountFromOne) {
+    EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").words,
+              "velocity of set point 1 (motion.via[0].velocity_mm_deg)");
     EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").unit, "mm/deg");
     EXPECT_EQ(key_words("motion.segments[2].via[1].acceleration_m_s2").unit, "m/s²");
-    EXPECT_EQ(key_words("motion.segments[2].angle_deg").words, "motion.segments[2].angle");
+    EXPECT_EQ(key_words("motion.segments[2].angle_deg").words,
+              "angle of segment 3 (motion.segments[2].angle_deg)");
+    EXPECT_EQ(key_words("motion.segments[2].via[1].acceleration_m_s2").words,
+              "acceleration of set point 2 of segment 3 (motion.segments[2].via[1].acceleration_m_s2)");
     EXPECT_EQ(key_words("motion.segments[2].to").unit, "");
 }
 
@@ -66,20 +73,20 @@ TEST(KeyWords, ChangeIsRoundedToFeasibleSide) {
               "lower the cam radius limit to 2.5 mm");
     EXPECT_EQ(change_words({"cam.base_radius_mm", 30.0, std::nullopt}), "");
     EXPECT_EQ(change_words({"motion.via[1].displacement_mm", 0.35, 0.18}),
-              "change motion.via[1].displacement from 0.35 to 0.18 mm");
+              "change the displacement of set point 2 (motion.via[1].displacement_mm) from 0.35 to 0.18 mm");
     EXPECT_EQ(change_words({"motion.speed_rpm", 300.0, 280.0}), "reduce the speed to 280 rpm");
 }
 
 TEST(KeyWords, ChangeNamesTheReducedSide) {
-    EXPECT_EQ(
-        change_words({"motion.segments[2].angle_deg",
-                      50.0,
-                      54.0,
-                      54.0,
-                      false,
-                      {{"motion.segments[3].angle_deg", 40.0, 36.0}}}),
-        "lengthen motion.segments[2].angle from 50 to 54 deg, taken from motion.segments[3].angle, which "
-        "becomes 36 deg");
+    EXPECT_EQ(change_words({"motion.segments[2].angle_deg",
+                            50.0,
+                            54.0,
+                            54.0,
+                            false,
+                            {{"motion.segments[3].angle_deg", 40.0, 36.0}}}),
+              "lengthen the angle of segment 3 (motion.segments[2].angle_deg) from 50 to 54 deg, taken from "
+              "the angle "
+              "of segment 4 (motion.segments[3].angle_deg), which becomes 36 deg");
     EXPECT_EQ(change_words({"motion.rise_deg", 75.0, 95.0, 95.0, false, {{"motion.return_deg", 75.0, 95.0}}}),
               "lengthen the rise to 95 deg, with the return at 95 deg");
 }
@@ -413,6 +420,47 @@ TEST(Report, ReportsProgramBySegments) {
     for (const char* part : {"a program of 4 segments over 360 deg", "## Segments", "| modified sine |",
                              "spline segments | at (deg)", "22.4039 mm/rad | 337.5"})
         EXPECT_TRUE(says(text, part)) << part;
+}
+
+TEST(SolverWords, NameBackendThatWasNotUsed) {
+    Solution solution = test::cam_solution();
+    SolvePlan plan;
+    plan.solver = "ipopt";
+    solution.plan = std::make_shared<const SolvePlan>(plan);
+    solution.solver.name = "structured";
+    EXPECT_TRUE(says(solver_words(solution), "structured; ipopt was not needed"));
+    EXPECT_TRUE(says(summary_text(solution, {}), "ipopt was not needed"));
+    plan.next_solver = "structured";
+    solution.plan = std::make_shared<const SolvePlan>(plan);
+    EXPECT_EQ(solver_words(solution), "structured");
+}
+
+TEST(PrescribedWords, NameNoSpline) {
+    Solution solution = test::infeasible_cam_solution();
+    ProgramSegment law;
+    law.kind = SegmentKind::law;
+    law.law = "cycloidal";
+    law.to = 1.0;
+    law.angle = solution.scene.motion.unit_angle();
+    solution.scene.motion.type = MotionType::program;
+    solution.scene.motion.segments = {law};
+    ASSERT_TRUE(solution.scene.motion.prescribed());
+    SolvePlan plan;
+    plan.dimensions = 1;
+    solution.plan = std::make_shared<const SolvePlan>(plan);
+    EXPECT_FALSE(says(verdict_sentence(solution), "spline")) << verdict_sentence(solution);
+    EXPECT_FALSE(says(conflict_sentence(solution), "quintic")) << conflict_sentence(solution);
+    EXPECT_TRUE(says(verdict_sentence(solution), "prescribed motion violates a limit with every cam"));
+}
+
+// It starts with 1200 mm/s.
+TEST(ConflictSentence, NamesStartBeyondLimit) {
+    const std::vector<std::string> slower = {"limits.velocity_mm_s=800"};
+    const Solution solution =
+        solve(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/49_moving_start.toml", slower));
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    EXPECT_TRUE(says(conflict_sentence(solution), "motion.start alone violates it"))
+        << conflict_sentence(solution);
 }
 
 }  // namespace cam_texts_test

@@ -89,8 +89,11 @@ TEST(UsefulChange, ServoProgramChangesAngleAndDwell) {
     ASSERT_EQ(first.also.size(), 1U);
     EXPECT_EQ(first.also[0].key, "motion.segments[3].angle_deg");
     EXPECT_NEAR(*first.solved + first.also[0].solved, 90.0, 1e-12);
-    EXPECT_NE(told(solution).find("lengthen motion.segments[2].angle from 50 to 54."), std::string::npos);
-    EXPECT_NE(told(solution).find("taken from motion.segments[3].angle, which becomes 35."),
+    EXPECT_NE(
+        told(solution).find("lengthen the angle of segment 3 (motion.segments[2].angle_deg) from 50 to 54."),
+        std::string::npos);
+    EXPECT_NE(told(solution).find(
+                  "taken from the angle of segment 4 (motion.segments[3].angle_deg), which becomes 35."),
               std::string::npos);
     EXPECT_NE(told(solution).find("raise the acceleration limit to 66"), std::string::npos) << told(solution);
 }
