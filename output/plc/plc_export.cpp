@@ -2,10 +2,11 @@
 #include "output/plc/plc_export.hpp"
 
 #include "core/version.hpp"
-#include "objectives/scene_model.hpp"
 #include "output/json/json_text.hpp"
 #include "output/plc/structured_text.hpp"
 #include "output/view/shown_units.hpp"
+#include "splines/motion_family.hpp"
+#include "studies/delivered/solution_parts.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -359,7 +360,9 @@ std::array<std::optional<CamDifference>, 4> plc_loss(const PlcFormat& format, co
 
 void refuse_too_few_elements(const Scene& scene, const std::vector<std::string>& formats) {
     if (formats.empty()) return;
-    const int pieces = static_cast<int>(scene_family(scene, DesignKind::states).pieces().size());
+    Solution unsolved;
+    unsolved.scene = scene;
+    const int pieces = static_cast<int>(family_of(unsolved)->pieces().size());
     for (const std::string& key : formats) {
         const PlcFormat& format = plc_format(key);
         check_count(format, pieces + (format.counted == PlcCount::points ? 1 : 0));

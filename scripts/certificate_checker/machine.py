@@ -21,6 +21,7 @@ from .units import LENGTHS, angle_of, in_known_units, in_unit, with_known_rule
 from .valve import as_program
 
 TURN = Fraction(360)
+SAME_TURN = Fraction(1, 10**7)  # deg
 IN_TIME = "_s", "_s2", "_s3"
 OF_FORCES = "contact_force", "torque_max", "hertz_pressure", "residual", "dynamic_"
 
@@ -72,6 +73,19 @@ class Axis:
         end = self.problem.stretches[-1].end * self.problem.copies  # angles as written add up to nearly a turn
         return x if x < end * (1 - SAME_PLACE) else Fraction(0)
 
+    @property
+    def advance(self):
+        """y gained in every cycle."""
+        if self.problem.motion.get("closed") != "relative":
+            return Fraction(0)
+        return self.problem.stretches[-1].to * self.problem.copies
+
+    def advanced(self, angle):
+        """y gained before the axis begins its motion in the cycle of that master angle: it counts from the cycle's start, and falls back at
+        360 deg."""
+        master = min(angle, TURN) if angle <= TURN + SAME_TURN else angle - TURN
+        return self.advance * ((master - self.phase % TURN) // TURN)
+
     def lift(self, unit):
         """In the unit of a clearance."""
         size, kind = self.problem.lift
@@ -102,9 +116,6 @@ class Clearance:
         key = next(k for k in written if k.startswith("at_least_"))
         self.unit, self.at_least = key[len("at_least_"):], number(written[key])
         self.axes = [next(a for a in axes if a.name == name) for name in written["between"]]
-        for axis in self.axes:
-            if axis.problem.motion.get("closed") == "relative":
-                raise Unverified(f"a clearance of {axis.name}, which advances in every cycle")
         self.factors = [number(f) for f in written.get("factors", [1] * len(self.axes))]
         self.begin, end = (in_unit(angle_of(written, key) or (whole, "deg"), "deg") for key, whole in (("from", 0 * TURN), ("to", TURN)))
         self.length = end - self.begin if end > self.begin else end - self.begin + TURN
@@ -116,7 +127,7 @@ class Clearance:
 
     def holds_at(self, angle):
         """The angle, moved into the stretch by no more than rounding."""
-        along = (angle - self.begin) % TURN
+        along = angle - self.begin if 0 <= angle - self.begin <= self.length else (angle - self.begin) % TURN
         if along > TURN - Fraction(1, 10**6):
             along = Fraction(0)
         if along > self.length + Fraction(1, 10**6):
@@ -132,6 +143,7 @@ class Clearance:
         for axis, factor in zip(self.axes, self.factors):
             bound, x = bounds[axis.name], axis.place(angle)
             size = -multiplier * factor * axis.lift(self.unit)
+            least += size * axis.advanced(angle)
             k, run, stretch = bound.run_at(x, "right")
             if run is None:
                 state, _ = state_at(axis.problem, x, "right")
@@ -145,12 +157,14 @@ class Clearance:
         """The largest of at_least - sum over the stretch is within what camopt promises of 0."""
         points = {Fraction(0), self.length}
         for axis in self.axes:
-            points |= {p for p in ((b - self.begin) % TURN for b in axis.breaks()) if p < self.length}
+            breaks = (*axis.breaks(), Fraction(0)) if axis.advance else axis.breaks()
+            points |= {p for p in ((b - self.begin) % TURN for b in breaks) if p < self.length}
         points = sorted(points)
         for left, right in zip(points, points[1:]):
             total, formulas = [self.at_least], []
             for axis, factor in zip(self.axes, self.factors):
                 own, size = y_along(axis, curves[axis.name], self.begin + left, right - left), -factor * axis.lift(self.unit)
+                total = combination((1, total), (size, [axis.advanced(self.begin + (left + right) / 2)]))
                 if callable(own):
                     formulas.append((size, own))
                 else:

@@ -30,6 +30,15 @@ LOWERING = MOTION + 'closed = "relative"\nsegments = [{ kind = "spline", angle_d
     "[spline]\nsegments = 8\n" + DRIVE + "[limits]\nmotor_torque_nm = { min = -40, max = 4 }\n" + JERK
 DAMPED = MOTION + SLIDE + DRIVE + "viscous_n_s_m = 900\n[limits]\nmotor_torque_nm = 20\n" + JERK
 FOLLOWING = MOTION + SLIDE + "[limits]\nacceleration_m_s2 = 40\n" + JERK
+# Advances by its lift in every cycle; counts from the cycle's start.
+INDEXING = MOTION + 'closed = "relative"\nsegments = [{ kind = "dwell", angle_deg = 210 }, ' \
+    '{ kind = "law", law = "cycloidal", angle_deg = 150, to = 1 }]\n[limits]\nacceleration_m_s2 = 400\n'
+BESIDE = """phase_deg = 60
+[[clearance]]
+between = ["axis1", "axis2"]
+factors = [-1, -1]
+at_least_mm = -62
+"""
 # In radians; both strokes are laws.
 LEADING = MOTION + """segments = [
 { kind = "law", law = "modified_sine", angle_rad = 2.0944, to = 1 }, { kind = "dwell", angle_rad = 0.35 },
@@ -57,6 +66,8 @@ SMALL = [("holding", RANGE, [HOLDING], "", ("infeasible", True), "axis1.toml", {
          ("lowering", RANGE, [LOWERING], "", ("infeasible", True), "axis1.toml", BRAKED, "not verified"),
          ("damped", "speed_rpm = 900", [DAMPED], "", ("infeasible", False), "machine.toml", FASTER, "not verified"),
          ("following", RANGE, [LEADING, FOLLOWING], CLEARANCE, ("optimal", False), "machine.toml", TIGHTER, "refuted"),
+         ("indexing", RANGE, [INDEXING, FOLLOWING], BESIDE, ("optimal", False), "machine.toml",
+          {"at_least_mm = -62": "at_least_mm = -61.999"}, "refuted"),
          ("least", FIXED, [LEADING, FOLLOWING], CLEARANCE, ("optimal", False), "machine.toml", TIGHTER, "refuted")]
 
 
@@ -121,6 +132,24 @@ def corridor_to_the_end(camopt, module, place):
     expect(module, place / "press", "refuted", "another corridor than that of the motions")
 
 
+def format_that_does_not_fit(camopt, place):
+    """Is refused before the search, and leaves no folder."""
+    ended = subprocess.run([camopt, "machine", str(checker.ROOT / "tests/cases/56_shear.toml"), "--plc", "siemens", "--out",
+                            str(place / "shear")], capture_output=True, text=True, timeout=600)
+    assert ended.returncode == 2 and "a technology object TO_Cam holds 50" in ended.stderr, ended.stderr
+    assert not (place / "shear").exists()
+
+
+def axis_reports(camopt, place):
+    """An axis says that it belongs to a machine and what shapes it."""
+    report = (place / "indexing" / "axis2" / "report.md").read_text()
+    for words in "An axis of a machine", "it begins at 60 deg of the master", "clearance[0].at_least_mm shapes it":
+        assert words in report, words
+    page = (place / "indexing" / "axis2" / "report.html").read_text()
+    for words in "search ended early", "would be no worse":
+        assert words not in page, words
+
+
 def main():
     camopt, module = sys.argv[1], checker.load()
     with tempfile.TemporaryDirectory() as place:
@@ -134,6 +163,8 @@ def main():
         for case in SMALL:
             small_machine(camopt, module, place, case)
         corridor_to_the_end(camopt, module, place)
+        format_that_does_not_fit(camopt, place)
+        axis_reports(camopt, place)
     print(f"{3 + len(SMALL)} machines confirmed, {3 + len(SMALL)} of them changed and then refuted or left open")
 
 
