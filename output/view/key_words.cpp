@@ -49,7 +49,8 @@ KeyWords listed_key_words(std::string_view key) {
     const std::string_view side = key.ends_with(".max") ? ", max" : key.ends_with(".min") ? ", min" : "";
     if (!side.empty()) key.remove_suffix(std::string_view(".max").size());
     const std::size_t name = key.rfind('.') + 1, end = std::min(key.find('_', name), key.size());
-    KeyWords found{std::string(key.substr(name, end - name)), "", false};
+    const std::string_view number = key.substr(name, end - name);
+    KeyWords found{number == "to" ? "last displacement" : std::string(number), "", false};
     std::string places;
     for (std::size_t open = key.find('['); open != std::string_view::npos; open = key.find('[', open + 1)) {
         const std::size_t dot = key.rfind('.', open) + 1;

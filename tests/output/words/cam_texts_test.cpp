@@ -57,6 +57,8 @@ TEST(KeyWords, ListNumbersCountFromOne) {
     EXPECT_EQ(key_words("motion.segments[2].via[1].acceleration_m_s2").words,
               "acceleration of set point 2 of segment 3 (motion.segments[2].via[1].acceleration_m_s2)");
     EXPECT_EQ(key_words("motion.segments[2].to").unit, "");
+    EXPECT_EQ(key_words("motion.segments[2].to").words,
+              "last displacement of segment 3 (motion.segments[2].to)");
 }
 
 TEST(KeyWords, ChangeIsRoundedToFeasibleSide) {
