@@ -131,7 +131,7 @@ class PointClearance {
         double best = best_of_near_poses();
         const double worth_a_look = best + candidate_part * cutter_.diameter;
         for (std::size_t i = 0; i < values_.size(); ++i) {
-            // Of its own block only: where blocks join, the two poses differ by the rounding of an arc.
+            // Of its own block only: the pose before its first may be another, by rounding or by a rapid.
             const std::size_t step = i % per_segment;
             const bool falls = step == 0 || values_[i] <= values_[i - 1];
             const bool rises = step == steps_per_block || values_[i] <= values_[i + 1];
