@@ -131,14 +131,18 @@ class PointClearance {
         double best = best_of_near_poses();
         const double worth_a_look = best + candidate_part * cutter_.diameter;
         for (std::size_t i = 0; i < values_.size(); ++i) {
-            const bool falls = i == 0 || values_[i] <= values_[i - 1];
-            const bool rises = i + 1 == values_.size() || values_[i] <= values_[i + 1];
+            // Of its own block only: the pose before its first may be another, by rounding or by a rapid.
+            const std::size_t step = i % per_segment;
+            const bool falls = step == 0 || values_[i] <= values_[i - 1];
+            const bool rises = step == steps_per_block || values_[i] <= values_[i + 1];
             if (falls && rises && values_[i] <= worth_a_look) best = std::min(best, refined(i));
         }
         return best;
     }
 
  private:
+    static constexpr std::size_t per_segment = steps_per_block + 1;
+
     /// Over all coarse poses; those too far to be worth a look keep the value infinity.
     [[nodiscard]] double best_of_near_poses() {
         const std::vector<Sweep::Group>& groups = sweep_.groups();
@@ -162,7 +166,6 @@ class PointClearance {
     }
     /// Around coarse pose i; either side may belong to another block.
     [[nodiscard]] double refined(std::size_t i) const {
-        constexpr std::size_t per_segment = steps_per_block + 1;
         const std::size_t segment = i / per_segment, step = i % per_segment;
         const double low = step == 0 ? 0.0 : static_cast<double>(step - 1) / steps_per_block;
         const double high = std::min(1.0, static_cast<double>(step + 1) / steps_per_block);
