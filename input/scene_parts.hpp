@@ -83,3 +83,76 @@ struct MeasuredTable {
 /// What the scene says about the table.
 struct TableForm {
     std::vector<std::string> columns = {};  ///< their names; empty: in the first line
+    bool by_step = false;                   ///< the rows have no angles
+    char decimal = '.';
+    bool points = false;       ///< (x, y) or (theta, r) too
+    bool any_decimal = false;  ///< read_inspected_table's: finds the decimal comma
+    int skipped = 0;           ///< lines at the beginning
+    bool crank = false;        ///< angles in cam units are crank angles
+    std::vector<double> scale = {},
+                        offset = {};  ///< of each column: offset + scale · cell; empty: as written
+};
+
+/// Throws InputError "FILE:LINE: …" for columns that are missing or in other units, cells that are not finite
+/// numbers, angles that neither ascend nor descend, and files that cannot be read.
+[[nodiscard]] MeasuredTable read_measured_table(const std::filesystem::path& file,
+                                                const TableForm& form = {});
+[[nodiscard]] MeasuredTable measured_table_of(std::string_view text, const std::string& name,
+                                              const TableForm& form = {});
+
+// Points of a disk cam's surface → the motion of the follower that rolls or slides on it.
+//
+// Each point becomes one row. Its normal n comes from the cubic through its neighbours (core/numbers/
+// robust_fit.hpp) in polar coordinates: outliers do not turn it. A roller of radius R that touches the point
+// p there has its centre at p + R n, a face its distance p · n; the cam angle is that at which this is on the
+// follower's guide. An error δ of the normal moves the row along the motion and off it by R δ²/2 (roller) or
+// ϱ δ²/2 (face; ϱ radius of curvature): second order, while the noise of the points stays that of the rows.
+// The follower lies on the largest displacement at which it touches the surface: points at which it would cut
+// into the smoothed surface elsewhere are left out.
+struct SurfaceProbe {
+    FollowerGeometry follower;
+    double radius = 0.0;         ///< m; points are the centres of a ball that touches the surface; 0: on it
+    double roller_radius = 0.0;  ///< of the follower, m; 0: an edge or a face
+    double sense = 1.0;          ///< of the cam's rotation, seen in the follower's frame
+};
+struct SurfaceMotion {
+    std::vector<double> angle, displacement;  ///< rad in [0, 2π), ascending; m or rad
+    std::vector<std::size_t> rows;            ///< of each row its point
+    int untouched = 0;                        ///< points that the follower does not touch
+};
+/// Its dimensions: of ranges the middle. Throws SceneError for a cam that is not a disk.
+[[nodiscard]] SurfaceProbe surface_probe(const CamSpec& cam, double probe_radius);
+/// Points in the cam's frame, m. Throws SceneError "measured.theta[point]" where they leave a gap.
+[[nodiscard]] SurfaceMotion motion_on_surface(std::span<const Eigen::Vector2d> points,
+                                              const SurfaceProbe& probe);
+
+/// What measured.register asks for.
+struct RegisterRequest {
+    bool angle = false, radius = false;
+};
+/// Moves the rows to where the motion is, by a robust fit (input/table_alignment.hpp) of the scene's motion
+/// with the law of the catalogue in its spline strokes that is nearest to the rows; laws and dwells of the
+/// scene stay. Throws SceneError "measured.register" where a displacement is searched, and for a table of a
+/// whole revolution where the motion is a part of one.
+[[nodiscard]] MeasuredPlace register_rows(const MotionSpec& motion, const KnownNames& known,
+                                          RegisterRequest request, MeasuredMotion& measured);
+
+struct MeasuredInput {
+    MeasuredMotion motion;
+    std::optional<MeasuredTable> table;  ///< if from a file: its lines, for messages
+    std::vector<std::size_t> rows;       ///< of the motion: each one's place in the table or the arrays
+};
+
+/// Throws InputError for a missing key, a file that cannot be read, units that do not fit the lift.
+[[nodiscard]] std::optional<MeasuredInput> read_measured(const SceneSource& source, const Scene& scene,
+                                                         const KnownNames& known);
+
+/// Throws for a fault of the scene: one of the measured motion at its row as written, in its file if it has
+/// one.
+[[noreturn]] void fail_in_measured(const SceneSource& source, const MeasuredInput& measured,
+                                   const SceneFault& fault);
+
+/// Replaces the table that the scene names by its numbers. No effect if it names none.
+void write_out_tables(Node& root, const std::filesystem::path& folder);
+
+}  // namespace camopt::input

@@ -44,7 +44,8 @@ bool takes(const NativeOption& option, const OptionValue& value) {
     if (option.kind == "bool") return std::holds_alternative<bool>(value);
     if (option.kind == "text") {
         const auto* text = std::get_if<std::string>(&value);
-        return text != nullptr && std::find(option.choices.begin(), option.choices.end(), *text) != option.choices.end();
+        return text != nullptr &&
+               std::find(option.choices.begin(), option.choices.end(), *text) != option.choices.end();
     }
     if (const auto* integer = std::get_if<long long>(&value))
         return in_range(option, static_cast<double>(*integer));

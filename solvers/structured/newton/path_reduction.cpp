@@ -120,7 +120,8 @@ std::vector<PathReduction::Candidate> PathReduction::candidates(const VectorXd& 
     std::vector<char> in_cost(static_cast<std::size_t>(full_.variables()), 0);
     VectorXd gradient(start.size());
     full_.cost->gradient(start, gradient);
-    for (Index j = 0; j < gradient.size(); ++j) in_cost[static_cast<std::size_t>(j)] = gradient[j] != 0.0 ? 1 : 0;
+    for (Index j = 0; j < gradient.size(); ++j)
+        in_cost[static_cast<std::size_t>(j)] = gradient[j] != 0.0 ? 1 : 0;
     for (const auto* indices : {&full_.hessian.rows, &full_.hessian.columns})
         for (const int j : *indices) in_cost[static_cast<std::size_t>(j)] = 1;
     std::vector<Candidate> result;
