@@ -276,7 +276,9 @@ MeasuredPlace register_rows(const MotionSpec& motion, const KnownNames& known, R
         weights += row.weight;
     }
     place.residual = std::sqrt(squares / std::max(1.0, weights));
-    if (request.angle && !place.law.empty()) place_smoothly(reference, request, found, place);
+    // A law that describes the table places it best: smooth strokes could move along it.
+    if (request.angle && !place.law.empty() && place.contradicted())
+        place_smoothly(reference, request, found, place);
     // Residuals far above the noise are the model's: no statement on the errors of its parameters holds.
     if (place.contradicted()) found.error.setConstant(std::numeric_limits<double>::quiet_NaN());
     if (request.radius) place.zero = {found.alignment[0], found.error[0]};

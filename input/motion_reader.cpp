@@ -267,6 +267,11 @@ void read_valve(const SceneSource& source, MotionSpec& motion) {
         source.fail_member(fault->member, words_of(*fault));
     motion.lift_is_angle = swings;
     make_valve_lobe(motion, valve);
+    if (swings) return;
+    // Words name the checking point in the unit of its height.
+    const std::string unit(source.find("motion", "checking_height")->spelling->unit);
+    for (ProgramSegment& segment : motion.segments)
+        for (SetPoint& point : segment.via) point.units.displacement = unit;
 }
 
 class MotionReader {

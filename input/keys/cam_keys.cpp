@@ -44,7 +44,7 @@ std::vector<KeyRow> force_rows() {
         {"forces", "spring_frequency", number, frequency, positive, {}, "none",
          "Natural frequency of the return spring between fixed ends (surge): harmonics of the lift near it are "
          "reported, and may be limited. For an RR motion or a closed program."},
-        {"forces", "speed_range", numbers, speed, not_negative, {}, "see there",
+        {"forces", "speed_range", numbers, speed, not_negative, {}, "motion.speed, or from 0",
          "Two speeds of the cam: limits of contact force, Hertz pressure and torque hold from the first to the second. "
          "Default: from 0 to the speed where a spring loads the cam and `limits.hertz_pressure_max` is given, else the speed."},
         {"forces", "contact_width", number, length, positive, {}, "none",

@@ -196,6 +196,7 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] double farthest(double incumbent) const;
     static void bound_by_motor(const CamModel& model, SupportedBounds& known, double relaxation);
     [[nodiscard]] SupportedBounds supported_bounds(double incumbent, double relaxation) const;
+    [[nodiscard]] SupportedBounds bounds_within(double farthest, double incumbent, double relaxation) const;
 
     std::shared_ptr<CamModel> model_;  ///< its grid reads it too
     std::vector<RuleSample> samples_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bounds valid for every motion at least as good as the incumbent, for proofs.
 #include "objectives/grid/cam_problem.hpp"
+#include "objectives/rules/peak_rule.hpp"
 
 namespace camopt {
 
@@ -33,6 +34,64 @@ double smallest_stretch_factor(const CamModel& model, int order) {
 double least_value(const Parameter& parameter, double farthest) {
     if (parameter.kind == Parameter::Kind::dimension) return parameter.lower;
     return std::min(0.0, std::max(parameter.lower, (1.0 - farthest) / parameter.reference));
+}
+
+/// |y^{(order)}| on the splines by limits on it to both sides; infinite where one is not limited.
+double limited_derivative(const CamModel& model, int order) {
+    const auto value = [](const PointRule& rule, int moved) {
+        MotionPoint point;
+        if (moved > 0) point.derivative[static_cast<std::size_t>(moved)] = 1.0;
+        return rule.evaluate(point, {}).value;
+    };
+    double largest = 0.0;
+    const auto& stretches = model.design.own_stretches();
+    for (int s = 0; s < static_cast<int>(stretches.size()); ++s) {
+        if (stretches[s].kind != StretchRequest::Kind::spline) continue;
+        double least = -infinity, most = infinity;
+        for (const PlacedRule& rule : model.rules) {
+            const bool whole = (rule.stretch < 0 || rule.stretch == s) && rule.from <= stretches[s].begin &&
+                               rule.until >= stretches[s].end;
+            if (!whole || !rule->limit() || !rule->linear() || !rule->parameters().empty() ||
+                rule->highest_order() != order || dynamic_cast<const BoundRule*>(rule.rule.get()) == nullptr)
+                continue;
+            const double rest = value(*rule, 0), slope = value(*rule, order) - rest;
+            const bool alone = value(*rule, order == 2 ? 1 : 2) == rest;  // no sum of derivatives
+            if (!alone || slope == 0.0) continue;
+            double& side = slope > 0.0 ? most : least;
+            const double bound = (relaxed_limits - rest) / slope;
+            side = slope > 0.0 ? std::min(side, bound) : std::max(side, bound);
+        }
+        largest = std::max({largest, std::abs(least), std::abs(most)});
+    }
+    return largest > 0.0 ? largest : infinity;
+}
+
+/// What the terms cost at least.
+double least_cost_of(const CamModel& model, double farthest) {
+    double least = 0.0;
+    for (const Parameter& parameter : model.parameters)
+        if (parameter.weight > 0.0)
+            least += std::min(0.0, parameter.weight * least_value(parameter, farthest));
+    return least;
+}
+
+/// |y| between two known displacements D apart, at rest at one of them: y'' = ±2 Δ/D² somewhere between, so
+/// |y''| <= 2 |Δ|/D² + D B_3, and y leaves the resting end by at most D²/2 of that.
+double reach_of(const std::vector<KnownPoint>& points, const std::array<double, 4>& sup) {
+    const auto rests = [&](double x) {
+        return std::ranges::any_of(points, [&](const KnownPoint& one) { return one.x == x && one.at_rest; });
+    };
+    double reach = points.size() < 2 ? infinity : 0.0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const KnownPoint &from = points[i], &to = points[i + 1];
+        const double apart = to.x - from.x;
+        if (!(apart > 0.0)) continue;
+        if (!rests(from.x) && !rests(to.x)) return infinity;
+        const double bend =
+            std::min(sup[2], 2.0 * std::abs(to.y - from.y) / (apart * apart) + apart * sup[3]);
+        reach = std::max(reach, std::max(std::abs(from.y), std::abs(to.y)) + 0.5 * apart * apart * bend);
+    }
+    return reach;
 }
 
 /// Bounds of y' and y'' from those of y and of higher derivatives. Divided differences
@@ -99,22 +158,35 @@ double CamProblem::farthest(double incumbent) const {
 }
 
 double CamProblem::least_cost(double incumbent) const {
-    double least = 0.0;
-    for (const Parameter& parameter : model_->parameters)
-        if (parameter.weight > 0.0)
-            least += std::min(0.0, parameter.weight * least_value(parameter, farthest(incumbent)));
-    return least;
+    return least_cost_of(*model_, supported_bounds(incumbent, relaxed_limits).sup[0]);
 }
 
+/// Less area is lost the higher y can be, and the less area is lost, the larger the peaks that bound y may
+/// be: from a bound that is too far, passes close in.
 CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, double relaxation) const {
+    constexpr int passes = 6;
+    constexpr double gain = 0.9;
+    SupportedBounds known = bounds_within(farthest(incumbent), incumbent, relaxation);
+    const bool counts = std::isfinite(incumbent) && grid_->shape().convex;
+    for (int pass = 0; pass < passes && counts && least_cost_of(*model_, known.sup[0]) < 0.0; ++pass) {
+        const double reach = reach_of(model_->known_points, known.sup);
+        if (!(reach < gain * known.sup[0])) break;
+        known = bounds_within(reach, incumbent, relaxation);
+    }
+    return known;
+}
+
+/// Of motions with |y| <= farthest.
+CamProblem::SupportedBounds CamProblem::bounds_within(double farthest, double incumbent,
+                                                      double relaxation) const {
     const CamModel& model = *model_;
     const auto parameters = static_cast<Eigen::Index>(model.parameters.size());
     SupportedBounds known{Eigen::VectorXd::Constant(parameters, infinity), {}, {}};
     known.sup.fill(infinity);
     known.rms.fill(infinity);
-    known.sup[0] = farthest(incumbent);
+    known.sup[0] = farthest;
     // A term costs at most what the incumbent leaves it where every other one is at its least.
-    const double least = least_cost(incumbent);
+    const double least = least_cost_of(model, farthest);
     for (Eigen::Index p = 0; p < parameters; ++p) {
         const Parameter& parameter = model.parameters[p];
         known.parameters[p] = parameter.upper;
@@ -139,6 +211,9 @@ CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, doubl
         const double normalised = known.parameters[p] * parameter.reference;
         bound = std::min(bound, normalised * largest_stretch_factor(model, parameter.order));
     }
+    // Without an incumbent the limits need not be satisfied.
+    for (int order = 1; order < 4 && std::isfinite(incumbent); ++order)
+        known.sup[order] = std::min(known.sup[order], limited_derivative(model, order));
     if (model.motor) bound_by_motor(model, known, relaxation);
     bound_lower_derivatives(model.design, known.sup);
     return known;

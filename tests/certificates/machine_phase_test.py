@@ -57,7 +57,8 @@ def between_rows(path):
 
 
 def tables_of(folder, name):
-    check = json.loads((folder / f"{name}.check.json").read_text())
+    written = next(row for row in json.loads((folder / "plc.json").read_text())["formats"] if row["format"] == name)
+    check = json.loads((folder / (written["file"].rsplit(".", 1)[0] + ".check.json")).read_text())
     return (folder / check["file"]).read_text(), check
 
 

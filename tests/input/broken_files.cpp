@@ -137,7 +137,8 @@ std::vector<BrokenScene> broken_files() {
          "s.toml:3:1: motion.lift_mn: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, "
          "lift_deg, lift_rad, rise_deg, rise_rad, rise_crank_deg, return_deg, return_rad, return_crank_deg, "
          "speed_rpm, speed_rad_s, symmetric, "
-         "within_lift, monotone, via, segments, closed, repeat, stops, phase, start, end, corridor, " +
+         "within_lift, monotone, via, segments, closed, repeat, stops, phase_deg, phase_rad, "
+         "phase_crank_deg, start, end, corridor, " +
              valve_keys +
              "; did you mean "
              "'lift_mm'?"},
@@ -150,7 +151,8 @@ std::vector<BrokenScene> broken_files() {
          "s.toml:3:1: motion.lift_cm: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, "
          "lift_deg, lift_rad, rise_deg, rise_rad, rise_crank_deg, return_deg, return_rad, return_crank_deg, "
          "speed_rpm, speed_rad_s, symmetric, "
-         "within_lift, monotone, via, segments, closed, repeat, stops, phase, start, end, corridor, " +
+         "within_lift, monotone, via, segments, closed, repeat, stops, phase_deg, phase_rad, "
+         "phase_crank_deg, start, end, corridor, " +
              valve_keys +
              "; did you mean "
              "'lift_mm'?"},
@@ -163,7 +165,8 @@ std::vector<BrokenScene> broken_files() {
          "s.toml:3:1: motion.rise: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, lift_deg, "
          "lift_rad, rise_deg, rise_rad, rise_crank_deg, return_deg, return_rad, return_crank_deg, speed_rpm, "
          "speed_rad_s, symmetric, "
-         "within_lift, monotone, via, segments, closed, repeat, stops, phase, start, end, corridor, " +
+         "within_lift, monotone, via, segments, closed, repeat, stops, phase_deg, phase_rad, "
+         "phase_crank_deg, start, end, corridor, " +
              valve_keys +
              "; did you mean "
              "'rise_deg'?"},

@@ -99,7 +99,10 @@ Scene roller_under_pressure(double limit_mpa) {
     return scene;
 }
 
-void expect_hertz_kept(const Scene& scene) {
+void expect_hertz_kept(Scene scene) {
+    const double speed = *scene.motion.speed;
+    scene.forces->speed_range =
+        std::array{speed, speed};  // other speeds: TrialCases.HertzPressureHoldsFromRest
     const Solution solution = solve_without_explaining(scene, {});
     ASSERT_TRUE(solution.motion && solution.cam);
     const Verdict verdict = solution.certificate.verdict;

@@ -114,7 +114,6 @@ TEST(TrialCases, HertzPressureHoldsFromRest) {
     EXPECT_GT(hertz_at(one, 0.0) / 1e6, 900.0);
     scene.forces->speed_range.reset();
     const Solution all = solve(scene);
-    if (all.certificate.verdict == Verdict::infeasible) return;
     ASSERT_EQ(all.certificate.verdict, Verdict::optimal);
     for (const double part : {0.0, 0.1, 0.5, 0.9, 1.0})
         EXPECT_LE(hertz_at(all, part * speed) / 1e6, 700.0 * (1.0 + 1e-7)) << part;
