@@ -16,6 +16,7 @@ TAPPET = "[forces]\nmass_kg = 0.11\nspring_rate_n_mm = 28\npreload_n = 260\ncont
 FINGER = LOBE + "valve_arm_mm = 40\nopening_ramp = { height_deg = 0.4, velocity_deg_deg = 0.016 }\n" + AREA
 HARMONIC = ('[motion]\ntype = "RR"\nlift_mm = 9\nrise_deg = 65\nspeed_rpm = 3000\n[spline]\nsegments = 16\n[objective]\n'
             "acceleration = 0.8\njerk = 0.2\n" + FLAT + "base_radius_mm = 18\n" + TAPPET + "[limits]\nspring_harmonic_um = 60\n")
+RMS_HARMONIC = HARMONIC.replace("acceleration = 0.8\njerk = 0.2", "rms_jerk = 1").replace("_um = 60", "_um = 25")
 STROKES = ('[motion]\ntype = "program"\nlift_mm = 10\nspeed_rpm = 200\n' + SPLINE + "angle_deg = 120\nto = 1\n" + DWELL + "angle_deg = 60\n" +
            SPLINE + "angle_deg = 100\nto = 0\n" + DWELL + "angle_deg = 80\n")
 RISE = '[motion]\ntype = "DRD"\nlift_mm = 20\nrise_deg = 80\n' + OBJECTIVE.replace("[spline]", "base_radius = 0.3\n[spline]")
@@ -52,6 +53,9 @@ TEXTS = {
     "lobe_roller": (LOBE + RAMP + AREA + ROLLER.replace("40", "18") + TAPPET + "[limits]\nconcave_radius_min_mm = 60\n"
                     "acceleration_mm_deg2 = { min = -0.012, max = 0.020 }\nhertz_pressure_max_mpa = 900\n", "optimal"),
     "harmonic": (HARMONIC, "optimal"),
+    "harmonic_rms": (RMS_HARMONIC.replace("jerk", "acceleration"), "optimal"),
+    "harmonic_rms_jerk": (RMS_HARMONIC, "optimal"),
+    "strokes_rms_jerk": (STROKES + "[spline]\nsegments = 12\n[objective]\nrms_jerk = 1\n[limits]\nvelocity_mm_s = 150\n", "optimal"),
     "harmonic_no": (HARMONIC + "acceleration = 5\n", "infeasible"),
     "harmonic_lobe": (LOBE + RAMP + AREA + FLAT + "base_radius_mm = 18\nface_radius_mm = 16\n" + TAPPET + "[limits]\nspring_harmonic_um = 60\n"
                       "spring_harmonics = { min = 7, max = 9 }\nacceleration_mm_deg2 = { min = -0.012, max = 0.020 }\n", "optimal"),
@@ -86,6 +90,8 @@ CHANGES = [
     ("lobe_rad", "mm_rad = 0.7", "mm_rad = 0.701"), ("lobe_rad", "rad = 2.16", "rad = 2.161"), ("lobe_roller", "_mpa = 900", "_mpa = 500"),
     ("lobe_roller", "radius_min_mm = 60", "radius_min_mm = 90"),
     ("harmonic", "_um = 60", "_um = 59"), ("harmonic", "_um = 60", "_um = 61"),
+    ("harmonic_rms", "_um = 25", "_um = 24"), ("harmonic_rms", "_um = 25", "_um = 26"),
+    ("harmonic_rms_jerk", "_um = 25", "_um = 26"), ("strokes_rms_jerk", "mm_s = 150", "mm_s = 151"),
     ("harmonic_no", "_um = 60", "_um = 90"), ("harmonic_no", "acceleration = 5", "acceleration = 9"),
     ("harmonic_lobe", "_um = 60", "_um = 20"), ("harmonic_lobe", "{ min = 7", "{ min = 3"),
     ("beside_sine", "simple_harmonic", "cycloidal"), ("beside_sine", "simple_harmonic", "parabolic"), ("beside_sine", "_s = 220", "_s = 150"),
