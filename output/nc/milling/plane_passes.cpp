@@ -143,11 +143,64 @@ class PlanePassMaker {
             for (int ring = rings - 1; ring >= 0; --ring) {
                 const double stock = innermost + width * ring / rings;
                 const double bottom = milling_.blank.upper - height * layer / layers;
-                result.passes.push_back(rough(fmt::format("roughing, layer {} of {}, ring {} of {}", layer,
+                add_ring(result.passes, rough(fmt::format("roughing, layer {} of {}, ring {} of {}", layer,
                                                           layers, rings - ring, rings),
                                               stock, bottom));
             }
         result.remarks.push_back(words_of({layers, layers, height / layers, width / rings, allowance_}));
+    }
+
+    /// The runs of a ring that reach the blank. Each begins and ends where the cutter is clear of the blank,
+    /// so the path itself leads in and out.
+    void add_ring(std::vector<CuttingPass>& passes, const CuttingPass& ring) const {
+        const std::vector<Run> runs = runs_in_blank(ring);
+        if (runs.size() == 1 && runs[0].begin == 0.0 && runs[0].end == ring.knots.back())
+            return passes.push_back(ring);
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            CuttingPass& part = passes.emplace_back(ring);
+            if (runs.size() > 1) part.name += fmt::format(", part {} of {}", i + 1, runs.size());
+            part.in = part.out = {};
+            std::erase_if(part.knots, [&run = runs[i]](double u) {
+                return u < run.begin + same_knot || u > run.end - same_knot;
+            });
+            part.knots.insert(part.knots.begin(), runs[i].begin);
+            part.knots.push_back(runs[i].end);
+        }
+    }
+    struct Run {
+        double begin, end;
+    };
+    /// No part of a ring is farther from the axis than u = 0, so one that is not clear of the blank there is
+    /// clear nowhere.
+    [[nodiscard]] std::vector<Run> runs_in_blank(const CuttingPass& ring) const {
+        const double period = ring.knots.back(), touching = milling_.blank.radius + radius_;
+        Eigen::Vector3d before = ring.path(0.0).tip;
+        if (before.head<2>().norm() < clear_radius()) return {{0.0, period}};
+        // Up and down beside the blank is fed as well: a shorter way through air joins two runs.
+        const double up_and_down = 2.0 * (milling_.blank.upper + milling_.safe_distance - before.z());
+        std::vector<Run> runs;
+        double clear_at = 0.0, in_air = HUGE_VAL;
+        bool inside = false;
+        for (int k = 0; k <= contour_samples; ++k) {
+            const double u = period * k / contour_samples;
+            if (!ring.keep(u)) continue;
+            const Eigen::Vector3d tip = ring.path(u).tip;
+            const double from_axis = tip.head<2>().norm();
+            in_air += (tip - std::exchange(before, tip)).norm();
+            if (from_axis < touching) {
+                if (!std::exchange(inside, true) && in_air > up_and_down) runs.push_back({clear_at, period});
+            } else if (from_axis >= clear_radius()) {
+                clear_at = u;
+                if (!std::exchange(inside, false)) continue;
+                runs.back().end = u;
+                in_air = 0.0;
+            }
+        }
+        return runs;
+    }
+    /// The cutter's centre is so far from the axis where it keeps the safe distance from the blank.
+    [[nodiscard]] double clear_radius() const {
+        return milling_.blank.radius + radius_ + milling_.safe_distance + beyond_safe;
     }
 
     [[nodiscard]] CuttingPass rough(const std::string& name, double stock, double bottom) const {
@@ -191,8 +244,8 @@ class PlanePassMaker {
             return ToolPose{{tip.x(), tip.y(), bottom}, -Eigen::Vector3d::UnitZ()};
         };
         const auto outside = [&](const Eigen::Vector2d& from) {
-            const double clear = milling_.blank.radius + radius_ + milling_.safe_distance + beyond_safe;
-            const double along = from.dot(normal), square = from.squaredNorm() - clear * clear;
+            const double along = from.dot(normal);
+            const double square = from.squaredNorm() - clear_radius() * clear_radius();
             const double line = square < 0.0 ? std::sqrt(along * along - square) - along : 0.0;
             return Eigen::Vector2d(from +
                                    std::max(line, shortest_line + (edge ? 2.0 * radius_ : 0.0)) * normal);

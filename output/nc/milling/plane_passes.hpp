@@ -5,10 +5,11 @@
 //   ring j: tip = P + (T_D / 2 + λ_j) n,  λ_j = stock + allowance + j (d − allowance) / count
 // d: the farthest that the blank stands off the contour, so that no ring cuts wider than the step-over beside
 // smooth contours. Where a ring's offset crosses itself, in hollows, what lies nearer to the cam is left out.
-// Every pass begins and ends where the contour is farthest from the cam's axis: there the whole cam lies
-// behind the tangent. In: a line from beside the blank against the contour, a quarter of a circle of radius R
-// that touches the path; out the same way. The tool goes clockwise around the cam where it climbs and the
-// spindle turns clockwise. m, rad; frame of ToolPose, the cam's upper face at z = 0.
+// A ring that is clear of the blank where the contour is farthest from the cam's axis is cut in runs that
+// reach the blank, each a pass from clear to clear. Every other pass begins and ends at that place: there the
+// whole cam lies behind the tangent. In: a line from beside the blank against the contour, a quarter of a
+// circle of radius R that touches the path; out the same way. The tool goes clockwise around the cam where it
+// climbs and the spindle turns clockwise. m, rad; frame of ToolPose, the cam's upper face at z = 0.
 #pragma once
 
 #include "output/nc/milling/milling_choice.hpp"

@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "output/disk/disk_export.hpp"
 #include "output/nc/spoiled_programs.hpp"
+#include "tests/output/disk/harmonic_disk.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,11 @@ TEST(DiskMilling, RoughingLayersLeaveAllowance) {
     // 13 mm stand off the hollows: five rings; 21 mm deep: three layers.
     EXPECT_NE(milled.program.program.text.find("(pass: roughing, layer 3 of 3, ring 5 of 5)"),
               std::string::npos);
-    EXPECT_EQ(milled.program.travel.passes, 16);
+    // The outer rings leave the blank at each of six lobes. Down and up is longer in lower layers, which
+    // joins some parts.
+    EXPECT_NE(milled.program.program.text.find("(pass: roughing, layer 1 of 3, ring 1 of 5, part 6 of 6)"),
+              std::string::npos);
+    EXPECT_EQ(milled.program.travel.passes, 36);
     ASSERT_EQ(milled.program.roughed.size(), 1u);
     const NcSurfaceCheck& rough = milled.program.roughed[0].check;
     EXPECT_GT(rough.least_stock, 0.4 * millimetre - 1e-6);
@@ -115,6 +120,30 @@ TEST(DiskMilling, CrossingRingsLeaveAllowance) {
     const Milled milled(waves(4.0 * millimetre), options);
     EXPECT_EQ(milled.program.fault(), "");
     EXPECT_GT(milled.program.roughed[0].check.least_stock, 0.3 * millimetre - 1e-6);
+}
+
+/// Part of the feed path along which the cutter does not reach the blank from the side.
+double part_in_air(const Milled& milled) {
+    const double reach = milled.work.job.blank.radius + 0.5 * milled.work.task.cutter.diameter;
+    double all = 0.0, in_air = 0.0;
+    Eigen::VectorXd from = Eigen::Vector3d::Constant(NAN);
+    for (const auto& [move, role, pass] : milled.program.moves) {
+        if (role != MoveRole::rapid) {
+            const double length = linear_length(from, move);
+            all += length;
+            if (from.head<2>().norm() > reach && move.values.head<2>().norm() > reach) in_air += length;
+        }
+        from = move.values;
+    }
+    return in_air / all;
+}
+
+TEST(DiskMilling, RoughingRingsEndAtTheBlank) {
+    const Milled milled(testing_support::harmonic_disk(40.0 * millimetre), coarse_roughing(6.0 * millimetre));
+    EXPECT_EQ(milled.program.fault(), "");
+    EXPECT_LT(part_in_air(milled), 0.2);  // 0.5 with whole rings
+    EXPECT_LT(milled.program.roughed[0].check.stock, 0.4 * millimetre);
+    EXPECT_EQ(milled.program.direction.conventional, 0);
 }
 
 TEST(DiskMilling, RoughingBelowItsStockIsRefused) {
