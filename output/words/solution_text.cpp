@@ -23,6 +23,11 @@ constexpr int width_of_first = 17, width_of_beside = 22;
 constexpr double least_shown_gap = 1e-9;
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
+/// No backend ran, since laws and dwells fix the motion.
+bool is_fixed(const Solution& solution) {
+    return solution.scene.motion.prescribed() && solution.solver.termination == Termination::not_run;
+}
+
 std::string because(const Certificate& certificate) {
     return certificate.reason == Reason::none ? std::string{}
                                               : fmt::format(" ({})", words_of(name_of(certificate.reason)));
@@ -279,8 +284,13 @@ std::string relaxation_sentence(const Relaxation& row) {
     return fmt::format("{} = {}: {}", row.key, short_text(row.given), change_words(row));
 }
 
+std::string no_solver_words(const std::string& named) {
+    return "the motion is prescribed" + (named == "auto" ? "" : "; " + named + " is not used");
+}
+
 std::string solver_words(const Solution& solution) {
     const std::string& used = solution.solver.name;
+    if (is_fixed(solution)) return "none, " + no_solver_words(solution.scene.solver.name);
     if (!solution.plan || solution.plan->solver == used || solution.plan->next_solver == used) return used;
     return fmt::format("{}; {} was not needed, the problem without the limits that are not convex decides it",
                        used, solution.plan->solver);
@@ -291,11 +301,12 @@ std::vector<std::string> solver_sentences(const Solution& solution) {
     std::vector<std::string> all;
     if (!solver.name.empty())
         all.push_back(
-            fmt::format("Solver: {}{}; {}; {} s in all.", solver_words(solution),
+            fmt::format("Solver: {}{}{}; {} s in all.", solver_words(solution),
                         solver.choice.empty() ? "" : " (" + solver.choice + ")",
-                        solver.termination == Termination::not_run
-                            ? std::string("not run: the search for a first point decided the scene")
-                            : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
+                        is_fixed(solution) ? ""
+                        : solver.termination == Termination::not_run
+                            ? "; not run: the search for a first point decided the scene"
+                            : fmt::format("; it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
                                           words_of(name_of(solver.termination)), solver.iterations,
                                           solver.exchange_rounds),
                         short_text(solution.seconds_total, 3)));
@@ -331,9 +342,13 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
     text += set_point_lines(solution) + cam_lines(solution) + relaxation_lines(solution);
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
     const SolverReport& solver = solution.solver;
-    if (!solver.name.empty())
-        text += fmt::format("  solver: {}, iterations {}, exchange rounds {}, {} s\n", solver_words(solution),
-                            solver.iterations, solver.exchange_rounds, short_text(solution.seconds_total, 3));
+    if (!solver.name.empty()) {
+        text += "  solver: " + solver_words(solution);
+        if (!is_fixed(solution))
+            text +=
+                fmt::format(", iterations {}, exchange rounds {}", solver.iterations, solver.exchange_rounds);
+        text += fmt::format(", {} s\n", short_text(solution.seconds_total, 3));
+    }
     for (const auto& path : written) text += fmt::format("  wrote {}\n", path.string());
     return text;
 }

@@ -11,6 +11,8 @@ namespace camopt {
 /// "Proved optimal: …" One sentence.
 [[nodiscard]] std::string verdict_sentence(const Certificate& certificate);
 
+/// Why no backend runs for a prescribed motion, and that a named one is not used. "auto": none is named.
+[[nodiscard]] std::string no_solver_words(const std::string& named);
 /// The backend of the result, and the planned one where it was not used.
 [[nodiscard]] std::string solver_words(const Solution& solution);
 /// The same, and what a search from several starts can say and cannot.

@@ -298,9 +298,15 @@ std::string comparison_text(const Comparison& comparison) {
 
 std::vector<std::string> plan_lines(const SolvePlan& plan) {
     std::vector<std::string> lines = {searched_line(plan)};
-    lines.push_back(fmt::format("Solved: by {} ({}), design vector: {}, at most {} s", plan.solver,
-                                plan.reason.empty() ? "named in the scene" : "chosen", name_of(plan.design),
-                                short_text(plan.seconds)));
+    if (plan.prescribed && plan.dimensions == 0)
+        lines.push_back("Solved: by no solver, " +
+                        no_solver_words(plan.reason.empty() ? plan.solver : "auto"));
+    else
+        lines.push_back(fmt::format(
+            "Solved: {}by {} ({}), design vector: {}, at most {} s",
+            plan.relaxations.empty() ? "" : "by structured where the convex relaxation decides, else ",
+            plan.solver, plan.reason.empty() ? "named in the scene" : "chosen", name_of(plan.design),
+            short_text(plan.seconds)));
     if (!plan.reason.empty()) lines.push_back("Reason: " + plan.reason);
     if (plan.angles > 0)
         lines.push_back(

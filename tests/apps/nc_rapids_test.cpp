@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -99,6 +100,20 @@ TEST(NcRapids, ClearBlankAtAnyTableAngle) {
     expect_above(cam, cam.body.radius);
     EXPECT_GT(*std::max_element(cam.rapids.begin(), cam.rapids.end()), cam.body.farthest + 1.0);
     EXPECT_GT(cam.rapids.front(), cam.body.farthest + 1.0);
+}
+
+TEST(NcCheck, MeasuresToTheDesignedCamAtBlockEnds) {
+    const test::TemporaryFolder folder;
+    const ProgramRun run = run_camopt("export " CAMOPT_SOURCE_DIR "/tests/cases/48_weld.toml --out " +
+                                      folder.path() + " --nc --cutter-mm 30.48 --full-depth --chord-mm 0.01");
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const std::string check = read_text_file(folder.path() + "/cam_nc_check.txt");
+    double least = NAN, most = NAN;
+    const std::size_t place = check.find("the cam's contour: ");
+    ASSERT_NE(place, std::string::npos) << check;
+    ASSERT_EQ(std::sscanf(check.c_str() + place, "the cam's contour: %lf mm to %lf mm", &least, &most), 2);
+    EXPECT_GT(least, -0.011);  // chords of 0.01 mm and printed digits
+    EXPECT_LT(most, 0.0002);
 }
 
 }  // namespace nc_rapids_test

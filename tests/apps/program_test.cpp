@@ -277,6 +277,25 @@ TEST(Program, CheckSaysWhatTheSceneIs) {
          "Expected verdict: optimal or infeasible, both with a proof"});
 }
 
+TEST(Program, CheckAndSolveNameTheSameSolver) {
+    const auto expect_same = [](const std::string& arguments, const std::string& checked,
+                                const std::string& solved) {
+        const std::string check = run_camopt("check " + arguments).output;
+        EXPECT_NE(check.find(checked), std::string::npos) << check;
+        const std::string solve = run_camopt("solve " + arguments).output;
+        EXPECT_NE(solve.find("\n  solver: " + solved), std::string::npos) << solve;
+    };
+    const std::string prescribed = CAMOPT_SOURCE_DIR "/tests/cases/55_mill.toml";
+    expect_same(prescribed, "\n  Solved: by no solver, the motion is prescribed\n",
+                "none, the motion is prescribed, ");
+    const std::string unused = "the motion is prescribed; structured is not used";
+    expect_same(prescribed + " --set 'solver.name=\"structured\"'", "\n  Solved: by no solver, " + unused,
+                "none, " + unused);
+    expect_same(scene("cam_arm_roller"),
+                "\n  Solved: by structured where the convex relaxation decides, else by ", "structured");
+    expect_same(scene("drd_cubic_12"), "\n  Solved: by structured (chosen)", "structured, iterations ");
+}
+
 TEST(Program, ListsWhatItKnows) {
     const json laws = json::parse(run_camopt("list laws --json").output);
     const auto sine =
