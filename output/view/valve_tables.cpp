@@ -80,7 +80,7 @@ TextTable figure_table(const Solution& solution, const ValveReport& report) {
         add(fmt::format("duration at {} of the tappet", shown.length.text(height)),
             crank_shown.text(duration, 7));
     const auto from_nose = [](double crank) {
-        return short_text(degrees_shown.of(crank), 4) + " crank deg from the nose's top";
+        return short_text(degrees_shown.of(crank), 4) + " crank deg from the nose";
     };
     if (report.nose_radius)
         add("least radius of the nose", fmt::format("{} at {}", shown.length.text(report.nose_radius->value),

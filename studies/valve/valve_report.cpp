@@ -11,7 +11,6 @@ namespace {
 
 constexpr int bisections = 60;
 constexpr std::array shares_of_speed = {0.5, 0.75, 1.0, 1.1, 1.25};
-constexpr int parts_of_piece = 16;    // in which y'' changes its sign once at most
 constexpr double same_height = 1e-9;  // m
 constexpr int pair_places = 7200;     // over the cycle of 720 crank degrees, then refined
 
@@ -76,26 +75,30 @@ double valve_velocity_at(const Solution& solution, double x) {
            motion.unit_angle();
 }
 
-/// Begin and end of the nose: y'' < 0 from its top to both sides.
+/// Begin and end of the nose: where the follower is fastest before and after its top.
 std::array<double, 2> nose_region(const Solution& solution) {
     const Motion& motion = *solution.motion;
     const double top = nose_of(solution);
-    const auto border = [&](double end) {
-        std::vector<double> pieces = pieces_between(motion, std::min(top, end), std::max(top, end));
-        if (end < top) std::ranges::reverse(pieces);
-        const auto bends_down = [&](double x) {
-            return motion.at(x, end < top ? Side::left : Side::right).derivative[2] <= 0.0;
-        };
-        double last = top;
-        for (std::size_t i = 1; i < pieces.size(); ++i)
-            for (int k = 1; k <= parts_of_piece; ++k) {
-                const double x = std::lerp(pieces[i - 1], pieces[i], double(k) / parts_of_piece);
-                if (!bends_down(x)) return bisected(bends_down, {last, x}, bisections).with;
-                last = x;
-            }
-        return end;
-    };
-    return {border(motion.begin()), border(motion.end())};
+    const auto speed = [&](double x, Side side) { return std::abs(motion.at(x, side).derivative[1]); };
+    return {largest_along(pieces_between(motion, motion.begin(), top), speed).at,
+            largest_along(pieces_between(motion, top, motion.end()), speed).at};
+}
+
+/// As the radii of the whole cam (cam_summary.hpp): of a roller's cam from the pitch curve, whose curvature
+/// is smooth where a radius is not.
+std::optional<Extremum> nose_radius(const Solution& solution, const CamPoints& points) {
+    const DrivenMechanism& cam = points.cam();
+    const bool pitch = cam.formulas->has_pitch_curve();
+    const auto [begin, end] = nose_region(solution);
+    const Extremum sharpest =
+        largest_along(pieces_between(points.motion(), begin, end), [&](double x, Side side) {
+            const MechanismPoint& point = points.at(points.motion().at(x, side), 0);
+            return pitch ? point.pitch_curvature : -point.cam_radius;
+        });
+    if (pitch && !(sharpest.value > 0.0)) return {};
+    const double radius =
+        pitch ? 1.0 / sharpest.value - cam.formulas->surface_offset(cam.dimensions, 0) : -sharpest.value;
+    return Extremum{radius, crank_angle_at(solution, sharpest.at), sharpest.side};
 }
 
 ValveMargin margin_between(const Solution& solution, double cam_speed, double begin, double end) {
@@ -212,12 +215,7 @@ ValveReport valve_report(const Solution& solution) {
     report.nose_acceleration = acceleration_between(solution, motion.begin(), motion.end(), -1.0);
     if (solution.cam) {
         const CamPoints points(solution.cam->cam, drawn_motion(solution), motion_scale(solution.scene));
-        const auto [begin, end] = nose_region(solution);
-        const Extremum least = least_along(
-            pieces_between(points.motion(), begin, end),
-            [&](double x, Side side) { return points.at(points.motion().at(x, side), 0).cam_radius; });
-        if (std::isfinite(least.value))
-            report.nose_radius = {least.value, crank_angle_at(solution, least.at), least.side};
+        report.nose_radius = nose_radius(solution, points);
         if (const auto& offset = solution.cam->summary.contact_offset) report.contact_offset = offset->value;
     }
     add_margins(report, solution);

@@ -22,8 +22,8 @@ struct ValveMargin {
     double at = 0.0;           ///< crank angle
     double share = 0.0;        ///< of spring, preload and load there
 };
-/// The nose is where the follower decelerates about its top, without a change of sign; the flanks are the
-/// rest.
+/// The nose lies between the places where the follower is fastest before and after its top; the flanks are
+/// the rest.
 struct ValveMargins {
     double engine_speed = 0.0;  ///< rad/s
     ValveMargin nose, flank;

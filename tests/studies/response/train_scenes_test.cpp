@@ -385,39 +385,6 @@ damping_ratio = 0.077
     EXPECT_EQ(found, 3);
 }
 
-/// The spline over the end of the revolution is evaluated at x plus the program's length, whose round-off its
-/// acceleration of 100 lifts multiplies.
-TEST(TrainStudy, SplineAcrossTheEndIsSolved) {
-    const Solution solution = solve(scene_of_toml(R"(
-[motion]
-type = "program"
-lift_mm = 39.25
-segments = [{ kind = "spline", angle_deg = 44, to = 0.5 }, { kind = "dwell", angle_deg = 104 },
-            { kind = "spline", angle_deg = 83, to = 0.25 }, { kind = "spline", angle_deg = 79, to = 1.0 },
-            { kind = "spline", angle_deg = 50, to = 0.0 }]
-speed_rpm = 350.6
-[spline]
-degree = 5
-segments = 9
-[objective]
-velocity = 0.4377
-jerk = 0.3588
-[solver]
-max_seconds = 2.0
-starts = 3
-[dynamics]
-mass_kg = 0.6085
-natural_frequency_hz = 375.7
-return_spring_n_mm = 201.4
-preload_n = 360.3
-[limits]
-residual_um = 0.9685
-dynamic_contact_force_min_n = 701.0
-)"));
-    EXPECT_TRUE(solution.motion);
-    EXPECT_TRUE(solution.train);
-}
-
 /// Just below the speed of lift-off the force is positive, just above negative.
 TEST(TrainStudy, LiftsOffWhereTheForceEnds) {
     const Scene scene = scene_of_toml(slide(pressed, "[objective]\nacceleration = 1\n"));
