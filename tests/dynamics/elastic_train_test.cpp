@@ -134,8 +134,8 @@ TEST(ElasticTrain, MaximaAreReached) {
     }
 }
 
-/// y' = 100 x up to 1/9, constant beyond, evaluated as a spline across the end of a closed program: at x plus
-/// the program's length.
+/// y' = 100 x up to 0.01, constant beyond, evaluated as a spline across the end of a closed program: at x
+/// plus the program's length.
 class ShiftedRamp final : public Motion {
  public:
     [[nodiscard]] double begin() const override { return 0.0; }
@@ -149,7 +149,7 @@ class ShiftedRamp final : public Motion {
     }
 
  private:
-    static constexpr double knee = 1.0 / 9.0, length = 8.1818181818181817;
+    static constexpr double knee = 0.01, length = 8.1818181818181817;
 };
 
 TEST(ElasticTrain, ShiftedSplineIsNotRefused) {

@@ -137,7 +137,7 @@ Solution eccentric(const std::string& motion) {
 }
 
 // F = 0.9 · 15 mm ω² cos θ + 1000 · 15 mm (1 − cos θ) + 2.5.
-TEST(CamRemarks, SayWhereTheFollowerLeavesTheCam) {
+TEST(CamRemarks, NameWhereTheFollowerLeaves) {
     EXPECT_FALSE(says(remarks_of(test::cam_solution()), "LIFTS OFF"));
     Solution solution = eccentric("");
     EXPECT_TRUE(
