@@ -55,6 +55,9 @@ constexpr int chebyshev_terms = 15;
 // Relative to the largest slope of the piece: accepted residual of a fit, the round-off of the motion's
 // formulas.
 constexpr double rounding_of_slope = 4e-15;
+// Of the largest |x|: round-off of the argument. A spline that crosses the end of a closed program is
+// evaluated at x plus the length of the program.
+constexpr double rounding_of_argument = 4.0 * std::numeric_limits<double>::epsilon();
 // The last terms of a converged Chebyshev series, relative to the largest slope of the motion: round-off of
 // its formulas.
 constexpr double converged_terms = 2e-15;
@@ -90,6 +93,7 @@ class SlopeFit {
  public:
     SlopeFit(const Motion& motion, std::vector<SlopePiece>& pieces) : motion_(motion), pieces_(pieces) {
         const Span whole{motion.begin(), motion.end()};
+        argument_ = rounding_of_argument * std::max(std::abs(whole.begin), std::abs(whole.end));
         for (int k = 0; k <= size_samples; ++k) {
             const double slope =
                 std::abs(motion.at(whole.at(static_cast<double>(k) / size_samples)).derivative[1]);
@@ -110,6 +114,12 @@ class SlopeFit {
     }
 
  private:
+    /// What the round-off of the argument makes of y'; 0 where y'' is infinite.
+    [[nodiscard]] double slope_rounding(const MotionPoint& left, const MotionPoint& right) const {
+        const double bend = std::max(std::abs(left.derivative[2]), std::abs(right.derivative[2]));
+        return std::isfinite(bend) ? argument_ * bend : 0.0;
+    }
+
     void keep(const Span& span, VectorXd slope) {
         const double displacement = motion_.at(span.begin, Side::right).derivative[0];
         pieces_.push_back({span.begin, span.width(), displacement, std::move(slope)});
@@ -125,6 +135,9 @@ class SlopeFit {
         VectorXd slope = quintic(scaled(left), scaled(right));
         if (!slope.allFinite()) return false;
         const double size = slope.cwiseAbs().maxCoeff();
+        const double moved =
+            argument_ * h * std::max(std::abs(left.derivative[3]), std::abs(right.derivative[3]));
+        const double rounding = rounding_of_slope * size + slope_rounding(left, right);
         // A spline's slope has one degree fewer: the leading coefficient of the quintic is round-off.
         for (const double t : {0.2, 0.5, 0.85}) {
             const MotionPoint point = motion_.at(span.at(t));
@@ -132,7 +145,7 @@ class SlopeFit {
             double bend = 0.0;
             for (Eigen::Index k = 5; k >= 1; --k) bend = bend * t + static_cast<double>(k) * slope[k];
             const double off_bend = std::abs(bend - h * point.derivative[2]);
-            if (!(std::max(off, off_bend) <= rounding_of_slope * size)) return false;
+            if (!(off <= rounding && off_bend <= rounding_of_slope * size + moved)) return false;
         }
         Eigen::Index terms = slope.size();
         while (terms > 1 && std::abs(slope[terms - 1]) <= rounding_of_slope * size) --terms;
@@ -154,10 +167,12 @@ class SlopeFit {
             for (int i = 0; i < n; ++i) sum += values[i] * std::cos(std::numbers::pi * k * (i + 0.5) / n);
             terms[k] = sum * (k == 0 ? 1.0 : 2.0) / n;
         }
-        const double size = std::max(largest_, terms.cwiseAbs().maxCoeff());
-        if (terms.tail(3).cwiseAbs().maxCoeff() > converged_terms * size) return false;
+        const double converged =
+            converged_terms * std::max(largest_, terms.cwiseAbs().maxCoeff()) +
+            slope_rounding(motion_.at(span.begin, Side::right), motion_.at(span.end, Side::left));
+        if (terms.tail(3).cwiseAbs().maxCoeff() > converged) return false;
         int kept = n;
-        while (kept > 1 && std::abs(terms[kept - 1]) <= converged_terms * size) --kept;
+        while (kept > 1 && std::abs(terms[kept - 1]) <= converged) --kept;
         keep(span, by_powers(terms.head(kept)));
         return true;
     }
@@ -183,7 +198,8 @@ class SlopeFit {
 
     const Motion& motion_;
     std::vector<SlopePiece>& pieces_;
-    double largest_ = 0.0;  ///< slope of the motion, by samples
+    double largest_ = 0.0;   ///< slope of the motion, by samples
+    double argument_ = 0.0;  ///< round-off of x
 };
 
 /// Throws InputError where y' is not finite, or no polynomial approximates it (an infinite y'' at an end).

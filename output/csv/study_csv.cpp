@@ -56,14 +56,15 @@ void add_cell(CsvLine& line, const PaperCell& cell) {
 
 std::string dynamics_csv(const TrainStudy& study) {
     CsvLine titles;
-    for (const char* title : {"motion", "speed_rpm", "frequency_ratio", "residual", "peak_deflection",
-                              "peak_acceleration", "lifts_off"})
+    for (const char* title : {"motion", "stroke", "speed_rpm", "frequency_ratio", "residual",
+                              "peak_deflection", "peak_acceleration", "lifts_off"})
         titles.words(title);
     titles.words(study.scene.motion.lift_is_angle ? "least_force_nm" : "least_force_n");
     std::string text = titles.finish();
     for (const TrainRow& row : study.rows)
         text += CsvLine()
                     .words(row.motion)
+                    .count(row.stroke)
                     .number(rpm_shown.of(row.speed))
                     .number(row.frequency_ratio)
                     .number(row.residual)

@@ -8,7 +8,8 @@
 
 namespace camopt {
 
-// dynamics.csv: motion by motion, speed by speed; history.csv: instant by instant at the scene's speed.
+// dynamics.csv: stroke by stroke, motion by motion, speed by speed; history.csv: instant by instant at the
+// scene's speed.
 [[nodiscard]] std::string dynamics_csv(const TrainStudy& study);
 [[nodiscard]] std::string history_csv(const TrainStudy& study);
 

@@ -168,7 +168,7 @@ Json segments_json(const Solution& solution) {
                         {"from", number_json(segment.from)},
                         {"to", number_json(segment.to)},
                         {"continuity", open ? Json(nullptr) : Json(segment.continuity)},
-                        {"peaks", peaks_json(segment_peaks(segment))},
+                        {"peaks", peaks_json(segment.peaks)},
                         {"spline", spline_json(segment.curve)},
                         {"law", segment.law.empty() ? Json(nullptr) : Json(segment.law)}});
     }

@@ -22,6 +22,7 @@ const char* force_name(const Scene& scene) {
 
 Json train_row_json(const Scene& scene, const TrainRow& row) {
     return {{"motion", row.motion},
+            {"stroke", row.stroke},
             {"speed_rpm", number_json(rpm_shown.of(row.speed))},
             {"frequency_ratio", number_json(row.frequency_ratio)},
             {"residual", number_json(row.residual)},
@@ -32,12 +33,20 @@ Json train_row_json(const Scene& scene, const TrainRow& row) {
 }
 
 Json motions_json(const TrainStudy& study) {
+    const MotionSpec& motion = study.scene.motion;
     Json list = Json::array();
-    for (std::size_t i = 0; i < study.motions.size(); ++i) {
-        const std::optional<double>& speed = study.lift_off_speeds[i];
-        list.push_back({{"motion", study.motions[i].first},
-                        {"title", study.motions[i].second},
-                        {"lifts_off_at_rpm", speed ? number_json(rpm_shown.of(*speed)) : Json(nullptr)}});
+    for (std::size_t k = 0; k < study.lift_off_speeds.size(); ++k) {
+        const std::optional<double>& speed = study.lift_off_speeds[k];
+        const auto& [key, title] = study.motions[k % study.motions.size()];
+        const std::size_t stroke = k / study.motions.size();
+        const std::vector<MotionStretch>& moving = study.strokes[stroke].moving;
+        list.push_back(
+            {{"motion", key},
+             {"title", title},
+             {"stroke", stroke + 1},
+             {"start_deg", number_json(degrees_shown.of(motion.master_angle(moving.front().begin)))},
+             {"end_deg", number_json(degrees_shown.of(motion.master_angle(moving.back().end)))},
+             {"lifts_off_at_rpm", speed ? number_json(rpm_shown.of(*speed)) : Json(nullptr)}});
     }
     return list;
 }

@@ -18,10 +18,18 @@ Json event_json(const ValveEvent& event) {
 }
 
 Json margin_json(const ValveMargin& margin, const char* force) {
-    return {{"engine_speed_rpm", number_json(rpm_shown.of(margin.engine_speed))},
-            {force, number_json(margin.least_force)},
+    return {{force, number_json(margin.least_force)},
             {"at_crank_deg", number_json(degrees_shown.of(margin.at))},
             {"share_of_spring", number_json(margin.share)}};
+}
+
+/// The least of all at the top, then those of nose and flank.
+Json margins_json(const ValveMargins& margins, const char* force) {
+    Json json = margin_json(margins.least(), force);
+    json["engine_speed_rpm"] = number_json(rpm_shown.of(margins.engine_speed));
+    json["nose"] = margin_json(margins.nose, force);
+    json["flank"] = margin_json(margins.flank, force);
+    return json;
 }
 
 }  // namespace
@@ -49,10 +57,13 @@ Json valve_json(const Solution& solution) {
     const auto add_length = [&](const char* key, const std::optional<double>& value) {
         if (value) json[key] = number_json(millimetres_shown.of(*value));
     };
-    add_length("nose_radius_mm", report.nose_radius);
+    if (report.nose_radius) {
+        add_length("nose_radius_mm", report.nose_radius->value);
+        json["nose_radius_at_crank_deg"] = number_json(degrees_shown.of(report.nose_radius->at));
+    }
     add_length("contact_eccentricity_mm", report.contact_offset);
     const char* const force = motion.lift_is_angle ? "least_moment_nm" : "least_force_n";
-    for (const ValveMargin& margin : report.margins) json["spring"].push_back(margin_json(margin, force));
+    for (const ValveMargins& margins : report.margins) json["spring"].push_back(margins_json(margins, force));
     if (report.lift_off_speed)
         json["lift_off_engine_speed_rpm"] = number_json(rpm_shown.of(*report.lift_off_speed));
     return json;

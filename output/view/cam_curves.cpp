@@ -11,7 +11,9 @@ namespace camopt {
 
 namespace {
 
-constexpr double most_times = 8.0;  // a curvature beyond this many times that of the base circle is not drawn
+// A curvature beyond this many times that of the base circle, and beyond this many times that of a limit, is
+// not drawn.
+constexpr double most_times = 8.0, most_of_limit = 1.5;
 constexpr int every_station = -1;
 
 using PointFigure = std::function<double(const MechanismPoint&)>;
@@ -83,7 +85,11 @@ Curve pressure_curve(const View& view, int station) {
 
 Curve curvature_curve(const View& view, int station) {
     const CamSummary& summary = view.solution.cam->summary;
-    const double most = most_times / summary.base_radius;
+    const LimitSpec& limits = view.solution.scene.limits;
+    double most = most_times / summary.base_radius;
+    for (const LimitedFigure radius : {LimitedFigure::convex_radius, LimitedFigure::concave_radius})
+        if (const auto& limit = limit_on(limits, radius); limit && limit->value > 0.0)
+            most = std::max(most, most_of_limit / limit->value);
     Curve curve = curve_at(
         view, station, {"curvature", "cam", "Curvature of the cam, > 0 convex", "κ", view.units.curvature});
     add_values(curve, view, station, [most](const MechanismPoint& point) {
@@ -105,7 +111,6 @@ Curve curvature_curve(const View& view, int station) {
         mark(side.convex_radius, 1.0);
         mark(side.concave_radius, -1.0);
     }
-    const LimitSpec& limits = view.solution.scene.limits;
     for (const auto& [limit, side] : {std::pair(limit_on(limits, LimitedFigure::convex_radius), 1),
                                       std::pair(limit_on(limits, LimitedFigure::concave_radius), -1)})
         if (limit && limit->value > 0.0)

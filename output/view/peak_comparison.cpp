@@ -147,12 +147,4 @@ ReferenceMotion reference_motion(const Scene& scene) {
     return reference;
 }
 
-LawMotion law_in_place(const Solution& solution, std::string_view law) {
-    const Scene& scene = solution.scene;
-    if (scene.motion.type != MotionType::program)
-        return law_motion(strokes_of(scene.motion), false, make_law(law));
-    const CamModel model = scene_model(scene, DesignKind::states, solution.reference_peaks);
-    return law_motion(strokes_of(scene, model, solution.motion.get()), scene.motion.closed, make_law(law));
-}
-
 }  // namespace camopt

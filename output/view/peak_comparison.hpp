@@ -4,7 +4,7 @@
 
 #include "output/view/shown_units.hpp"
 #include "studies/delivered/solution.hpp"
-#include "studies/laws/law_motion.hpp"
+#include "studies/delivered/solution_parts.hpp"
 
 namespace camopt {
 
@@ -20,10 +20,6 @@ struct ReferenceMotion {
 /// with the law's and whose curve follows from a solution (law_in_place). Throws InputError for an unknown
 /// law.
 [[nodiscard]] ReferenceMotion reference_motion(const Scene& scene);
-
-/// A law of the catalogue in the place of a solution's motion; in a program on every spline segment, by its
-/// own angle and between the displacements found. Throws InputError for an unknown law.
-[[nodiscard]] LawMotion law_in_place(const Solution& solution, std::string_view law);
 
 // How far the delivered motion goes to either side: the signed extremes of its derivatives, and where it
 // leaves the range of a stroke.

@@ -2,7 +2,6 @@
 #include "output/view/tables.hpp"
 
 #include "core/text/printable.hpp"
-#include "motions/laws/law_catalogue.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/peak_comparison.hpp"
@@ -106,16 +105,6 @@ TextTable surge_table(const Solution& solution) {
 
 }  // namespace
 
-std::optional<Peaks> segment_peaks(const SegmentReport& segment) {
-    if (segment.kind != SegmentKind::law) return segment.peaks;
-    Peaks peaks = make_law(segment.law)->peaks();
-    for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
-        Extremum& own = peaks.*peak;
-        own.at = segment.begin + (segment.end - segment.begin) * own.at;
-    }
-    return peaks;
-}
-
 std::string segment_title(const SegmentReport& segment) {
     return segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
 }
@@ -145,7 +134,7 @@ TextTable segment_table(const Solution& solution) {
                                         short_text(shown.degrees_per_x * (segment.end - segment.begin)),
                                         place_text(segment.from, lift),
                                         place_text(segment.to, lift)};
-        const std::optional<Peaks> peaks = segment_peaks(segment);
+        const std::optional<Peaks>& peaks = segment.peaks;
         for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk})
             row.push_back(peaks ? short_text(((*peaks).*peak).value, peak_digits) : "–");
         row.push_back(joint_text(segment));

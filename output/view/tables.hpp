@@ -8,10 +8,6 @@
 
 namespace camopt {
 
-/// Peaks of a segment by its own angle and displacement, `at` in x: a spline's as reported, a law's from the
-/// catalogue. None for a dwell.
-[[nodiscard]] std::optional<Peaks> segment_peaks(const SegmentReport& segment);
-
 /// "modified trapezoid", "spline", "dwell"
 [[nodiscard]] std::string segment_title(const SegmentReport& segment);
 

@@ -79,14 +79,20 @@ TextTable figure_table(const Solution& solution, const ValveReport& report) {
     for (const auto& [height, duration] : report.tappet_durations)
         add(fmt::format("duration at {} of the tappet", shown.length.text(height)),
             crank_shown.text(duration, 7));
-    if (report.nose_radius) add("nose radius", shown.length.text(*report.nose_radius));
+    const auto from_nose = [](double crank) {
+        return short_text(degrees_shown.of(crank), 4) + " crank deg from the nose";
+    };
+    if (report.nose_radius)
+        add("least radius of the nose", fmt::format("{} at {}", shown.length.text(report.nose_radius->value),
+                                                    from_nose(report.nose_radius->at)));
     if (report.contact_offset)
         add("contact eccentricity on the tappet", shown.length.text(*report.contact_offset));
-    for (const ValveMargin& margin : report.margins)
-        add(fmt::format("least force on the cam at {}", rpm_shown.text(margin.engine_speed)),
-            fmt::format("{} at {} crank deg from the nose, {} % of the spring's",
-                        shown.load.text(margin.least_force, 5), short_text(degrees_shown.of(margin.at), 4),
-                        short_text(100.0 * margin.share, 3)));
+    for (const ValveMargins& margins : report.margins)
+        for (const auto& [part, margin] :
+             {std::pair("nose", &margins.nose), std::pair("flank", &margins.flank)})
+            add(fmt::format("least force at {}, {}", rpm_shown.text(margins.engine_speed), part),
+                fmt::format("{} at {}, {} % of the spring's", shown.load.text(margin->least_force, 5),
+                            from_nose(margin->at), short_text(100.0 * margin->share, 3)));
     if (report.lift_off_speed)
         add("the follower lifts off above", rpm_shown.text(*report.lift_off_speed) + " of the engine");
     return table;

@@ -105,7 +105,11 @@ constexpr double just_reached = 1e-7;   // of the largest: a limit of 0 is met t
 constexpr std::size_t most_places = 8;  // that a sentence names
 
 /// Where the force on the follower changes its sign: x, ascending. A force that is rounding has none.
-std::vector<double> force_changes(const Solution& solution) {
+struct ForceChanges {
+    bool positive = true;  ///< before the first
+    std::vector<double> places;
+};
+ForceChanges force_changes(const Solution& solution) {
     const Motion& motion = *solution.motion;
     const ForceSummary& forces = *solution.cam->summary.forces;
     const MotionScale scale{solution.scene.motion.lift, solution.scene.motion.unit_angle()};
@@ -116,26 +120,47 @@ std::vector<double> force_changes(const Solution& solution) {
     };
     const double none =
         no_force * std::max(std::abs(forces.least_force.value), std::abs(forces.largest_force.value));
-    std::vector<double> places;
+    ForceChanges changes;
     const double length = motion.end() - motion.begin();
     std::optional<double> last;  // where it was something
     for (int i = 0; i <= force_samples; ++i) {
         const double here = motion.begin() + length * i / force_samples;
         if (std::abs(force(here)) <= none) continue;
+        if (!last) changes.positive = force(here) > 0.0;
         const bool before = last && force(*last) > 0.0;
         if (last && before != (force(here) > 0.0))
-            places.push_back(bisected([&](double x) { return (force(x) > 0.0) == before; }, {*last, here},
-                                      force_bisections)
-                                 .without);
+            changes.places.push_back(bisected([&](double x) { return (force(x) > 0.0) == before; },
+                                              {*last, here}, force_bisections)
+                                         .without);
         last = here;
     }
-    return places;
+    return changes;
+}
+
+/// "at 142.661 deg and returns at 217.339 deg"
+std::string lift_off_words(const Solution& solution) {
+    auto [pressed, places] = force_changes(solution);
+    if (places.empty() && pressed) places.assign(2, solution.cam->summary.forces->least_force.at);
+    // Lifted where a periodic motion begins: it leaves before the end.
+    if (!pressed && solution.scene.motion.periodic() && !places.empty() && places.size() % 2 == 0)
+        std::ranges::rotate(places, places.begin() + 1);
+    else if (!pressed)
+        places.insert(places.begin(), solution.motion->begin());
+    if (places.size() % 2 != 0) places.push_back(solution.motion->end());
+    const auto degrees = [&](double x) {
+        return short_text(degrees_shown.of(solution.scene.motion.master_angle(x)));
+    };
+    std::string text;
+    for (std::size_t i = 0; i < std::min(places.size(), most_places); i += 2)
+        text += fmt::format("{}at {} deg and returns at {} deg", i == 0 ? "" : ", ", degrees(places[i]),
+                            degrees(places[i + 1]));
+    return text + (places.size() > most_places ? ", …" : "");
 }
 
 /// Of a cam that drives both ways: where the roller goes from one side to the other.
 std::string crossover_remark(const Solution& solution) {
     const std::vector<SideSummary>& sides = solution.cam->summary.sides;
-    const std::vector<double> places = force_changes(solution);
+    const std::vector<double> places = force_changes(solution).places;
     if (places.empty())
         return fmt::format("The force on the follower never changes its sign: the {} carries all of it.",
                            sides[solution.cam->summary.forces->least_force.value >= 0.0 ? 0 : 1].name);
@@ -159,8 +184,8 @@ std::string lift_off_remark(const Solution& solution, const ForceSummary& forces
                            degrees_at(solution, forces.least_force.at));
     // Where the follower is down a stiffer spring presses no harder.
     const bool raised = solution.motion->at(forces.least_force.at).derivative[0] > raised_follower;
-    return fmt::format("The follower LIFTS OFF the cam at {} deg: it needs {}more preload.",
-                       degrees_at(solution, forces.least_force.at), raised ? "a stiffer spring or " : "");
+    return fmt::format("The follower LIFTS OFF the cam {}: it needs {}more preload.",
+                       lift_off_words(solution), raised ? "a stiffer spring or " : "");
 }
 
 std::string check_remark(const Solution& solution, const ForwardCheckReport& check) {

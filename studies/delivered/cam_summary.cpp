@@ -129,6 +129,25 @@ void set_largest_loads(ForceSummary& summary, const std::vector<SideSummary>& si
     }
 }
 
+/// The force is a ω² + b ω + c, so c u² + b u + a = 0 for u = 1/ω, whose largest value is that of the lowest
+/// ω.
+std::optional<CamExtreme> lift_off_speed(const CamTurn& turn, const ForcedMotion& forced) {
+    constexpr double fastest = 10.0;  // times the scene's speed
+    CamExtreme longest = turn.largest([&](const CamPlace& place) {
+        const auto force = [&](double speed) {
+            return forced.forces.force(speed, place.state, place.point.theta);
+        };
+        const double c = force(0.0), forwards = force(1.0), backwards = force(-1.0);
+        if (!(c > 0.0)) return infinity;
+        const double a = 0.5 * (forwards + backwards) - c, b = 0.5 * (forwards - backwards);
+        const double square = b * b - 4.0 * a * c;
+        return square < 0.0 ? 0.0 : std::max(0.0, (std::sqrt(square) - b) / (2.0 * c));
+    });
+    if (!std::isfinite(longest.value) || !(longest.value * fastest * forced.speed > 1.0)) return {};
+    longest.value = 1.0 / longest.value;
+    return longest;
+}
+
 ForceSummary force_summary(const DrivenMechanism& cam, const CamTurn& turn, const ForcedMotion& forced,
                            CamSummary& of) {
     const std::optional<double>& no_contact = of.no_contact;
@@ -225,7 +244,9 @@ void add_follower_figures(CamSummary& summary, const DrivenMechanism& cam, const
     for (const LoadSpeed& speed : scene.load_speeds()) {
         if (!speed.is_speed) continue;
         if (!summary.forces) {
-            summary.forces = force_summary(cam, turn, {*scene.forces, speed.speed}, summary);
+            const ForcedMotion forced{*scene.forces, speed.speed};
+            summary.forces = force_summary(cam, turn, forced, summary);
+            if (summary.sides.empty()) summary.forces->lift_off_speed = lift_off_speed(turn, forced);
             continue;
         }
         CamSummary other = without_loads;

@@ -17,6 +17,9 @@ using LimitedFigures = std::array<std::optional<CamExtreme>, limited_figure_coun
 struct ForceSummary {
     CamExtreme least_force, largest_force;  ///< F (N) or M (N m), see ForceSpec
     CamExtreme torque;                      ///< largest |camshaft torque|, N m
+    /// The lowest speed of the cam, rad/s, at which a follower of one side has no force left, and where; none
+    /// up to ten times the scene's own, or where nothing presses even the cam at rest.
+    std::optional<CamExtreme> lift_off_speed;
     /// Infinite where the cam cannot be touched as designed (CamSummary::no_contact).
     std::optional<CamExtreme> normal_force;    ///< largest force along the normal, N
     std::optional<CamExtreme> hertz_pressure;  ///< Pa; with a contact width, not for a knife edge

@@ -136,9 +136,9 @@ struct ConflictReport {
 struct SegmentReport {
     SegmentKind kind = SegmentKind::dwell;
     std::string law;
-    double begin = 0.0, end = 0.0;  ///< x
-    double from = 0.0, to = 0.0;    ///< displacements, in lifts
-    std::optional<Peaks> peaks;
+    double begin = 0.0, end = 0.0;     ///< x
+    double from = 0.0, to = 0.0;       ///< displacements, in lifts
+    std::optional<Peaks> peaks;        ///< by its own angle and displacement; none of a dwell
     std::optional<SplineCurve> curve;  ///< over x
     /// The highest derivative that is continuous at its beginning; -1 at the open beginning of a motion.
     int continuity = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/solution_parts.hpp"
 
+#include "motions/laws/law_catalogue.hpp"
 #include "objectives/deviation_rules.hpp"
 #include "objectives/drive_rules.hpp"
 #include "objectives/own_point_rule.hpp"
@@ -101,6 +102,14 @@ std::vector<SetPointReport> set_point_reports(const MotionSpec& spec, int degree
         }
     }
     return all;
+}
+
+LawMotion law_in_place(const Solution& solution, std::string_view law) {
+    const Scene& scene = solution.scene;
+    if (scene.motion.type != MotionType::program)
+        return law_motion(strokes_of(scene.motion), false, make_law(law));
+    const CamModel model = scene_model(scene, DesignKind::states, solution.reference_peaks);
+    return law_motion(strokes_of(scene, model, solution.motion.get()), scene.motion.closed, make_law(law));
 }
 
 TrainReport train_report(const Scene& scene, const Motion& motion) {

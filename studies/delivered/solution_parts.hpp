@@ -4,6 +4,7 @@
 
 #include "scene/motion/set_points.hpp"
 #include "studies/delivered/solution.hpp"
+#include "studies/laws/law_motion.hpp"
 
 namespace camopt {
 
@@ -27,6 +28,10 @@ struct SetPointReport {
 
 /// The name a constraint on the derivative of this order has: "via_velocity".
 [[nodiscard]] const char* set_point_name(int order);
+
+/// A law of the catalogue in the place of a solution's motion; in a program on every spline segment, by its
+/// own angle and between the displacements found. Throws InputError for an unknown law.
+[[nodiscard]] LawMotion law_in_place(const Solution& solution, std::string_view law);
 
 // What the elastic follower train makes of the delivered motion: terms and limits of the scene.
 

@@ -45,14 +45,6 @@ int continuity_at(const Motion& motion, double left_x, double right_x, int known
     return order;
 }
 
-/// Peaks of a law that takes `width` of x and `rise` lifts, in units of the whole motion.
-Peaks peaks_of_law(const std::string& key, double begin, double width, double rise) {
-    Peaks peaks = scaled_peaks(make_law(key)->peaks(), std::abs(rise), width);
-    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque})
-        (peaks.*peak).at = begin + width * (peaks.*peak).at;
-    return peaks;
-}
-
 /// A curve whose control points differ by no more than their rounding stands, and its derivatives are 0:
 /// those of its pieces would be that rounding, and not what the published control points say.
 SplineCurve without_rounded_motion(const SplineCurve& curve) {
@@ -100,15 +92,18 @@ void report_segments(Solution& solution) {
             raise_peaks(solution.motion_peaks, own);
             means.add(*report.peaks, part.end - part.begin);
         }
-        if (written.kind == SegmentKind::law && solution.scene.motion.prescribed()) {
-            const Peaks own = make_law(written.law)->peaks();
-            raise_peaks(solution.peaks, own);
-            means.add(own, part.end - part.begin);
+        if (written.kind == SegmentKind::law) {
+            const LawStroke stroke{written.kind, written.law, part.begin, part.end, report.from, report.to};
+            const Peaks own =
+                law_peaks(stroke, *make_law(written.law), motion, solution.scene.motion.periodic());
+            report.peaks = normalised_peaks(
+                own, {part.end - part.begin, measured_displacement(report.to - report.from)});
+            raise_peaks(solution.motion_peaks, own);
+            if (solution.scene.motion.prescribed()) {
+                raise_peaks(solution.peaks, *report.peaks);
+                means.add(*report.peaks, part.end - part.begin);
+            }
         }
-        if (written.kind == SegmentKind::law)
-            raise_peaks(
-                solution.motion_peaks,
-                peaks_of_law(written.law, report.begin, report.end - report.begin, report.to - report.from));
         solution.segments.push_back(std::move(report));
     }
     means.set(solution.peaks);

@@ -9,8 +9,9 @@ namespace camopt {
 
 namespace {
 
-// A jump of y'' below this part of the motion's peak is rounding, not an impulse.
-constexpr double smallest_jump = 1e-9;
+// A jump of y'' below this part of the motion's largest is rounding, of an optimized spline beside a law too;
+// not an impulse.
+constexpr double smallest_jump = 1e-7;
 // In lifts: a stroke that the optimizer has chosen to be shorter stands still.
 constexpr double smallest_rise = 1e-7;
 
@@ -81,9 +82,9 @@ double placed_at(const LawStroke& stroke, double own) {
     return stroke.mirrored ? stroke.end - width_of(stroke) * own : stroke.begin + width_of(stroke) * own;
 }
 
-/// Peaks of a law placed on its stroke.
-Peaks stretched(const Peaks& law, const LawStroke& stroke, double rise, double width) {
-    Peaks peaks = scaled_peaks(law, rise, width);
+/// Peaks of a law from inside, placed on its stroke.
+Peaks stretched(const Law& law, const LawStroke& stroke) {
+    Peaks peaks = scaled_peaks(find_peaks_without_impulses(law), std::abs(rise_of(stroke)), width_of(stroke));
     for (const auto member : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
         Extremum& peak = peaks.*member;
         peak.at = placed_at(stroke, peak.at);
@@ -119,34 +120,16 @@ std::optional<double> impulse_of(const LawStroke& stroke, const Law& law, const 
     return {};
 }
 
-/// Peaks of every stroke from inside, in lifts and units of x; none where it rests.
-std::vector<Peaks> inner_peaks(std::span<const LawStroke> strokes,
-                               const std::vector<std::shared_ptr<const Law>>& laws) {
-    std::vector<Peaks> all(strokes.size());
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
-        if (!laws[i]) continue;
-        all[i] = stretched(find_peaks_without_impulses(*laws[i]), strokes[i], std::abs(rise_of(strokes[i])),
-                           width_of(strokes[i]));
-    }
-    return all;
-}
-
 void add_peaks(LawMotion& result, std::span<const LawStroke> strokes,
                const std::vector<std::shared_ptr<const Law>>& laws, bool closed) {
-    std::vector<Peaks> inner = inner_peaks(strokes, laws);
-    for (const Peaks& peaks : inner) raise_peaks(result.motion_peaks, peaks);
-    const double least = smallest_jump * result.motion_peaks.acceleration.value;
     JoinedMeans means;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (!laws[i]) continue;
         const LawStroke& stroke = strokes[i];
-        if (const auto x = impulse_of(stroke, *laws[i], *result.motion, closed, least)) {
-            inner[i].jerk = {infinity, *x, Side::right};
-            derivative_mean(inner[i], 3) = infinity;
-            raise_peaks(result.motion_peaks, inner[i]);
-        }
+        const Peaks peaks = law_peaks(stroke, *laws[i], *result.motion, closed);
+        raise_peaks(result.motion_peaks, peaks);
         if (stroke.kind != SegmentKind::spline) continue;
-        const Peaks own = normalised_peaks(inner[i], stroke.scale);
+        const Peaks own = normalised_peaks(peaks, stroke.scale);
         raise_peaks(result.peaks, own);
         means.add(own, width_of(stroke));
     }
@@ -210,6 +193,19 @@ LawMotion law_motion(std::span<const LawStroke> strokes, bool closed, const std:
     result.motion = std::make_shared<MotionChain>(chain_of(placed, laws));
     add_peaks(result, placed, laws, closed);
     return result;
+}
+
+Peaks law_peaks(const LawStroke& stroke, const Law& law, const MotionChain& motion, bool closed) {
+    Peaks peaks = stretched(law, stroke);
+    double least = peaks.acceleration.value;
+    for (const double x : motion.breakpoints())
+        for (const Side side : {Side::left, Side::right})
+            least = std::max(least, std::abs(motion.at(x, side).derivative[2]));
+    if (const auto x = impulse_of(stroke, law, motion, closed, smallest_jump * least)) {
+        peaks.jerk = {infinity, *x, Side::right};
+        derivative_mean(peaks, 3) = infinity;
+    }
+    return peaks;
 }
 
 Peaks scaled_peaks(Peaks peaks, double size, double width) {

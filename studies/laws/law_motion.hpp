@@ -46,6 +46,11 @@ struct LawMotion {
 [[nodiscard]] LawMotion law_motion(std::span<const LawStroke> strokes, bool closed,
                                    const std::shared_ptr<const Law>& law);
 
+/// Peaks of a law on its stroke of a motion, in lifts and units of x. Its jerk is infinite only where y''
+/// jumps in that motion: inside of the stroke, or where it joins what stands beside it.
+[[nodiscard]] Peaks law_peaks(const LawStroke& stroke, const Law& law, const MotionChain& motion,
+                              bool closed);
+
 // Peaks of parts of a motion brought to one scale and put together.
 
 /// Peaks and mean squares of y^{(r)} times size / width^r (torque: size² / width³): of a curve on a stretch

@@ -2,8 +2,8 @@
 #include "studies/response/train_study.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
-#include "objectives/response/train_figures.hpp"
 #include "scene/limit_table.hpp"
+#include "studies/delivered/solution_parts.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
@@ -19,15 +19,6 @@ constexpr int history_instants = 401;
 // Of the slowest period: what a history shows of the dwell after the rise.
 constexpr double shown_periods = 3.0;
 
-/// One motion and the event of it that is compared.
-struct Subject {
-    std::string key, title;
-    std::vector<SlopePiece> pieces;
-    MotionEvent event;
-
-    [[nodiscard]] EventPieces cut() const { return pieces_of_event(pieces, event); }
-};
-
 class TrainStudyRun {
  public:
     TrainStudyRun(const Scene& scene, const SpeedSweep& speeds) : scene_(scene) {
@@ -36,20 +27,56 @@ class TrainStudyRun {
             const double part = speeds.count == 1 ? 0.0 : static_cast<double>(k) / (speeds.count - 1);
             study_.speeds.push_back(speeds.from + part * (speeds.to - speeds.from));
         }
+        study_.strokes = motion_events(scene.motion);
+        if (study_.strokes.empty()) study_.strokes = {{{{0.0, scene.motion.length()}}, {}}};
     }
 
-    void add(const std::string& key, const std::string& title, const Motion& motion, MotionEvent event) {
-        Subject subject{key, title, scene_.dynamics->formulas->pieces(motion), std::move(event)};
+    void add(const std::string& key, const std::string& title, const Motion& motion, bool with_history) {
         study_.motions.emplace_back(key, title);
-        const EventPieces pieces = subject.cut();
-        for (const double speed : study_.speeds) study_.rows.push_back(row(subject, pieces, speed));
-        study_.lift_off_speeds.push_back(lift_off(pieces));
+        pieces_.push_back(scene_.dynamics->formulas->pieces(motion));
+        if (with_history) add_history(key, pieces_of_event(pieces_.back(), study_.strokes.front()));
     }
-    void add_history(const std::string& key, const Motion& motion, const MotionEvent& event) {
+    void add_rows() {
+        for (std::size_t stroke = 0; stroke < study_.strokes.size(); ++stroke)
+            for (std::size_t i = 0; i < pieces_.size(); ++i) {
+                const EventPieces pieces = pieces_of_event(pieces_[i], study_.strokes[stroke]);
+                for (const double speed : study_.speeds) {
+                    study_.rows.push_back(row(pieces, speed));
+                    study_.rows.back().motion = study_.motions[i].first;
+                    study_.rows.back().stroke = static_cast<int>(stroke) + 1;
+                }
+                study_.lift_off_speeds.push_back(lift_off(pieces));
+            }
+    }
+    void add_steady(const Motion& turn) {
+        const std::vector<SlopePiece> pieces = scene_.dynamics->formulas->pieces(turn);
+        for (const double speed : study_.speeds) {
+            const auto train = train_at(scene_, speed);
+            const Eigen::VectorXd start = train->steady_start(pieces);
+            if (!start.allFinite()) continue;
+            const auto states = train->states_along(pieces, start, pieces.back().slope.sum());
+            const auto largest = [&](const TrainAtSpeed::Reading& reading, double sign) {
+                double best = -infinity;
+                for (std::size_t i = 0; i < pieces.size(); ++i)
+                    for (const Extremum& one : train->maxima(reading, sign, states[i], pieces[i], best))
+                        best = std::max(best, one.value);
+                return best;
+            };
+            const auto magnitude = [&](const TrainAtSpeed::Reading& reading) {
+                return std::max(largest(reading, 1.0), largest(reading, -1.0));
+            };
+            SteadyRow row{speed, magnitude(train->deflection()), magnitude(train->acceleration()), {}};
+            if (scene_.dynamics->pressed()) row.least_force = -largest(train->contact_force(), -1.0);
+            study_.steady.push_back(row);
+        }
+    }
+
+    TrainStudy finished() { return std::move(study_); }
+
+ private:
+    void add_history(const std::string& key, const EventPieces& pieces) {
         const double speed = scene_.motion.speed.value();
         const auto train = train_at(scene_, speed);
-        const std::vector<SlopePiece> all = scene_.dynamics->formulas->pieces(motion);
-        const EventPieces pieces = pieces_of_event(all, event);
         const double period =
             units::turn / study_.natural_frequencies.front() * speed / scene_.motion.unit_angle();
         TrainHistory history{key, speed, {}};
@@ -90,41 +117,15 @@ class TrainStudyRun {
         }
         study_.histories.push_back(std::move(history));
     }
-    void add_steady(const Motion& turn) {
-        const std::vector<SlopePiece> pieces = scene_.dynamics->formulas->pieces(turn);
-        for (const double speed : study_.speeds) {
-            const auto train = train_at(scene_, speed);
-            const Eigen::VectorXd start = train->steady_start(pieces);
-            if (!start.allFinite()) continue;
-            const auto states = train->states_along(pieces, start, pieces.back().slope.sum());
-            const auto largest = [&](const TrainAtSpeed::Reading& reading, double sign) {
-                double best = -infinity;
-                for (std::size_t i = 0; i < pieces.size(); ++i)
-                    for (const Extremum& one : train->maxima(reading, sign, states[i], pieces[i], best))
-                        best = std::max(best, one.value);
-                return best;
-            };
-            const auto magnitude = [&](const TrainAtSpeed::Reading& reading) {
-                return std::max(largest(reading, 1.0), largest(reading, -1.0));
-            };
-            SteadyRow row{speed, magnitude(train->deflection()), magnitude(train->acceleration()), {}};
-            if (scene_.dynamics->pressed()) row.least_force = -largest(train->contact_force(), -1.0);
-            study_.steady.push_back(row);
-        }
-    }
-
-    TrainStudy finished() { return std::move(study_); }
-
- private:
-    [[nodiscard]] TrainRow row(const Subject& subject, const EventPieces& pieces, double speed) const {
+    [[nodiscard]] TrainRow row(const EventPieces& pieces, double speed) const {
         const auto train = train_at(scene_, speed);
         const EventResponse response(*train, pieces);
         TrainRow row;
-        row.motion = subject.key;
         row.speed = speed;
-        const double rise = subject.event.moving.back().end - subject.event.moving.front().begin;
-        row.frequency_ratio = std::abs(rise) * scene_.motion.unit_angle() / speed *
-                              study_.natural_frequencies.front() / units::turn;
+        double length = 0.0;
+        for (const SlopePiece& piece : pieces.moving) length += piece.width;
+        row.frequency_ratio =
+            length * scene_.motion.unit_angle() / speed * study_.natural_frequencies.front() / units::turn;
         row.residual = response.residual();
         row.peak_deflection = response.largest_magnitude(train->deflection(), false).value;
         row.peak_acceleration = response.largest_magnitude(train->acceleration(), false).value;
@@ -152,6 +153,7 @@ class TrainStudyRun {
 
     const Scene& scene_;
     TrainStudy study_;
+    std::vector<std::vector<SlopePiece>> pieces_;  ///< by motion
 };
 
 bool is_damped(const DynamicsSpec& spec) {
@@ -198,22 +200,16 @@ TrainStudy train_study_of(Solution optimum, std::optional<Solution> static_optim
                         speeds.count, speeds.from / units::revolution_per_minute,
                         speeds.to / units::revolution_per_minute));
     TrainStudyRun run(scene, speeds);
-    const std::vector<MotionEvent> events = motion_events(scene.motion);
-    const MotionEvent own = events.empty() ? MotionEvent{{{0.0, scene.motion.length()}}, {}} : events.front();
-    const MotionEvent rise = single_rise(scene.motion.unit_angle());
-    const auto add_solved = [&](const char* key, const char* title, const Solution& solution) {
-        if (!solution.motion) return;
-        run.add(key, title, *solution.motion, own);
-        run.add_history(key, *solution.motion, own);
-    };
-    add_solved("optimum", "optimum", optimum);
-    if (static_optimum) add_solved("static_optimum", "optimum of a rigid follower", *static_optimum);
+    if (optimum.motion) run.add("optimum", "optimum", *optimum.motion, true);
+    if (static_optimum && static_optimum->motion)
+        run.add("static_optimum", "optimum of a rigid follower", *static_optimum->motion, true);
     for (const LawInfo& info : law_catalogue()) {
-        if (!info.rests || info.top != TopEnd::dwell) continue;
-        const auto law = make_law(info.key);
-        run.add(info.key, info.title, *law, rise);
-        if (info.key == scene.objective.reference.law) run.add_history(info.key, *law, rise);
+        if (!info.rests) continue;
+        const LawMotion placed = law_in_place(optimum, info.key);
+        if (placed.motion)
+            run.add(info.key, info.title, *placed.motion, info.key == scene.objective.reference.law);
     }
+    run.add_rows();
     if (optimum.motion && is_damped(*scene.dynamics) &&
         (scene.motion.type != MotionType::program || scene.motion.closed)) {
         const MotionChain turn = optimum.whole_turn();

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// An elastic follower train over a range of speeds: one motion beside others, each as one rise (or event)
-// from rest, and as a steady state where the turn is closed and damped.
+// An elastic follower train over a range of speeds: the optimum compared with laws in its place, each stroke
+// from rest, and the optimum's steady state where the turn is closed and damped. A stroke is everything
+// between two dwells.
 #pragma once
 
+#include "objectives/response/train_figures.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {
 
-/// One motion at one speed. From rest, during its (first) rise and as it leaves.
+/// One stroke of one motion at one speed, from rest.
 struct TrainRow {
     std::string motion;              ///< "optimum", "static_optimum", or the key of a law
+    int stroke = 1;                  ///< from 1
     double speed = 0.0;              ///< rad/s
-    double frequency_ratio = 0.0;    ///< time of the rise over the natural period of the slowest mode
+    double frequency_ratio = 0.0;    ///< time of the stroke over the natural period of the slowest mode
     double residual = 0.0;           ///< amplitude in lifts
     double peak_deflection = 0.0;    ///< |x − y| in lifts
     double peak_acceleration = 0.0;  ///< |x''|, normalised as A
@@ -20,9 +23,9 @@ struct TrainRow {
     [[nodiscard]] bool lifts_off() const { return least_force && *least_force < 0.0; }
 };
 
-/// One instant.
+/// One instant of the first stroke.
 struct TrainInstant {
-    double x = 0.0;                    ///< cam angle by the unit angle, from the rise on
+    double x = 0.0;                    ///< cam angle by the unit angle, from its begin on
     double input = 0.0, output = 0.0;  ///< y, x_n in lifts, but for the constant compression
     double input_acceleration = 0.0, acceleration = 0.0;  ///< in lifts by x²
     double force = 0.0;                                   ///< on the cam, N or N m
@@ -44,10 +47,11 @@ struct TrainStudy {
     Scene scene;
     std::vector<double> natural_frequencies;                   ///< rad/s, ascending
     std::vector<double> speeds;                                ///< rad/s
-    std::vector<std::pair<std::string, std::string>> motions;  ///< key and title, in the order of the rows
-    std::vector<TrainRow> rows;                                ///< motion by motion, speed by speed
-    /// By motion: the lowest speed up to the highest looked at, or twice that, where contact is lost; none:
-    /// nowhere.
+    std::vector<MotionEvent> strokes;                          ///< of all motions
+    std::vector<std::pair<std::string, std::string>> motions;  ///< key and title
+    std::vector<TrainRow> rows;  ///< stroke by stroke, in it motion by motion, speed by speed
+    /// Stroke by stroke, motion by motion: the lowest speed up to the highest looked at, or twice that, where
+    /// contact is lost; none: nowhere.
     std::vector<std::optional<double>> lift_off_speeds;
     std::vector<TrainHistory> histories;  ///< at the scene's speed: optimum, static optimum, reference law
     std::vector<SteadyRow> steady;        ///< of the optimum; empty: no closed turn, or no damping

@@ -5,6 +5,7 @@
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
+#include "studies/laws/law_motion.hpp"
 
 #include <fmt/format.h>
 
@@ -97,7 +98,7 @@ void report_conflict_at(Solution& solution, const RestConflict& conflict, Reason
 
 constexpr double most_violation = 1e9;  // of a figure that is infinite
 
-/// A limit on a derivative that a law has infinite where it joins.
+/// A limit on a derivative that a law has infinite, inside or where it joins.
 std::optional<RestConflict> impulse_conflict(const Scene& scene, const MotionFamily& family,
                                              const MotionChain& motion) {
     for (const PeakLimitRow& row : peak_limit_rows()) {
@@ -105,11 +106,18 @@ std::optional<RestConflict> impulse_conflict(const Scene& scene, const MotionFam
         for (std::size_t s = 0; limit && s < family.stretches().size(); ++s) {
             const MotionFamily::Stretch& stretch = family.stretches()[s];
             if (stretch.kind != StretchRequest::Kind::shape) continue;
-            const Extremum peak =
-                derivative_peak(make_law(scene.motion.segments[s].law)->peaks(), row.order());
+            const std::string& law = scene.motion.segments[s].law;
+            const LawStroke stroke{SegmentKind::law,
+                                   law,
+                                   stretch.begin,
+                                   stretch.end,
+                                   motion.at(stretch.begin, Side::right).derivative[0],
+                                   motion.at(stretch.end, Side::left).derivative[0]};
+            const Extremum peak = derivative_peak(
+                law_peaks(stroke, *make_law(law), motion, scene.motion.periodic()), row.order());
             if (std::isfinite(peak.value)) continue;
-            const double x = stretch.begin + peak.at * (stretch.end - stretch.begin);
-            return RestConflict{limit->key, {x, motion.at(x).derivative[0], false}, most_violation};
+            return RestConflict{
+                limit->key, {peak.at, motion.at(peak.at).derivative[0], false}, most_violation};
         }
     }
     return {};

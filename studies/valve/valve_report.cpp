@@ -11,7 +11,6 @@ namespace {
 
 constexpr int bisections = 60;
 constexpr std::array shares_of_speed = {0.5, 0.75, 1.0, 1.1, 1.25};
-constexpr double fastest = 10.0;      // times the scene's speed
 constexpr double same_height = 1e-9;  // m
 constexpr int pair_places = 7200;     // over the cycle of 720 crank degrees, then refined
 
@@ -76,45 +75,62 @@ double valve_velocity_at(const Solution& solution, double x) {
            motion.unit_angle();
 }
 
-ValveMargin margin_at(const Solution& solution, double cam_speed) {
+/// Begin and end of the nose: where the follower is fastest before and after its top.
+std::array<double, 2> nose_region(const Solution& solution) {
+    const Motion& motion = *solution.motion;
+    const double top = nose_of(solution);
+    const auto speed = [&](double x, Side side) { return std::abs(motion.at(x, side).derivative[1]); };
+    return {largest_along(pieces_between(motion, motion.begin(), top), speed).at,
+            largest_along(pieces_between(motion, top, motion.end()), speed).at};
+}
+
+/// As the radii of the whole cam (cam_summary.hpp): of a roller's cam from the pitch curve, whose curvature
+/// is smooth where a radius is not.
+std::optional<Extremum> nose_radius(const Solution& solution, const CamPoints& points) {
+    const DrivenMechanism& cam = points.cam();
+    const bool pitch = cam.formulas->has_pitch_curve();
+    const auto [begin, end] = nose_region(solution);
+    const Extremum sharpest =
+        largest_along(pieces_between(points.motion(), begin, end), [&](double x, Side side) {
+            const MechanismPoint& point = points.at(points.motion().at(x, side), 0);
+            return pitch ? point.pitch_curvature : -point.cam_radius;
+        });
+    if (pitch && !(sharpest.value > 0.0)) return {};
+    const double radius =
+        pitch ? 1.0 / sharpest.value - cam.formulas->surface_offset(cam.dimensions, 0) : -sharpest.value;
+    return Extremum{radius, crank_angle_at(solution, sharpest.at), sharpest.side};
+}
+
+ValveMargin margin_between(const Solution& solution, double cam_speed, double begin, double end) {
     const ForceSpec& forces = *solution.scene.forces;
     const MotionScale scale = motion_scale(solution.scene);
     const auto force = [&](double x, Side side) {
         return forces.force(cam_speed, state_of(solution.motion->at(x, side), scale), scale.unit_angle * x,
                             side);
     };
-    const Extremum least = least_along(solution.motion->breakpoints(), force);
+    const Extremum least = least_along(pieces_between(*solution.motion, begin, end), force);
     FollowerState still = state_of(solution.motion->at(least.at, least.side), scale);
     still.velocity = still.acceleration = 0.0;
     const double pressed = forces.force(0.0, still, scale.unit_angle * least.at, least.side);
-    return {2.0 * cam_speed, least.value, crank_angle_at(solution, least.at), least.value / pressed};
-}
-
-/// The largest 1/ω at which a place has no force left: the force is a ω² + b ω + c, so c u² + b u + a = 0 for
-/// u = 1/ω. 0: it is pressed at every speed; infinite: not even the cam at rest is touched everywhere.
-double longest_lift_off_period(const Solution& solution) {
-    const ForceSpec& forces = *solution.scene.forces;
-    const MotionScale scale = motion_scale(solution.scene);
-    const auto period = [&](double x, Side side) {
-        const FollowerState state = state_of(solution.motion->at(x, side), scale);
-        const auto force = [&](double speed) {
-            return forces.force(speed, state, scale.unit_angle * x, side);
-        };
-        const double c = force(0.0), forwards = force(1.0), backwards = force(-1.0);
-        if (!(c > 0.0)) return infinity;
-        const double a = 0.5 * (forwards + backwards) - c, b = 0.5 * (forwards - backwards);
-        const double square = b * b - 4.0 * a * c;
-        return square < 0.0 ? 0.0 : std::max(0.0, (std::sqrt(square) - b) / (2.0 * c));
-    };
-    return largest_along(solution.motion->breakpoints(), period).value;
+    return {least.value, crank_angle_at(solution, least.at), least.value / pressed};
 }
 
 void add_margins(ValveReport& report, const Solution& solution) {
     const std::optional<double>& speed = solution.scene.motion.speed;
     if (!solution.scene.forces || !speed) return;
-    for (const double share : shares_of_speed) report.margins.push_back(margin_at(solution, share * *speed));
-    const double longest = longest_lift_off_period(solution);
-    if (std::isfinite(longest) && longest * fastest * *speed > 1.0) report.lift_off_speed = 2.0 / longest;
+    const auto [begin, end] = nose_region(solution);
+    for (const double share : shares_of_speed) {
+        const auto margin = [&](double from, double to) {
+            return margin_between(solution, share * *speed, from, to);
+        };
+        const ValveMargin opening = margin(solution.motion->begin(), begin),
+                          closing = margin(end, solution.motion->end());
+        report.margins.push_back({2.0 * share * *speed, margin(begin, end),
+                                  opening.least_force < closing.least_force ? opening : closing});
+    }
+    if (!solution.cam || !solution.cam->summary.forces) return;
+    if (const auto& off = solution.cam->summary.forces->lift_off_speed)
+        report.lift_off_speed = 2.0 * off->value;
 }
 
 void require_lobe(const Solution& solution, const char* which) {
@@ -199,8 +215,7 @@ ValveReport valve_report(const Solution& solution) {
     report.nose_acceleration = acceleration_between(solution, motion.begin(), motion.end(), -1.0);
     if (solution.cam) {
         const CamPoints points(solution.cam->cam, drawn_motion(solution), motion_scale(solution.scene));
-        const double radius = points.at(nose).cam_radius;
-        if (std::isfinite(radius)) report.nose_radius = radius;
+        report.nose_radius = nose_radius(solution, points);
         if (const auto& offset = solution.cam->summary.contact_offset) report.contact_offset = offset->value;
     }
     add_margins(report, solution);

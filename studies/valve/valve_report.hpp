@@ -16,12 +16,21 @@ struct ValveEvent {
     [[nodiscard]] double duration() const { return closes - opens; }
 };
 
-/// What presses the follower on the cam at a speed, at its weakest place.
+/// What presses the follower on a part of the cam, where it is least.
 struct ValveMargin {
+    double least_force = 0.0;  ///< N, or N m of a swinging follower
+    double at = 0.0;           ///< crank angle
+    double share = 0.0;        ///< of spring, preload and load there
+};
+/// The nose lies between the places where the follower is fastest before and after its top; the flanks are
+/// the rest.
+struct ValveMargins {
     double engine_speed = 0.0;  ///< rad/s
-    double least_force = 0.0;   ///< N, or N m of a swinging follower
-    double at = 0.0;            ///< crank angle
-    double share = 0.0;         ///< of spring, preload and load there
+    ValveMargin nose, flank;
+
+    [[nodiscard]] const ValveMargin& least() const {
+        return nose.least_force < flank.least_force ? nose : flank;
+    }
 };
 
 struct ValveReport {
@@ -32,9 +41,9 @@ struct ValveReport {
     double opening_velocity = 0.0, closing_velocity = 0.0;  ///< of the valve at lift 0, m/rad of the cam, > 0
     /// Of the follower by the cam angle, m/rad² or 1/rad: largest on each flank, and least (the nose's).
     double opening_acceleration = 0.0, closing_acceleration = 0.0, nose_acceleration = 0.0;
-    std::optional<double> nose_radius;     ///< of the cam's surface
+    std::optional<Extremum> nose_radius;   ///< least of the cam's surface on the nose, `at` a crank angle
     std::optional<double> contact_offset;  ///< largest on a flat face
-    std::vector<ValveMargin> margins;      ///< with forces and a speed: at 0.5, 0.75, 1, 1.1, 1.25 of it
+    std::vector<ValveMargins> margins;     ///< with forces and a speed: at 0.5, 0.75, 1, 1.1, 1.25 of it
     std::optional<double>
         lift_off_speed;  ///< engine's, rad/s: no force is left; none up to ten times its own
 

@@ -134,6 +134,28 @@ TEST(ElasticTrain, MaximaAreReached) {
     }
 }
 
+/// y' = 100 x up to 0.01, constant beyond, evaluated as a spline across the end of a closed program: at x
+/// plus the program's length.
+class ShiftedRamp final : public Motion {
+ public:
+    [[nodiscard]] double begin() const override { return 0.0; }
+    [[nodiscard]] double end() const override { return length; }
+    [[nodiscard]] std::vector<double> breakpoints() const override { return {0.0, knee, length}; }
+    [[nodiscard]] MotionPoint at(double x, Side side) const override {
+        const volatile double shifted = x + length;
+        const double t = shifted - length;
+        if (x < knee || (x == knee && side == Side::left)) return {x, {50.0 * t * t, 100.0 * t, 100.0, 0.0}};
+        return {x, {50.0 * knee * knee + 100.0 * knee * (t - knee), 100.0 * knee, 0.0, 0.0}};
+    }
+
+ private:
+    static constexpr double knee = 0.01, length = 8.1818181818181817;
+};
+
+TEST(ElasticTrain, ShiftedSplineIsNotRefused) {
+    EXPECT_EQ(train_formulas(one_mass(2.0, 0.0))->pieces(ShiftedRamp()).size(), 2U);
+}
+
 TEST(ElasticTrain, RefusesWhatIsNoTrain) {
     DynamicsSpec spec = one_mass(2.0, 0.0);
     spec.stages.assign(4, {1.0, 1.0, 0.0});

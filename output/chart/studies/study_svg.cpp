@@ -21,7 +21,7 @@ bool is_shown(const TrainStudy& study, const std::string& key) {
            std::ranges::find(shown_laws, key) != shown_laws.end();
 }
 
-/// One series a motion that is shown.
+/// One series a motion that is shown, of its worst stroke at each speed.
 PaperFigure over_speed(const TrainStudy& study, const char* title, const std::string& unit,
                        const std::function<double(const TrainRow&)>& value) {
     PaperFigure figure{"", title, "speed of the cam, rpm", unit, {}};
@@ -29,9 +29,12 @@ PaperFigure over_speed(const TrainStudy& study, const char* title, const std::st
     for (std::size_t i = 0; i < study.motions.size(); ++i) {
         if (!is_shown(study, study.motions[i].first)) continue;
         PaperSeries& series = figure.series.emplace_back(PaperSeries{study.motions[i].second, {}, {}});
-        for (std::size_t k = i * count; k < (i + 1) * count; ++k) {
-            series.x.push_back(rpm_shown.of(study.rows[k].speed));
-            series.y.push_back(value(study.rows[k]));
+        for (std::size_t k = 0; k < count; ++k) {
+            series.x.push_back(rpm_shown.of(study.speeds[k]));
+            double& worst = series.y.emplace_back(0.0);
+            for (std::size_t row = i * count + k; row < study.rows.size();
+                 row += study.motions.size() * count)
+                worst = std::max(worst, value(study.rows[row]));
         }
     }
     return figure;
@@ -39,7 +42,7 @@ PaperFigure over_speed(const TrainStudy& study, const char* title, const std::st
 
 PaperFigure over_angle(const TrainStudy& study, const std::string& title, const std::string& unit,
                        const std::function<double(const TrainInstant&)>& value) {
-    PaperFigure figure{"", title, "cam angle from the beginning of the rise, deg", unit, {}};
+    PaperFigure figure{"", title, "cam angle from the beginning of the first stroke, deg", unit, {}};
     for (const TrainHistory& history : study.histories) {
         const auto named =
             std::ranges::find(study.motions, history.motion, &std::pair<std::string, std::string>::first);
@@ -179,10 +182,10 @@ std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainSt
         pictures.emplace_back(name, paper_figure_svg(figure));
     };
     add("residual_over_speed.svg",
-        over_speed(study, "Residual vibration after one rise from rest", amplitude_unit,
+        over_speed(study, "Residual vibration after a stroke from rest", amplitude_unit,
                    [&](const TrainRow& row) { return row.residual * amplitude; }));
     add("acceleration_over_speed.svg",
-        over_speed(study, "Largest acceleration of the output during the rise", acceleration_unit.name,
+        over_speed(study, "Largest acceleration of the output during a stroke", acceleration_unit.name,
                    [&](const TrainRow& row) { return physical(row.peak_acceleration, row.speed); }));
     if (study.histories.empty()) return pictures;
     const std::string at = fmt::format(" at {:.6g} rpm", rpm_shown.of(study.histories.front().speed));

@@ -346,6 +346,45 @@ TEST(TrainStudy, ComparesAsPublished) {
     EXPECT_FALSE(row->lifts_off());
 }
 
+/// Laws take each stroke's own lift and angle: 15 mm in 60 degrees, twice, and 30 mm back in 80 degrees.
+TEST(TrainStudy, ComparesLawsInEachStroke) {
+    const Scene scene = scene_of_toml(R"(
+[motion]
+type = "program"
+lift_mm = 30
+speed_rpm = 30
+segments = [{ kind = "dwell", angle_deg = 60 }, { kind = "spline", angle_deg = 60, to_mm = 15 },
+            { kind = "dwell", angle_deg = 20 }, { kind = "spline", angle_deg = 60, to_mm = 30 },
+            { kind = "dwell", angle_deg = 20 }, { kind = "spline", angle_deg = 80, to_mm = 0 },
+            { kind = "dwell", angle_deg = 60 }]
+[spline]
+segments = 24
+[objective]
+acceleration = 1
+[dynamics]
+mass_kg = 20
+natural_frequency_hz = 21.915
+damping_ratio = 0.077
+)");
+    const double speed = *scene.motion.speed;
+    const TrainStudy study = train_study(scene, {speed, speed, 1});
+    EXPECT_EQ(study.strokes.size(), 3U);
+    EXPECT_EQ(study.rows.size(), 3 * study.motions.size());
+    EXPECT_EQ(study.lift_off_speeds.size(), study.rows.size());
+    const double periods = 21.915 * 60.0 / 180.0;  // of the rises of 60 degrees
+    int found = 0;
+    for (const TrainRow& row : study.rows) {
+        if (row.motion != "cycloidal") continue;
+        EXPECT_EQ(row.stroke, ++found);
+        EXPECT_NEAR(row.frequency_ratio, row.stroke == 3 ? periods * 80.0 / 60.0 : periods, 1e-9);
+        if (row.stroke == 3) continue;
+        EXPECT_NEAR(row.residual * 30e3, 6.299, 1e-3);  // µm
+        EXPECT_NEAR(row.peak_acceleration * 0.03 * std::pow(speed / scene.motion.unit_angle(), 2), 0.914,
+                    1e-3);
+    }
+    EXPECT_EQ(found, 3);
+}
+
 /// Just below the speed of lift-off the force is positive, just above negative.
 TEST(TrainStudy, LiftsOffWhereTheForceEnds) {
     const Scene scene = scene_of_toml(slide(pressed, "[objective]\nacceleration = 1\n"));

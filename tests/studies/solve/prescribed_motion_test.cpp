@@ -90,6 +90,20 @@ TEST(PrescribedMotion, ViolatedLimitIsInfeasible) {
     EXPECT_EQ(solution.conflict.at(0).key, "limits.jerk");
 }
 
+// Two simple harmonics that join into a full sine have J = π³ / 2 = 15.503.
+TEST(PrescribedMotion, JerkLimitHoldsAcrossSmoothJoints) {
+    const auto eccentric = [](const char* limit) {
+        return solve(scene_of(std::string("[motion]\ntype = \"program\"\nlift_mm = 30\n"
+                                          "segments = [{ kind = \"law\", law = \"simple_harmonic\", "
+                                          "angle_deg = 180, to = 1.0 }, { kind = \"law\", law = "
+                                          "\"simple_harmonic\", angle_deg = 180, to = 0.0 }]\n"
+                                          "[limits]\njerk = ") +
+                              limit));
+    };
+    EXPECT_EQ(eccentric("15.51").certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(eccentric("15.49").certificate.verdict, Verdict::infeasible);
+}
+
 TEST(PrescribedMotion, HasACamWithItsLimits) {
     const Solution solution = solve(scene_of(program + roller + "[limits]\npressure_angle_deg = 40\n"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
