@@ -3,6 +3,7 @@
 
 #include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
+#include "studies/search/plan.hpp"
 
 #include <fmt/format.h>
 
@@ -105,6 +106,11 @@ KeyWords key_words(std::string_view key, std::string_view remark) {
     found.words = fmt::format("{}{}", end_of_range, words_of(key));
     if (!remark.empty()) found.words += fmt::format(" ({})", remark);
     return found;
+}
+
+bool is_exact(const Solution& solution, const Relaxation& row) {
+    // A value that moved off before a solve succeeded is the solved one.
+    return solution.plan && solution.plan->convex && key_words(row.key).limit && row.needed != row.solved;
 }
 
 std::string needed_number(const Relaxation& row) {
