@@ -104,6 +104,9 @@ KeyWords key_words(std::string_view key, std::string_view remark) {
     for (const std::string_view bound : bounds)
         if (key.ends_with(bound)) key.remove_suffix(bound.size());
     found.words = fmt::format("{}{}", end_of_range, words_of(key));
+    for (const std::string end : {"start", "end"})  // a state there
+        if (key.starts_with(end + "."))
+            found.words = fmt::format("{} at the {}", words_of(key.substr(end.size() + 1)), end);
     if (!remark.empty()) found.words += fmt::format(" ({})", remark);
     return found;
 }

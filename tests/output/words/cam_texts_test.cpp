@@ -65,6 +65,8 @@ TEST(KeyWords, ListNumbersCountFromOne) {
 
 TEST(KeyWords, ChangeIsRoundedToFeasibleSide) {
     EXPECT_EQ(change_words({"cam.base_radius_mm", 30.0, 31.41231}), "increase the base radius to 31.413 mm");
+    EXPECT_EQ(change_words({"motion.start.velocity_mm_s", 1200.0, 799.99}),
+              "reduce the velocity at the start to 799.99 mm/s");
     EXPECT_EQ(change_words({"spline.segments", 7.0, 14.0}), "use 14 segments");
     EXPECT_EQ(change_words({"spline.breakpoints", 7.0, 14.0}), "use 14 segments (every interval cut in two)");
     EXPECT_EQ(change_words({"spline.breakpoints", 7.0, 28.0}), "use 28 segments (every interval cut in 4)");
