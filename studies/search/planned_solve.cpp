@@ -242,8 +242,11 @@ bool show_nearest(Solution& solution, const SolveControl& control) {
         if (Feasibility least = find_feasible(problem, exchange_options(scene), control);
             least.point.x.size() > 0)
             x = std::move(least.point.x);
+    if (control.ending() && !scene.motion.prescribed()) return false;
     report_motion(solution, problem, x);
-    return true;
+    if (cam_can_be_built(solution)) return true;
+    withdraw_motion(solution);
+    return false;
 }
 
 Solution solve_motion(const PlannedRun& run) {
