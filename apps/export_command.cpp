@@ -16,6 +16,7 @@
 #include "output/spatial/cam_export.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "studies/delivered/delivered_audit.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>
@@ -266,6 +267,8 @@ ExitCode export_command(const ExportRequest& request) {
     const InterruptWatch watch;  // until the files are written
     Solution solution = solved_or_read(request.scene, with_solver(request.settings, request.solver),
                                        [&](const Scene& scene) { check_wishes(request, scene); });
+    // A prescribed motion that violates a limit is shown, not made.
+    if (solution.certificate.verdict == Verdict::infeasible) withdraw_motion(solution);
     Exported exported;
     FolderUpdate folder(request.out);
     export_motion(request, solution, folder, exported);

@@ -136,7 +136,8 @@ StudioAnswer studio_download(const std::string& what, const StudioScene& given, 
         throw InputError(fmt::format("this scene has no download of this name; allowed: {}",
                                      fmt::join(downloads_of(given.scene), ", ")));
     Solution solution = solve(given.scene, control);
-    if (file->need != FileNeed::nothing && !solution.motion)
+    const bool made = solution.motion && solution.certificate.verdict != Verdict::infeasible;
+    if (file->need != FileNeed::nothing && !made)
         throw InputError(fmt::format("{}: there is no motion to write: the scene is {}", file->file,
                                      name_of(solution.certificate.verdict)));
     if (solution.motion) add_forward_check(solution);

@@ -4,6 +4,7 @@
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/columns.hpp"
+#include "output/view/key_words.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/view/tables.hpp"
 #include "studies/delivered/scene_limits.hpp"
@@ -196,11 +197,12 @@ Json evaluations_json(const EvaluationCounts& count) {
         {"jacobian", count.jacobian}, {"hessian", count.hessian},   {"profile_points", count.profile_points}};
 }
 
-Json relaxation_json(const std::vector<Relaxation>& rows) {
+Json relaxation_json(const Solution& solution, const std::vector<Relaxation>& rows) {
     Json list = Json::array();
     for (const Relaxation& row : rows) {
         Json one = {{"key", row.key}, {"given", number_json(row.given)}, {"needed", number_json(row.needed)}};
         if (row.solved) one["solved"] = number_json(row.solved);
+        if (row.needed) one["exact"] = &rows == &solution.relaxation && is_exact(solution, row);
         for (const CompanionChange& other : row.also)
             one["also"].push_back({{"key", other.key}, {"given", other.given}, {"solved", other.solved}});
         list.push_back(std::move(one));
@@ -208,8 +210,9 @@ Json relaxation_json(const std::vector<Relaxation>& rows) {
     return list;
 }
 
-Json explanation_json(const Explanation& explanation) {
-    return {{"together", relaxation_json(explanation.together)},
+Json explanation_json(const Solution& solution) {
+    const Explanation& explanation = *solution.explanation;
+    return {{"together", relaxation_json(solution, explanation.together)},
             {"any_motion", explanation.any_motion},
             {"alone", explanation.alone},
             {"set_points", explanation.set_points},
@@ -258,8 +261,8 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
         json["set_points"] = set_points_json(solution);
     if (solution.measured) json["measured"] = measured_json(solution);
     if (certificate.verdict == Verdict::infeasible || !solution.relaxation.empty())
-        json["relaxation"] = relaxation_json(solution.relaxation);
-    if (solution.explanation) json["explanation"] = explanation_json(*solution.explanation);
+        json["relaxation"] = relaxation_json(solution, solution.relaxation);
+    if (solution.explanation) json["explanation"] = explanation_json(solution);
     if (certificate.verdict == Verdict::infeasible) json["conflict"] = conflict_json(solution);
     json["spline"] = spline_json(solution.curve);
     json["segments"] = segments_json(solution);

@@ -3,6 +3,7 @@
 
 #include "core/text/printable.hpp"
 #include "output/page/page_parts.hpp"
+#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 
@@ -100,6 +101,9 @@ std::string page_html(const PageHtml& page) {
 }
 
 std::string report_html(const View& view, const RunOrigin& origin) {
+    const SolveControl timed = SolveControl{}.sooner(view.solution.scene.solver.explain_seconds);
+    if (Solution nearest = view.solution; show_nearest(nearest, timed))
+        return report_html(View(nearest), origin);
     const Solution& solution = view.solution;
     PageHtml page;
     page.title = solution.scene.title.empty() ? "Motion" : solution.scene.title;

@@ -31,6 +31,8 @@ PlainVerdict plain_verdict(const Solution& solution) {
     const std::string proved = gap.empty() ? gap : "Proved: it is " + gap + ".";
     switch (certificate.verdict) {
         case Verdict::optimal:
+            if (solution.scene.motion.prescribed())
+                return {"good", "The prescribed motion satisfies every limit", verdict_sentence(solution)};
             return {"good", "The best motion, and proved optimal",
                     "It satisfies every limit, and no motion of this spline is better for the weights of the "
                     "scene."};
@@ -47,6 +49,9 @@ PlainVerdict plain_verdict(const Solution& solution) {
                     gap.empty() ? "Whether it is the best one is not known: the search ended early."
                                 : proved + " The search for a better one ended early."};
         case Verdict::infeasible:
+            if (solution.scene.motion.prescribed())
+                return {"bad", "The prescribed motion violates a limit",
+                        "This is proved: something in the scene has to change."};
             return {"bad", "No motion satisfies all of these limits",
                     "This is proved: something in the scene has to change."};
         case Verdict::failed:
@@ -109,7 +114,13 @@ Json verdict_part(const Solution& solution) {
     const Verdict verdict = solution.certificate.verdict;
     const PlainVerdict plain = plain_verdict(solution);
     Json sentences = Json::array({plain.meaning});
-    if (has_motion(solution)) sentences.push_back(active_sentence(solution));
+    if (has_motion(solution))
+        sentences.push_back(active_sentence(solution));
+    else if (solution.motion)
+        sentences.push_back(
+            solution.scene.motion.prescribed()
+                ? "The curves show it, red where it violates a limit."
+                : "The curves show the motion that violates the limits least, red where it does.");
     for (const std::string& sentence : excursion_sentences(solution)) sentences.push_back(sentence);
     if (!has_motion(solution))
         for (const std::string& remark : infeasible_remarks(solution)) sentences.push_back(remark);
@@ -174,11 +185,10 @@ Json reference_part(const Solution& solution, PageReference wish) {
     if (!solution.machine.empty())
         sentences.push_back("Its objective is not compared: clearances to other axes hold, too.");
     else if (law.loss_percent)
-        sentences.push_back(
-            *law.loss_percent >= noticed
-                ? fmt::format("The {} law would be {} % worse in the objective.", name,
-                              short_text(*law.loss_percent, 3))
-                : fmt::format("For the weights of the scene the {} law would be no worse.", name));
+        sentences.push_back(*law.loss_percent >= noticed
+                                ? fmt::format("The {} law would be {} % worse in the objective.", name,
+                                              short_text(*law.loss_percent, 3))
+                                : fmt::format("The {} law would be no worse in the objective.", name));
     else if (std::isinf(law.objective))
         sentences.push_back(fmt::format("The {} law has no finite objective here.", name));
     if (const std::string changes = peak_changes(solution, law); !changes.empty())

@@ -64,6 +64,8 @@ std::string title_of_infeasible(const Solution& solution) {
     constexpr const char* change = "and what would have to change";
     if (solution.certificate.verdict != Verdict::infeasible)
         return fmt::format("No motion was found, {}", change);
+    if (solution.scene.motion.prescribed())
+        return fmt::format("Why the prescribed motion violates a limit, {}", change);
     const bool any = solution.explanation && !solution.explanation->any_motion.empty();
     return any ? fmt::format("Why no motion exists, {}", change)
                : fmt::format("Why this spline has no motion, {}", change);

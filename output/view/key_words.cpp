@@ -3,6 +3,7 @@
 
 #include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
+#include "studies/search/plan.hpp"
 
 #include <fmt/format.h>
 
@@ -103,8 +104,16 @@ KeyWords key_words(std::string_view key, std::string_view remark) {
     for (const std::string_view bound : bounds)
         if (key.ends_with(bound)) key.remove_suffix(bound.size());
     found.words = fmt::format("{}{}", end_of_range, words_of(key));
+    for (const std::string end : {"start", "end"})  // a state there
+        if (key.starts_with(end + "."))
+            found.words = fmt::format("{} at the {}", words_of(key.substr(end.size() + 1)), end);
     if (!remark.empty()) found.words += fmt::format(" ({})", remark);
     return found;
+}
+
+bool is_exact(const Solution& solution, const Relaxation& row) {
+    // A value that moved off before a solve succeeded is the solved one.
+    return solution.plan && solution.plan->convex && key_words(row.key).limit && row.needed != row.solved;
 }
 
 std::string needed_number(const Relaxation& row) {

@@ -22,6 +22,10 @@ struct KeyWords {
 /// What changes along with it: ", with the return at 95 deg"; empty: nothing.
 [[nodiscard]] std::string also_words(const Relaxation& row);
 
+/// Whether no smaller change of the number suffices: of a limit of a convex scene. Of everything else the
+/// needed value suffices, and a smaller change may.
+[[nodiscard]] bool is_exact(const Solution& solution, const Relaxation& row);
+
 /// The number of these words: the one that was solved, or the needed one rounded to the side that does.
 [[nodiscard]] std::string needed_number(const Relaxation& row);
 

@@ -316,23 +316,34 @@ TextTable peak_table(const Solution& solution) {
     return table;
 }
 
+const char* standing_words(const Solution& solution, const ConstraintReport& row) {
+    const CamReport* const cam = solution.cam ? &*solution.cam : nullptr;
+    const bool violated = solution.certificate.verdict == Verdict::infeasible &&
+                          !(limit_excess(row) <= active_limit * limit_scale(solution.scene, cam, row));
+    return violated ? "violated" : row.active ? "active" : "not active";
+}
+
 TextTable limit_table(const Solution& solution) {
     TextTable table{{{"limit", true}, {"key", true}, {"allowed"}, {"reached"}, {"at (deg)"}, {"", true}}, {}};
     for (const ConstraintReport& row : solution.constraints)
         table.rows.push_back(
             {key_words(row.key).words, row.key, limit_text(row), reached_text(row, 6),
              reached_degrees(solution, row),
-             std::string(row.active ? "active" : "not active") + (row.verified ? "; verified" : "")});
+             std::string(standing_words(solution, row)) + (row.verified ? "; verified" : "")});
     return table;
 }
 
 TextTable relaxation_table(const Solution& solution) {
     TextTable table{{{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}}, {}};
-    for (const Relaxation& row : solution.relaxation)
+    for (const Relaxation& row : solution.relaxation) {
+        const char* const side = is_exact(solution, row)  ? ""
+                                 : row.needed > row.given ? "at most "
+                                                          : "at least ";
         table.rows.push_back({row.key, short_text(row.given),
-                              row.needed      ? needed_number(row) + also_words(row)
+                              row.needed      ? side + needed_number(row) + also_words(row)
                               : row.ruled_out ? "proved ineffective"
                                               : "tried without success"});
+    }
     return table;
 }
 
@@ -358,7 +369,7 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
     };
     add("changes", "Suggested changes", relaxation_table(solution),
         "Each number is rounded to the feasible side and was tried in the scene: a solve found a motion with "
-        "it. The exact limit is in result.json.");
+        "it. Where it says \"at most\" or \"at least\", a smaller change may suffice.");
     if (solution.measured)
         add("measured", "Measured motion", measured_table(solution), measured_sentence(solution) + ".");
     if (!solution.motion) return all;

@@ -61,7 +61,9 @@ std::string limited_remark(const Solution& solution) {
                                   degrees_at(solution, row.at));
     const std::string ends = dimensions_at_their_ends(solution);
     if (limits.empty() && ends.empty()) return "No limit is active.";
-    return fmt::format("Active limits: {}{}{}.", limits, limits.empty() || ends.empty() ? "" : "; ", ends);
+    return fmt::format("{} limits: {}{}{}.",
+                       solution.certificate.verdict == Verdict::infeasible ? "Active or violated" : "Active",
+                       limits, limits.empty() || ends.empty() ? "" : "; ", ends);
 }
 
 /// "on this rise", "on the return": the stroke that decides, and where it lies where there may be several.

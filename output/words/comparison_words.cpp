@@ -124,6 +124,14 @@ const ComparisonRow* best_law(const Comparison& comparison) {
 std::string comparison_sentence(const Comparison& comparison) {
     const ComparisonRow* best = best_law(comparison);
     if (!best) return "No law of the catalogue satisfies every limit with a finite objective.";
+    const bool differs = std::ranges::any_of(comparison.rows, [&](const ComparisonRow& row) {
+        return row.misfit.empty() && row.objective != best->objective;
+    });
+    if (!differs && best->base && best->base->radius)
+        return fmt::format("The law that satisfies every limit with the smallest base radius: {}, {} {}.",
+                           best->title, base_words(comparison, *best),
+                           shown_units(comparison.optimum.scene).length.name);
+    if (!differs) return "The laws do not differ in the objective.";
     if (!best->loss_percent)
         return fmt::format("The best law that satisfies every limit: {}, objective {}.", best->title,
                            short_text(best->objective));

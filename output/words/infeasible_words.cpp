@@ -3,7 +3,7 @@
 #include "output/view/shown_units.hpp"
 #include "output/view/view.hpp"
 #include "output/words/solution_text.hpp"
-#include "scene/motion/set_points.hpp"
+#include "studies/explain/adjustment.hpp"
 
 #include <fmt/ranges.h>
 
@@ -45,7 +45,7 @@ std::vector<OneLimit> limits_of(const std::vector<ConflictReport>& conflict) {
 /// The heaviest few, in the order of the cam angle.
 std::vector<ConflictStretch> stretches_of(std::vector<ConflictReport> rows, double length) {
     const double least = worth_naming * rows.front().weight;
-    std::erase_if(rows, [&](const ConflictReport& row) { return row.weight < least; });
+    std::erase_if(rows, [&](const ConflictReport& row) { return row.weight < least || std::isnan(row.at); });
     std::ranges::sort(rows, {}, &ConflictReport::at);
     std::vector<ConflictStretch> stretches;
     for (const ConflictReport& row : rows) {
@@ -60,7 +60,7 @@ std::vector<ConflictStretch> stretches_of(std::vector<ConflictReport> rows, doub
     return stretches;
 }
 
-/// "the pressure angle limit at 12 deg and from 40 to 55.5 deg"
+/// "the pressure angle limit at 12 deg and from 40 to 55.5 deg"; without places where none are known
 std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
     const double degrees_per_x = degrees_shown.of(motion.unit_angle());
     const auto degrees = [&](double x) { return short_text(degrees_per_x * x, short_angle_digits); };
@@ -68,12 +68,12 @@ std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
     std::string places;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
         const ConflictStretch& stretch = stretches[i];
-        if (i > 0) places += i + 1 < stretches.size() ? ", " : " and ";
+        places += i == 0 ? " " : i + 1 < stretches.size() ? ", " : " and ";
         places += stretch.end - stretch.begin < same_point * motion.length()
                       ? fmt::format("at {} deg", degrees(0.5 * (stretch.begin + stretch.end)))
                       : fmt::format("from {} to {} deg", degrees(stretch.begin), degrees(stretch.end));
     }
-    return fmt::format("the {} limit {}", limit.words, places);
+    return fmt::format("the {} limit{}", limit.words, places);
 }
 
 /// The law that is the motion at x, from one given displacement to another; empty where a spline or a dwell
@@ -129,15 +129,17 @@ std::string end_beyond(const OneLimit& limit, const Scene& scene) {
 
 std::string alone_sentence(const OneLimit& limit, const std::string& words, const Solution& solution) {
     const std::string law = law_of(limit, solution.scene.motion);
+    const bool prescribed = solution.scene.motion.prescribed();
     if (!law.empty())
-        return fmt::format(
-            "{} cannot be satisfied: the motion there is the law {}, regardless of the splines.", words, law);
+        return fmt::format("{} cannot be satisfied: the motion there is the law {}{}.", words, law,
+                           prescribed ? "" : ", regardless of the splines");
     if (const std::string end = end_beyond(limit, solution.scene); !end.empty())
         return fmt::format("{} cannot be satisfied: {} alone violates it.", words, end);
-    if (solution.scene.motion.prescribed())
-        return fmt::format("{} cannot be satisfied by {}.", words, prescribed_words);
+    if (prescribed) return fmt::format("{} cannot be satisfied by {}.", words, prescribed_words);
     const bool any = solution.explanation && has_key_of(solution.explanation->any_motion, limit);
-    constexpr const char* makes = "that makes the lift in its angle";
+    const bool moving = solution.scene.motion.start || solution.scene.motion.end;
+    const char* const makes = moving ? "with the given start and end that makes the lift in its angle"
+                                     : "that makes the lift in its angle";
     if (any) return fmt::format("{} cannot be satisfied by any motion {}.", words, makes);
     return fmt::format("{} cannot be satisfied by any {} {}.", words, spline_words(solution.scene), makes);
 }
@@ -199,7 +201,9 @@ void tell_finest(std::vector<std::string>& all, const Explanation& explanation) 
 void tell_set_points(std::vector<std::string>& all, const Solution& solution) {
     const MotionSpec& motion = solution.scene.motion;
     std::vector<std::string> words;
-    for (const PlacedPoint& point : placed_points(motion)) {
+    std::vector<PlacedPoint> points = placed_points(motion);
+    for (PlacedPoint& end : given_ends(motion)) points.push_back(std::move(end));
+    for (const PlacedPoint& point : points) {
         if (std::ranges::find(solution.explanation->set_points, point.member) ==
             solution.explanation->set_points.end())
             continue;

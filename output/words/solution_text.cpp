@@ -259,7 +259,7 @@ std::string objective_line(const Solution& solution, std::string_view separator)
     return line;
 }
 
-std::string constraint_sentence(const ConstraintReport& row) {
+std::string constraint_sentence(const Solution& solution, const ConstraintReport& row) {
     if (row.no_contact)
         return fmt::format("{} = {}: {} does not exist: {}", row.key, short_text(row.limit), row.name,
                            no_contact_words);
@@ -267,7 +267,7 @@ std::string constraint_sentence(const ConstraintReport& row) {
         return fmt::format("{} = {}: the cam is {} (not active)", row.key, short_text(row.limit),
                            reached_text(row));
     return fmt::format("{} = {}: {} reaches {} ({})", row.key, short_text(row.limit), row.name,
-                       reached_text(row), row.active ? "active" : "not active");
+                       reached_text(row), standing_words(solution, row));
 }
 
 std::string own_term_sentence(const OwnTermReport& term) {
@@ -338,7 +338,7 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
         text += wrapped_text("spring surge: " + surge_sentence(solution), "  ", solution_line_width);
     if (solution.motion)
         for (const ConstraintReport& row : solution.constraints)
-            text += fmt::format("  limit: {}\n", constraint_sentence(row));
+            text += fmt::format("  limit: {}\n", constraint_sentence(solution, row));
     text += set_point_lines(solution) + cam_lines(solution) + relaxation_lines(solution);
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
     const SolverReport& solver = solution.solver;

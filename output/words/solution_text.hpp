@@ -29,7 +29,7 @@ namespace camopt {
 [[nodiscard]] std::string own_term_sentence(const OwnTermReport& term);
 
 /// "limits.velocity = 1.8: velocity reaches 1.79 (not active)"
-[[nodiscard]] std::string constraint_sentence(const ConstraintReport& row);
+[[nodiscard]] std::string constraint_sentence(const Solution& solution, const ConstraintReport& row);
 
 /// "limits.velocity: 1.2 given, 1.31 needed if this is the only change". Units stand in the key.
 [[nodiscard]] std::string relaxation_sentence(const Relaxation& row);

@@ -287,7 +287,8 @@ std::string comparison_text(const Comparison& comparison) {
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
     text += wrapped_text(comparison_sentence(comparison), "", comparison_line_width);
     text += "\n" + aligned_text(table_of(comparison));
-    text += fmt::format("\nobjective: {}\n", objective_words(comparison));
+    const std::string objective = objective_words(comparison);
+    text += fmt::format("\nobjective: {}\n", objective.empty() ? "none" : objective);
     if (has_bases(comparison))
         text += wrapped_text(
             "the smallest base radius at which the motion satisfies every limit, the cam's other dimensions "

@@ -344,8 +344,12 @@ Comparison compare(const Scene& scene, const SolveControl& control) {
         const auto rank = [](const ComparisonRow& row) {
             return !row.misfit.empty() ? 2 : row.feasible ? 0 : 1;
         };
-        if (rank(one) != rank(other)) return rank(one) < rank(other);
-        return one.objective < other.objective;
+        // Where the objective is the same for all, without one, the smaller cam is the better.
+        const auto base = [](const ComparisonRow& row) {
+            return row.base ? row.base->radius.value_or(infinity) : infinity;
+        };
+        return std::tuple(rank(one), one.objective, base(one)) <
+               std::tuple(rank(other), other.objective, base(other));
     });
     return comparison;
 }

@@ -234,6 +234,10 @@ double size_of(const SplineCurve& curve, int order) {
 
 }  // namespace
 
+bool cam_can_be_built(const Solution& solution) {
+    return !cam_fault(solution);
+}
+
 void withdraw_motion(Solution& solution) {
     solution.motion.reset();
     solution.curve.reset();

@@ -32,6 +32,9 @@ inline constexpr double condition_rounding = 1e-9;
 /// figures come from a search of their own between samples.
 inline constexpr double figure_rounding = 1e-8;
 
+/// The cam of a delivered motion has figures: its follower reaches all of the motion.
+[[nodiscard]] bool cam_can_be_built(const Solution& solution);
+
 /// Of a failed audit: pieces that do not meet, or that their coefficients do not give back, are no one
 /// motion; no figure of them would be that of what is published, so nothing is delivered.
 [[nodiscard]] constexpr bool is_no_motion(Reason reason) {

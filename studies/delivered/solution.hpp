@@ -123,10 +123,10 @@ struct Explanation {
     ExplanationEnd end = ExplanationEnd::complete;
 };
 
-/// One rule of a contradiction and where on the cam it bites.
+/// One rule of a contradiction and where on the cam it is violated.
 struct ConflictReport {
     std::string key;          ///< "limits.pressure_angle_deg"
-    double at = 0.0;          ///< x
+    double at = 0.0;          ///< x; NaN: the proof has no rows, that over boxes or of any curve
     double weight = 0.0;      ///< its part in the proof, in (0, 1]
     std::string remark = {};  ///< which part of the rule: "face turns back"; mostly empty
 };
@@ -258,7 +258,7 @@ struct Solution {
     std::shared_ptr<const SolvePlan>
         plan;  ///< what was executed; of a result that was read: what this build would execute
     Certificate certificate;
-    /// The delivered motion; none where nothing feasible was found.
+    /// The delivered motion; none where nothing feasible was found. A prescribed one may violate limits.
     std::shared_ptr<const MotionChain> motion;
     std::optional<SplineCurve> curve;     ///< the same as one spline: DRD and RR
     std::vector<SegmentReport> segments;  ///< of a program
@@ -276,7 +276,7 @@ struct Solution {
     std::vector<ConstraintReport> constraints;
     std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
     std::optional<Explanation> explanation;
-    std::vector<ConflictReport> conflict;  ///< what the proof of infeasibility rests on, heaviest first
+    std::vector<ConflictReport> conflict;  ///< limits that leave no motion: alone, two, or of the proof
     DesignReport design;
     SolverReport solver;
     EvaluationCounts evaluations;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "scene/key_row.hpp"
+#include "scene/motion/set_points.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {
@@ -64,6 +65,8 @@ struct SetPointChanges {
     std::optional<Adjustment> place;  ///< its cam angle; not of a region
 };
 [[nodiscard]] std::vector<SetPointChanges> set_point_changes(const Scene& scene);
+/// motion.start and motion.end, where they are given: their velocities change as those of set points.
+[[nodiscard]] std::vector<PlacedPoint> given_ends(const MotionSpec& motion);
 
 // For a scene without a motion: what would have to change.
 //

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Angles, lift and displacements: what a user could change about the motion that was asked for. What a scene
 // file gives in units keeps its value in units, so that the file with the changed numbers is the scene.
-#include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 
 #include <fmt/format.h>
@@ -76,11 +75,11 @@ void add_stroke(std::vector<Adjustment>& all, const Scene& scene, const Strokes&
     adjustment.end = strokes.back || !motion.return_angle ? motion.length() : 1.0;
     adjustment.also = [scene, strokes, with = adjustment.with](double value) {
         std::vector<CompanionChange> also;
-        const MotionSpec motion = scene.motion, now = with(scene, value).motion;
+        const MotionSpec now = with(scene, value).motion;
         if (strokes.rise && strokes.back)
             also.push_back(
-                {"motion.return_deg", in_degrees(*motion.return_angle), in_degrees(*now.return_angle)});
-        add_moved_points(also, motion, now);
+                {"motion.return_deg", in_degrees(*scene.motion.return_angle), in_degrees(*now.return_angle)});
+        add_moved_points(also, scene.motion, now);
         return also;
     };
     all.push_back(std::move(adjustment));
@@ -242,15 +241,22 @@ std::vector<SetPoint>& points_of(MotionSpec& motion, int segment) {
     return segment < 0 ? motion.via : motion.segments[static_cast<std::size_t>(segment)].via;
 }
 
-/// A set point of a scene: the `index`-th of the rise, or of a segment.
+/// A set point of a scene: the `index`-th of the rise, or of a segment; or the given start or end.
 struct Place {
     int segment = -1;
     std::size_t index = 0;
     double angle = 1.0, width = 1.0;  ///< of what normalises it: rad, x
+    std::optional<SetPoint> MotionSpec::*end = nullptr;
 
-    [[nodiscard]] SetPoint& in(Scene& scene) const { return points_of(scene.motion, segment)[index]; }
+    [[nodiscard]] SetPoint& in(Scene& scene) const {
+        return end != nullptr ? *(scene.motion.*end) : points_of(scene.motion, segment)[index];
+    }
     [[nodiscard]] Scene removed_from(const Scene& scene) const {
         Scene changed = scene;
+        if (end != nullptr) {
+            (changed.motion.*end).reset();
+            return changed;
+        }
         std::vector<SetPoint>& points = points_of(changed.motion, segment);
         points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
         copy_repeats(changed.motion);
@@ -310,9 +316,41 @@ std::vector<Adjustment> motion_adjustments(const Scene& scene) {
     return all;
 }
 
+std::vector<PlacedPoint> given_ends(const MotionSpec& motion) {
+    std::vector<PlacedPoint> all;
+    for (const bool at_end : {false, true}) {
+        const std::optional<SetPoint>& given = at_end ? motion.end : motion.start;
+        if (!given) continue;
+        PlacedPoint point;
+        point.member = at_end ? "motion.end" : "motion.start";
+        if (motion.type == MotionType::program)
+            point.segment = at_end ? static_cast<int>(motion.segments.size()) - 1 : 0;
+        point.begin = point.end = at_end ? motion.length() : 0.0;
+        const std::array<double, 2> velocities = end_velocities(motion, at_end);
+        if (given->velocity) point.wanted[1] = velocities[0];
+        if (given->acceleration) point.wanted[2] = velocities[1];
+        point.units = given->units;
+        point.units.place = "deg";  // they have no place of their own
+        all.push_back(std::move(point));
+    }
+    return all;
+}
+
 std::vector<SetPointChanges> set_point_changes(const Scene& scene) {
     std::vector<SetPointChanges> all;
     if (scene.motion.valve) return all;  // they are the lobe's duration
+    const auto add = [&](const PlacedPoint& point, Place place) {
+        place.angle = point.segment < 0
+                          ? scene.motion.unit_angle()
+                          : scene.motion.segments[static_cast<std::size_t>(point.segment)].angle;
+        place.width = place.angle / scene.motion.unit_angle();
+        SetPointChanges changes{point.member, point.begin, place.removed_from(scene), {}, std::nullopt};
+        for (int order = 0; order < 3; ++order)
+            if (point.wanted[static_cast<std::size_t>(order)])
+                changes.values.push_back(value_of(scene, point, place, order));
+        if (!point.is_region() && place.end == nullptr) changes.place = place_change(scene, point, place);
+        all.push_back(std::move(changes));
+    };
     int segment = -1;
     std::size_t index = 0;
     for (const PlacedPoint& point : placed_points(scene.motion)) {
@@ -320,16 +358,10 @@ std::vector<SetPointChanges> set_point_changes(const Scene& scene) {
         segment = point.segment;
         const bool copy = segment >= static_cast<int>(scene.motion.own_segments());
         if (copy || point.member.ends_with(".end")) continue;
-        Place place{segment, index, scene.motion.unit_angle(), 1.0};
-        if (segment >= 0) place.angle = scene.motion.segments[static_cast<std::size_t>(segment)].angle;
-        place.width = place.angle / scene.motion.unit_angle();
-        SetPointChanges changes{point.member, point.begin, place.removed_from(scene), {}, std::nullopt};
-        for (int order = 0; order < 3; ++order)
-            if (point.wanted[static_cast<std::size_t>(order)])
-                changes.values.push_back(value_of(scene, point, place, order));
-        if (!point.is_region()) changes.place = place_change(scene, point, place);
-        all.push_back(std::move(changes));
+        add(point, {segment, index});
     }
+    for (const PlacedPoint& point : given_ends(scene.motion))
+        add(point, {.end = point.member == "motion.end" ? &MotionSpec::end : &MotionSpec::start});
     return all;
 }
 

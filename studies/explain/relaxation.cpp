@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "objectives/motion_bounds.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/explain/value_search.hpp"
@@ -13,26 +14,62 @@ namespace {
 // Parts of the time that is left: for set points, for more segments, for naming what is impossible without
 // the others; for one change equal shares of what is left, but never less than least_share, and more until
 // something useful is found. Of these a part for the search, the rest for the solve of what it found.
-constexpr double part_of_set_points = 0.5, part_of_segments = 0.25, part_of_impossible = 0.3;
+constexpr double part_of_set_points = 0.5, part_of_segments = 0.25, part_of_conflict = 0.3;
 constexpr double shares_of_one = 2.0, least_share = 0.3, first_share = 0.6, part_of_search = 0.6;
 // A spline of so many segments is rarely too coarse, and takes long to refine: that comes last.
 constexpr int many_segments = 48;
 constexpr int most_set_points = 2, most_quick_segments = 16;
 
-/// The scene with one of its limits alone.
-Scene only_limit(const Scene& scene, const std::string& key) {
+/// The scene with these of its limits alone.
+Scene only_limits(const Scene& scene, const std::vector<std::string>& keys) {
+    const auto stays = [&](const std::string& key) { return std::ranges::find(keys, key) != keys.end(); };
     Scene only = scene;
     LimitSpec& limits = only.limits;
     const auto drop = [&](auto& limit) {
-        if (limit && limit->key != key) limit.reset();
+        if (limit && !stays(limit->key)) limit.reset();
     };
     for (const PeakLimitRow& row : peak_limit_rows()) drop(row.in(limits));
     for (const LimitRow& row : limit_rows()) drop(row.in(limits));
-    if (key != "limits.motor_curve") limits.motor_curve.clear();
-    std::erase_if(only.own_limits, [&](const OwnLimit& limit) { return limit.key() != key; });
-    if (only.cam && !key.starts_with(std::string(only.cam->face_key()) + "_"))
-        only.cam->face_half_width.reset();
+    if (!stays("limits.motor_curve")) limits.motor_curve.clear();
+    std::erase_if(only.own_limits, [&](const OwnLimit& limit) { return !stays(limit.key()); });
+    const auto of_face = [&](const std::string& key) {
+        return key.starts_with(std::string(only.cam->face_key()) + "_");
+    };
+    if (only.cam && std::ranges::none_of(keys, of_face)) only.cam->face_half_width.reset();
+    for (const MotionBound& bound : motion_bounds(scene)) {
+        if (bound.corridor < 0 || stays(bound.key)) continue;
+        Corridor::Bounds& bounds = only.motion.corridors[static_cast<std::size_t>(bound.corridor)]
+                                       .bounds[static_cast<std::size_t>(bound.order)];
+        (bound.sign < 0 ? bounds.least : bounds.most).reset();
+    }
+    std::erase_if(only.motion.corridors, [](const Corridor& corridor) {
+        return std::ranges::none_of(
+            corridor.bounds, [](const Corridor::Bounds& bounds) { return bounds.least || bounds.most; });
+    });
     return only;
+}
+
+/// Every limit, corridors too.
+std::vector<Adjustment> limit_changes(const Scene& scene) {
+    std::vector<Adjustment> limits = peak_adjustments(scene);
+    for (Adjustment& one : adjustments(scene))
+        if (one.limit) limits.push_back(std::move(one));
+    return limits;
+}
+
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();  ///< of a proof without rows
+
+/// The conflict of these limits alone, where they are proved infeasible; else empty.
+std::vector<ConflictReport> conflict_of(const Scene& scene, const std::vector<std::string>& keys,
+                                        const Budget& budget) {
+    const Scene only = only_limits(scene, keys);
+    if (budget.spent() || find_fault(only) || least_violation(only, budget) <= 0.0) return {};
+    std::optional<std::vector<ConflictReport>> rows = proved_conflict(only, budget);
+    if (!rows) return {};
+    if (rows->empty())
+        for (const std::string& key : keys)
+            rows->push_back({key, nowhere, 1.0 / static_cast<double>(keys.size())});
+    return *rows;
 }
 
 /// The limits that the proof of infeasibility rests on, each once.
@@ -75,6 +112,7 @@ class Explainer {
         found_.any_motion = kept_by_no_motion(scene_);
         if (solution_.certificate.reason == Reason::limit_broken_at_rest)
             found_.any_motion = fighting_keys(solution_);
+        reduce_conflict();
         change_set_points();
         coarse_ = coarse_scene(scene_);
         if (!contradictory())
@@ -85,7 +123,7 @@ class Explainer {
                               [](const Relaxation& row) { return row.needed.has_value(); });
         std::stable_partition(solution_.relaxation.begin(), solution_.relaxation.end(), is_useful);
         relax_together();
-        name_the_impossible();
+        name_all_limits();
         found_.seconds = watch_.seconds();
         found_.end = end();
         solution_.explanation = std::move(found_);
@@ -97,7 +135,7 @@ class Explainer {
     const Budget& budget_;
     Stopwatch watch_;
     Explanation found_;
-    bool over_ = false, segments_tried_ = false;
+    bool over_ = false, conflict_cut_ = false, segments_tried_ = false;
     std::optional<Scene> coarse_;
 
     /// Once over, the clock is asked no more.
@@ -109,7 +147,7 @@ class Explainer {
 
     [[nodiscard]] ExplanationEnd end() const {
         if (budget_.control().stopped()) return ExplanationEnd::interrupted;
-        if (over_ || !found_.unsettled.empty()) return ExplanationEnd::time_limit;
+        if (over_ || conflict_cut_ || !found_.unsettled.empty()) return ExplanationEnd::time_limit;
         return has_enough() ? ExplanationEnd::enough : ExplanationEnd::complete;
     }
 
@@ -117,16 +155,40 @@ class Explainer {
         return solution_.certificate.reason == Reason::conditions_contradict;
     }
 
-    void name_the_impossible() {
-        const std::vector<std::string> keys = fighting_keys(solution_);
-        if (keys.size() == 1) found_.alone = keys;
-        if (keys.size() < 2) return;
+    /// The rows of a proof may belong to more limits than it takes: each limit is tried alone, then pairs.
+    void reduce_conflict() {
+        if (solution_.certificate.verdict != Verdict::infeasible || contradictory()) return;
         budget_.say("suggested changes: which limits are infeasible separately");
-        const Budget part = budget_.part(part_of_impossible);
-        for (const std::string& key : keys)
-            if (!is_over() && is_proved_infeasible(only_limit(scene_, key), part))
-                found_.alone.push_back(key);
-        over_ = over_ || part.spent();  // proofs that the clock ended
+        const Budget part = budget_.part(part_of_conflict);
+        const std::vector<std::string> given = fighting_keys(solution_);
+        std::vector<std::string> keys = given;
+        for (const Adjustment& one : limit_changes(scene_))
+            if (std::ranges::find(keys, one.key) == keys.end()) keys.push_back(one.key);
+        std::vector<ConflictReport> rows;
+        for (const std::string& key : keys) {
+            const bool known = given.size() == 1 && key == given.front();
+            const auto conflict = known ? solution_.conflict : conflict_of(scene_, {key}, part);
+            rows.insert(rows.end(), conflict.begin(), conflict.end());
+            if (!conflict.empty()) found_.alone.push_back(key);
+        }
+        for (std::size_t i = 0; keys.size() > 2 && i < keys.size(); ++i)
+            for (std::size_t k = i + 1; rows.empty() && k < keys.size(); ++k)
+                rows = conflict_of(scene_, {keys[i], keys[k]}, part);
+        conflict_cut_ = part.spent();
+        if (rows.empty()) return;
+        for (ConflictReport& row : rows)
+            row.weight /= static_cast<double>(std::max<std::size_t>(found_.alone.size(), 1));
+        std::ranges::stable_sort(rows, std::greater{}, &ConflictReport::weight);
+        solution_.conflict = std::move(rows);
+    }
+
+    /// Proofs over boxes and of any curve have no rows of limits.
+    void name_all_limits() {
+        const bool proved = solution_.certificate.verdict == Verdict::infeasible;
+        if (!proved || contradictory() || !solution_.conflict.empty()) return;
+        const std::vector<Adjustment> limits = limit_changes(scene_);
+        for (const Adjustment& one : limits)
+            solution_.conflict.push_back({one.key, nowhere, 1.0 / static_cast<double>(limits.size())});
     }
 
     void try_segments() {
@@ -223,7 +285,8 @@ class Explainer {
     }
 
     [[nodiscard]] bool is_ruled_out(const Adjustment& limit, const Budget& budget) const {
-        return is_proved_infeasible(limit.with(scene_, limit.may_grow ? limit.most : limit.least), budget);
+        return proved_conflict(limit.with(scene_, limit.may_grow ? limit.most : limit.least), budget)
+            .has_value();
     }
 
     /// Everything that can be changed, the most useful first. What the proof does not rest on comes last.
@@ -276,9 +339,7 @@ class Explainer {
     /// Where no limit alone can give way far enough.
     void relax_together() {
         if (contradictory() || has_enough()) return;
-        std::vector<Adjustment> limits = peak_adjustments(scene_);
-        for (Adjustment& one : adjustments(scene_))
-            if (one.limit) limits.push_back(std::move(one));
+        const std::vector<Adjustment> limits = limit_changes(scene_);
         if (limits.size() < 2) return;
         for (const Relaxation& row : solution_.relaxation) {
             const bool of_limit = std::ranges::find(limits, row.key, &Adjustment::key) != limits.end();

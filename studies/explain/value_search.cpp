@@ -93,6 +93,8 @@ constexpr int most_joint_doublings = 16;
 // The common part is found to this part of itself: finer than the digits it is told with.
 constexpr double part_accuracy = 1e-7;
 constexpr int most_joint_bisections = 40;
+// A limit that could give way by less than this part less stays: bisection is not exact.
+constexpr double noticeably_less = 1e-2;
 // How much more than the least part a solve is tried with.
 constexpr double larger_factors[] = {0.0, 1e-3, 1e-2, 1e-1};
 
@@ -109,12 +111,11 @@ class JointSearch {
         if (members_.empty()) return {};
         const double part = least_part();
         if (!(part > 0.0)) return {};
-        keep_what_may_stay(part);
+        std::vector<double> parts(members_.size(), part);
+        give_back(parts);
         for (const double more : larger_factors) {
-            std::vector<Relaxation> rows = rounded(part * (1.0 + more));
             Scene changed = scene_;
-            for (std::size_t i = 0; i < rows.size(); ++i)
-                changed = members_[i].with(changed, *rows[i].solved);
+            const std::vector<Relaxation> rows = rounded(parts, 1.0 + more, changed);
             if (is_solved(changed, budget_)) return rows;
             if (budget_.spent()) break;
         }
@@ -136,41 +137,62 @@ class JointSearch {
         if (one.given > 0.0) return std::max(one.given / (1.0 + part), one.least);
         return std::max(one.given - part * size_of(one), one.least);
     }
-    /// leave_out: a member that keeps its value; -1: none.
-    [[nodiscard]] bool does(double part, int leave_out = -1) const {
+    /// Of each member its own part; 0: it keeps its value.
+    [[nodiscard]] bool does(const std::vector<double>& parts) const {
         Scene changed = scene_;
-        for (int i = 0; i < static_cast<int>(members_.size()); ++i) {
-            const Adjustment& one = members_[static_cast<std::size_t>(i)];
-            if (i != leave_out) changed = one.with(changed, value_of(one, part));
-        }
+        for (std::size_t i = 0; i < members_.size(); ++i)
+            if (parts[i] > 0.0) changed = members_[i].with(changed, value_of(members_[i], parts[i]));
         return least_violation(changed, budget_) <= 0.0;
     }
-    /// 0: none found.
-    [[nodiscard]] double least_part() const {
-        double low = 0.0, high = first_part;
-        for (int k = 0; !does(high); ++k, high *= 2.0) {
-            if (k == most_joint_doublings || budget_.spent()) return 0.0;
-            low = high;
-        }
-        return bisected([&](double part) { return does(part); }, {high, low}, most_joint_bisections,
+    /// Between a part that does and one that does not.
+    template <class Does>
+    [[nodiscard]] double least_between(double high, double low, const Does& does_with) const {
+        return bisected(does_with, {high, low}, most_joint_bisections,
                         [&](const Border& now) {
                             return now.with - now.without <= part_accuracy * now.with || budget_.spent();
                         })
             .with;
     }
-    void keep_what_may_stay(double part) {
-        for (int i = static_cast<int>(members_.size()) - 1; i >= 0 && members_.size() > 1; --i) {
-            if (budget_.spent()) return;
-            if (does(part, i)) members_.erase(members_.begin() + i);
+    /// 0: none found.
+    [[nodiscard]] double least_part() const {
+        const auto all = [&](double part) { return does(std::vector<double>(members_.size(), part)); };
+        double low = 0.0, high = first_part;
+        for (int k = 0; !all(high); ++k, high *= 2.0) {
+            if (k == most_joint_doublings || budget_.spent()) return 0.0;
+            low = high;
+        }
+        return least_between(high, low, all);
+    }
+    /// One that has to give way far would take the others along farther than they need.
+    void give_back(std::vector<double>& parts) const {
+        const auto does_with = [&](std::size_t i) {
+            return [this, &parts, i](double part) {
+                std::vector<double> tried = parts;
+                tried[i] = part;
+                return does(tried);
+            };
+        };
+        for (std::size_t i = parts.size(); i-- > 0;)
+            if (!budget_.spent() && does_with(i)(0.0)) parts[i] = 0.0;
+        for (std::size_t i = parts.size(); i-- > 0;) {
+            const double less = (1.0 - noticeably_less) * parts[i];
+            if (less > 0.0 && !budget_.spent() && does_with(i)(less))
+                parts[i] = least_between(less, 0.0, does_with(i));
         }
     }
-    [[nodiscard]] std::vector<Relaxation> rounded(double part) const {
+    /// `factor`: of every part. `changed`: gets the rows' values.
+    [[nodiscard]] std::vector<Relaxation> rounded(const std::vector<double>& parts, double factor,
+                                                  Scene& changed) const {
         std::vector<Relaxation> rows;
-        for (const Adjustment& one : members_) {
-            const double needed = value_of(one, part), size = std::max(std::abs(needed), one.step);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (parts[i] == 0.0) continue;
+            const Adjustment& one = members_[i];
+            const double needed = value_of(one, factor * parts[i]),
+                         size = std::max(std::abs(needed), one.step);
             const double told = std::clamp(safe_value(needed, one.may_grow, size),
                                            std::min(one.least, one.given), std::max(one.most, one.given));
             rows.push_back({one.key, one.given, needed, told});
+            changed = one.with(changed, told);
         }
         return rows;
     }
@@ -378,12 +400,15 @@ std::shared_ptr<const MotionChain> solved_motion(const Scene& scene, const Budge
     return search(scene, budget).motion;
 }
 
-bool is_proved_infeasible(const Scene& scene, const Budget& budget) {
-    if (budget.spent() || find_fault(scene)) return false;
-    if (scene.spline.free_knots) return no_motion_keeps_all_caps(scene);
+std::optional<std::vector<ConflictReport>> proved_conflict(const Scene& scene, const Budget& budget) {
+    if (budget.spent() || find_fault(scene)) return {};
+    if (scene.spline.free_knots)
+        return no_motion_keeps_all_caps(scene) ? std::optional(std::vector<ConflictReport>{}) : std::nullopt;
     Scene first = scene;
     first.solver.starts = 1;
-    return answer(first, budget).certificate.verdict == Verdict::infeasible;
+    Solution solution = answer(first, budget);
+    if (solution.certificate.verdict != Verdict::infeasible) return {};
+    return std::move(solution.conflict);
 }
 
 }  // namespace camopt

@@ -43,9 +43,10 @@ class Budget {
     return solved_motion(scene, budget) != nullptr;
 }
 
-/// A solve of the scene ended with a proof that it has no motion. Of free breakpoints: the limits on its
-/// peaks leave no curve.
-[[nodiscard]] bool is_proved_infeasible(const Scene& scene, const Budget& budget);
+/// The conflict that a solve of the scene ended with, where it proved that there is no motion. Without rows
+/// of free breakpoints, where the limits on its peaks leave no curve.
+[[nodiscard]] std::optional<std::vector<ConflictReport>> proved_conflict(const Scene& scene,
+                                                                         const Budget& budget);
 
 // The nearest value of one number that makes a scene feasible.
 //
@@ -73,8 +74,9 @@ class Budget {
 // Several limits that have to give way together.
 //
 // All are relaxed by one common part r, the least that does: upper limits times 1 + r, lower ones divided by
-// it. First r doubles, then bisection. Of these, limits that may stay as they are at that r do so. The values
-// are rounded away from the edge and the scene with all of them is solved.
+// it. First r doubles, then bisection. Of these, limits that may stay as they are at that r do so, and each
+// of the others gives way by no more than the rest requires. The values are rounded away from the edge and
+// the scene with all of them is solved.
 
 /// Empty where no common part does, or the time does not reach. A member that has no room (a least radius of
 /// 0) stays as it is.

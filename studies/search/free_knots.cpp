@@ -296,8 +296,10 @@ Solution solve_held_on_breakpoints(const Scene& scene, const Solution& first, co
     const Scene fixed = with_breakpoints(scene, first.curve->space().breakpoints());
     Solution held = solve_with_strokes(fixed, {.held = true}, control);
     held.scene = scene;
-    if (held.certificate.verdict == Verdict::infeasible) held.certificate.verdict = Verdict::failed;
-    if (held.certificate.verdict == Verdict::failed) held.certificate.reason = Reason::no_feasible_point;
+    if (held.certificate.verdict == Verdict::infeasible) {
+        held.certificate.verdict = Verdict::failed;
+        held.certificate.reason = Reason::no_feasible_point;
+    }
     if (held.certificate.verdict == Verdict::optimal) {
         held.certificate.verdict = Verdict::feasible;  // of these breakpoints alone
         held.certificate.reason = Reason::converged;

@@ -5,6 +5,7 @@
 #include "solvers/registry.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
+#include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"
 #include "studies/search/settled_scene.hpp"
@@ -190,7 +191,12 @@ Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSol
         solution.measured = std::move(measured);
     }
     const Stopwatch watch;
-    if (!options.look) audit_delivered(solution);
+    if (!options.look) {
+        audit_delivered(solution);
+        // It exists whatever limit it violates.
+        if (scene.motion.prescribed() && show_nearest(solution, timed))
+            solution.certificate.objective = defined_objective(solution);
+    }
     solution.family.reset();
     solution.phases.report += watch.seconds();
     return solution;
@@ -223,6 +229,25 @@ void note_time_limit(Solution& solution) {
 }
 
 }  // namespace
+
+bool show_nearest(Solution& solution, const SolveControl& control) {
+    const Scene& scene = solution.scene;
+    const bool to_show = solution.certificate.verdict == Verdict::infeasible && !solution.motion;
+    if (!to_show || searches_angles(scene) || scene.spline.free_knots) return false;
+    CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
+    if (!model.design.contradictions().empty()) return false;
+    CamProblem problem(std::move(model));
+    Eigen::VectorXd x = problem.start();
+    if (x.size() > 0)
+        if (Feasibility least = find_feasible(problem, exchange_options(scene), control);
+            least.point.x.size() > 0)
+            x = std::move(least.point.x);
+    if (control.ending() && !scene.motion.prescribed()) return false;
+    report_motion(solution, problem, x);
+    if (cam_can_be_built(solution)) return true;
+    withdraw_motion(solution);
+    return false;
+}
 
 Solution solve_motion(const PlannedRun& run) {
     const Stopwatch watch;
@@ -296,6 +321,11 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     }
     solution.plan = plan;
     solution.phases.setup += seconds_posed;
+    // Whatever ended last, a search that had no more time has not found that there is no point.
+    std::optional<Termination> ended = timed.ending();
+    if (!ended && timed.in_vain.passed()) ended = Termination::time_limit;
+    if (solution.certificate.reason == Reason::no_feasible_point && ended)
+        solution.certificate.reason = reason_of(*ended);
     return solution;
 }
 

@@ -51,6 +51,11 @@ struct PlannedRun {
                                                 KnownSolutions* known = nullptr,
                                                 const PlanOptions& options = {});
 
+/// Reports the motion and the cam of the least common violation in an infeasible solution that has none; not
+/// of conditions that contradict, nor of searched angles and breakpoints, nor after the time. Whether it has
+/// one now.
+bool show_nearest(Solution& solution, const SolveControl& control);
+
 /// The same of a complete scene inside a search: neither validated nor audited.
 [[nodiscard]] Solution solve_planned(const Scene& scene, const SolveControl& control,
                                      KnownSolutions* known = nullptr, const PlanOptions& options = {});

@@ -104,6 +104,27 @@
     }
   }
 
+  /** Where the curve lies beyond a limit; one that it touches has the rounding of its numbers. */
+  function drawViolations(u, curve) {
+    const context = u.ctx, angles = u.data[0];
+    const rounding = 1e-5 * Math.max(...curve.values.map((value) => Math.abs(value || 0)));
+    context.strokeStyle = colour('limit');
+    context.lineWidth = 4 * (u.pxRatio || devicePixelRatio);
+    for (const limit of curve.limits) {
+      let on = false;
+      context.beginPath();
+      curve.values.forEach((value, row) => {
+        const beyond = value !== null && angles[row] >= limit.from && angles[row] <= limit.to &&
+          limit.outside * (value - limit.at) > rounding;
+        const x = u.valToPos(angles[row], 'x', true), y = u.valToPos(value, 'y', true);
+        if (beyond && on) context.lineTo(x, y);
+        else if (beyond) context.moveTo(x, y);
+        on = beyond;
+      });
+      context.stroke();
+    }
+  }
+
   function nameLimits(u, curve, taken) {
     const box = u.bbox, said = new Set();
     u.ctx.fillStyle = colour('limit');
@@ -276,6 +297,7 @@
             drawSegments(u, self.curve, all.data.segments, taken);
             if (all.shown.measured) drawPoints(u, self.curve);
             if (all.shown.marks) drawMarks(u, self.curve, taken);
+            if (all.shown.limits) drawViolations(u, self.curve);
             if (all.shown.limits) nameLimits(u, self.curve, taken);
             u.ctx.restore();
             self.place();

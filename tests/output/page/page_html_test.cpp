@@ -64,6 +64,15 @@ TEST(PageHtml, StaysSmallWhereNothingIsSolid) {
     EXPECT_EQ(report_html(test::cam_solution()).find("CamoptThree="), std::string::npos);
 }
 
+TEST(PageHtml, ShowsNearestMotionWhereNoneExists) {
+    const Solution solution = test::infeasible_cam_solution();
+    const std::string html = report_html(solution);
+    EXPECT_NE(html.find("The curves show the motion that violates the limits least"), std::string::npos);
+    EXPECT_NE(html.find("\"key\":\"acceleration\""), std::string::npos);
+    EXPECT_NE(html.find("violated"), std::string::npos);
+    EXPECT_FALSE(solution.motion);
+}
+
 TEST(PageHtml, CarriesTheLicencesOfItsLibraries) {
     const std::string html = page_html({"solid", "{}", true});
     for (const char* const holder : {"Leon Sorokin", "three.js authors", "Permission is hereby granted"})

@@ -9,7 +9,9 @@
 #include "output/view/tables.hpp"
 #include "output/view/view.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/study_text.hpp"
 #include "studies/check/check_cam.hpp"
+#include "studies/compare/comparison.hpp"
 #include "studies/search/plan.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/sample_solution.hpp"
@@ -68,6 +70,8 @@ TEST(KeyWords, ListNumbersCountFromOne) {
 
 TEST(KeyWords, ChangeIsRoundedToFeasibleSide) {
     EXPECT_EQ(change_words({"cam.base_radius_mm", 30.0, 31.41231}), "increase the base radius to 31.413 mm");
+    EXPECT_EQ(change_words({"motion.start.velocity_mm_s", 1200.0, 799.99}),
+              "reduce the velocity at the start to 799.99 mm/s");
     EXPECT_EQ(change_words({"spline.segments", 7.0, 14.0}), "use 14 segments");
     EXPECT_EQ(change_words({"spline.breakpoints", 7.0, 14.0}), "use 14 segments (every interval cut in two)");
     EXPECT_EQ(change_words({"spline.breakpoints", 7.0, 28.0}), "use 28 segments (every interval cut in 4)");
@@ -522,6 +526,52 @@ TEST(ConflictSentence, NamesStartBeyondLimit) {
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_TRUE(says(conflict_sentence(solution), "motion.start alone violates it"))
         << conflict_sentence(solution);
+}
+
+TEST(ConflictSentence, WithoutRowsNamesLimitsOnly) {
+    Solution solution = test::infeasible_cam_solution();
+    for (ConflictReport& row : solution.conflict) row.at = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(conflict_sentence(solution).starts_with(
+        "The pressure angle limit conflicts with the cam radius limit: no spline"))
+        << conflict_sentence(solution);
+}
+
+TEST(ChangesTable, SaysAtMostUnlessExact) {
+    Solution solution = test::infeasible_cam_solution();
+    const auto needed = [&](std::size_t row) { return relaxation_table(solution).rows[row][2]; };
+    EXPECT_EQ(needed(0), "at most 31.413");
+    SolvePlan plan;
+    plan.convex = true;
+    solution.plan = std::make_shared<const SolvePlan>(plan);
+    EXPECT_EQ(needed(0), "at most 31.413") << "of a dimension";
+    EXPECT_EQ(needed(2), "33.1") << "of a limit of a convex scene";
+    EXPECT_EQ(needed(3), "2.5");
+}
+
+TEST(PrescribedMotion, HasCurvesWhereItViolatesLimit) {
+    const Solution solution = solve(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/43_laws.toml", {}));
+    const std::string text = summary_text(solution, {});
+    EXPECT_TRUE(says(text, "reaches 24.0")) << text;
+    EXPECT_TRUE(says(text, "(violated)")) << text;
+    for (const std::string& all : {text, report_markdown(solution)})
+        for (const char* const word : {"spline", "weights", "more segments"})
+            EXPECT_FALSE(says(all, word)) << word << "\n" << all;
+}
+
+TEST(PrescribedMotion, IsComparedWhereItViolatesLimit) {
+    const Comparison comparison = compare(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/43_laws.toml", {}));
+    const auto own = std::ranges::find_if(comparison.rows, &ComparisonRow::is_optimum);
+    ASSERT_TRUE(own != comparison.rows.end());
+    EXPECT_TRUE(says(broken_limits(*own).at(0), "pressure angle"));
+}
+
+TEST(PrescribedMotion, BestLawHasSmallestBaseRadius) {
+    const std::vector<std::string> settings = {"limits.pressure_angle_deg=30"};
+    const Comparison comparison =
+        compare(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/43_laws.toml", settings));
+    EXPECT_TRUE(
+        says(comparison_sentence(comparison), "smallest base radius: Modified constant velocity, 50 %"))
+        << comparison_sentence(comparison);
 }
 
 }  // namespace cam_texts_test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The parts of an explanation: values told on the side that does, finer splines, what no motion can keep,
 // limits that give way together, and the time it may take.
+#include "input/loading/load_scene.hpp"
+#include "input/scene_reader.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/explain/adjustment.hpp"
@@ -21,6 +23,11 @@ namespace relaxation_test {
 
 using namespace testing_support;
 using enum DimensionIndex;
+
+Solution solved_case(const char* name, const std::vector<std::string>& settings = {}) {
+    return solve(input::read_scene_file(std::string(CAMOPT_SOURCE_DIR "/tests/cases/") + name + ".toml",
+                                        known_names(), settings));
+}
 
 const Relaxation* row_of(const Solution& solution, const std::string& key) {
     const auto found = std::ranges::find(solution.relaxation, key, &Relaxation::key);
@@ -275,6 +282,66 @@ TEST(Explanation, TriesEveryCamAndSpringDimension) {
           "forces.preload_n", "forces.spring_rate_n_mm", "forces.contact_width_mm", "cam.base_radius_mm",
           "cam.roller_radius_mm", "cam.offset_mm"})
         EXPECT_TRUE(std::ranges::find(keys, key) != keys.end()) << key;
+}
+
+// It starts with 1200 mm/s, above the limit, and with that limit raised needs a jerk of 215.4 m/s³.
+TEST(Conflict, NamesEveryLimitImpossibleAlone) {
+    const Solution solution = solved_case("49_moving_start", {"limits.velocity_mm_s=800"});
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    ASSERT_TRUE(solution.explanation);
+    const std::vector<std::string>& alone = solution.explanation->alone;
+    for (const char* const key : {"limits.velocity_mm_s", "limits.jerk_m_s3"})
+        EXPECT_TRUE(std::ranges::find(alone, key) != alone.end()) << key;
+    const std::vector<Relaxation>& together = solution.explanation->together;
+    ASSERT_EQ(together.size(), 2U);
+    EXPECT_EQ(together[1].key, "limits.jerk_m_s3");
+    EXPECT_NEAR(*together[1].solved, 215.4, 0.1) << "the velocity limit does not take it along";
+}
+
+TEST(Conflict, IsTwoLimitsWhereTwoSuffice) {
+    Scene scene = paper_objective(MotionType::drd, 5, 12);
+    scene.limits.velocity = normalised_limit("limits.velocity", 1.5);
+    scene.limits.acceleration = normalised_limit("limits.acceleration", 5.0);
+    scene.limits.jerk = normalised_limit("limits.jerk", 45.0);
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    EXPECT_TRUE(solution.explanation->alone.empty());
+    std::vector<std::string> keys;
+    for (const ConflictReport& row : solution.conflict) keys.push_back(row.key);
+    std::ranges::sort(keys);
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    EXPECT_EQ(keys.size(), 2U);
+}
+
+TEST(Conflict, OfFreeKnotsNamesLimits) {
+    Scene scene = paper_objective(MotionType::drd, 3, 6);
+    scene.spline.free_knots = true;
+    scene.limits.velocity = normalised_limit("limits.velocity", 1.2);
+    scene.limits.acceleration = normalised_limit("limits.acceleration", 5.0);
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    EXPECT_EQ(solution.conflict.size(), 2U);
+}
+
+TEST(Conflict, MotionStartIsChangedAndNamed) {
+    const Solution solution =
+        solved_case("49_moving_start",
+                    {"limits.velocity_mm_s=800", "limits.jerk_m_s3=2000", "limits.acceleration_m_s2=400"});
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    EXPECT_EQ(solution.explanation->set_points, std::vector<std::string>{"motion.start"});
+    const Relaxation* const row = row_of(solution, "motion.start.velocity_mm_s");
+    ASSERT_TRUE(row && row->solved);
+    EXPECT_LE(*row->solved, 800.0);
+    EXPECT_GT(*row->solved, 790.0);
+}
+
+TEST(PrescribedMotion, IsShownWhereItViolatesLimit) {
+    const Solution solution = solved_case("43_laws");
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    ASSERT_TRUE(solution.motion && solution.cam);
+    ASSERT_EQ(solution.constraints.size(), 1U);
+    // With any offset a base radius of 60 mm needs 24.01 deg at least.
+    EXPECT_NEAR(solution.constraints[0].worst, 24.01, 0.05);
 }
 
 }  // namespace relaxation_test
