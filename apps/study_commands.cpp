@@ -180,7 +180,13 @@ ExitCode valves_command(const ValvesRequest& request) {
         gap = ValveGap{*request.gap_mm * units::millimetre, request.included_deg * units::degree};
     const ValvePair pair = valve_pair(intake, exhaust, gap);
     show_in(intake.scene, request.units);
-    print(request.json ? valve_pair_json(pair) : valve_pair_text(pair, intake.scene.length_unit));
+    const LengthUnit unit = intake.scene.length_unit;
+    std::string text = request.json ? valve_pair_json(pair) : valve_pair_text(pair, unit);
+    if (!request.json && request.units.empty() && unit != exhaust.scene.length_unit)
+        text += fmt::format(
+            "Lengths are in {}, as the intake is written; the exhaust is written in {} (--units).\n",
+            name_of(unit), name_of(exhaust.scene.length_unit));
+    print(text);
     return !pair.clearance || *pair.clearance > 0.0 ? success : failure;
 }
 

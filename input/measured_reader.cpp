@@ -271,6 +271,8 @@ void register_table(const SceneSource& source, const Scene& scene, const KnownNa
         source.fail(zero->member->place, "measured.zero",
                     "found together with register = [\"angle\"], which searches it; allowed: one of the two");
     MeasuredPlace place = register_rows(scene.motion, known, request, measured);
+    place.points = points;
+    if (points && place.angle) place.angle->value *= -sense_of(scene.cam->formulas()->rotation());
     if (points && place.zero) {
         const FollowerGeometry follower = surface_probe(*scene.cam, 0.0).follower;
         const double up = follower.falls ? -1.0 : 1.0;

@@ -69,6 +69,7 @@ class SceneReader {
         Scene scene;
         read_text("", "title", scene.title);
         scene.length_unit = written_length_unit();
+        scene.written = written_spellings();
         scene.motion = read_motion(source_, known_);
         scene.spline = read_spline();
         if (!source_.table("objective") && !scene.motion.prescribed() && !is_nearest())
@@ -111,6 +112,20 @@ class SceneReader {
                     return LengthUnit::millimetre;
             }
         return LengthUnit::millimetre;
+    }
+
+    /// Scene::written.
+    std::map<std::string, Spelling> written_spellings() const {
+        std::map<std::string, Spelling> all;
+        for (const KeyRow& row : scene_keys())
+            if (const auto given = source_.find(row.table, row.name))
+                all[joined_key(row.table, row.name)] = *given->spelling;
+        if (const auto segments = source_.find("motion", "segments"))
+            for (std::size_t i = 0; i < segments->value().items.size(); ++i)
+                if (const auto angle =
+                        SceneSource::find_in(segments->value().items[i], "motion.segments", "angle"))
+                    all[fmt::format("motion.segments[{}].angle", i)] = *angle->spelling;
+        return all;
     }
 
     SplineSpec read_spline() const {

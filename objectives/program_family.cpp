@@ -347,9 +347,9 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
             stretch.breakpoints = breakpoints_of(scene.spline, stretch.begin, stretch.end,
                                                  regions_of(scene.motion, points, static_cast<int>(i)));
             if (std::ranges::find(turning, i) != turning.end())
-                stretch.conditions.push_back(
-                    {stretch.begin, 1, Side::right, 0.0,
-                     fmt::format("turning point at the start of motion.segments[{}]", i), false});
+                stretch.conditions.push_back({stretch.begin, 1, Side::right, 0.0,
+                                              fmt::format("turning point at the start of segment {}", i + 1),
+                                              false});
             for (const PlacedPoint& point : points) {
                 if (point.segment != static_cast<int>(i)) continue;
                 const auto own = conditions_of(scene.motion, point, scene.spline.degree, stretch.end);
@@ -367,7 +367,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
             if (rests_between(motion, i))
                 implied.emplace_back(
                     i, PointCondition{stretch.begin, 2, Side::right, 0.0,
-                                      fmt::format("rest at the start of motion.segments[{}]", i), false});
+                                      fmt::format("rest at the start of segment {}", i + 1), false});
         }
         request.stretches.push_back(std::move(stretch));
     }

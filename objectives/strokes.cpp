@@ -102,7 +102,8 @@ void add_turning_points(std::vector<PointCondition>& turning, const std::vector<
         const std::optional<double>& y = point.wanted[0];
         if (!inside || !y || point.wanted[1] || point.wanted[2]) continue;
         if (*y <= stroke.least || *y >= stroke.most)
-            turning.push_back({point.begin, 1, Side::right, 0.0, "turning point at " + point.member, false});
+            turning.push_back(
+                {point.begin, 1, Side::right, 0.0, "turning point at " + listed_words(point.member), false});
     }
 }
 

@@ -9,6 +9,7 @@
 #include "scene/cam_spec.hpp"
 #include "scene/drive_spec.hpp"
 #include "scene/dynamics_spec.hpp"
+#include "scene/key_row.hpp"
 #include "scene/own_rule.hpp"
 #include "scene/valve_spec.hpp"
 
@@ -89,8 +90,11 @@ struct MeasuredPlace {
         friend bool operator==(const Number&, const Number&) = default;
     };
     std::string law;
-    std::optional<Number> angle;         ///< rad: the table's angle at the start of the motion
-    std::optional<Number> zero;          ///< m or rad: the table's displacement where the motion has 0
+    /// rad: the table's angle at the start of the motion; of points of a cam how far it is turned on the
+    /// table
+    std::optional<Number> angle;
+    bool points = false;         ///< the angle is of points: counter-clockwise, whichever way the cam rotates
+    std::optional<Number> zero;  ///< m or rad: the table's displacement where the motion has 0
     std::optional<double> base_radius;   ///< m, of points of a cam: what the zero makes it
     double residual = 0.0, noise = 0.0;  ///< m or rad: rms of the residuals, of rows from their neighbours
 
@@ -338,6 +342,9 @@ struct Scene {
     /// In which its lengths are shown to people. Of a scene file: as its lift is written; where that is an
     /// angle, as the first length of its cam.
     LengthUnit length_unit = LengthUnit::millimetre;
+    /// Of a scene file: how the units of its numbers are written, by the key without its unit
+    /// ("motion.lift", "motion.segments[2].angle").
+    std::map<std::string, Spelling> written = {};
     MotionSpec motion;
     SplineSpec spline;
     ObjectiveSpec objective;
@@ -351,6 +358,16 @@ struct Scene {
     std::vector<OwnTerm> own_terms;      ///< beside those of `objective`
     std::vector<OwnLimit> own_limits;    ///< beside `limits`
     SolverSpec solver;
+
+    /// As the scene is written; of a number that it leaves out, or without a file: `otherwise`.
+    [[nodiscard]] Spelling spelling_of(const std::string& key, const Spelling& otherwise) const {
+        const auto known = written.find(key);
+        return known == written.end() ? otherwise : known->second;
+    }
+    /// The same of a length.
+    [[nodiscard]] Spelling length_spelling_of(const std::string& key) const {
+        return spelling_of(key, spellings::length[length_unit == LengthUnit::inch]);
+    }
 
     /// Speeds whose loads enclose those of every speed that limits on loads hold at: that of the scene first,
     /// then the ends of forces.speed_range; default from 0 where a spring loads the cam and the Hertz

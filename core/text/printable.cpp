@@ -124,4 +124,12 @@ std::string xml_text(std::string_view text) {
     return result;
 }
 
+std::string unit_words(std::string_view unit) {
+    std::string shown(unit);
+    for (const auto& [written, sign] : {std::pair("^2", "²"), std::pair("^3", "³"), std::pair("um", "µm")})
+        if (const std::size_t found = shown.find(written); found != std::string::npos)
+            shown.replace(found, std::string_view(written).size(), sign);
+    return shown;
+}
+
 }  // namespace camopt

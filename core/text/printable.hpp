@@ -25,4 +25,7 @@ namespace camopt {
 /// else, including a byte that is not UTF-8, as '?'.
 [[nodiscard]] std::string ascii_text(std::string_view text);
 
+/// A unit as it is read: "mm/s^2" becomes "mm/s²", "um" "µm".
+[[nodiscard]] std::string unit_words(std::string_view unit);
+
 }  // namespace camopt

@@ -146,6 +146,7 @@ ResultRecord read_result(std::string_view json, std::string_view source_name, Re
     record.seconds_solve = seconds.at("solve").number();
     for (const auto& [name, value] : seconds.members()) record.seconds[name] = value.number();
     record.notes = source.at("notes").texts();
+    if (source.has("machine")) record.machine = source.at("machine").words();
     return record;
 }
 

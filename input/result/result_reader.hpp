@@ -75,6 +75,7 @@ struct ResultRecord {
     double seconds_total = 0.0, seconds_solve = 0.0;
     std::map<std::string, double> seconds;  ///< all of them, the phases too
     std::vector<std::string> notes;
+    std::string machine;  ///< Solution::machine
 };
 
 /// Whether a result without a motion (infeasible, failed) is read: its record has no parts.

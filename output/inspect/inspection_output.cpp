@@ -121,6 +121,9 @@ CurvePage page_of(const Inspection& found, const Json& json) {
           std::pair("worst", "Worst locations"), std::pair("out_of_tolerance", "Out of tolerance"),
           std::pair("outliers", "Outliers")})
         if (!json[key].empty()) page.tables.push_back({key, title, table_of(json[key])});
+    page.tables.front().note =
+        found.points ? "Angle offset: how far the cam is turned on the table, counter-clockwise."
+                     : "Angle offset: the angle of the table at angle 0 of the nominal cam.";
     Curve curve{"deviation", "cam", "Deviation, measured − nominal", "d", unit};
     curve.reference = ComparedCurve{"before alignment", {}};
     for (const InspectedRow& row : found.rows) {
@@ -182,7 +185,8 @@ InspectionOutput inspection_output(const Inspection& found, const std::string& t
     InspectionOutput output{fmt::format("{}\n{}\n", page.title, page.headline), json_text(json), {}};
     for (const std::string& sentence : page.sentences) output.text += sentence + "\n";
     for (const ViewTable& table : page.tables)
-        output.text += fmt::format("\n{}\n{}", table.title, aligned_text(table.table));
+        output.text += fmt::format("\n{}\n{}{}", table.title, aligned_text(table.table),
+                                   table.note.empty() ? "" : table.note + "\n");
     output.files = {{"inspection.csv", rows_csv(found)},
                     {"inspection.svg", deviation_svg(page, found)},
                     {"inspection.html", curve_page_html(page, origin)},

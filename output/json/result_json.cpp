@@ -88,6 +88,7 @@ Json measured_json(const Solution& solution) {
     };
     if (table.place) {
         place["law"] = words_json(table.place->law);
+        place["counter_clockwise"] = table.place->points;
         placed("start_deg", table.place->angle, degrees_shown);
         place["residual_rms_" + output.name] = number_json(displacement.of(table.place->residual));
         place["noise_" + output.name] = number_json(displacement.of(table.place->noise));
@@ -278,6 +279,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     for (const PhaseRow& phase : phase_rows)
         json["seconds"][phase.name] = number_json(solution.phases.*phase.seconds);
     json["notes"] = solution.notes;
+    if (!solution.machine.empty()) json["machine"] = solution.machine;
     return json_text(json);
 }
 

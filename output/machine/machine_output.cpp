@@ -86,7 +86,7 @@ std::string speed_lines(const MachineSolution& solution) {
 }
 
 std::string limit_line(const MachineSolution& solution, const MachineLimit& limit) {
-    const std::string unit = limit.unit.empty() ? "" : " " + limit.unit;
+    const std::string unit = limit.unit.empty() ? "" : " " + unit_words(limit.unit);
     std::string text = fmt::format("  {:>5.1f} %  {}{}", 100.0 * limit.share,
                                    limit.axis >= 0 ? axis_name(solution, limit.axis) + ": " : "", limit.key);
     if (limit.given) text += fmt::format(" = {}{}", short_text(*limit.given), unit);

@@ -134,7 +134,7 @@ TextTable stopping_table(const MachineSolution& solution) {
                      {"alone enough for 5 % more speed"}},
                     {}};
     for (const MachineLimit& limit : solution.limited_by) {
-        const std::string unit = limit.unit.empty() ? "" : " " + limit.unit;
+        const std::string unit = limit.unit.empty() ? "" : " " + unit_words(limit.unit);
         const std::string axis =
             limit.axis >= 0 ? printable(axis_of(solution, static_cast<std::size_t>(limit.axis)).name) + ": "
                             : "";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/key_words.hpp"
 
-#include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
+#include "scene/motion/set_points.hpp"
 #include "studies/search/plan.hpp"
 
 #include <fmt/format.h>
@@ -43,24 +43,16 @@ double rounded_on(double needed, bool up) {
     return unit * (up ? std::ceil(steps - slack) : std::floor(steps + slack));
 }
 
-/// Of a number in a list of the motion: "motion.segments[1].via[0].velocity_mm_deg" is "velocity of set point
-/// 1 of segment 2", with the key beside it for those who edit, in "mm/deg". The unit is what follows the
-/// name.
+bool is_listed(std::string_view key) {
+    return key.starts_with("motion.") && key.find('[') != std::string_view::npos;
+}
+
+/// Of a number in a list of the motion. The unit is what follows the name.
 KeyWords listed_key_words(std::string_view key) {
     const std::string_view side = key.ends_with(".max") ? ", max" : key.ends_with(".min") ? ", min" : "";
     if (!side.empty()) key.remove_suffix(std::string_view(".max").size());
-    const std::size_t name = key.rfind('.') + 1, end = std::min(key.find('_', name), key.size());
-    const std::string_view number = key.substr(name, end - name);
-    KeyWords found{number == "to" ? "last displacement" : std::string(number), "", false};
-    std::string places;
-    for (std::size_t open = key.find('['); open != std::string_view::npos; open = key.find('[', open + 1)) {
-        const std::size_t dot = key.rfind('.', open) + 1;
-        const std::string list(key.substr(dot, open - dot));
-        const char* const thing = list == "via" ? "set point" : list == "segments" ? "segment" : list.c_str();
-        const std::string_view index = key.substr(open + 1, key.find(']', open) - open - 1);
-        places.insert(0, fmt::format(" of {} {}", thing, 1 + integer_in(index).value_or(0)));
-    }
-    found.words += fmt::format("{}{} ({})", places, side, key);
+    const std::size_t end = std::min(key.find('_', key.rfind('.')), key.size());
+    KeyWords found{fmt::format("{}{}", listed_words(key), side), "", false};
     for (const char letter : key.substr(std::min(end + 1, key.size()))) {
         if (letter == '2' || letter == '3')
             found.unit += letter == '2' ? "²" : "³";
@@ -78,7 +70,8 @@ std::string verb_of(const Relaxation& row, const KeyWords& key) {
     if (key.limit) return more ? "raise" : "lower";
     if (row.key.find(".via[") != std::string::npos || row.key.find("].to") != std::string::npos)
         return "change";
-    if (row.key.starts_with("motion.") && row.key.ends_with("_deg") && row.key != "motion.lift_deg")
+    if (row.key.starts_with("motion.") && !row.key.starts_with("motion.lift") &&
+        (row.key.ends_with("_deg") || row.key.ends_with("_rad")))
         return more ? "lengthen" : "shorten";
     return more ? "increase" : "reduce";
 }
@@ -86,7 +79,7 @@ std::string verb_of(const Relaxation& row, const KeyWords& key) {
 }  // namespace
 
 KeyWords key_words(std::string_view key, std::string_view remark) {
-    if (key.starts_with("motion.") && key.find('[') != std::string_view::npos) return listed_key_words(key);
+    if (is_listed(key)) return listed_key_words(key);
     KeyWords found;
     found.limit = key.starts_with("limits.") || key.starts_with("own.");
     if (const std::size_t table = key.find('.'); table != std::string_view::npos)
@@ -111,6 +104,17 @@ KeyWords key_words(std::string_view key, std::string_view remark) {
     return found;
 }
 
+namespace {
+
+/// For who edits it: of a list with the key.
+KeyWords edited_key(const std::string& key) {
+    KeyWords words = key_words(key);
+    if (is_listed(key)) words.words += fmt::format(" ({})", key);
+    return words;
+}
+
+}  // namespace
+
 bool is_exact(const Solution& solution, const Relaxation& row) {
     // A value that moved off before a solve succeeded is the solved one.
     return solution.plan && solution.plan->convex && key_words(row.key).limit && row.needed != row.solved;
@@ -129,7 +133,7 @@ std::string needed_number(const Relaxation& row) {
 std::string also_words(const Relaxation& row) {
     std::string text;
     for (const CompanionChange& one : row.also) {
-        const KeyWords key = key_words(one.key);
+        const KeyWords key = edited_key(one.key);
         const std::string now = fmt::format("{} {}", short_text(one.solved, needed_digits), key.unit);
         const bool gives_way = one.solved < one.given;
         text += gives_way ? fmt::format(", taken from the {}, which becomes {}", key.words, now)
@@ -144,9 +148,9 @@ std::string change_words(const Relaxation& row) {
         std::string number = needed_number(row);
         return "use " + number.insert(std::min(number.find(' '), number.size()), " segments");
     }
-    const KeyWords key = key_words(row.key);
+    const KeyWords key = edited_key(row.key);
     const std::string unit = key.unit.empty() ? "" : " " + key.unit;
-    const bool listed = row.key.find('[') != std::string::npos;
+    const bool listed = is_listed(row.key);
     return fmt::format("{} the {}{} to {}{}{}", verb_of(row, key), key.words,
                        key.limit ? " limit"
                        : listed  ? fmt::format(" from {}", short_text(row.given, needed_digits))

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/number_text.hpp"
 
-#include "core/text/printable.hpp"
-
 #include <fmt/format.h>
 
 #include <sstream>
@@ -104,14 +102,6 @@ std::string words_of(std::string_view key) {
     std::string words(key);
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
-}
-
-std::string unit_words(std::string_view unit) {
-    std::string shown(unit);
-    for (const auto& [written, sign] : {std::pair("^2", "²"), std::pair("^3", "³"), std::pair("um", "µm")})
-        if (const std::size_t found = shown.find(written); found != std::string::npos)
-            shown.replace(found, std::string_view(written).size(), sign);
-    return shown;
 }
 
 std::string aligned_text(const TextTable& table) {

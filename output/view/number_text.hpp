@@ -2,7 +2,7 @@
 // Numbers as text: exact for machines, short for people. None of them depends on the locale.
 #pragma once
 
-#include "core/base/standard.hpp"
+#include "core/text/printable.hpp"
 
 namespace camopt {
 
@@ -27,9 +27,6 @@ inline constexpr const char* no_contact_words = "undercut, no contact";
 
 /// A key in words: "modified_sine" becomes "modified sine".
 [[nodiscard]] std::string words_of(std::string_view key);
-
-/// A unit as it is read: "mm/s^2" becomes "mm/s²", "um" "µm".
-[[nodiscard]] std::string unit_words(std::string_view unit);
 
 // A table of words and numbers, written for a terminal or as Markdown.
 //

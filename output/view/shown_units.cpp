@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/shown_units.hpp"
 
-#include "scene/limit_table.hpp"
-#include "scene/motion/set_points.hpp"
+#include <fmt/format.h>
 
 namespace camopt {
 
@@ -41,23 +40,13 @@ constexpr UnitRows inches_by_angle = {{{"in", units::inch, "s_in"},
                                        {"in/rad²", units::inch, "dds_in_rad2"},
                                        {"in/rad³", units::inch, "ddds_in_rad3"}}};
 constexpr UnitRows swing_in_time = {{{"deg", degree, "s_deg"},
-                                     {"rad/s", 1.0, "v_rad_s"},
-                                     {"rad/s²", 1.0, "a_rad_s2"},
-                                     {"rad/s³", 1.0, "j_rad_s3"}}};
+                                     {"deg/s", degree, "v_deg_s"},
+                                     {"deg/s²", degree, "a_deg_s2"},
+                                     {"deg/s³", degree, "j_deg_s3"}}};
 constexpr UnitRows swing_by_angle = {{{"deg", degree, "s_deg"},
                                       {"deg/deg", 1.0, "ds_deg_deg"},
                                       {"deg/deg²", 1.0 / degree, "dds_deg_deg2"},
                                       {"deg/deg³", 1.0 / (degree * degree), "ddds_deg_deg3"}}};
-
-/// A cap or a set point of the motion is given in deg/s, deg/s² or deg/s³.
-bool writes_degrees_in_time(const Scene& scene) {
-    const auto in_degrees = [](const std::string& unit) { return unit.starts_with("deg/s"); };
-    for (const PeakLimitRow& row : peak_limit_rows())
-        if (const auto& limit = row.in(scene.limits); limit && in_degrees(limit->unit)) return true;
-    return std::ranges::any_of(placed_points(scene.motion), [&](const PlacedPoint& point) {
-        return in_degrees(point.units.velocity) || in_degrees(point.units.acceleration);
-    });
-}
 
 const UnitRows& rows_of(const MotionSpec& motion, LengthUnit length, bool in_time) {
     if (motion.lift_is_angle) return in_time ? swing_in_time : swing_by_angle;
@@ -93,6 +82,12 @@ std::string with_unit_name(double value, const std::string& name, int digits) {
 
 std::string ShownUnit::text(double si, int digits) const {
     return with_unit_name(of(si), name, digits);
+}
+
+std::string ShownUnit::asked_text(double si) const {
+    const double thousandths = 1e3 * of(si);
+    const bool whole = name == "in" && std::abs(thousandths - std::round(thousandths)) < 1e-6;
+    return whole ? fmt::format("{:.3f} in", of(si)) : text(si);
 }
 
 std::string MotionUnit::normalised_text(double y, int digits) const {
@@ -138,16 +133,7 @@ ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
 }
 
 ShownUnits shown_units(const Scene& scene) {
-    ShownUnits shown = shown_units(scene.motion, scene.length_unit);
-    if (!shown.in_time || !scene.motion.lift_is_angle || !writes_degrees_in_time(scene)) return shown;
-    for (std::size_t order = 1; order < derivatives; ++order) {
-        MotionUnit& unit = shown.motion[order].first;
-        unit.per_normalised /= degree;
-        unit.size *= degree;
-        unit.name.replace(0, 3, "deg");  // "rad/s²", "v_rad_s"
-        unit.column.replace(2, 3, "deg");
-    }
-    return shown;
+    return shown_units(scene.motion, scene.length_unit);
 }
 
 }  // namespace camopt

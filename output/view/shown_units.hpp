@@ -5,8 +5,7 @@
 //     shown = per_normalised · y⁽ʳ⁾    (derivatives of the motion, y = s / lift over x = θ / unit angle)
 //
 // With a speed the motion stands first in time, v = ω ds/dθ, a = ω² d²s/dθ², j = ω³ d³s/dθ³, in mm/s, m/s²,
-// m/s³ (swinging: rad/s, rad/s², rad/s³; where the scene writes a cap or a set point in deg/s, deg/s²,
-// deg/s³ these), and beside it by the cam angle in mm/rad, mm/rad², mm/rad³
+// m/s³ (swinging: deg/s, deg/s², deg/s³), and beside it by the cam angle in mm/rad, mm/rad², mm/rad³
 // (swinging: deg/deg …). Without a speed it stands by the cam angle only. Where the scene is written in
 // inches (Scene::length_unit) in, in/s, in/s², in/s³ and in/rad take their places, and lbf, lbf in, ksi, lb
 // and lbf/in those of N, N m, MPa, kg and N/mm. Angles are in degrees. Files keep the units that their
@@ -25,6 +24,8 @@ struct ShownUnit {
     [[nodiscard]] double of(double si) const { return si / size; }
     /// "12.5 mm", with that many significant digits; "–" and "∞" for what is not finite.
     [[nodiscard]] std::string text(double si, int digits = 6) const;
+    /// A length that somebody asked for: thousandths of an inch as they are spoken, "0.050 in".
+    [[nodiscard]] std::string asked_text(double si) const;
 };
 
 // The same for every scene.

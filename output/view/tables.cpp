@@ -124,11 +124,12 @@ TextTable segment_table(const Solution& solution) {
                      {"A"},
                      {"J"},
                      {"joint"}};
-    for (const SegmentReport& segment : solution.segments) {
+    for (std::size_t i = 0; i < solution.segments.size(); ++i) {
+        const SegmentReport& segment = solution.segments[i];
         const MotionSpec& motion = solution.scene.motion;
         const double begin = degrees_shown.of(motion.master_angle(segment.begin)),
                      end = degrees_shown.of(motion.master_angle(segment.end));
-        std::vector<std::string> row = {segment_title(segment),
+        std::vector<std::string> row = {fmt::format("{} {}", i + 1, segment_title(segment)),
                                         short_text(begin),
                                         short_text(end),
                                         short_text(shown.degrees_per_x * (segment.end - segment.begin)),
@@ -158,7 +159,7 @@ TextTable set_point_table(const Solution& solution) {
         const bool along = report.point.is_region() && report.order > 0;
         const std::string begin = short_text(report.point.begin * degrees_per_x);
         table.rows.push_back(
-            {report.key,
+            {key_words(report.key).words,
              along ? fmt::format("{} to {}", begin, short_text(report.point.end * degrees_per_x)) : begin,
              ShownUnit{report.unit}.text(report.wanted),
              ShownUnit{report.unit}.text(report.found, set_point_digits)});
@@ -212,9 +213,10 @@ std::string table_words(const Solution& solution) {
     const MeasuredPlace& place = *table.place;
     if (place.angle)
         text += fmt::format(
-            "; the motion starts at {}{} deg of the table", short_text(degrees_shown.of(place.angle->value)),
-            std::isnan(place.angle->error) ? ""
-                                           : " ± " + short_text(degrees_shown.of(place.angle->error), 2));
+            "; the {} {}{} deg {} the table", place.points ? "cam is turned by" : "motion starts at",
+            short_text(degrees_shown.of(place.angle->value)),
+            std::isnan(place.angle->error) ? "" : " ± " + short_text(degrees_shown.of(place.angle->error), 2),
+            place.points ? "counter-clockwise on" : "of");
     if (place.zero)
         text += fmt::format("; its displacement 0 is at {}{} of the table", shown(place.zero->value),
                             std::isnan(place.zero->error) ? "" : " ± " + shown(place.zero->error));

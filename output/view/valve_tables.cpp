@@ -51,7 +51,7 @@ TextTable event_table(const Solution& solution, const ValveReport& report) {
                      {fmt::format("area ({} · crank deg)", length.name)}},
                     {}};
     for (const ValveEvent& event : report.events)
-        table.rows.push_back({length.text(event.height), event_text(valve, event.opens),
+        table.rows.push_back({length.asked_text(event.height), event_text(valve, event.opens),
                               event_text(valve, event.closes),
                               short_text(crank_shown.of(event.duration()), 7),
                               short_text(crank_shown.of(length.of(event.area)), 7)});
@@ -77,7 +77,7 @@ TextTable figure_table(const Solution& solution, const ValveReport& report) {
     add("acceleration, closing flank",
         rate_text(report.closing_acceleration, 2, swings, solution.scene.length_unit));
     for (const auto& [height, duration] : report.tappet_durations)
-        add(fmt::format("duration at {} of the tappet", shown.length.text(height)),
+        add(fmt::format("duration at {} of the tappet", shown.length.asked_text(height)),
             crank_shown.text(duration, 7));
     const auto from_nose = [](double crank) {
         return short_text(degrees_shown.of(crank), 4) + " crank deg from the nose";
@@ -119,7 +119,7 @@ std::string valve_pair_text(const ValvePair& pair, LengthUnit unit) {
     const ShownUnit length{name_of(unit), metres_of(unit)};
     TextTable table{{{"valve lift"}, {"intake opens"}, {"exhaust closes"}, {"overlap (crank deg)"}}, {}};
     for (const ValvePair::Overlap& overlap : pair.overlaps)
-        table.rows.push_back({length.text(overlap.height), stroke_text(overlap.opens, 0),
+        table.rows.push_back({length.asked_text(overlap.height), stroke_text(overlap.opens, 0),
                               stroke_text(overlap.closes, 0),
                               overlap.duration() > 0.0 ? short_text(degrees_shown.of(overlap.duration()), 7)
                                                        : std::string("none")});

@@ -208,7 +208,8 @@ void tell_set_points(std::vector<std::string>& all, const Solution& solution) {
             solution.explanation->set_points.end())
             continue;
         for (int order = 0; order < 3; ++order)
-            if (point.wanted[order]) words.push_back(words_of(motion, point, order));
+            if (point.wanted[order])
+                words.push_back(fmt::format("{} ({})", words_of(motion, point, order), point.member));
     }
     if (words.empty()) return;
     const bool one = solution.explanation->set_points.size() == 1;

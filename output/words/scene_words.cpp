@@ -34,7 +34,7 @@ std::string kind_of_motion(const MotionSpec& motion) {
 std::string ramp_words(const Scene& scene, const ValveRamp& ramp) {
     const MotionUnit length = shown_units(scene).motion[0].first;
     const ShownUnit velocity{fmt::format("{}/deg", length.name), degrees_shown.of(length.size)};
-    return fmt::format("{} at {}{}", length.text(ramp.height), velocity.text(ramp.velocity),
+    return fmt::format("{} at {}{}", length.asked_text(ramp.height), velocity.text(ramp.velocity),
                        ramp.end
                            ? fmt::format(" up to {} from the checking point", degrees_shown.text(*ramp.end))
                            : std::string());
@@ -47,10 +47,10 @@ std::string valve_words(const Scene& scene) {
     const ShownUnit crank{"crank deg", 0.5 * degree};
     std::string text = fmt::format(
         "; valve lift {}, lash {}, {} {}, duration {} at {} ({} of it before the nose)",
-        length.text(valve.lift), length.text(valve.lash),
+        length.asked_text(valve.lift), length.asked_text(valve.lash),
         scene.motion.lift_is_angle ? "valve arm" : "rocker ratio",
         scene.motion.lift_is_angle ? length.text(valve.ratio) : short_text(valve.ratio),
-        crank.text(valve.duration), length.text(valve.checking_height), crank.text(valve.opening));
+        crank.text(valve.duration), length.asked_text(valve.checking_height), crank.text(valve.opening));
     if (valve.centerline) text += fmt::format(", centerline {}", crank.text(*valve.centerline));
     if (scene.motion.speed)
         text += fmt::format(", engine speed {}", rpm_shown.text(2.0 * *scene.motion.speed));

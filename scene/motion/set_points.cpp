@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/motion/set_points.hpp"
 
+#include "core/text/parsing.hpp"
+#include "core/text/printable.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
 
@@ -145,14 +147,40 @@ WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, i
     return written;
 }
 
+std::string listed_words(std::string_view key) {
+    const std::size_t name = key.rfind('.') + 1;
+    std::string words(key.substr(name, key.find('_', name) - name));
+    const bool end = key.find("].end.") != std::string_view::npos;
+    if (key.find(".via[") != std::string_view::npos)
+        words = words == "at"     ? "angle"
+                : words == "from" ? "first angle"
+                : words == "to"   ? "last angle"
+                                  : words;
+    else if (words == "to")
+        words = "last displacement";
+    if (end) words += " at the end";
+    std::string places;
+    for (std::size_t open = key.find('['); open != std::string_view::npos; open = key.find('[', open + 1)) {
+        const std::size_t dot = key.rfind('.', open) + 1;
+        const std::string_view list = key.substr(dot, open - dot);
+        const std::string_view index = key.substr(open + 1, key.find(']', open) - open - 1);
+        places.insert(0, fmt::format(" of {} {}",
+                                     list == "via"        ? "set point"
+                                     : list == "segments" ? "segment"
+                                                          : list,
+                                     1 + integer_in(index).value_or(0)));
+    }
+    return key.ends_with(']') ? places.substr(std::string_view(" of ").size()) : words + places;
+}
+
 std::string words_of(const MotionSpec& motion, const PlacedPoint& point, int order) {
     const WrittenValue written = written_value(motion, point, order);
     const double value = *point.wanted[static_cast<std::size_t>(order)] * written.per_normalised;
     const std::string_view unit_space = written.unit.empty() ? "" : " ";
     const bool along = point.is_region() && order > 0;
-    return fmt::format("{}.{} = {:.6g}{}{} {} {}{}", point.member,
-                       value_names[static_cast<std::size_t>(order)], value, unit_space, written.unit,
-                       along ? "from" : "at", place_words(motion, point, point.begin),
+    return fmt::format("{} = {:.6g}{}{} {} {}{}", listed_words(written.key), value, unit_space,
+                       unit_words(written.unit), along ? "from" : "at",
+                       place_words(motion, point, point.begin),
                        along ? " to " + place_words(motion, point, point.end) : "");
 }
 

@@ -59,7 +59,12 @@ struct WrittenValue {
 /// The spelling of the wanted number of derivative `order`.
 [[nodiscard]] WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, int order);
 
-/// "motion.via[0]: velocity = 120 mm/s at 40 deg", "… = 80 mm/s from 30 deg to 50 deg"; in normalised units
+/// What a key in a list of the motion names, numbered from 1: "motion.segments[1].via[0].velocity_mm_deg" is
+/// "velocity of set point 1 of segment 2", "motion.segments[1].end.velocity" "velocity at the end of segment
+/// 2", "motion.via[0]" "set point 1".
+[[nodiscard]] std::string listed_words(std::string_view key);
+
+/// "velocity of set point 1 = 120 mm/s at 40 deg", "… = 80 mm/s from 30 deg to 50 deg"; in normalised units
 /// if written so.
 [[nodiscard]] std::string words_of(const MotionSpec& motion, const PlacedPoint& point, int order);
 

@@ -322,9 +322,10 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
     std::vector<ConstraintReport> all;
     add_constraints(all, scene, summary, false);
     if (scene.cam && scene.cam->face_half_width && summary.contact_offset) {
-        const std::string unit = name_of(scene.length_unit);
-        const WrittenLimit width{*scene.cam->face_half_width, std::string(scene.cam->face_key()) + "_" + unit,
-                                 metres_of(scene.length_unit), unit};
+        const Spelling spelling = scene.length_spelling_of(scene.cam->face_key());
+        const WrittenLimit width{*scene.cam->face_half_width,
+                                 fmt::format("{}{}", scene.cam->face_key(), spelling.suffix), spelling.factor,
+                                 std::string(spelling.unit)};
         all.push_back(limit_report(width, *summary.contact_offset));
         all.back().name = "face_half_width";
         all.back().no_contact = summary.no_contact && std::isinf(all.back().worst);

@@ -135,14 +135,15 @@ void add_dimensions(std::vector<Adjustment>& all, const CamSpec& cam) {
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
     const CamSpec& cam = *scene.cam;
-    const double unit = metres_of(scene.length_unit);
+    const Spelling spelling = scene.length_spelling_of(cam.face_key());
+    const double unit = spelling.factor;
     const double given = as_written(cam.face_radius.value_or(*cam.face_half_width) / unit);
     const double contact =
         cam.face_radius ? 2.0 * std::sqrt(std::max(0.0, *cam.face_radius * *cam.face_radius -
                                                             *cam.face_half_width * *cam.face_half_width))
                         : 0.0;
-    all.push_back(number_adjustment(fmt::format("{}_{}", cam.face_key(), name_of(scene.length_unit)), given,
-                                    given, Range::between(given, farthest_change * given),
+    all.push_back(number_adjustment(fmt::format("{}{}", cam.face_key(), spelling.suffix), given, given,
+                                    Range::between(given, farthest_change * given),
                                     [unit, contact](Scene& changed, double value) {
                                         if (changed.cam->face_radius)
                                             changed.cam->set_round_face(value * unit, contact);
@@ -175,36 +176,17 @@ Adjustment peak_adjustment(const PeakLimit& limit, const PeakLimitRow& row) {
     return adjustment;
 }
 
-/// One number of the forces. size: what a change of it is measured by, in the unit of the key.
-struct ForceNumber {
-    const char* key;
-    double ForceSpec::*member;
-    double unit;  ///< SI value of one unit of the key
-    double size;
-};
-
-Adjustment force_adjustment(const Scene& scene, const ForceNumber& number) {
-    const double given = as_written((*scene.forces).*number.member / number.unit);
-    const double size = std::max(std::abs(given), number.size);
+/// One number of the forces. least_size: what a change of it is measured by at least, SI.
+Adjustment force_adjustment(const Scene& scene, const char* name, const Spelling& otherwise,
+                            double ForceSpec::*member, double least_size) {
+    const Spelling spelling = scene.spelling_of(name, otherwise);
+    const double unit = spelling.factor, given = as_written((*scene.forces).*member / unit);
+    const double size = std::max(std::abs(given), least_size / unit);
     return number_adjustment(
-        number.key, given, size, Range::between(std::min(0.0, given), farthest_operating_change * size),
-        [number](Scene& changed, double value) { (*changed.forces).*number.member = value * number.unit; });
+        fmt::format("{}{}", name, spelling.suffix), given, size,
+        Range::between(std::min(0.0, given), farthest_operating_change * size),
+        [member, unit](Scene& changed, double value) { (*changed.forces).*member = value * unit; });
 }
-
-/// Keys of preload and rate with their SI values.
-struct SpringKeys {
-    const char* preload;
-    double preload_unit;
-    const char* rate;
-    double rate_unit;
-};
-using units::inch, units::pound_force;
-/// Metric or of inches; pushed straight or swinging.
-constexpr SpringKeys spring_keys[2][2] = {
-    {{"forces.preload_n", 1.0, "forces.spring_rate_n_mm", 1.0 / units::millimetre},
-     {"forces.preload_nm", 1.0, "forces.spring_rate_nm_rad", 1.0}},
-    {{"forces.preload_lbf", pound_force, "forces.spring_rate_lbf_in", pound_force / inch},
-     {"forces.preload_lbf_in", pound_force* inch, "forces.spring_rate_nm_rad", 1.0}}};
 
 void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
     const ForceSpec& forces = *scene.forces;
@@ -215,18 +197,22 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
     const double limit = least_force ? std::abs(least_force->value) : 0.0;
     const double force =
         std::max({std::abs(forces.preload), forces.spring_rate * lift, limit, limit > 0.0 ? 0.0 : 1.0});
-    const SpringKeys& keys = spring_keys[scene.length_unit == LengthUnit::inch][swings];
-    all.push_back(force_adjustment(
-        scene, {keys.preload, &ForceSpec::preload, keys.preload_unit, force / keys.preload_unit}));
-    all.push_back(force_adjustment(
-        scene, {keys.rate, &ForceSpec::spring_rate, keys.rate_unit, force / lift / keys.rate_unit}));
+    const bool inches = scene.length_unit == LengthUnit::inch;
+    const Spelling rate = swings   ? Spelling{"_nm_rad", "N m/rad", 1.0}
+                          : inches ? Spelling{"_lbf_in", "lbf/in", units::pound_force / units::inch}
+                                   : Spelling{"_n_mm", "N/mm", 1.0 / units::millimetre};
+    all.push_back(force_adjustment(scene, "forces.preload",
+                                   (swings ? spellings::moment : spellings::force)[inches],
+                                   &ForceSpec::preload, force));
+    all.push_back(force_adjustment(scene, "forces.spring_rate", rate, &ForceSpec::spring_rate, force / lift));
 }
 
 void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.forces->contact_width || !limit_on(scene.limits, LimitedFigure::hertz_pressure)) return;
-    const double unit = metres_of(scene.length_unit), given = as_written(*scene.forces->contact_width / unit);
+    const Spelling spelling = scene.length_spelling_of("forces.contact_width");
+    const double unit = spelling.factor, given = as_written(*scene.forces->contact_width / unit);
     all.push_back(number_adjustment(
-        std::string("forces.contact_width_") + name_of(scene.length_unit), given, given,
+        fmt::format("forces.contact_width{}", spelling.suffix), given, given,
         Range::between(given, farthest_operating_change * given),
         [unit](Scene& changed, double value) { changed.forces->contact_width = value * unit; }));
 }
@@ -240,9 +226,11 @@ bool goes_by_time(const Scene& scene) {
 void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.motion.speed || !goes_by_time(scene)) return;
     const bool engine = scene.motion.valve.has_value();  // turns twice as fast as its cam
-    const double unit = (engine ? 0.5 : 1.0) * units::revolution_per_minute;
+    const std::string name = engine ? "motion.engine_speed" : "motion.speed";
+    const Spelling spelling = scene.spelling_of(name, spellings::speed[0]);
+    const double unit = (engine ? 0.5 : 1.0) * spelling.factor;
     const double given = as_written(*scene.motion.speed / unit);
-    all.push_back(number_adjustment(engine ? "motion.engine_speed_rpm" : "motion.speed_rpm", given, given,
+    all.push_back(number_adjustment(fmt::format("{}{}", name, spelling.suffix), given, given,
                                     Range::between(given / farthest_operating_change, given),
                                     [unit](Scene& changed, double value) {
                                         const MotionSpec before = changed.motion;

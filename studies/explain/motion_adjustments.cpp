@@ -9,7 +9,6 @@ namespace camopt {
 
 namespace {
 
-constexpr double turn_deg = 360.0;
 // Of the rise: a set point this close to the top lies on it.
 constexpr double at_the_top = 1e-9;
 // A dwell that gives way keeps this part of its angle.
@@ -17,10 +16,6 @@ constexpr double least_dwell_left = 0.01;
 // No lift is reduced to less than this part; a displacement moves by so many lifts at most.
 constexpr double least_lift_left = 1e-3, farthest_displacement = 1.0;
 constexpr double longest_duration = 2.0;  // of a valve's, by the given one
-
-double in_degrees(double angle) {
-    return as_written(angle / units::degree);
-}
 
 // Rise and return.
 
@@ -62,12 +57,15 @@ void add_moved_points(std::vector<CompanionChange>& all, const MotionSpec& befor
 
 void add_stroke(std::vector<Adjustment>& all, const Scene& scene, const Strokes& strokes) {
     const MotionSpec& motion = scene.motion;
-    const double given = in_degrees(strokes.rise ? motion.rise : *motion.return_angle);
-    const double total = in_degrees(motion.length() * motion.rise);
+    const std::string name = strokes.rise ? "motion.rise" : "motion.return";
+    const Spelling spelling = scene.spelling_of(name, spellings::angle[0]);
+    const double one = spelling.factor;
+    const double given = as_written((strokes.rise ? motion.rise : *motion.return_angle) / one);
+    const double total = as_written(motion.length() * motion.rise / one);
     const bool alone = motion.return_angle && strokes.rise != strokes.back;
-    const double most = alone ? given + turn_deg - total : given * turn_deg / total;
+    const double turn = units::turn / one, most = alone ? given + turn - total : given * turn / total;
     Adjustment adjustment = number_adjustment(
-        strokes.rise ? "motion.rise_deg" : "motion.return_deg", given, given, Range::between(given, most),
+        fmt::format("{}{}", name, spelling.suffix), given, given, Range::between(given, most),
         [strokes, given](Scene& changed, double value) { lengthen(changed, strokes, value / given); });
     adjustment.usefulness = Usefulness::angle;
     adjustment.fallback = strokes.rise && strokes.back;
@@ -75,11 +73,14 @@ void add_stroke(std::vector<Adjustment>& all, const Scene& scene, const Strokes&
     adjustment.end = strokes.back || !motion.return_angle ? motion.length() : 1.0;
     adjustment.also = [scene, strokes, with = adjustment.with](double value) {
         std::vector<CompanionChange> also;
-        const MotionSpec now = with(scene, value).motion;
-        if (strokes.rise && strokes.back)
-            also.push_back(
-                {"motion.return_deg", in_degrees(*scene.motion.return_angle), in_degrees(*now.return_angle)});
-        add_moved_points(also, scene.motion, now);
+        const MotionSpec before = scene.motion, now = with(scene, value).motion;
+        if (strokes.rise && strokes.back) {
+            const Spelling back = scene.spelling_of("motion.return", spellings::angle[0]);
+            also.push_back({fmt::format("motion.return{}", back.suffix),
+                            as_written(*before.return_angle / back.factor),
+                            as_written(*now.return_angle / back.factor)});
+        }
+        add_moved_points(also, before, now);
         return also;
     };
     all.push_back(std::move(adjustment));
@@ -112,38 +113,47 @@ std::size_t dwell_beside(const MotionSpec& motion, std::size_t segment, bool for
     return nothing;
 }
 
-std::string angle_key(std::size_t segment) {
-    return fmt::format("motion.segments[{}].angle_deg", segment);
-}
+/// The angle of a segment, as it is written.
+struct WrittenAngle {
+    std::string key;
+    double unit = units::degree, given = 0.0;
+
+    WrittenAngle(const Scene& scene, std::size_t segment)
+        : key(fmt::format("motion.segments[{}].angle", segment)) {
+        const Spelling spelling = scene.spelling_of(key, spellings::angle[0]);
+        key += spelling.suffix;
+        unit = spelling.factor;
+        given = as_written(scene.motion.segments[segment].angle / unit);
+    }
+};
 
 /// `giver`: the segment it is taken from; nothing: what is left of the turn.
 void add_segment_angle(std::vector<Adjustment>& all, const Scene& scene, std::size_t which,
                        std::size_t giver) {
     const MotionSpec& motion = scene.motion;
-    const double given = in_degrees(motion.segments[which].angle);
-    const double of_giver = giver == nothing ? 0.0 : in_degrees(motion.segments[giver].angle);
-    const double room = giver == nothing ? turn_deg - in_degrees(motion.length() * motion.unit_angle())
-                                         : (1.0 - least_dwell_left) * of_giver;
-    Adjustment adjustment =
-        number_adjustment(angle_key(which), given, given, Range::between(given, given + std::max(room, 0.0)),
-                          [which, giver](Scene& changed, double value) {
-                              std::vector<double> angles;
-                              for (const ProgramSegment& segment : changed.motion.segments)
-                                  angles.push_back(segment.angle);
-                              const double more = value * units::degree - angles[which];
-                              angles[which] += more;
-                              if (giver != nothing) angles[giver] -= more;
-                              changed = with_segment_angles(changed, angles);
-                          });
+    const WrittenAngle own(scene, which);
+    const double given = own.given, unit = own.unit;
+    const double room = giver == nothing ? units::turn - motion.length() * motion.unit_angle()
+                                         : (1.0 - least_dwell_left) * motion.segments[giver].angle;
+    Adjustment adjustment = number_adjustment(
+        own.key, given, given, Range::between(given, given + std::max(as_written(room / unit), 0.0)),
+        [which, giver, unit](Scene& changed, double value) {
+            std::vector<double> angles;
+            for (const ProgramSegment& segment : changed.motion.segments) angles.push_back(segment.angle);
+            const double more = value * unit - angles[which];
+            angles[which] += more;
+            if (giver != nothing) angles[giver] -= more;
+            changed = with_segment_angles(changed, angles);
+        });
     adjustment.usefulness = Usefulness::angle;
     adjustment.fallback = std::ranges::find(all, adjustment.key, &Adjustment::key) != all.end();
     for (std::size_t i = 0; i < which; ++i)
         adjustment.begin += motion.segments[i].angle / motion.unit_angle();
     adjustment.end = adjustment.begin + motion.segments[which].angle / motion.unit_angle();
     if (giver != nothing)
-        adjustment.also = [giver, given, of_giver](double value) {
+        adjustment.also = [from = WrittenAngle(scene, giver), given, unit](double value) {
             return std::vector<CompanionChange>{
-                {angle_key(giver), of_giver, as_written(of_giver - (value - given))}};
+                {from.key, from.given, as_written(from.given - (value - given) * unit / from.unit)}};
         };
     all.push_back(std::move(adjustment));
 }
@@ -192,25 +202,27 @@ void add_lift(std::vector<Adjustment>& all, const Scene& scene) {
         return one.to.value_or(0.0) != 0.0 && one.to_unit.empty();
     };
     if (motion.type == MotionType::program && std::ranges::none_of(motion.segments, by_lift)) return;
-    const double unit = motion.lift_is_angle ? units::degree : metres_of(scene.length_unit);
-    const double given = as_written(motion.lift / unit);
-    all.push_back(number_adjustment(
-        std::string("motion.lift_") + (motion.lift_is_angle ? "deg" : name_of(scene.length_unit)), given,
-        given, Range::between(least_lift_left * given, given), [unit](Scene& changed, double value) {
-            const MotionSpec before = changed.motion;
-            changed.motion.lift = value * unit;
-            keep_written(changed, before);
-        }));
+    const Spelling spelling = motion.lift_is_angle ? scene.spelling_of("motion.lift", spellings::angle[0])
+                                                   : scene.length_spelling_of("motion.lift");
+    const double unit = spelling.factor, given = as_written(motion.lift / unit);
+    all.push_back(number_adjustment(fmt::format("motion.lift{}", spelling.suffix), given, given,
+                                    Range::between(least_lift_left * given, given),
+                                    [unit](Scene& changed, double value) {
+                                        const MotionSpec before = changed.motion;
+                                        changed.motion.lift = value * unit;
+                                        keep_written(changed, before);
+                                    }));
     all.back().usefulness = Usefulness::lift;
 }
 
 // Valve lobes.
 
-/// A number of the lobe; `factor`: SI value of the unit of the key.
-Adjustment valve_change(const Scene& scene, const std::string& key, double factor, double ValveSpec::*member,
-                        double least, double most) {
-    const double given = as_written((*scene.motion.valve).*member / factor);
-    return number_adjustment(key, given, given, Range::between(least * given, most * given),
+/// A number of the lobe.
+Adjustment valve_change(const Scene& scene, const std::string& name, const Spelling& spelling,
+                        double ValveSpec::*member, double least, double most) {
+    const double factor = spelling.factor, given = as_written((*scene.motion.valve).*member / factor);
+    return number_adjustment(fmt::format("{}{}", name, spelling.suffix), given, given,
+                             Range::between(least * given, most * given),
                              [factor, member](Scene& changed, double value) {
                                  ValveSpec valve = *changed.motion.valve;
                                  const double part_before_nose = valve.opening / valve.duration;
@@ -225,11 +237,12 @@ Adjustment valve_change(const Scene& scene, const std::string& key, double facto
 
 std::vector<Adjustment> valve_adjustments(const Scene& scene) {
     std::vector<Adjustment> all;
-    all.push_back(valve_change(scene, "motion.duration_crank_deg", 0.5 * units::degree, &ValveSpec::duration,
-                               1.0, longest_duration));
+    const std::string duration = "motion.duration";
+    all.push_back(valve_change(scene, duration, scene.spelling_of(duration, spellings::cam_angle[2]),
+                               &ValveSpec::duration, 1.0, longest_duration));
     all.back().usefulness = Usefulness::angle;
-    all.push_back(valve_change(scene, std::string("motion.lift_") + name_of(scene.length_unit),
-                               metres_of(scene.length_unit), &ValveSpec::lift, least_lift_left, 1.0));
+    all.push_back(valve_change(scene, "motion.lift", scene.length_spelling_of("motion.lift"),
+                               &ValveSpec::lift, least_lift_left, 1.0));
     all.back().usefulness = Usefulness::lift;
     return all;
 }

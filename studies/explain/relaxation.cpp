@@ -313,7 +313,8 @@ class Explainer {
 
     [[nodiscard]] bool is_idle_fallback(const Adjustment& adjustment) const {
         return adjustment.fallback && std::ranges::any_of(solution_.relaxation, [](const Relaxation& row) {
-                   return row.needed && row.key.ends_with("_deg") && row.key.starts_with("motion.");
+                   return row.needed && row.key.starts_with("motion.") &&
+                          (row.key.ends_with("_deg") || row.key.ends_with("_rad"));
                });
     }
 

@@ -148,6 +148,7 @@ void tell_of_run(Solution& solution, const ResultRecord& record) {
         if (const auto known = record.seconds.find(phase.name); known != record.seconds.end())
             solution.phases.*phase.seconds = known->second;
     solution.notes = record.notes;
+    solution.machine = record.machine;
     if (record.any_curve_limit) {
         // The file has its objective; its peaks are what the scene gives.
         solution.any_curve_limit =

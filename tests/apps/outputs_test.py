@@ -133,11 +133,56 @@ def termination_leaves_no_folder_behind():
     assert not list(out.glob(".*")), list(out.glob(".*"))
 
 
+def a_position_is_counted_counter_clockwise():
+    """By register and by inspect, of points turned by 5 deg counter-clockwise, whichever way the cam rotates."""
+    head = """[motion]
+type = "program"
+lift_mm = 10
+segments = [{ KIND, angle_deg = 80, to = 1 }, { kind = "dwell", angle_deg = 40 }, { KIND, angle_deg = 120, to = 0 },
+            { kind = "dwell", angle_deg = 120 }]
+[cam]
+type = "disk"
+follower = "translating_roller"
+base_radius_mm = 40
+roller_radius_mm = 10
+offset_mm = 6
+"""
+    more = '[measured]\ntable = "points.csv"\ncolumns = ["x_mm", "y_mm"]\nregister = ["angle", "radius"]\nuse = "nearest"\n'
+    folder, turned = FOLDER / "turned", complex(math.cos(math.radians(5)), math.sin(math.radians(5)))
+    folder.mkdir()
+    for rotation in ("counterclockwise", "clockwise"):
+        scene = head + f'rotation = "{rotation}"\n'
+        (folder / "given.toml").write_text(scene.replace("KIND", 'kind = "law", law = "cycloidal"'))
+        run("solve", folder / "given.toml", "--out", folder / "given")
+        points = [turned * complex(float(row["cam_x_mm"]), float(row["cam_y_mm"])) for row in rows_of(folder / "given/profile.csv")]
+        (folder / "points.csv").write_text("x_mm,y_mm\n" + "".join(f"{p.real},{p.imag}\n" for p in points))
+        inspected = run("inspect", folder / "given", folder / "points.csv", "--out", folder / "inspected").stdout
+        assert "how far the cam is turned on the table, counter-clockwise" in inspected, inspected
+        assert "counter-clockwise" in (folder / "inspected/inspection.html").read_text(encoding="utf-8")
+        offset = json.loads((folder / "inspected/inspection.json").read_text())["alignment"][1]["value"]
+        (folder / "found.toml").write_text(scene.replace("KIND", 'kind = "spline"') + more)
+        found = " ".join(run("solve", folder / "found.toml", "--out", folder / "found").stdout.split())
+        assert "the cam is turned by 5 ±" in found and "counter-clockwise on the table" in found, found
+        placed = json.loads((folder / "found/result.json").read_text())["measured"]["register"]["start_deg"]
+        assert abs(offset - 5) < 1e-6 and abs(placed - 5) < 1e-4, (rotation, offset, placed)
+
+
+def valves_are_compared_in_one_unit():
+    intake, exhaust = (ROOT / f"tests/cases/41_{name}.toml" for name in ("intake", "exhaust"))
+    metric = FOLDER / "exhaust.toml"
+    metric.write_text(exhaust.read_text(encoding="utf-8").replace("lift_in = 0.327", "lift_mm = 8.3058"))
+    assert "(--units)" not in run("valves", intake, exhaust).stdout
+    words = run("valves", intake, metric).stdout
+    assert "Lengths are in in, as the intake is written; the exhaust is written in mm" in words and " mm\n" not in words, words
+    assert "(--units)" not in run("valves", intake, metric, "--units", "mm").stdout
+
+
 def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
     for check in (a_motor_is_shown_everywhere, an_axis_that_advances_does_not_fall_back, words_of_a_drawing_lie_apart,
-                  a_name_too_long_for_a_folder_is_refused, termination_leaves_no_folder_behind):
+                  a_name_too_long_for_a_folder_is_refused, a_position_is_counted_counter_clockwise,
+                  valves_are_compared_in_one_unit, termination_leaves_no_folder_behind):
         begin = time.monotonic()
         check()
         print(f"{check.__name__}: {time.monotonic() - begin:.1f} s", flush=True)

@@ -46,7 +46,7 @@ TEST_F(ValvesCommand, SaysOverlapAndClearance) {
     EXPECT_TRUE(at_checking_height);
     const ProgramRun words = run_camopt(both + " --units in");
     EXPECT_NE(words.output.find("16 BTDC"), std::string::npos) << words.output;
-    EXPECT_NE(words.output.find("0.05 in"), std::string::npos) << words.output;
+    EXPECT_NE(words.output.find("0.050 in"), std::string::npos) << words.output;
     const ProgramRun touch = run_camopt(both + " --gap-mm 0.05 --included-deg 24");
     EXPECT_EQ(touch.exit_code, 1);
     EXPECT_NE(touch.output.find("THE VALVES TOUCH"), std::string::npos) << touch.output;

@@ -73,6 +73,28 @@ TEST(InchReport, SuggestedKeysAreInItsUnits) {
     EXPECT_EQ(metric_numbers(report_markdown(solution, {})), "");
 }
 
+TEST(InchReport, SuggestedKeysAreAsWritten) {
+    const std::string written =
+        "objective.jerk = 1\nspline.segments = 8\n"
+        "motion = { type = \"RR\", lift_m = 0.01, rise_rad = 1.5, return_deg = 90, speed_rad_s = 100 }\n"
+        "cam = { type = \"disk\", follower = \"translating_roller\", base_radius_in = 1.2, roller_radius_m = "
+        "0.01 }\n"
+        "[forces]\nmass_lb = 0.8\nspring_rate_n_m = 26000\npreload_lbf = 8\n"
+        "[limits]\ncontact_force_min_lbf = 200\n";
+    const Solution solution = solve(scene_of_toml(written));
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    int rows = 0;
+    for (const Relaxation& row : solution.relaxation) {
+        if (row.key.find(".segments") != std::string::npos) continue;
+        const std::string name = row.key.substr(row.key.find('.') + 1);
+        EXPECT_NE(written.find(name + " ="), std::string::npos) << row.key;
+        for (const CompanionChange& other : row.also)
+            EXPECT_NE(written.find(other.key.substr(other.key.find('.') + 1) + " ="), std::string::npos);
+        ++rows;
+    }
+    EXPECT_GE(rows, 4);
+}
+
 TEST(InchReport, RampsPerDegreeHoldExactly) {
     const Scene scene =
         load_scene(std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/lobe_ramps_in_inches.toml");
@@ -96,12 +118,12 @@ TEST(InchReport, ValveEventsAreInInches) {
     const std::string text = report_markdown(intake, {});
     EXPECT_NE(text.find("| 0.004 in | 67.651 BTDC | 100.651 ABDC |"), std::string::npos) << text;
     EXPECT_NE(text.find("| 0.006 in |"), std::string::npos);
-    EXPECT_NE(text.find("| 0.02 in |"), std::string::npos);
-    EXPECT_NE(text.find("| 0.05 in | 32 BTDC | 65 ABDC | 277 |"), std::string::npos);
-    EXPECT_NE(text.find("duration at 0.05 in of the tappet"), std::string::npos);
+    EXPECT_NE(text.find("| 0.020 in |"), std::string::npos);
+    EXPECT_NE(text.find("| 0.050 in | 32 BTDC | 65 ABDC | 277 |"), std::string::npos);
+    EXPECT_NE(text.find("duration at 0.050 in of the tappet"), std::string::npos);
     EXPECT_EQ(metric_numbers(text), "");
     const Solution exhaust = solve(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/41_exhaust.toml"));
-    EXPECT_NE(report_markdown(exhaust, {}).find("| 0.05 in | 77 BBDC | 37 ATDC | 294 |"), std::string::npos);
+    EXPECT_NE(report_markdown(exhaust, {}).find("| 0.050 in | 77 BBDC | 37 ATDC | 294 |"), std::string::npos);
 }
 
 }  // namespace inch_report_test

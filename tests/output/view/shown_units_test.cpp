@@ -39,7 +39,7 @@ const std::vector<Expected>& expectations() {
         {false, false, millimetre, {"mm", "mm/rad", "mm/rad²", "mm/rad³"}, {}},
         {true, false, inch, {"in", "in/s", "in/s²", "in/s³"}, {"in/rad", "in/rad²", "in/rad³"}},
         {false, false, inch, {"in", "in/rad", "in/rad²", "in/rad³"}, {}},
-        {true, true, millimetre, {"deg", "rad/s", "rad/s²", "rad/s³"}, {"deg/deg", "deg/deg²", "deg/deg³"}},
+        {true, true, millimetre, {"deg", "deg/s", "deg/s²", "deg/s³"}, {"deg/deg", "deg/deg²", "deg/deg³"}},
         {false, true, inch, {"deg", "deg/deg", "deg/deg²", "deg/deg³"}, {}},
     };
     return all;
@@ -80,26 +80,27 @@ TEST(ShownUnits, FactorsAreThoseOfTheNames) {
     EXPECT_EQ(inches.curvature.text(1.0 / 0.0254), "1 1/in");
     // 20 deg in 0.05 s: 400 deg/s.
     const ShownUnits swing = shown_units(scene_of(true, true, LengthUnit::millimetre));
-    EXPECT_NEAR(swing.motion[1].first.per_normalised, 400.0 * degree, 1e-12);
-    EXPECT_NEAR(swing.motion[2].first.per_normalised, 8000.0 * degree, 1e-11);
+    EXPECT_NEAR(swing.motion[1].first.per_normalised, 400.0, 1e-12);
+    EXPECT_NEAR(swing.motion[2].first.per_normalised, 8000.0, 1e-11);
     EXPECT_NEAR(swing.motion[1].beside->per_normalised, 20.0 / 90.0, 1e-15);
     EXPECT_NEAR(swing.motion[2].beside->per_normalised, 20.0 / 8100.0, 1e-16);
     EXPECT_EQ(swing.motion[0].first.text(20.0 * degree), "20 deg");
 }
 
-TEST(ShownUnits, DegreesInputGivesDegreesOutput) {
+TEST(ShownUnits, SwingingOutputHasOneUnit) {
     Scene scene = scene_of(true, true, LengthUnit::millimetre);
-    scene.limits.velocity = PeakLimit{1.5, "limits.velocity_deg_s", 600.0, "deg/s"};
+    scene.limits.velocity = PeakLimit{1.5, "limits.velocity_rad_s", 10.0, "rad/s"};
     const ShownUnits shown = shown_units(scene);
     EXPECT_EQ(shown.motion[1].first.normalised_text(1.0), "400 deg/s");
     EXPECT_EQ(shown.motion[2].first.normalised_text(1.0), "8000 deg/s²");
     EXPECT_EQ(shown.motion[2].first.name, "deg/s²");
-    scene.limits.velocity.reset();
-    scene.motion.via = {{0.5, {}, 1.0, {}}};
-    scene.motion.via[0].units.velocity = "deg/s";
-    EXPECT_EQ(shown_units(scene).motion[1].first.name, "deg/s");
-    scene.motion.via[0].units.velocity = "rad/s";
-    EXPECT_EQ(shown_units(scene).motion[1].first.name, "rad/s");
+}
+
+TEST(ShownUnits, ThousandthsOfAnInchStay) {
+    const ShownUnit inches{"in", units::inch};
+    EXPECT_EQ(inches.asked_text(0.05 * units::inch), "0.050 in");
+    EXPECT_EQ(inches.asked_text(0.4016 * units::inch), "0.4016 in");
+    EXPECT_EQ(millimetres_shown.asked_text(0.05 * units::millimetre), "0.05 mm");
 }
 
 TEST(ShownUnits, ForcesAreThoseOfTheFollower) {

@@ -55,17 +55,17 @@ TEST(KeyWords, NamesAndUnitsOfKeys) {
 }
 
 TEST(KeyWords, ListNumbersCountFromOne) {
-    EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").words,
-              "velocity of set point 1 (motion.via[0].velocity_mm_deg)");
+    EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").words, "velocity of set point 1");
     EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").unit, "mm/deg");
     EXPECT_EQ(key_words("motion.segments[2].via[1].acceleration_m_s2").unit, "m/s²");
-    EXPECT_EQ(key_words("motion.segments[2].angle_deg").words,
-              "angle of segment 3 (motion.segments[2].angle_deg)");
+    EXPECT_EQ(key_words("motion.segments[2].angle_deg").words, "angle of segment 3");
+    EXPECT_EQ(key_words("motion.segments[2].end.velocity").words, "velocity at the end of segment 3");
+    EXPECT_EQ(key_words("motion.via[1].to_deg").words, "last angle of set point 2");
+    EXPECT_EQ(key_words("motion.segments[2].via[0]").words, "set point 1 of segment 3");
     EXPECT_EQ(key_words("motion.segments[2].via[1].acceleration_m_s2").words,
-              "acceleration of set point 2 of segment 3 (motion.segments[2].via[1].acceleration_m_s2)");
+              "acceleration of set point 2 of segment 3");
     EXPECT_EQ(key_words("motion.segments[2].to").unit, "");
-    EXPECT_EQ(key_words("motion.segments[2].to").words,
-              "last displacement of segment 3 (motion.segments[2].to)");
+    EXPECT_EQ(key_words("motion.segments[2].to").words, "last displacement of segment 3");
 }
 
 TEST(KeyWords, ChangeIsRoundedToFeasibleSide) {

@@ -164,9 +164,9 @@ TEST(Region, ContradictedPointIsInfeasibleAndNamed) {
     EXPECT_GT(recomputed_bound(*solution.certificate.proof), 0.0);
     std::string notes;
     for (const std::string& note : solution.notes) notes += note + "\n";
-    EXPECT_NE(notes.find("motion.via[0].velocity = 180 mm/s from 40 deg to 70 deg"), std::string::npos)
+    EXPECT_NE(notes.find("velocity of set point 1 = 180 mm/s from 40 deg to 70 deg"), std::string::npos)
         << notes;
-    EXPECT_NE(notes.find("motion.via[1].velocity = 1.5 at x = 0.5"), std::string::npos) << notes;
+    EXPECT_NE(notes.find("velocity of set point 2 = 1.5 at x = 0.5"), std::string::npos) << notes;
 }
 
 TEST(Region, ThatContradictsTheEndsIsInfeasible) {
@@ -176,10 +176,11 @@ TEST(Region, ThatContradictsTheEndsIsInfeasible) {
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_EQ(solution.certificate.reason, Reason::conditions_contradict);
     ASSERT_EQ(solution.notes.size(), 1u);
-    EXPECT_EQ(solution.notes[0],
-              "motion.via[0].velocity = 180 mm/s from 0 deg to 70 deg contradicts the conditions at the ends "
-              "of the motion, "
-              "at its top or where its segments join; more segments were tried without success: change it");
+    EXPECT_EQ(
+        solution.notes[0],
+        "velocity of set point 1 = 180 mm/s from 0 deg to 70 deg contradicts the conditions at the ends "
+        "of the motion, "
+        "at its top or where its segments join; more segments were tried without success: change it");
 }
 
 /// 40 mm in 10 ms leave nothing for the rest of the lift: no condition contradicts, but no limit can be kept.

@@ -111,7 +111,7 @@ TEST(WornCam, PositionIsFoundWithinStandardErrors) {
         ASSERT_TRUE(measured.place && measured.place->angle && measured.place->zero);
         const MeasuredPlace& place = *measured.place;
         EXPECT_EQ(place.law, "cycloidal");
-        EXPECT_NEAR(place.angle->value, turned, 4.0 * place.angle->error);
+        EXPECT_NEAR(place.angle->value, -turned, 4.0 * place.angle->error);
         EXPECT_LT(place.angle->error, 0.05 * degree);
         EXPECT_NEAR(*place.base_radius, worn_radius, 4.0 * place.zero->error);
         EXPECT_LT(place.zero->error, 5 * um);
@@ -129,7 +129,7 @@ TEST(WornCam, NearestMotionIsProved) {
     const std::string words = measured_sentence(solution);
     EXPECT_NE(words.find("outliers (excluded): "), std::string::npos) << words;
     EXPECT_NE(words.find("row 151 at 150."), std::string::npos) << words;
-    EXPECT_NE(words.find("the motion starts at 37."), std::string::npos) << words;
+    EXPECT_NE(words.find("the cam is turned by −37."), std::string::npos) << words;
     const auto law = make_law("cycloidal");
     const double unit = solution.scene.motion.unit_angle();
     double largest = 0.0;

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""cases_test.py PROGRAM ROOT FOLDER: scenes of tests/cases that earlier versions answered wrongly, with answers computed independently of
+camopt. A case is a row here, or another test names it."""
+
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+PROGRAM, ROOT, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+CASES = ROOT / "tests/cases"
+
+# (words of the command after camopt, exit code, fields of the result file: value and tolerance or text, texts found, texts not found)
+ROWS = [
+    ("solve 40c_seam.toml", 2, {}, ["40c_lift.csv", "s_m = 0.06 in line 362 and s_m = 0.044082 in line 2"], []),
+    ("solve 59_isg_table.toml --set measured.scale=[1e-4,1e-4]", 0,
+     {"verdict": "optimal", "measured.rows": 37, "measured.nearest_laws.0.law": "Cycloidal"}, ["59_cam.tab: 37 rows"], []),
+    ("solve measured_lobe.toml", 0, {"measured.register.start_deg": (81.14, 0.05), "measured.rms_error_mm": (0.00015 * 25.4, 1e-4)},
+     ["cam.face_radius_mm = 16"], ["cam.face_radius_in"]),
+    ("solve very_unequal_return.toml", 0, {"verdict": "optimal", "objective": (2.5467998, 2e-7), "solver.name": "structured"}, [], []),
+    ("solve weak_27378_instead_of_13.toml", 0, {"verdict": "optimal", "objective": (13.2778, 1e-4)}, [], []),
+    # Ipopt's 0.879431 to its own tolerance.
+    ("solve weak_auto_6x_worse_than_ipopt.toml", 0, {"verdict": "optimal", "objective": (0.879431, 2e-5)}, [], []),
+    ("solve 55_die.toml", 0, {"physical_peaks.a_m_s2": (2.89424, 1e-5)}, [], []),
+    ("solve 45c_respecify.toml", 3, {"verdict": "infeasible"}, ["increase the preload to 8.8771 N", "the spring rate to 227.04 N/m"], []),
+    ("solve 43_laws.toml", 3, {}, [], ["curve of this spline", "More segments", "weights"]),
+    ("solve contradicting_verdicts.toml", 3, {"verdict": "infeasible"}, [], []),
+    # The die alone: 60 rpm at 2.89424 m/s^2, thus 111.528 rpm at 10 m/s^2.
+    ("machine 55c_press.toml", 0, {"verdict": "optimal", "speed_rpm": (111.528, 0.06), "impossible_above_rpm": (111.528, 0.06)}, [], []),
+    # Its clearance begins 1 deg later than the corridor of 55c_press.
+    ("machine machine_indexing/55_press.toml", 0,
+     {"verdict": "optimal", "speed_rpm": (113.595, 0.06), "impossible_above_rpm": (113.595, 0.06)}, [], []),
+    ("solve inch_lobe.toml", 0, {"verdict": "optimal"}, ["0.004 in", "0.006 in", "0.020 in", "0.050 in"],
+     ["0.0039370", "0.00393701", "mm/deg", " mm ", " mm\n"]),
+]
+
+
+def value_at(document, path):
+    for name in path.split("."):
+        document = document[int(name) if name.isdigit() else name]
+    return document
+
+
+def answer(row, out):
+    words, code, fields, found, absent = row
+    command, scene, *settings = words.split()
+    done = subprocess.run([PROGRAM, command, str(CASES / scene), *settings, "--out", str(out)], capture_output=True, text=True, timeout=120,
+                          check=False)
+    assert done.returncode == code, (words, done.returncode, done.stderr)
+    text = done.stdout + done.stderr
+    if fields:
+        document = json.loads((out / ("machine.json" if command == "machine" else "result.json")).read_text(encoding="utf-8"))
+    for path, right in fields.items():
+        is_at = value_at(document, path)
+        fits = abs(is_at - right[0]) <= right[1] if isinstance(right, tuple) else is_at == right
+        assert fits, (words, path, is_at, right)
+    for words_found in found:
+        assert words_found in text, (words, words_found, text)
+    for words_absent in absent:
+        assert words_absent not in text, (words, words_absent, text)
+
+
+def every_case_has_a_test():
+    rows = " ".join(words for words, *_ in ROWS)
+    tests = [path.read_text(encoding="utf-8") for folder in (ROOT / "tests").iterdir() if folder.is_dir() and folder.name != "cases"
+             for path in folder.rglob("*") if path.suffix in {".py", ".cpp"} and path != pathlib.Path(__file__)]
+    scenes = "".join(path.read_text(encoding="utf-8") for path in CASES.rglob("*.toml"))
+    for case in CASES.iterdir():
+        name = case.stem if case.suffix == ".toml" else case.name
+        used = re.search(rf'"{re.escape(case.name)}"', scenes)  # of another case
+        assert used or re.search(rf"\b{re.escape(name)}\b", rows) or any(name in text for text in tests), f"no test reads {case}"
+
+
+def main():
+    every_case_has_a_test()
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    for i, row in enumerate(ROWS):
+        answer(row, FOLDER / str(i))
+    print(f"{len(ROWS)} cases have their right answer")
+
+
+main()
