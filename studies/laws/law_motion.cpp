@@ -198,9 +198,10 @@ LawMotion law_motion(std::span<const LawStroke> strokes, bool closed, const std:
 Peaks law_peaks(const LawStroke& stroke, const Law& law, const MotionChain& motion, bool closed) {
     Peaks peaks = stretched(law, stroke);
     double least = peaks.acceleration.value;
-    for (const double x : motion.breakpoints())
-        for (const Side side : {Side::left, Side::right})
-            least = std::max(least, std::abs(motion.at(x, side).derivative[2]));
+    // The laws of other strokes have their peaks neither at breakpoints nor in the middle.
+    const std::vector<double> points = motion.breakpoints();
+    for (std::size_t i = 1; i < points.size(); ++i)
+        least = std::max(least, std::abs(motion.at(std::lerp(points[i - 1], points[i], 0.3)).derivative[2]));
     if (const auto x = impulse_of(stroke, law, motion, closed, smallest_jump * least)) {
         peaks.jerk = {infinity, *x, Side::right};
         derivative_mean(peaks, 3) = infinity;

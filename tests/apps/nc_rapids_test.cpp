@@ -102,7 +102,7 @@ TEST(NcRapids, ClearBlankAtAnyTableAngle) {
     EXPECT_GT(cam.rapids.front(), cam.body.farthest + 1.0);
 }
 
-TEST(NcCheck, MeasuresToTheDesignedCamAtBlockEnds) {
+TEST(NcCheck, FindsNoStockAtBlockEnds) {
     const test::TemporaryFolder folder;
     const ProgramRun run = run_camopt("export " CAMOPT_SOURCE_DIR "/tests/cases/48_weld.toml --out " +
                                       folder.path() + " --nc --cutter-mm 30.48 --full-depth --chord-mm 0.01");

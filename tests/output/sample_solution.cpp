@@ -152,10 +152,13 @@ Solution program_solution() {
         (solution.peaks.*peak).at += up;
     solution.motion_peaks = solution.peaks;
     solution.motion_peaks.velocity = {2 * 1.7596, 3.75};
+    Peaks law = make_law("modified_sine")->peaks();
+    for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque})
+        (law.*peak).at = down + (end - down) * (law.*peak).at;
     solution.segments = {{SegmentKind::dwell, {}, 0.0, up, 0.0, 0.0, {}, {}, 2},
                          {SegmentKind::spline, {}, up, top, 0.0, 1.0, solution.peaks, curve, 2},
                          {SegmentKind::dwell, {}, top, down, 1.0, 1.0, {}, {}, 2},
-                         {SegmentKind::law, "modified_sine", down, end, 1.0, 0.0, {}, {}, 2}};
+                         {SegmentKind::law, "modified_sine", down, end, 1.0, 0.0, law, {}, 2}};
     solution.any_curve_limit.reset();
     return solution;
 }
