@@ -146,14 +146,9 @@ def largest(folder, column):
     return next(value for value in values if abs(value) >= most * (1 - 1e-7))
 
 
-def is_in_degrees(scene):
-    """A swinging scene that is written in deg/s is answered in deg/s."""
-    return any("_deg_s" in key for table in scene.values() if isinstance(table, dict) for key in table)
-
-
-def check_peaks(name, folder, report, swings, inches, degrees=False):
+def check_peaks(name, folder, report, swings, inches):
     """What the table of peaks says first and beside is what the CSV holds."""
-    length = ("rad", "rad") if swings else ("mm", "m")
+    length = ("deg", "deg") if swings else ("mm", "m")
     first = {"velocity": (f"v_{length[0]}_s", f"{length[0]}/s"),
              "acceleration": (f"a_{length[1]}_s2", f"{length[1]}/s²"),
              "jerk": (f"j_{length[1]}_s3", f"{length[1]}/s³")}
@@ -165,8 +160,6 @@ def check_peaks(name, folder, report, swings, inches, degrees=False):
         value, value_beside = largest(folder, column), largest(folder, beside[peak])
         if value is None:
             continue
-        if degrees:
-            value, unit = value * 180 / math.pi, unit.replace("rad", "deg")
         if inches:
             value, unit = value / (INCH if peak == "velocity" else INCH / 1000), unit.replace("mm", "in").replace(
                 "m/", "in/")
@@ -178,11 +171,11 @@ def check_peaks(name, folder, report, swings, inches, degrees=False):
 
 
 def check_order(name, text):
-    """Where the motion is told by the cam angle, it is told in time before, on the same line; what names a key keeps its
-    unit."""
+    """Where the motion is told by the cam angle, it is told in time before, on the same line; what names a key or a set point keeps
+    its unit."""
     for line in text.splitlines():
         found = BY_ANGLE.search(line)
-        if found and not re.search(r"_(?:mm|in|m)_rad2?\b", line):
+        if found and not re.search(r"_(?:mm|in|m)_rad2?\b|of set point \d", line):
             before = line[:found.start()]
             check(any(unit in before for unit in IN_TIME), name, "says", found.group(), "first:", line)
 
@@ -219,7 +212,7 @@ def check_scenes(known):
         if not any(key.startswith("speed_") for key in scene["motion"]) or not (folder / "motion.csv").exists():
             continue
         timed += 1
-        check_peaks(path.stem, folder, report, is_swinging(scene), inches, is_in_degrees(scene))
+        check_peaks(path.stem, folder, report, is_swinging(scene), inches)
         check_order(path.stem, console)
         check_order(path.stem, report)
     check(timed >= 8, "only", timed, "example scenes have a speed")
