@@ -3,7 +3,7 @@
 #include "output/view/shown_units.hpp"
 #include "output/view/view.hpp"
 #include "output/words/solution_text.hpp"
-#include "studies/explain/adjustment.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/ranges.h>
 
@@ -201,9 +201,7 @@ void tell_finest(std::vector<std::string>& all, const Explanation& explanation) 
 void tell_set_points(std::vector<std::string>& all, const Solution& solution) {
     const MotionSpec& motion = solution.scene.motion;
     std::vector<std::string> words;
-    std::vector<PlacedPoint> points = placed_points(motion);
-    for (PlacedPoint& end : given_ends(motion)) points.push_back(std::move(end));
-    for (const PlacedPoint& point : points) {
+    for (const PlacedPoint& point : placed_points(motion)) {
         if (std::ranges::find(solution.explanation->set_points, point.member) ==
             solution.explanation->set_points.end())
             continue;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "scene/key_row.hpp"
-#include "scene/motion/set_points.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {
@@ -45,7 +44,8 @@ struct Adjustment {
 /// Preload, spring rate, width of contact, and the speed that forces and limits in time depend on.
 [[nodiscard]] std::vector<Adjustment> operating_adjustments(const Scene& scene);
 
-/// Angles of rise, return and segments (each with the dwell that gives way), the lift, displacements `to`.
+/// Angles of rise, return and segments (each with the dwell that gives way), the lift, displacements `to`,
+/// velocities of motion.start and motion.end.
 [[nodiscard]] std::vector<Adjustment> motion_adjustments(const Scene& scene);
 
 /// A set point, the scene without it, and its numbers.
@@ -65,8 +65,6 @@ struct SetPointChanges {
     std::optional<Adjustment> place;  ///< its cam angle; not of a region
 };
 [[nodiscard]] std::vector<SetPointChanges> set_point_changes(const Scene& scene);
-/// motion.start and motion.end, where they are given: their velocities change as those of set points.
-[[nodiscard]] std::vector<PlacedPoint> given_ends(const MotionSpec& motion);
 
 // For a scene without a motion: what would have to change.
 //

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Angles, lift and displacements: what a user could change about the motion that was asked for. What a scene
 // file gives in units keeps its value in units, so that the file with the changed numbers is the scene.
+#include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 
 #include <fmt/format.h>
@@ -261,15 +262,17 @@ struct Place {
     double angle = 1.0, width = 1.0;  ///< of what normalises it: rad, x
     std::optional<SetPoint> MotionSpec::*end = nullptr;
 
+    Place(const Scene& scene, const PlacedPoint& point, std::size_t which)
+        : segment(point.segment), index(which) {
+        angle = segment < 0 ? scene.motion.unit_angle()
+                            : scene.motion.segments[static_cast<std::size_t>(segment)].angle;
+        width = angle / scene.motion.unit_angle();
+    }
     [[nodiscard]] SetPoint& in(Scene& scene) const {
         return end != nullptr ? *(scene.motion.*end) : points_of(scene.motion, segment)[index];
     }
     [[nodiscard]] Scene removed_from(const Scene& scene) const {
         Scene changed = scene;
-        if (end != nullptr) {
-            (changed.motion.*end).reset();
-            return changed;
-        }
         std::vector<SetPoint>& points = points_of(changed.motion, segment);
         points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
         copy_repeats(changed.motion);
@@ -291,13 +294,35 @@ SetPointChanges::Value value_of(const Scene& scene, const PlacedPoint& point, co
                           [place, order, own_unit](Scene& changed, double wanted) {
                               value_of(place.in(changed), order) = wanted * own_unit;
                           });
-    if (point.is_region() && order > 0) return value;
+    if (place.end != nullptr || (point.is_region() && order > 0)) return value;
     const bool only =
         std::ranges::count_if(point.wanted, [](const auto& one) { return one.has_value(); }) == 1;
     value.without = only ? place.removed_from(scene) : scene;
     if (!only) value_of(place.in(*value.without), order).reset();
     copy_repeats(value.without->motion);
     return value;
+}
+
+/// The velocities at ends in motion.
+void add_ends(std::vector<Adjustment>& all, const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    for (const auto end : {&MotionSpec::start, &MotionSpec::end}) {
+        if (!(motion.*end)) continue;
+        const bool at_end = end == &MotionSpec::end;
+        PlacedPoint point;
+        point.member = at_end ? "motion.end" : "motion.start";
+        if (motion.type == MotionType::program)
+            point.segment = at_end ? static_cast<int>(motion.segments.size()) - 1 : 0;
+        point.units = (motion.*end)->units;
+        Place place(scene, point, 0);
+        place.end = end;
+        const std::array<double, 2> given = end_velocities(motion, at_end);
+        for (int order = 1; order <= 2; ++order) {
+            const auto which = static_cast<std::size_t>(order);
+            point.wanted[which] = given[which - 1];
+            if (given[which - 1] != 0.0) all.push_back(value_of(scene, point, place, order).change);
+        }
+    }
 }
 
 Adjustment place_change(const Scene& scene, const PlacedPoint& point, const Place& place) {
@@ -324,46 +349,15 @@ std::vector<Adjustment> motion_adjustments(const Scene& scene) {
         add_strokes(all, scene);
     }
     add_lift(all, scene);
+    add_ends(all, scene);
     // What has no room to move is no change.
     std::erase_if(all, [](const Adjustment& one) { return !one.may_grow && !one.may_shrink; });
-    return all;
-}
-
-std::vector<PlacedPoint> given_ends(const MotionSpec& motion) {
-    std::vector<PlacedPoint> all;
-    for (const bool at_end : {false, true}) {
-        const std::optional<SetPoint>& given = at_end ? motion.end : motion.start;
-        if (!given) continue;
-        PlacedPoint point;
-        point.member = at_end ? "motion.end" : "motion.start";
-        if (motion.type == MotionType::program)
-            point.segment = at_end ? static_cast<int>(motion.segments.size()) - 1 : 0;
-        point.begin = point.end = at_end ? motion.length() : 0.0;
-        const std::array<double, 2> velocities = end_velocities(motion, at_end);
-        if (given->velocity) point.wanted[1] = velocities[0];
-        if (given->acceleration) point.wanted[2] = velocities[1];
-        point.units = given->units;
-        point.units.place = "deg";  // they have no place of their own
-        all.push_back(std::move(point));
-    }
     return all;
 }
 
 std::vector<SetPointChanges> set_point_changes(const Scene& scene) {
     std::vector<SetPointChanges> all;
     if (scene.motion.valve) return all;  // they are the lobe's duration
-    const auto add = [&](const PlacedPoint& point, Place place) {
-        place.angle = point.segment < 0
-                          ? scene.motion.unit_angle()
-                          : scene.motion.segments[static_cast<std::size_t>(point.segment)].angle;
-        place.width = place.angle / scene.motion.unit_angle();
-        SetPointChanges changes{point.member, point.begin, place.removed_from(scene), {}, std::nullopt};
-        for (int order = 0; order < 3; ++order)
-            if (point.wanted[static_cast<std::size_t>(order)])
-                changes.values.push_back(value_of(scene, point, place, order));
-        if (!point.is_region() && place.end == nullptr) changes.place = place_change(scene, point, place);
-        all.push_back(std::move(changes));
-    };
     int segment = -1;
     std::size_t index = 0;
     for (const PlacedPoint& point : placed_points(scene.motion)) {
@@ -371,10 +365,14 @@ std::vector<SetPointChanges> set_point_changes(const Scene& scene) {
         segment = point.segment;
         const bool copy = segment >= static_cast<int>(scene.motion.own_segments());
         if (copy || point.member.ends_with(".end")) continue;
-        add(point, {segment, index});
+        const Place place(scene, point, index);
+        SetPointChanges changes{point.member, point.begin, place.removed_from(scene), {}, std::nullopt};
+        for (int order = 0; order < 3; ++order)
+            if (point.wanted[static_cast<std::size_t>(order)])
+                changes.values.push_back(value_of(scene, point, place, order));
+        if (!point.is_region()) changes.place = place_change(scene, point, place);
+        all.push_back(std::move(changes));
     }
-    for (const PlacedPoint& point : given_ends(scene.motion))
-        add(point, {.end = point.member == "motion.end" ? &MotionSpec::end : &MotionSpec::start});
     return all;
 }
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace camopt {
@@ -201,17 +202,15 @@ TEST(JointRelaxation, ScalesLowerLimitsEqually) {
     scene.solver.explain_seconds = 30.0;
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.explanation);
-    double factor = 0.0;
-    bool lower = false;
-    for (const Relaxation& row : solution.explanation->together) {
-        const bool of_radius = row.key == "limits.concave_radius_min_mm";
-        const double own = of_radius ? row.given / *row.needed : *row.needed / row.given;
-        if (factor == 0.0) factor = own;
-        EXPECT_NEAR(own, factor, 1e-9) << row.key;
-        lower |= of_radius;
-    }
-    EXPECT_TRUE(lower);
-    EXPECT_GT(factor, 1.0);
+    std::map<std::string, double> factors;
+    for (const Relaxation& row : solution.explanation->together)
+        factors[row.key] =
+            row.key == "limits.concave_radius_min_mm" ? row.given / *row.needed : *row.needed / row.given;
+    ASSERT_EQ(factors.size(), 3U);
+    const double common = factors["limits.pressure_angle_deg"];
+    EXPECT_NEAR(factors["limits.concave_radius_min_mm"], common, 1e-9);
+    EXPECT_GT(factors["limits.velocity"], 1.0);
+    EXPECT_LT(factors["limits.velocity"], 0.9 * common) << "by no more than the others require";
 }
 
 TEST(Adjustment, LongerRiseUsesAngleOfReturn) {
@@ -323,12 +322,11 @@ TEST(Conflict, OfFreeKnotsNamesLimits) {
     EXPECT_EQ(solution.conflict.size(), 2U);
 }
 
-TEST(Conflict, MotionStartIsChangedAndNamed) {
+TEST(Adjustment, StartOfMotionIsChanged) {
     const Solution solution =
         solved_case("49_moving_start",
                     {"limits.velocity_mm_s=800", "limits.jerk_m_s3=2000", "limits.acceleration_m_s2=400"});
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
-    EXPECT_EQ(solution.explanation->set_points, std::vector<std::string>{"motion.start"});
     const Relaxation* const row = row_of(solution, "motion.start.velocity_mm_s");
     ASSERT_TRUE(row && row->solved);
     EXPECT_LE(*row->solved, 800.0);
@@ -340,8 +338,9 @@ TEST(PrescribedMotion, IsShownWhereItViolatesLimit) {
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     ASSERT_TRUE(solution.motion && solution.cam);
     ASSERT_EQ(solution.constraints.size(), 1U);
-    // With any offset a base radius of 60 mm needs 24.01 deg at least.
-    EXPECT_NEAR(solution.constraints[0].worst, 24.01, 0.05);
+    // No offset has less than 24.01 deg.
+    EXPECT_GE(solution.constraints[0].worst, 24.01);
+    EXPECT_LE(solution.constraints[0].worst, 24.7);
 }
 
 }  // namespace relaxation_test
