@@ -85,7 +85,7 @@ TEST(InchReport, SuggestedKeysAreAsWritten) {
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     int rows = 0;
     for (const Relaxation& row : solution.relaxation) {
-        if (row.key.find(".segments") != std::string::npos) continue;
+        if (row.key == "spline.segments" || row.key == "cam.offset_mm") continue;  // not written
         const std::string name = row.key.substr(row.key.find('.') + 1);
         EXPECT_NE(written.find(name + " ="), std::string::npos) << row.key;
         for (const CompanionChange& other : row.also)

@@ -356,9 +356,9 @@ TEST(SolutionText, ProgramHasTableOfSegments) {
     const TextTable table = segment_table(solution);
     ASSERT_EQ(table.rows.size(), 4U);
     EXPECT_EQ(table.rows[1],
-              (std::vector<std::string>{"spline", "60", "150", "90", "0", "10", "2", "8", "32", "C2"}));
+              (std::vector<std::string>{"2 spline", "60", "150", "90", "0", "10", "2", "8", "32", "C2"}));
     EXPECT_EQ(table.rows[0][6], "–");
-    EXPECT_EQ(table.rows[3][0], "modified sine");
+    EXPECT_EQ(table.rows[3][0], "4 modified sine");
     EXPECT_EQ(table.rows[3][6], "1.7596");
     const std::string text = summary_text(solution, {});
     EXPECT_TRUE(says(text, "modified sine"));
