@@ -42,9 +42,9 @@ struct ViewTable {
 [[nodiscard]] TextTable limit_table(const Solution& solution);
 /// What is allowed: "30 deg".
 [[nodiscard]] std::string limit_text(const ConstraintReport& row);
-/// "29.8 deg on the outer flank", "undercut, no contact", "nowhere concave".
 /// "active", "not active", "violated".
 [[nodiscard]] const char* standing_words(const Solution& solution, const ConstraintReport& row);
+/// "29.8 deg on the outer flank", "undercut, no contact", "nowhere concave".
 [[nodiscard]] std::string reached_text(const ConstraintReport& row, int digits = 9);
 /// The cam angle of it; "–" where it is nowhere.
 [[nodiscard]] std::string reached_degrees(const Solution& solution, const ConstraintReport& row);

@@ -65,7 +65,8 @@ TEST(PageHtml, StaysSmallWhereNothingIsSolid) {
 }
 
 TEST(PageHtml, ShowsNearestMotionWhereNoneExists) {
-    const Solution solution = test::infeasible_cam_solution();
+    Solution solution = test::infeasible_cam_solution();
+    solution.scene.limits.pressure_angle->value = 5.0 * units::degree;
     const std::string html = report_html(solution);
     EXPECT_NE(html.find("The curves show the motion that violates the limits least"), std::string::npos);
     EXPECT_NE(html.find("\"key\":\"acceleration\""), std::string::npos);
