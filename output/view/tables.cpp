@@ -375,7 +375,10 @@ std::vector<ViewTable> result_tables(const Solution& solution) {
     if (solution.measured)
         add("measured", "Measured motion", measured_table(solution), measured_sentence(solution) + ".");
     if (!solution.motion) return all;
-    add("peaks", "Peaks", peak_table(solution), peak_note + any_curve_note(solution));
+    add("peaks", "Peaks", peak_table(solution),
+        solution.scene.motion.prescribed()
+            ? "Peaks are exact, not sampled. Normalised: by each law's own angle and displacement."
+            : peak_note + any_curve_note(solution));
     for (ViewTable& table : valve_tables(solution)) all.push_back(std::move(table));
     add("segments", "Segments", segment_table(solution), segment_table_note());
     add("limits", "Limits", limit_table(solution), verification_words(solution.constraints));

@@ -302,7 +302,8 @@ class Explainer {
         const std::vector<ConflictReport>& conflict = solution_.conflict;
         const auto takes_part = [&](const Adjustment& one) {
             return conflict.empty() || std::ranges::any_of(conflict, [&](const ConflictReport& row) {
-                       return one.limit ? row.key == one.key : row.at >= one.begin && row.at <= one.end;
+                       if (one.limit) return row.key == one.key;
+                       return std::isnan(row.at) || (row.at >= one.begin && row.at <= one.end);
                    });
         };
         for (Adjustment& one : all)

@@ -70,7 +70,6 @@ TEST(PageHtml, ShowsNearestMotionWhereNoneExists) {
     const std::string html = report_html(solution);
     EXPECT_NE(html.find("The curves show the motion that violates the limits least"), std::string::npos);
     EXPECT_NE(html.find("\"key\":\"acceleration\""), std::string::npos);
-    EXPECT_NE(html.find("violated"), std::string::npos);
     EXPECT_FALSE(solution.motion);
 }
 
