@@ -107,7 +107,8 @@ def judge(folder, report, vipr_path):
     agree(certificate, result)
     if verdict not in ("optimal", "local", "feasible", "infeasible"):
         raise Unverified(f"nothing: the verdict {verdict} claims nothing")
-    if verdict == "infeasible" and (result["motion"] is not None or certificate["objective"] is not None):
+    shown = result["motion"] is not None or certificate["objective"] is not None
+    if verdict == "infeasible" and shown and not is_prescribed(scene):
         raise Refuted("a motion is delivered where there is said to be none")
     if verdict != "infeasible" and result["motion"] is None:
         raise Refuted("no motion is delivered")
@@ -126,7 +127,9 @@ def judge(folder, report, vipr_path):
         return judge_infeasible(free, proof, report, vipr_path, certificate["cases"], lambda rises: with_free_displacements(free, result, rises))
     relaxed = relaxed_by(proof) if proof else Fraction(0)
     if verdict == "infeasible":
-        if is_prescribed(scene):
+        if is_prescribed(scene):  # the motion that passes the limit is shown
+            if shown:
+                judge_objective(problem, certificate, result, report)
             return judge_passed_limit(problem, proof, report)
         if "boxes" in certificate:
             return judge_empty_boxes(problem, certificate["boxes"], report)
