@@ -63,7 +63,8 @@ double limited_derivative(const CamModel& model, int order) {
         }
         largest = std::max({largest, std::abs(least), std::abs(most)});
     }
-    return largest > 0.0 ? largest : infinity;
+    if (largest > 0.0) return largest;
+    return infinity;
 }
 
 /// What the terms cost at least.
