@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Ends in motion, bounds, lost area, prescribed motions and loads: motions_test.py CAMOPT [NAME ... | --loads].
+"""Ends in motion, bounds, lost area, prescribed motions and loads: motions_test.py CAMOPT [NAME ... | --loads | --half K].
 
 Every scene of motion_scenes.py (--loads: its longest ones, those of load_scenes.py and dimension_scenes.py, and the laws) is solved and
 must be confirmed. With a changed scene.toml, whose optimum is another one, with another lost area, or with the row of a limit that holds
@@ -192,6 +192,8 @@ def main():
     module, refuted = checker.load(), 0
     if sys.argv[2:] == ["--loads"]:  # with the laws, the longer half
         chosen, faults = list(LONGER), laws(sys.argv[1])
+    elif sys.argv[2:3] == ["--half"]:  # 0 or 1, of the others
+        chosen, faults = [name for name in motion_scenes.TEXTS if name not in LONGEST][int(sys.argv[3])::2], []
     else:
         chosen, faults = sys.argv[2:] or [name for name in motion_scenes.TEXTS if name not in LONGEST], []
     with tempfile.TemporaryDirectory() as place:
