@@ -101,9 +101,11 @@ std::string page_html(const PageHtml& page) {
 }
 
 std::string report_html(const View& view, const RunOrigin& origin) {
-    const SolveControl timed = SolveControl{}.sooner(view.solution.scene.solver.explain_seconds);
-    if (Solution nearest = view.solution; show_nearest(nearest, timed))
-        return report_html(View(nearest), origin);
+    if (!view.solution.motion) {
+        const SolveControl timed = SolveControl{}.sooner(view.solution.scene.solver.explain_seconds);
+        if (Solution nearest = view.solution; show_nearest(nearest, timed))
+            return report_html(View(nearest), origin);
+    }
     const Solution& solution = view.solution;
     PageHtml page;
     page.title = solution.scene.title.empty() ? "Motion" : solution.scene.title;

@@ -163,7 +163,7 @@ class JointSearch {
         }
         return least_between(high, low, all);
     }
-    /// One that has to give way far would take the others along farther than they need.
+    /// One that has to give way far would take the others along further than they need.
     void give_back(std::vector<double>& parts) const {
         const auto does_with = [&](std::size_t i) {
             return [this, &parts, i](double part) {
@@ -189,10 +189,10 @@ class JointSearch {
             const Adjustment& one = members_[i];
             const double needed = value_of(one, factor * parts[i]),
                          size = std::max(std::abs(needed), one.step);
-            const double told = std::clamp(safe_value(needed, one.may_grow, size),
-                                           std::min(one.least, one.given), std::max(one.most, one.given));
-            rows.push_back({one.key, one.given, needed, told});
-            changed = one.with(changed, told);
+            const double reported = std::clamp(safe_value(needed, one.may_grow, size),
+                                               std::min(one.least, one.given), std::max(one.most, one.given));
+            rows.push_back({one.key, one.given, needed, reported});
+            changed = one.with(changed, reported);
         }
         return rows;
     }

@@ -193,7 +193,7 @@ Solution solve_and_audit(const Scene& scene, const SolveControl& timed, KnownSol
     const Stopwatch watch;
     if (!options.look) {
         audit_delivered(solution);
-        // It exists whatever limit it violates.
+        // It exists even where it violates a limit.
         if (scene.motion.prescribed() && show_nearest(solution, timed))
             solution.certificate.objective = defined_objective(solution);
     }
@@ -321,7 +321,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     }
     solution.plan = plan;
     solution.phases.setup += seconds_posed;
-    // Whatever ended last, a search that had no more time has not found that there is no point.
+    // A search without time left is no finding that there is no point, also where another one ended last.
     std::optional<Termination> ended = timed.ending();
     if (!ended && timed.in_vain.passed()) ended = Termination::time_limit;
     if (solution.certificate.reason == Reason::no_feasible_point && ended)
