@@ -8,17 +8,16 @@ option(CAMOPT_PRECOMPILED_HEADERS "Compile the headers of Eigen, fmt and the sta
 set(camopt_precompiled_list <algorithm> <array> <cmath> <functional> <limits> <map> <memory> <optional> <span> <string>
   <vector> <Eigen/Core> <Eigen/SparseCore>)
 
-# camopt_precompile(<name> PIC <ON|OFF> EXTENSIONS <ON|OFF> LIBRARIES … HEADERS … DEFINITIONS … OPTIONS …): what camopt_use_precompiled can
+# camopt_precompile(<name> PIC <ON|OFF> EXTENSIONS <ON|OFF> LIBRARIES … HEADERS … OPTIONS …): what camopt_use_precompiled can
 # name. Those who use it are compiled with the same choices, or the compiler does not take it.
 function(camopt_precompile name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PIC;EXTENSIONS" "LIBRARIES;HEADERS;DEFINITIONS;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PIC;EXTENSIONS" "LIBRARIES;HEADERS;OPTIONS")
   if(NOT CAMOPT_PRECOMPILED_HEADERS)
     return()
   endif()
   file(CONFIGURE OUTPUT ${name}.cpp CONTENT "// Nothing: it brings the precompiled headers.\n")
   add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
   target_compile_features(${name} PUBLIC cxx_std_20)
-  target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS ${arg_EXTENSIONS}
     POSITION_INDEPENDENT_CODE ${arg_PIC})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} camopt_warnings camopt_instrumentation)

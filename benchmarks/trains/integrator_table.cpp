@@ -142,12 +142,10 @@ class IntegratorTable {
         std::string status = run.status;
         if (status == "ok") {
             const double place = run.state[states / 2 - 1], rate = run.state[states - 1];
-            error = std::max(std::abs(place - truth.output) / truth.largest_output,
-                             std::abs(rate - truth.rate) / truth.largest_rate);
-            if (!(*error < 1.0)) {
-                status = "wrong";
-                if (!std::isfinite(*error)) error.reset();
-            }
+            const double distance = std::max(std::abs(place - truth.output) / truth.largest_output,
+                                             std::abs(rate - truth.rate) / truth.largest_rate);
+            if (!(distance < 1.0)) status = "wrong";
+            if (std::isfinite(distance)) error = distance;
         }
         const double ratio = timed_run.seconds / exact_seconds_;
         auto& best = least_[method][{one.train, one.damping}][one.ratio];

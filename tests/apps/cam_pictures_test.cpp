@@ -4,6 +4,7 @@
 #include "program.hpp"
 #include "tests/output/drawing/dxf_text.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -84,7 +85,7 @@ TEST(ProfileDxf, FaceWidthMatchesScene) {
 TEST(ProfileSvg, MissingFaceWidthIsReported) {
     const test::TemporaryFolder folder;
     const std::string scene = folder.path() + "/open_face.toml";
-    std::string text = read_text_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/cam_flat.toml");
+    std::string text = read_text_file(source_folder() + "/scenes/cam_flat.toml");
     text.replace(text.find("face_half_width_mm"), 1, "# f");
     write_text_file(scene, text);
     const std::string svg = file_of(scene, folder.path(), "profile.svg");

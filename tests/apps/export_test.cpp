@@ -4,6 +4,7 @@
 #include "output/surface/step/step_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +43,7 @@ TEST(ExportCommand, TakesAPostProcessor) {
     const test::TemporaryFolder folder;
     const ProgramRun run =
         run_camopt("export " + test::scene("barrel_paper_cup") + " --out " + folder.path() + quick +
-                   " --nc --post " CAMOPT_SOURCE_DIR "/docs/posts/rotary_table_mm.toml");
+                   " --nc --post " + source_folder() + "/docs/posts/rotary_table_mm.toml");
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     const std::string program = read_text_file(folder.path() + "/cam.nc");
     EXPECT_EQ(program.substr(0, 15), "G17 G40 G80 G54");

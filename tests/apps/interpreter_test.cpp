@@ -6,6 +6,7 @@
 #include "output/nc/nc_reader.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -120,7 +121,7 @@ Followed followed(const Example& one, const std::string& program) {
                      : one.machine == "four" ? rotary_table_machine()
                                              : table_tilting_machine(0.12);
     result.post = generic_post(*result.machine);
-    if (!one.post.empty()) result.post = read_post(CAMOPT_SOURCE_DIR "/docs/posts/" + one.post, result.post);
+    if (!one.post.empty()) result.post = read_post(source_folder() + "/docs/posts/" + one.post, result.post);
     result.printed_moves = read_nc_travel(program, *result.machine, result.post);
     result.moves = compensated(result.printed_moves, 0.5e-3 * one.cutter_mm);
     return result;
@@ -235,7 +236,7 @@ TEST_P(LinuxCnc, CommandsTheMotionsThatWereChecked) {
     const Example& one = GetParam();
     const test::TemporaryFolder folder;
     std::string options = one.options + " --tool-number 1 --spindle-rpm 2000";
-    if (!one.post.empty()) options += " --post " CAMOPT_SOURCE_DIR "/docs/posts/" + one.post;
+    if (!one.post.empty()) options += " --post " + source_folder() + "/docs/posts/" + one.post;
     const ProgramRun run =
         run_camopt("export " + test::scene(one.scene) + " --out " + folder.path() + " --nc" + options);
     ASSERT_EQ(run.exit_code, 0) << run.errors;

@@ -3,6 +3,7 @@
 #include "core/text/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -104,7 +105,7 @@ TEST(NcRapids, ClearBlankAtAnyTableAngle) {
 
 TEST(NcCheck, FindsNoStockAtBlockEnds) {
     const test::TemporaryFolder folder;
-    const ProgramRun run = run_camopt("export " CAMOPT_SOURCE_DIR "/tests/cases/48_weld.toml --out " +
+    const ProgramRun run = run_camopt("export " + source_folder() + "/tests/cases/48_weld.toml --out " +
                                       folder.path() + " --nc --cutter-mm 30.48 --full-depth --chord-mm 0.01");
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     const std::string check = read_text_file(folder.path() + "/cam_nc_check.txt");

@@ -3,6 +3,7 @@
 
 #include "core/text/text_file.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <cstdlib>
 #include <sys/wait.h>
@@ -36,7 +37,7 @@ ProgramRun run_camopt_interrupted(const std::string& arguments, double seconds) 
 }
 
 std::string scene(const std::string& name) {
-    return std::string("'") + CAMOPT_SOURCE_DIR + "/scenes/" + name + ".toml'";
+    return "'" + source_folder() + "/scenes/" + name + ".toml'";
 }
 
 }  // namespace camopt::test

@@ -5,6 +5,7 @@
 #include "core/text/text_file.hpp"
 #include "output/json/certificate_json.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -225,7 +226,7 @@ TEST(Program, CheckNeedsNoSolve) {
 
 std::vector<std::string> scenes_of_the_project() {
     std::vector<std::string> names;
-    for (const auto& file : std::filesystem::directory_iterator(CAMOPT_SOURCE_DIR "/scenes"))
+    for (const auto& file : std::filesystem::directory_iterator(source_folder() + "/scenes"))
         if (file.path().extension() == ".toml") names.push_back(file.path().stem());
     std::ranges::sort(names);
     return names;
@@ -285,7 +286,7 @@ TEST(Program, CheckAndSolveNameTheSameSolver) {
         const std::string solve = run_camopt("solve " + arguments).output;
         EXPECT_NE(solve.find("\n  solver: " + solved), std::string::npos) << solve;
     };
-    const std::string prescribed = CAMOPT_SOURCE_DIR "/tests/cases/55_mill.toml";
+    const std::string prescribed = source_folder() + "/tests/cases/55_mill.toml";
     expect_same(prescribed, "\n  Solved: by no solver, the motion is prescribed\n",
                 "none, the motion is prescribed, ");
     const std::string unused = "the motion is prescribed; structured is not used";

@@ -6,6 +6,7 @@
 #include "program.hpp"
 #include "sweep_run_of_program.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ using test::timeless_rows;
 using Words = std::vector<std::string>;
 
 std::string scene_file(const char* name) {
-    return std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
+    return source_folder() + "/scenes/" + name + ".toml";
 }
 
 Words operator+(Words one, const Words& other) {

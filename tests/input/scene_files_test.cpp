@@ -5,6 +5,7 @@
 #include "input/machine/machine_reader.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/cam_formulas.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@
 namespace camopt::input {
 namespace scene_files_test {
 
-const std::filesystem::path source_folder = CAMOPT_SOURCE_DIR;
+const std::filesystem::path sources = source_folder();
 const KnownNames known = {.laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid",
                                    "constant_velocity", "simple_harmonic", "parabolic"},
                           .solvers = {},
@@ -33,7 +34,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 TEST(Scenes, EveryExampleReadsAndStatesItsPurpose) {
     int count = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder / "scenes")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(sources / "scenes")) {
         if (entry.path().extension() != ".toml") continue;
         SCOPED_TRACE(entry.path().string());
         const bool machine = text_of(entry.path()).find("\n[machine]") != std::string::npos;
@@ -51,7 +52,7 @@ TEST(Scenes, EveryExampleReadsAndStatesItsPurpose) {
 }
 
 TEST(SceneDocumentation, MatchesKeyTable) {
-    const std::filesystem::path path = source_folder / "docs" / "scene_file.md";
+    const std::filesystem::path path = sources / "docs" / "scene_file.md";
     const std::string begin = "<!-- keys: begin -->\n";
     const std::string end = "<!-- keys: end -->";
     const std::string text = text_of(path);
@@ -68,7 +69,7 @@ TEST(SceneDocumentation, MatchesKeyTable) {
 }
 
 TEST(SceneDocumentation, ShowsWholeScenesThatRead) {
-    const std::string text = text_of(source_folder / "docs" / "scene_file.md");
+    const std::string text = text_of(sources / "docs" / "scene_file.md");
     const std::string fence = "```toml\n";
     int count = 0;
     for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {

@@ -7,6 +7,7 @@
 #include "profiles/factory/cam_formulas.hpp"
 #include "tests/output/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,7 @@ TEST_P(TableFiles, IsReadOrSaysWhy) {
     const TableFile& one = GetParam();
     const test::TemporaryFolder folder;
     const std::filesystem::path file = std::filesystem::path(folder.path()) / "s.toml";
-    std::filesystem::copy(std::string(CAMOPT_SOURCE_DIR) + "/tests/input/tables/" + one.name, folder.path());
+    std::filesystem::copy(source_folder() + "/tests/input/tables/" + one.name, folder.path());
     std::ofstream(file, std::ios::binary) << scene << "table = \"" << one.name << "\"\n" << one.measured;
     const KnownNames known = {.laws = {"modified_sine"}, .solvers = {}, .cam_formulas = cam_formulas};
     const std::string said = testing_support::refusal([&] {

@@ -16,6 +16,7 @@
 #include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -75,7 +76,7 @@ class ProcessLocale {
 };
 
 Scene scene_of(const std::string& name) {
-    return input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml",
+    return input::read_scene_file(source_folder() + "/scenes/" + name + ".toml",
                                   known_names());
 }
 

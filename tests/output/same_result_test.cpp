@@ -5,6 +5,7 @@
 #include "input/scene_reader.hpp"
 #include "output/json/result_json.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -75,7 +76,7 @@ class SameResult : public testing::TestWithParam<Case> {
         std::vector<std::string> settings = GetParam().settings;
         settings.emplace_back("solver.max_seconds=1e6");
         Scene scene =
-            input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + GetParam().scene + ".toml",
+            input::read_scene_file(source_folder() + "/scenes/" + GetParam().scene + ".toml",
                                    known_names(), settings);
         return scene;
     }

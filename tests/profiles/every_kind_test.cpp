@@ -8,6 +8,7 @@
 #include "scene/cam_mechanism.hpp"
 #include "tests/profiles/remote/tappet.hpp"
 #include "tests/support/long_run.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +73,7 @@ void add_linkages(std::vector<Case>& all) {
 /// One of each type, follower, form and linkage of the example scenes.
 std::vector<Case> cases() {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(CAMOPT_SOURCE_DIR) + "/scenes"))
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/scenes"))
         if (entry.path().extension() == ".toml") files.push_back(entry.path());
     std::ranges::sort(files);
     std::vector<Case> all;

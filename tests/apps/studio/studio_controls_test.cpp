@@ -5,6 +5,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "input/keys/scene_keys.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ namespace studio_controls_test {
 using Json = nlohmann::ordered_json;
 
 std::string text_of(const std::string& name) {
-    std::ifstream file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name);
+    std::ifstream file(source_folder() + "/scenes/" + name);
     std::stringstream text;
     text << file.rdbuf();
     return text.str();

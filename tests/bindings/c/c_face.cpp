@@ -3,6 +3,7 @@
 
 #include "input/loading/load_scene.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/source_folder.hpp"
 
 namespace camopt::testing_support {
 
@@ -13,7 +14,7 @@ CScene c_scene(const std::string& toml) {
 }
 
 std::string scene_path(const std::string& name) {
-    return std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
+    return source_folder() + "/scenes/" + name + ".toml";
 }
 
 CScene c_scene_of_file(const std::string& name) {

@@ -11,6 +11,7 @@
 #include "studies/solve/solve.hpp"
 #include "tests/output/drawing/dxf_text.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,7 @@ constexpr int places = 4001;
 Solution solved(const std::string& name, const std::vector<std::string>& settings = {}) {
     std::vector<std::string> quick = {"solver.starts=1"};
     quick.insert(quick.end(), settings.begin(), settings.end());
-    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml",
+    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + name + ".toml",
                                          known_names(), quick);
     return solve(scene);
 }

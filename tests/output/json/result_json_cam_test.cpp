@@ -5,6 +5,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/support/middle_cam.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -29,7 +30,7 @@ void expect_documented(const Json& json, const std::string& manual) {
 }
 
 TEST(ResultJson, EveryKeyIsInTheManual) {
-    const std::string manual = read_text_file(std::string(CAMOPT_SOURCE_DIR) + "/docs/results.md");
+    const std::string manual = read_text_file(source_folder() + "/docs/results.md");
     Solution cam = test::cam_solution();
     cam.cam->forward_check = ForwardCheckReport{1.2e-9, 3e-8, 0.5, 2001, 0.25};
     for (const Solution& solution : {cam, test::program_solution(), test::infeasible_cam_solution()})

@@ -8,6 +8,7 @@
 #include "scene/cam_flanks.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -164,7 +165,7 @@ std::vector<std::string> quick(const std::string& name) {
 TEST(ResultFolder, EvaluatesEachCamPointOnce) {
     for (const std::string name : {"cam_roller", "cam_grooved", "inverse_feeder"}) {
         Solution solution = solve(input::read_scene_file(
-            std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml", known_names(), quick(name)));
+            source_folder() + "/scenes/" + name + ".toml", known_names(), quick(name)));
         ASSERT_TRUE(solution.cam) << name;
         const auto counting = std::make_shared<CountingCam>(solution.cam->cam.formulas);
         solution.cam->cam.formulas = counting;

@@ -6,6 +6,7 @@
 #include "output/report/result_folder.hpp"
 #include "output/view/view.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -97,7 +98,7 @@ TEST(InchReport, SuggestedKeysAreAsWritten) {
 
 TEST(InchReport, RampsPerDegreeHoldExactly) {
     const Scene scene =
-        load_scene(std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/lobe_ramps_in_inches.toml");
+        load_scene(source_folder() + "/tests/support/cases/lobe_ramps_in_inches.toml");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion);
     const double per_degree = units::inch / units::degree;
@@ -113,7 +114,7 @@ TEST(InchReport, RampsPerDegreeHoldExactly) {
 // degree, so from 100.861 after bottom dead centre at 0.1 mm, an independent result, to 0.004 in are 0.21
 // crank degrees.
 TEST(InchReport, ValveEventsAreInInches) {
-    const Solution intake = solve(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/41_intake.toml"));
+    const Solution intake = solve(load_scene(source_folder() + "/tests/cases/41_intake.toml"));
     ASSERT_TRUE(intake.motion);
     const std::string text = report_markdown(intake, {});
     EXPECT_NE(text.find("| 0.004 in | 67.651 BTDC | 100.651 ABDC |"), std::string::npos) << text;
@@ -122,7 +123,7 @@ TEST(InchReport, ValveEventsAreInInches) {
     EXPECT_NE(text.find("| 0.050 in | 32 BTDC | 65 ABDC | 277 |"), std::string::npos);
     EXPECT_NE(text.find("duration at 0.050 in of the tappet"), std::string::npos);
     EXPECT_EQ(metric_numbers(text), "");
-    const Solution exhaust = solve(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/41_exhaust.toml"));
+    const Solution exhaust = solve(load_scene(source_folder() + "/tests/cases/41_exhaust.toml"));
     EXPECT_NE(report_markdown(exhaust, {}).find("| 0.050 in | 77 BBDC | 37 ATDC | 294 |"), std::string::npos);
 }
 

@@ -11,6 +11,7 @@
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ ResultFolder read_back(const std::filesystem::path& folder) {
 /// A scene of this project with these settings, solved and written; what was delivered.
 Solution solved_into(const std::filesystem::path& folder, const std::string& name,
                      const std::vector<std::string>& settings) {
-    const std::string file = std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
+    const std::string file = source_folder() + "/scenes/" + name + ".toml";
     const std::string text = read_text_file(file);
     Solution solution = solve(loaded(text, file, settings));
     if (solution.cam) solution.cam->forward_check = checked_cam(solution, 200);
@@ -124,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
 // A result folder holds the table that its scene named.
 TEST(RoundTripOfATable, FolderIsComplete) {
     const test::TemporaryFolder folder;
-    const std::filesystem::path file = std::string(CAMOPT_SOURCE_DIR) + "/scenes/drd_measured.toml";
+    const std::filesystem::path file = source_folder() + "/scenes/drd_measured.toml";
     const Solution solution = solve(input::read_scene_file(file, known_names()));
     ASSERT_TRUE(solution.measured);
     write_result_folder(folder.path(), solution,

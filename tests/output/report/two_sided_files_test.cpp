@@ -12,6 +12,7 @@
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ using testing_support::refusal;
 
 Solution solved(const std::string& name) {
     const std::vector<std::string> settings = {"solver.starts=1", "spline.segments=6"};
-    const std::string file = std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
+    const std::string file = source_folder() + "/scenes/" + name + ".toml";
     std::ifstream stream(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     Solution solution = solve(input::read_scene(text, file, known_names(), settings));

@@ -15,6 +15,7 @@
 #include "studies/search/plan.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/sample_solution.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -522,7 +523,7 @@ TEST(PrescribedWords, NameNoSpline) {
 TEST(ConflictSentence, NamesStartBeyondLimit) {
     const std::vector<std::string> slower = {"limits.velocity_mm_s=800"};
     const Solution solution =
-        solve(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/49_moving_start.toml", slower));
+        solve(load_scene(source_folder() + "/tests/cases/49_moving_start.toml", slower));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_TRUE(says(conflict_sentence(solution), "motion.start alone violates it"))
         << conflict_sentence(solution);
@@ -549,7 +550,7 @@ TEST(ChangesTable, SaysAtMostUnlessExact) {
 }
 
 TEST(PrescribedMotion, HasCurvesWhereItViolatesLimit) {
-    const Solution solution = solve(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/43_laws.toml", {}));
+    const Solution solution = solve(load_scene(source_folder() + "/tests/cases/43_laws.toml", {}));
     const std::string text = summary_text(solution, {});
     EXPECT_TRUE(says(text, "pressure_angle reaches 24.")) << text;
     EXPECT_TRUE(says(text, "(violated)")) << text;
@@ -559,7 +560,7 @@ TEST(PrescribedMotion, HasCurvesWhereItViolatesLimit) {
 }
 
 TEST(PrescribedMotion, IsComparedWhereItViolatesLimit) {
-    const Comparison comparison = compare(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/43_laws.toml", {}));
+    const Comparison comparison = compare(load_scene(source_folder() + "/tests/cases/43_laws.toml", {}));
     const auto own = std::ranges::find_if(comparison.rows, &ComparisonRow::is_optimum);
     ASSERT_TRUE(own != comparison.rows.end());
     EXPECT_TRUE(says(broken_limits(*own).at(0), "pressure angle"));
@@ -568,7 +569,7 @@ TEST(PrescribedMotion, IsComparedWhereItViolatesLimit) {
 TEST(PrescribedMotion, BestLawHasSmallestBaseRadius) {
     const std::vector<std::string> settings = {"limits.pressure_angle_deg=30"};
     const Comparison comparison =
-        compare(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/43_laws.toml", settings));
+        compare(load_scene(source_folder() + "/tests/cases/43_laws.toml", settings));
     EXPECT_TRUE(
         says(comparison_sentence(comparison), "smallest base radius: Modified constant velocity, 50 %"))
         << comparison_sentence(comparison);

@@ -9,6 +9,7 @@
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ CamModel model_of(const Scene& scene) {
 TEST(BoxBound, BoundsEveryLimitOfEveryCam) {
     for (const char* const name : {"cam_arm_flat", "cam_conjugate", "cam_forces", "cam_grooved", "tappet_75",
                                    "inverse_feeder", "barrel_smallest", "ocrf_indexing", "cylinder_slide"}) {
-        const Scene scene = load_scene(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml");
+        const Scene scene = load_scene(source_folder() + "/scenes/" + name + ".toml");
         int limits = 0;
         for (const PlacedRule& rule : model_of(scene).rules) {
             if (rule->linear() || rule->whole()) continue;

@@ -6,6 +6,7 @@
 #include "input/loading/load_scene.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace camopt {
 namespace scene_check_test {
 
 Scene scene_of(const std::string& name, const std::vector<std::string>& settings = {}) {
-    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml",
+    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + name + ".toml",
                                          known_names(), settings);
     return scene;
 }

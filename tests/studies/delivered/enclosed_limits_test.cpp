@@ -5,6 +5,7 @@
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ namespace enclosed_limits_test {
 using Keys = std::vector<std::string>;
 
 Scene scene_of(const std::string& name) {
-    Scene scene = load_scene(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml");
+    Scene scene = load_scene(source_folder() + "/scenes/" + name + ".toml");
     scene.solver.starts = 1;
     return scene;
 }

@@ -11,6 +11,7 @@
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/middle_cam.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ using namespace testing_support;
 using enum DimensionIndex;
 
 Solution solved_case(const char* name, const std::vector<std::string>& settings = {}) {
-    return solve(input::read_scene_file(std::string(CAMOPT_SOURCE_DIR "/tests/cases/") + name + ".toml",
+    return solve(input::read_scene_file(source_folder() + "/tests/cases/" + name + ".toml",
                                         known_names(), settings));
 }
 

@@ -7,6 +7,7 @@
 #include "output/words/solution_text.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ struct Case {
 };
 
 Scene scene_of(const Case& one) {
-    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/" + one.file + ".toml",
+    Scene scene = input::read_scene_file(source_folder() + "/" + one.file + ".toml",
                                          known_names(), one.settings);
     return scene;
 }

@@ -7,6 +7,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ constexpr double step = 1e-4;  // of the rise, for differences
 
 Scene scene_of_the_feeder() {
     Scene scene =
-        input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/inverse_feeder.toml", known_names());
+        input::read_scene_file(source_folder() + "/scenes/inverse_feeder.toml", known_names());
     return scene;
 }
 

@@ -5,6 +5,7 @@
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace machine_test {
 using testing_support::refusal;
 
 MachineSpec cartoner(const std::vector<std::string>& settings = {}) {
-    return input::read_machine(std::filesystem::path(CAMOPT_SOURCE_DIR) / "scenes/machines/cartoner.toml",
+    return input::read_machine(std::filesystem::path(source_folder()) / "scenes/machines/cartoner.toml",
                                load_scene, settings);
 }
 

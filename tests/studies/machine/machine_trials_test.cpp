@@ -4,6 +4,7 @@
 #include "input/machine/machine_reader.hpp"
 #include "studies/machine/machine.hpp"
 #include "tests/support/long_run.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace camopt {
 namespace machine_trials_test {
 
 MachineSpec machine_case(const std::string& name, const std::vector<std::string>& settings = {}) {
-    return input::read_machine(std::filesystem::path(CAMOPT_SOURCE_DIR) / "tests/cases" / name, load_scene,
+    return input::read_machine(std::filesystem::path(source_folder()) / "tests/cases" / name, load_scene,
                                settings);
 }
 
@@ -111,7 +112,7 @@ TEST(MachineTrials, LastDisplacementMayBeLeftOut) {
 
 TEST(MachineTrials, AxisSaysWhatShapesIt) {
     const MachineSolution solution = solve_machine(
-        input::read_machine(std::filesystem::path(CAMOPT_SOURCE_DIR) / "scenes/machines/cartoner.toml",
+        input::read_machine(std::filesystem::path(source_folder()) / "scenes/machines/cartoner.toml",
                             load_scene, std::vector<std::string>{}));
     ASSERT_EQ(solution.axes.size(), 3U);
     int shaped = 0;

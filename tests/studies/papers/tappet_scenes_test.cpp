@@ -12,6 +12,7 @@
 #include "studies/solve/solve.hpp"
 #include "tests/support/counting_clock.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +68,7 @@ double pressure_angle(const Displacement& s, double theta) {
 }
 
 Scene scene_of(const std::string& file) {
-    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + file, known_names());
+    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + file, known_names());
     return scene;
 }
 

@@ -6,6 +6,7 @@
 #include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -115,7 +116,7 @@ TEST(Relative, LawsStandAtBothEnds) {
 
 TEST(EndsInMotion, RegionsReachTheOpenEnds) {
     const Scene scene = input::read_scene_file(
-        std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/rotary_knife_set_points.toml", known_names());
+        source_folder() + "/tests/support/cases/rotary_knife_set_points.toml", known_names());
     const Solution solution = optimum_of(scene);
     expect_state(*solution.motion, 0.0, Side::right, {0.0, 0.5, 0.0});
     expect_state(*solution.motion, 1.0, Side::left, {1.0, 0.5, 0.0});

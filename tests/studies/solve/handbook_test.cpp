@@ -4,6 +4,7 @@
 // optimum lies under it.
 #include "input/loading/load_scene.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -57,7 +58,7 @@ std::vector<double> breakpoints_of_interpolation() {
 }
 
 Solution solved(const std::vector<std::string>& settings) {
-    return solve(load_scene(CAMOPT_SOURCE_DIR "/scenes/handbook_nine_points.toml", settings));
+    return solve(load_scene(source_folder() + "/scenes/handbook_nine_points.toml", settings));
 }
 
 void expect_conditions(const Solution& solution) {

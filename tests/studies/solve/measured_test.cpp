@@ -16,6 +16,7 @@
 #include "tests/output/temporary_folder.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -110,7 +111,7 @@ TEST(Measured, ResidualCurveIsTableMinusFit) {
 
 TEST(Measured, LobeInInchesIsReadWithoutHeader) {
     const Scene scene = input::read_scene_file(
-        std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/measured_lobe.toml", known_names());
+        source_folder() + "/tests/support/cases/measured_lobe.toml", known_names());
     ASSERT_EQ(scene.measured->angle.size(), 131u);
     EXPECT_NEAR(scene.measured->angle[65], 65.0 * units::degree, 1e-12);
     EXPECT_DOUBLE_EQ(scene.measured->displacement[65], 0.393615 * units::inch);
@@ -163,7 +164,7 @@ TEST(Measured, ExportsOfExampleScenesReadBack) {
     const std::filesystem::path file = std::filesystem::path(folder.path()) / "s.toml";
     for (const char* const name : {"drd_cubic_12", "drd_quintic_12", "rr_unequal_return", "drd_symmetric",
                                    "cam_drdrd", "cam_flat", "swing_limits", "servo_drd"}) {
-        const std::string text = read_text_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml");
+        const std::string text = read_text_file(source_folder() + "/scenes/" + name + ".toml");
         const Solution solution = solve(scene_of_toml(text, std::vector<std::string>{"solver.starts=1"}));
         ASSERT_TRUE(solution.motion) << name;
         std::ofstream(file.parent_path() / "t.csv", std::ios::binary)

@@ -5,6 +5,7 @@
 #include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace camopt {
 namespace motion_cases_test {
 
 Solution solved(const std::string& name, const std::vector<std::string>& settings = {}) {
-    return solve(load_scene(CAMOPT_SOURCE_DIR "/tests/cases/" + name + ".toml", settings));
+    return solve(load_scene(source_folder() + "/tests/cases/" + name + ".toml", settings));
 }
 
 Solution solved_text(const std::string& toml) {
@@ -91,7 +92,7 @@ TEST(MotionCases, RepeatedSplinesJoin) {
 
 TEST(MotionCases, StopsMustBeTheStrokes) {
     const std::string message = testing_support::refusal(
-        [] { return load_scene(CAMOPT_SOURCE_DIR "/tests/cases/stops_and_to.toml"); });
+        [] { return load_scene(source_folder() + "/tests/cases/stops_and_to.toml"); });
     EXPECT_NE(message.find("stops_and_to.toml:5:1: motion.stops: found 8 stops"), std::string::npos)
         << message;
 }

@@ -8,6 +8,7 @@
 #include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ namespace plan_test {
 using namespace testing_support;
 
 Scene example(const std::string& name) {
-    return input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml",
+    return input::read_scene_file(source_folder() + "/scenes/" + name + ".toml",
                                   known_names());
 }
 

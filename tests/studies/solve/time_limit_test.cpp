@@ -5,6 +5,7 @@
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/counting_clock.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ struct Case {
 Scene scene_of(const Case& one) {
     std::vector<std::string> settings = one.settings;
     settings.push_back("solver.name=\"" + one.solver + "\"");
-    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + one.scene + ".toml",
+    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + one.scene + ".toml",
                                          known_names(), settings);
     return scene;
 }

@@ -3,6 +3,7 @@
 #include "input/loading/load_scene.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace camopt {
 namespace trial_cases_test {
 
 Scene case_of(const std::string& name) {
-    return load_scene(std::string(CAMOPT_SOURCE_DIR) + "/tests/cases/" + name + ".toml");
+    return load_scene(source_folder() + "/tests/cases/" + name + ".toml");
 }
 
 struct Answer {

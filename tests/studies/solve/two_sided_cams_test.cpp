@@ -7,6 +7,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ namespace two_sided_cams_test {
 /// From two starts and with a loose bound: what is looked at holds for any motion that is delivered.
 Solution solved(const std::string& name) {
     Scene scene =
-        input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml", known_names());
+        input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names());
     scene.solver.starts = 2;
     scene.solver.gap = 1e-2;
     return solve(scene);

@@ -5,6 +5,7 @@
 #include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ using namespace testing_support;
 
 Scene scene_of(const std::string& name) {
     Scene scene = input::read_scene_file(
-        std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/" + name + ".toml", known_names());
+        source_folder() + "/tests/support/cases/" + name + ".toml", known_names());
     return scene;
 }
 

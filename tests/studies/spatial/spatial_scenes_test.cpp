@@ -8,6 +8,7 @@
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 #include "tests/profiles/spatial/reference_cams.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ using test::millimetre;
 constexpr int fine = 20000;
 
 Solution solved(const std::string& name) {
-    const std::string path = std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
+    const std::string path = source_folder() + "/scenes/" + name + ".toml";
     Scene scene = load_scene(path);
     // One start finds what all find; and it may take the time it takes.
     scene.solver.starts = 1;

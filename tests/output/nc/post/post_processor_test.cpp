@@ -5,6 +5,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/nc/nc_program.hpp"
+#include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +63,7 @@ offset_deg = 90
 
 // The examples of docs/nc.md.
 TEST(PostProcessor, FilesOfTheManual) {
-    const std::string folder = std::string(CAMOPT_SOURCE_DIR) + "/docs/posts/";
+    const std::string folder = source_folder() + "/docs/posts/";
     const PostProcessor inch = read_post(folder + "table_tilting_inch.toml", five_axes());
     EXPECT_EQ(inch.unit, LengthUnit::inch);
     EXPECT_EQ(inch.axes.at("rotary").sign, -1);
