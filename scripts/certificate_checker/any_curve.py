@@ -2,10 +2,10 @@
 """The lower bound for every curve."""
 import itertools
 import math
-from fractions import Fraction
 
 from .conditions import solved
 from .exact import Refuted, STATED, Unverified, largest_magnitude, number
+from .rational import Fraction
 
 MOST_BOXES = 4000
 SIGNS = [(a, b) for a in (1, -1) for b in (1, -1)]  # of the exponents of V and A in a term that is least there

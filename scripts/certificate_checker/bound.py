@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The lower bound: weak duality."""
 import re
-from fractions import Fraction
 
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, STATED, Unverified, add_to, derivative, integral, number, product, root
 from .drive_rows import MotorRows
 from .motion_bounds import lost_area
 from .prescribed import limits_at, value_beside
+from .rational import Fraction
 from .runs import Row
 from .strokes import farthest, stroke_of
 from .phase_rows import add_phase_row, use_phase_rows

@@ -18,13 +18,13 @@ better motion must satisfy. The parts are the leaves of a tree of splits, and ma
 theirs; the least of their bounds is the bound.
 """
 import re
-from fractions import Fraction
 
 from . import enclosures
 from .conditions import Conditions
 from .dimensions import largest_of, parts_of
 from .laws import constant
 from .exact import ORDERS, STATED, Refuted, Unverified, add_to, number
+from .rational import Fraction
 
 ROUNDED = Fraction(1, 2**44)   # what the sums of a step may be off by in the file, relative: it was rounded outward
 SAME_ROW = Fraction(1, 10**9)  # a row of the scene is that of the file to this, relative to its size

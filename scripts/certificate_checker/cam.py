@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Cams whose limits are checked."""
 import itertools
-from fractions import Fraction
 
 from . import enclosures
 from .dimensions import corners_of, largest_of, middle_size, parts_of
 from .inverse_rules import InverseRules
+from .rational import Fraction
 from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
 from .disk_rules import FACE_TURNS, LOADED, DiskRules, Side, TwoSides

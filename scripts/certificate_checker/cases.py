@@ -7,11 +7,11 @@ the largest angles of a box, which need not add up to the turn, is then at or be
 """
 import itertools
 import re
-from fractions import Fraction
 
 from .bound import Bound
 from .exact import KEPT, Refuted, SAME_PLACE, Unverified, number
 from .problem import Problem
+from .rational import Fraction
 from .stored import factor_of, stored_bound
 from .strokes import stroke_of
 from .units import angle_of, in_unit

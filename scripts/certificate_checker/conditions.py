@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Conditions, exactly."""
-from fractions import Fraction
 
 from .exact import STATED, add_to, number
+from .rational import Fraction
 
 
 class Conditions:

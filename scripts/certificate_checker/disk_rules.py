@@ -6,13 +6,13 @@ above 0: so the planes of a bound over boxes are compared with it, and the deliv
 does. With N and D the two parts of the speed of the roller's centre in the cam's frame, tan(pressure angle) = N / D,
 v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''.
 """
-from fractions import Fraction
 
 from .dimensions import largest_of, middle_size
 from .enclosures import Over
 from .exact import PI, exactly, middle_of, number, tangent, times
 from .forces import Forces
 from .laws import constant
+from .rational import Fraction
 from .units import dimension_of, enclosed
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning

@@ -13,7 +13,6 @@ Root mean squares are over the cycle, outside of which the axis rests:
     mean square = (integral of torque^2 dx + (C - L) K0^2) / C,   C: the cycle, L: the motion, in x.
 """
 import math
-from fractions import Fraction
 
 from .drive_laws import Span, largest_along, square_along
 from .enclosures import ends_of
@@ -22,6 +21,7 @@ from .exact import (
 from .laws import END_VELOCITIES
 from .motion_bounds import SIDES
 from .prescribed import state_at
+from .rational import Fraction
 from .runs import Peak, Stretch
 from .units import FORCE, LENGTHS, MOMENTS, POUND, angle_of, in_unit
 

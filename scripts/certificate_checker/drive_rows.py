@@ -9,13 +9,13 @@ the torque, which is affine in the motion, and with <., .> its product and z any
 Which z is free. That of the delivered motion is taken; where none is delivered, the one that the multipliers themselves prefer: the
 least of all rows together, times their multipliers. The limit's own row is (rms^2 / limit^2 - 1) / 2 <= 0.
 """
-from fractions import Fraction
 
 from .conditions import Conditions
 from .drive_laws import Span, square_along
 from .exact import SAME_PLACE, Refuted, Unverified, add_to, derivative, integral, middle_of, number, product, root, shifted
 from .laws import ends_of_law
 from .prescribed import value_beside
+from .rational import Fraction
 from .runs import Row, Stretch
 
 RELIEVED = " as the speed approaches 0, which motion may relieve"

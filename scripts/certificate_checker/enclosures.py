@@ -4,9 +4,9 @@
 Ends of intervals are whole multiples of 2^-128, always rounded outward: quick, and nothing is lost by rounding.
 """
 import math
-from fractions import Fraction
 
 from .exact import PI, Unverified
+from .rational import Fraction
 
 BITS = 128
 ONE = 1 << BITS

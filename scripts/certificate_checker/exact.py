@@ -4,7 +4,8 @@ import functools
 import heapq
 import math
 import sys
-from fractions import Fraction
+
+from .rational import Fraction
 
 DIGITS = Fraction(1, 10**48)       # how closely irrational numbers are enclosed
 SAME_PLACE = Fraction(1, 10**13)   # x: a double meant as a breakpoint is this close to it

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The load of a follower: mass, spring, preload, viscous damping, and a load over the cam angle; of an arm inertia and moments."""
 import math
-from fractions import Fraction
 
 from .exact import Unverified, number
+from .rational import Fraction
 from .units import in_unit
 
 

@@ -4,12 +4,12 @@
 With y in lifts, b = rad of a unit of x and w = k b the amplitude of harmonic k is |E|, E = b / pi times the integral of y exp(i w x) dx. By
 parts that is, of polynomials, a sum over the ends of their pieces. Other laws are not known here.
 """
-from fractions import Fraction
 
 from .enclosures import Complex, Over, fraction
 from .exact import KEPT, PI, Refuted, Unverified, derivative, number, root, times, value_at
 from .laws import POLYNOMIALS, constant
 from .phase_rows import Amplitude
+from .rational import Fraction
 from .units import in_unit
 
 

@@ -13,7 +13,6 @@ P' = theta' P*, * for turned by +90 degrees, is r' e + r phi' e*. Times e* and e
 tan(pressure angle) = L dpsi/dL = -L theta' / L'. The guide's curvature is (L psi'' + 2 psi' + L^2 psi'^3) / (1 + L^2 psi'^2)^(3/2), here '
 by L: psi' = -theta'/L', psi'' = -(theta'' + psi' L'') / L'^2. Its walls are regular where 1 -+ r curvature > 0, r the roller's radius.
 """
-from fractions import Fraction
 
 from .dimensions import Dimensions
 from .disk_rules import DiskRules
@@ -21,6 +20,7 @@ from .laws import constant
 from .enclosures import Over
 from .exact import exactly, number, tangent
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of
+from .rational import Fraction
 from .remote_rules import given_in
 from .units import enclosed
 

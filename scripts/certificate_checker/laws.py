@@ -5,11 +5,11 @@ Of most laws f'' has a formula piece by piece: a number and sines and cosines, u
 are irrational and taken to 35 digits.
 """
 import functools
-from fractions import Fraction
 
 from . import enclosures
 from .enclosures import Over, ends_of
 from .exact import ORDERS, PI_ITSELF, PI, Unverified, derivative, integral, middle_of, product, root, shifted
+from .rational import Fraction
 
 PLACES, HALVINGS = 24, 90    # where a largest value is looked for in each piece, and how closely
 CLOSE = Fraction(5, 10**10)  # it is enclosed to this part of its size

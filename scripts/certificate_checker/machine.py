@@ -2,7 +2,6 @@
 """A machine: no motions at the speed that is said to be impossible, and the delivered ones keep every clearance."""
 import json
 import tomllib
-from fractions import Fraction
 
 from . import enclosures
 from .bound import Bound
@@ -16,6 +15,7 @@ from .laws import POLYNOMIALS, at_time, constant, parts_along
 from .motion import Curve
 from .prescribed import state_at
 from .problem import Problem
+from .rational import Fraction, parsed
 from .references import references_of
 from .units import LENGTHS, angle_of, in_known_units, in_unit, with_known_rule
 from .valve import as_program
@@ -32,7 +32,7 @@ class Axis:
     def __init__(self, folder, written, speed, result=None):
         """`result`: with its objective, whose references it states."""
         self.name = written["name"]
-        self.scene = as_program(tomllib.loads((folder / f"{self.name}.toml").read_text(), parse_float=Fraction))
+        self.scene = as_program(tomllib.loads((folder / f"{self.name}.toml").read_text(), parse_float=parsed))
         name_what_is_unknown(self.scene)
         self.scene = in_known_units(self.scene)
         motion = {k: v for k, v in self.scene["motion"].items() if not k.startswith("speed_")}
@@ -268,8 +268,8 @@ def judge_impossible(axes, clearances, proof, report):
 
 def judge_machine(folder, report, outcome_of):
     """`outcome_of`: of the result folder of one axis."""
-    machine = tomllib.loads((folder / "machine.toml").read_text(), parse_float=Fraction)
-    result = json.loads((folder / "machine.json").read_text(), parse_float=Fraction)
+    machine = tomllib.loads((folder / "machine.toml").read_text(), parse_float=parsed)
+    result = json.loads((folder / "machine.json").read_text(), parse_float=parsed)
     certificate = json.loads((folder / "certificate.json").read_text(), object_hook=with_known_rule)
     name_unknown_of_machine(machine)
     verdict, impossible, (least, most) = result["verdict"], result["impossible_above_rpm"], speeds_of(machine)
@@ -318,8 +318,8 @@ def judge_machine(folder, report, outcome_of):
     axes, clearances = at(number(result["speed_rpm"]))
     curves = {}
     for axis in axes:
-        own = tomllib.loads((folder / axis.name / "scene.toml").read_text(), parse_float=Fraction)
-        if own != tomllib.loads((folder / f"{axis.name}.toml").read_text(), parse_float=Fraction):
+        own = tomllib.loads((folder / axis.name / "scene.toml").read_text(), parse_float=parsed)
+        if own != tomllib.loads((folder / f"{axis.name}.toml").read_text(), parse_float=parsed):
             raise Refuted(f"{axis.name}: its result is of another scene")
         if abs(own["motion"]["speed_rpm"] / number(result["speed_rpm"]) - 1) > STATED:
             raise Refuted(f"{axis.name}: its result is of another speed")

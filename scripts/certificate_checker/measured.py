@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The distance of a motion from the rows of a measured table, as terms of the objective: the largest, and the root mean square."""
 import math
-from fractions import Fraction
 
 from .enclosures import ends_of
 from .exact import SAME_PLACE, Refuted, STATED, Unverified, number, root
 from .prescribed import state_at
+from .rational import Fraction
 from .runs import Peak, Row
 from .units import RADIAN, angle_of, in_unit
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """The delivered motion."""
-from fractions import Fraction
 
 from .conditions import Conditions
 from .exact import (
@@ -8,6 +7,7 @@ from .exact import (
     largest_magnitude, number, product, root, shifted, value_at)
 from .motion_bounds import keep_bounds, keeps, lost_area
 from .prescribed import peak_of
+from .rational import Fraction
 from .spaces import Space
 from .strokes import stroke_of
 

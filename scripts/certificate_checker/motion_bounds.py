@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Linear rules on the motion itself: limits of one side, corridors, and the lost area."""
-from fractions import Fraction
 
 from . import enclosures
 from .exact import KEPT, ORDERS, Refuted, Unverified, add_to, derivative, integral, largest, number, shifted
 from .laws import JUMPING, constant, mean_of, parts_along
+from .rational import Fraction
 
 TYPICAL = (1, 2, 6, 60)  # of y ... y''' over one lift: what a bound near 0 is measured by
 SIDES = {"min": -1, "max": 1}

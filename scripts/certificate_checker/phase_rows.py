@@ -6,9 +6,9 @@ that is at least Re(conj(u) E), which is affine. certificate.json names the spee
 taken is free. The checker takes that of the delivered motion where there is one, turned such that with the other rows as little as
 can be is left.
 """
-from fractions import Fraction
 
 from .exact import add_to, number, root
+from .rational import Fraction
 from .runs import Row
 
 LIGHT = Fraction(1, 10**7)  # rows lighter than this part of the heaviest are left out

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Motions of laws and dwells only: there is one. Its peaks are those of its laws; only dimensions of the cam may be chosen."""
-from fractions import Fraction
 
 from .enclosures import Over, ends_of
 from .exact import ORDERS, SAME_PLACE, Refuted, Unverified, add_to, middle_of, number, root, tangent
 from .laws import JUMPING, constant, law_peak, parts_along
+from .rational import Fraction
 from .runs import Stretch
 from .units import dimension_of
 

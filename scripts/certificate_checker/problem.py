@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The problem, from the scene alone."""
 import itertools
-from fractions import Fraction
 
 from .exact import ORDERS, SAME_PLACE, Refuted, STATED, Unverified, add_to, number
 from .laws import ends_of_law
 from .measured import KINDS as DEVIATIONS, MeasuredTable, deviation_terms
 from .motion_bounds import area_reference, motion_bounds
+from .rational import Fraction
 from .runs import Peak, Run, Stretch
 from .spaces import Space
 from .strokes import points_at_limits, turning_points

@@ -20,7 +20,6 @@ the angle of u,
 The roller's centre moves across u, the common normal is (C_u - s l w', C_a) / |V|: tan(pressure angle) = (C_u - s l w') / C_a.
 The contact point, fixed to the lever, moves across l u - r normal instead, which makes the numerator C_u - s l w' - r |V| / l.
 """
-from fractions import Fraction
 
 from .dimensions import Dimensions, middle_size
 from .disk_rules import DiskRules
@@ -28,6 +27,7 @@ from .laws import constant
 from .enclosures import Over
 from .exact import number, root, tangent, times
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
+from .rational import Fraction
 from .units import angle_of, dimension_of, enclosed
 
 OF_THE_CAM = ("roller_radius", "roller_arm", "lever_pivot_x", "lever_pivot_y", "center_x", "center_y")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What a motion is made of, and what its objective is."""
-from fractions import Fraction
 
 from .conditions import Conditions
 from .exact import add_to
+from .rational import Fraction
 
 
 class Stretch:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Spline spaces."""
 import math
-from fractions import Fraction
 
 from .exact import Refuted, SAME_PLACE, combination, derivative, product, value_at
+from .rational import Fraction
 
 
 class Space:

@@ -5,13 +5,13 @@ The roller's axis moves across the cam's surface with V_u along its travel and V
 |V_b|. With A the second derivative of a point of the axis, F = V . e along the axis, M = e' . n, W^2 = V_u^2 + V_b^2, a flank
 is regular where  1 - r (A . n - 2 F M) / W^2 - (r M / W)^2 > 0,  n the flank's normal, one for either side.
 """
-from fractions import Fraction
 
 from .dimensions import largest_of, middle_size
 from .laws import constant
 from .enclosures import Over
 from .plane_vectors import sign_of
 from .exact import PI, exactly, number, tangent, times
+from .rational import Fraction
 from .units import angle_of, dimension_of, enclosed
 
 NAMES = ("roller_radius", "arm_length", "center_distance", "lateral_offset", "roller_length")

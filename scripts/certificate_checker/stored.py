@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The file's own arithmetic."""
-from fractions import Fraction
 
 from .exact import ORDERS, Refuted, STATED, number
+from .rational import Fraction
 
 
 def stored_bound(proof):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What a stroke may pass: motion.within_lift and motion.monotone."""
-from fractions import Fraction
 
 from .exact import ORDERS, STATED, number
+from .rational import Fraction
 
 SLOW = STATED  # lifts by x: what passes a place no faster does not leave the range there
 

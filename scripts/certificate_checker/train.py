@@ -23,12 +23,12 @@ After the last breakpoint, at rest, nothing of the second sum is left: there E =
 The force on the cam in units of K lift:  s P / (K lift) + s (1 - s) y + 2 z / w (1 - s) y' - s e - 2 z / w e'.
 """
 import itertools
-from fractions import Fraction
 
 from . import enclosures
 from .enclosures import Complex, Over
 from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, times, value_at
 from .laws import at_time, constant, harmonic
+from .rational import Fraction
 from .runs import Peak
 from .units import in_unit
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Numbers of a scene with their units."""
-from fractions import Fraction
 
 from .exact import PI, PI_ITSELF, Unverified, exactly, number, times
+from .rational import Fraction
 
 INCH, POUND, POUND_FORCE = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction("4.4482216152605")
 LENGTHS = {"mm": Fraction(1, 1000), "m": Fraction(1), "in": INCH}

@@ -6,9 +6,9 @@ the law run_in over 2h/3v to h/3 and a constant velocity over 2h/3v; the flank g
 t after the ramp's end, or as given, on the ramp where that is not below it. In t the jerk 60 L/D^3 up to the acceleration 4 L/D^2
 reaches that point, L the lift and D the angle from the point to the nose. Strokes are monotone.
 """
-from fractions import Fraction
 
 from .exact import Unverified, number
+from .rational import Fraction
 from .units import LENGTHS, RADIAN, angle_of, dimension_of, in_unit
 
 OF_VALVES = ("type", "lift_", "rocker_ratio", "valve_arm_", "lash_", "duration_", "opening_", "closing_ramp", "checking_height_",

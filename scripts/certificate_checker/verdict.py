@@ -3,7 +3,6 @@
 import json
 import sys
 import tomllib
-from fractions import Fraction
 from pathlib import Path
 
 from .any_curve import any_curve_bound, require_no_curve
@@ -20,6 +19,7 @@ from .measured import KINDS as DEVIATIONS
 from .motion import Curve
 from .prescribed import bound_of, is_prescribed, judge_passed_limit
 from .problem import Problem
+from .rational import Fraction, parsed
 from .units import angle_of, in_known_units, in_unit, with_known_rule
 from .references import references_of
 from .stored import check_box, factor_of, stored_bound
@@ -97,7 +97,7 @@ def delivered_problem(scene, references, result):
 
 
 def judge(folder, report, vipr_path):
-    scene = as_program(tomllib.loads((folder / "scene.toml").read_text(), parse_float=Fraction))
+    scene = as_program(tomllib.loads((folder / "scene.toml").read_text(), parse_float=parsed))
     name_what_is_unknown(scene)
     scene = in_known_units(scene)
     result = json.loads((folder / "result.json").read_text())

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The bound in the format VIPR."""
-from fractions import Fraction
 
 from .exact import add_to
+from .rational import Fraction
 
 
 def once(rows):

@@ -5,9 +5,9 @@ A printed number is  sign * value + offset  after the axis's letter. x, y, z are
 cam, `tilt` leans it.
 """
 import re
-from fractions import Fraction
 
 from certificate_checker.exact import Unverified
+from certificate_checker.rational import Fraction
 
 KEYS = ("x", "y", "z", "rotary", "tilt")
 LINE = re.compile(r"^[(;]([A-Z] = -?x\b[^()\n]*)\)?$", re.MULTILINE)

@@ -6,11 +6,11 @@ as for a drawn curve. Distances between edges and moves are computed in doubles.
 rounding stays far below ROUNDING, which is subtracted.
 """
 import math
-from fractions import Fraction
 
 from certificate_checker.enclosures import ONE
 from certificate_checker.exact import Unverified
 
+from certificate_checker.rational import Fraction
 from .departure import Part
 from .segments import straight
 

@@ -6,11 +6,11 @@ its programmed end. At outer corners the cutter rolls about the corner, at inner
 doubles, which nc.py leaves room for.
 """
 import math
-from fractions import Fraction
 
 from certificate_checker.exact import Refuted, Unverified
 from certificate_checker.plane_vectors import across, dot
 
+from certificate_checker.rational import Fraction
 from .gouges import doubles
 from .moves import Move
 

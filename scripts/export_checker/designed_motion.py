@@ -6,13 +6,13 @@ own laws and dwells. x counts in the scene's unit angle, y in lifts.
 """
 import bisect
 import collections
-from fractions import Fraction
 
 from certificate_checker.enclosures import ONE, Over, added, interval, multiplied
 from certificate_checker.exact import STATED, Refuted, Unverified, derivative
 from certificate_checker.known import name_what_is_unknown
 from certificate_checker.laws import parts_along
 from certificate_checker.motion import Curve
+from certificate_checker.rational import Fraction
 from certificate_checker.units import in_known_units, in_unit
 from certificate_checker.valve import as_program
 from certificate_checker.verdict import delivered_problem

@@ -8,9 +8,9 @@ guide share a layer, the left one first.
 """
 import itertools
 import math
-from fractions import Fraction
 
 from certificate_checker.exact import Refuted, Unverified
+from certificate_checker.rational import Fraction
 from certificate_checker.units import dimension_of
 
 from .clearance import Polygon

@@ -11,11 +11,11 @@ the cutter's axis is P + s up, with s from the tip upward. Two comparisons, as J
   d + R - r: so deep, or below the floor, it enters the finished cam at most.
 """
 import math
-from fractions import Fraction
 
 from certificate_checker.enclosures import ONE, added, fraction, interval, multiplied
 from certificate_checker.exact import Unverified
 
+from certificate_checker.rational import Fraction
 from .clearance import ROUNDING
 from .jets import Jet, ZERO, largest_magnitude, range_over
 

@@ -9,11 +9,11 @@
 """
 import math
 import re
-from fractions import Fraction
 
 from certificate_checker.enclosures import ONE
 from certificate_checker.exact import Refuted, Unverified
 
+from certificate_checker.rational import Fraction
 from .clearance import ROUNDING
 from .groove_feed import GrooveFeed
 from .nc_reader import Program

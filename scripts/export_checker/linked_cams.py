@@ -6,13 +6,13 @@ displacement s, as numbers with slopes by s. The slope of the second derivative 
 Lengths of linkages are in m, points in mm. Frames: plane_cam.py; the guide of an inverse cam lies in its body, the pivot at the
 origin, at displacement 0 as the scene's pin angle says.
 """
-from fractions import Fraction
 
 from certificate_checker.enclosures import ONE, Over, added, interval, multiplied
 from certificate_checker.exact import Unverified
 from certificate_checker.inverse_rules import InverseRules
 from certificate_checker.laws import constant
 from certificate_checker.plane_vectors import direction, minus, scaled, turned
+from certificate_checker.rational import Fraction
 from certificate_checker.remote_rules import RemoteRules
 from certificate_checker.units import LENGTHS, enclosed
 

@@ -9,11 +9,11 @@ G42 too (compensation.py).
   upper end, so it cuts where its centre comes nearer to an outline than its radius.
 """
 import math
-from fractions import Fraction
 
 from certificate_checker.exact import Refuted, Unverified
 
 from . import groove_nc
+from certificate_checker.rational import Fraction
 from .clearance import ROUNDING, Arc, point_to_line
 from .departure import largest_departure
 from .gouges import Gouges, Wall, doubles

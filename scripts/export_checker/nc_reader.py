@@ -6,11 +6,11 @@ left unverified, since it might move the axes. Lengths are exact decimals in mm,
 with a semicolon.
 """
 import re
-from fractions import Fraction
 
 from certificate_checker.exact import Refuted, Unverified
 
 from .axes import Axes
+from certificate_checker.rational import Fraction
 from .compensation import compensated
 from .moves import Move
 

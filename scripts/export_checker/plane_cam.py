@@ -13,11 +13,11 @@ fixed frame, with s its displacement:
 A roller's centre moves in the cam's frame with the velocity v; the profile lies at a roller radius from it across v. A face
 touches at the foot of the normal through the instantaneous centre of its motion relative to the cam. Lengths are in mm.
 """
-from fractions import Fraction
 
 from certificate_checker.cam import DIMENSIONS
 from certificate_checker.enclosures import ONE, interval
 from certificate_checker.exact import STATED, Refuted, Unverified, number
+from certificate_checker.rational import Fraction
 from certificate_checker.units import angle_of, dimension_of, enclosed
 
 from .designed_motion import DesignedMotion, exact_numbers

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """An electronic cam: the largest departure of what the controller does from the designed motion, and the limits of the scene."""
 import copy
-from fractions import Fraction
 
 from certificate_checker.drive import Drive
 from certificate_checker.exact import KEPT, Refuted, Unverified, derivative, largest, largest_magnitude, number, shifted
 from certificate_checker.known import name_what_is_unknown
 from certificate_checker.motion import Curve
+from certificate_checker.rational import Fraction
 from certificate_checker.references import references_of
 from certificate_checker.units import in_known_units, in_unit
 from certificate_checker.valve import as_program

@@ -7,9 +7,9 @@ of their rows.
 """
 import re
 import struct
-from fractions import Fraction
 
 from certificate_checker.exact import Refuted
+from certificate_checker.rational import Fraction
 
 ELEMENT = re.compile(r"\w+(?:\.\w+)*\[(\d+)\]\.(\w+)\s*:=\s*([^;]+);")
 FIELD = re.compile(r"(?<![\w\]])(\w+\.\w+)\s*:=\s*([^;]+);")

@@ -6,11 +6,11 @@ are, laws as their Taylor polynomials about the middle of each stretch. `left`: 
 that of its polynomial, for orders 0 to 3.
 """
 import math
-from fractions import Fraction
 
 from certificate_checker.enclosures import ends_of
 from certificate_checker.exact import Refuted, Unverified, combination, derivative, largest_magnitude, middle_of, number, shifted
 from certificate_checker.laws import along, constant, harmonic, polynomials_of
+from certificate_checker.rational import Fraction
 from certificate_checker.units import RADIAN, angle_of
 
 SAME_JOINT = Fraction(1, 10**9)  # deg: what rounding makes of one joint

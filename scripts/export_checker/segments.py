@@ -9,11 +9,11 @@ equals D (1 + |k| D) up to its sign, D the distance of X from the circle, negati
 line |D| = |F|. X projects onto the segment itself where T_A (X - A) >= 0 and T_B (B - X) >= 0, T the directions of travel.
 """
 import math
-from fractions import Fraction
 
 from certificate_checker.enclosures import ONE, Over, interval, inverted, multiplied, rooted
 from certificate_checker.exact import Refuted, root
 
+from certificate_checker.rational import Fraction
 from .jets import Jet, ZERO, negative
 
 MOST_BULGE = Fraction(9, 10)  # tan(angle / 4): below half a circle

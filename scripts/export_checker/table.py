@@ -3,9 +3,9 @@
 import csv
 import math
 import re
-from fractions import Fraction
 
 from certificate_checker.exact import Refuted, Unverified, number
+from certificate_checker.rational import Fraction
 from certificate_checker.units import LENGTHS, RADIAN
 
 from .outcome import Outcome

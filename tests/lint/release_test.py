@@ -49,9 +49,6 @@ def faults_of_steps(root):
     for name, (_, option, _) in nightly.STEPS.items():
         if option and f"\n{option})" not in setup:
             yield f"scripts/nightly: {name}: scripts/setup has no {option}"
-    for name in nightly.NO_TURN:
-        if name not in nightly.STEPS:
-            yield f"scripts/nightly: NO_TURN: no step {name}"
 
 
 def main(root):

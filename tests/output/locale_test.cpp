@@ -76,8 +76,7 @@ class ProcessLocale {
 };
 
 Scene scene_of(const std::string& name) {
-    return input::read_scene_file(source_folder() + "/scenes/" + name + ".toml",
-                                  known_names());
+    return input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names());
 }
 
 /// Without the seconds that a solve took.

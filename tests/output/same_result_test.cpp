@@ -75,9 +75,8 @@ class SameResult : public testing::TestWithParam<Case> {
     Scene scene() const {
         std::vector<std::string> settings = GetParam().settings;
         settings.emplace_back("solver.max_seconds=1e6");
-        Scene scene =
-            input::read_scene_file(source_folder() + "/scenes/" + GetParam().scene + ".toml",
-                                   known_names(), settings);
+        Scene scene = input::read_scene_file(source_folder() + "/scenes/" + GetParam().scene + ".toml",
+                                             known_names(), settings);
         return scene;
     }
     bool is_available() const {

@@ -26,8 +26,7 @@ constexpr int places = 4001;
 Solution solved(const std::string& name, const std::vector<std::string>& settings = {}) {
     std::vector<std::string> quick = {"solver.starts=1"};
     quick.insert(quick.end(), settings.begin(), settings.end());
-    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + name + ".toml",
-                                         known_names(), quick);
+    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names(), quick);
     return solve(scene);
 }
 

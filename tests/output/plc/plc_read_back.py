@@ -14,10 +14,10 @@ import subprocess
 import sys
 import tempfile
 import tomllib
-from fractions import Fraction
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "scripts"))
 from certificate_checker.exact import Refuted, derivative  # noqa: E402
+from certificate_checker.rational import Fraction, parsed  # noqa: E402
 from export_checker import plc, plc_tables, table  # noqa: E402
 
 ALL = list(plc_tables.READERS)
@@ -76,7 +76,7 @@ class Samples:
     """The motion that camopt itself writes: s … s''' by degrees, at places that are no joints."""
 
     def __init__(self, camopt, folder, work):
-        scene = tomllib.loads((folder / "scene.toml").read_text(), parse_float=Fraction)
+        scene = tomllib.loads((folder / "scene.toml").read_text(), parse_float=parsed)
         self.scene, unit = scene, "deg" if any(key in scene["motion"] for key in ("lift_deg", "lift_rad", "stops")) else "mm"
         self.columns = [f"s_{unit}", f"ds_{unit}_deg", f"dds_{unit}_deg2", f"ddds_{unit}_deg3"]
         ran = exported_table(camopt, folder, work / "samples", "--points", 100_000 if EVERYTHING else 20_000,

@@ -97,8 +97,7 @@ TEST(InchReport, SuggestedKeysAreAsWritten) {
 }
 
 TEST(InchReport, RampsPerDegreeHoldExactly) {
-    const Scene scene =
-        load_scene(source_folder() + "/tests/support/cases/lobe_ramps_in_inches.toml");
+    const Scene scene = load_scene(source_folder() + "/tests/support/cases/lobe_ramps_in_inches.toml");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion);
     const double per_degree = units::inch / units::degree;

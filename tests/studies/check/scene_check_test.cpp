@@ -19,8 +19,8 @@ namespace camopt {
 namespace scene_check_test {
 
 Scene scene_of(const std::string& name, const std::vector<std::string>& settings = {}) {
-    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + name + ".toml",
-                                         known_names(), settings);
+    Scene scene =
+        input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names(), settings);
     return scene;
 }
 

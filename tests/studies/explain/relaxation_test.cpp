@@ -27,8 +27,8 @@ using namespace testing_support;
 using enum DimensionIndex;
 
 Solution solved_case(const char* name, const std::vector<std::string>& settings = {}) {
-    return solve(input::read_scene_file(source_folder() + "/tests/cases/" + name + ".toml",
-                                        known_names(), settings));
+    return solve(
+        input::read_scene_file(source_folder() + "/tests/cases/" + name + ".toml", known_names(), settings));
 }
 
 const Relaxation* row_of(const Solution& solution, const std::string& key) {

@@ -27,8 +27,8 @@ struct Case {
 };
 
 Scene scene_of(const Case& one) {
-    Scene scene = input::read_scene_file(source_folder() + "/" + one.file + ".toml",
-                                         known_names(), one.settings);
+    Scene scene =
+        input::read_scene_file(source_folder() + "/" + one.file + ".toml", known_names(), one.settings);
     return scene;
 }
 

@@ -28,8 +28,7 @@ constexpr int fine = 20000;
 constexpr double step = 1e-4;  // of the rise, for differences
 
 Scene scene_of_the_feeder() {
-    Scene scene =
-        input::read_scene_file(source_folder() + "/scenes/inverse_feeder.toml", known_names());
+    Scene scene = input::read_scene_file(source_folder() + "/scenes/inverse_feeder.toml", known_names());
     return scene;
 }
 

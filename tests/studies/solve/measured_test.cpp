@@ -110,8 +110,8 @@ TEST(Measured, ResidualCurveIsTableMinusFit) {
 }
 
 TEST(Measured, LobeInInchesIsReadWithoutHeader) {
-    const Scene scene = input::read_scene_file(
-        source_folder() + "/tests/support/cases/measured_lobe.toml", known_names());
+    const Scene scene =
+        input::read_scene_file(source_folder() + "/tests/support/cases/measured_lobe.toml", known_names());
     ASSERT_EQ(scene.measured->angle.size(), 131u);
     EXPECT_NEAR(scene.measured->angle[65], 65.0 * units::degree, 1e-12);
     EXPECT_DOUBLE_EQ(scene.measured->displacement[65], 0.393615 * units::inch);

@@ -21,8 +21,7 @@ namespace plan_test {
 using namespace testing_support;
 
 Scene example(const std::string& name) {
-    return input::read_scene_file(source_folder() + "/scenes/" + name + ".toml",
-                                  known_names());
+    return input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names());
 }
 
 /// Two strokes whose angles have ranges.

@@ -81,8 +81,8 @@ TEST(PrescribedMotion, ViolatedLimitIsInfeasible) {
         EXPECT_TRUE(solution.relaxation.front().needed);
     }
     EXPECT_EQ(solve(scene_of(program + "[limits]\nvelocity = 2.1\n")).certificate.verdict, Verdict::optimal);
-    Scene jumps = input::read_scene_file(
-        source_folder() + "/tests/support/cases/flat_all_laws.toml", known_names());
+    Scene jumps =
+        input::read_scene_file(source_folder() + "/tests/support/cases/flat_all_laws.toml", known_names());
     jumps.limits.jerk = PeakLimit(80.0);
     jumps.solver.explain_seconds = 0.1;
     const Solution solution = solve(jumps);
@@ -119,8 +119,8 @@ TEST(PrescribedMotion, HasACamWithItsLimits) {
 
 /// The smallest flat-face cam without undercut: base = max −(s + s''), here on a dense grid.
 TEST(PrescribedMotion, SmallestBaseCircleIsFound) {
-    const Scene scene = input::read_scene_file(
-        source_folder() + "/tests/support/cases/flat_all_laws.toml", known_names());
+    const Scene scene =
+        input::read_scene_file(source_folder() + "/tests/support/cases/flat_all_laws.toml", known_names());
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     const double angle = scene.motion.unit_angle(), lift = scene.motion.lift;

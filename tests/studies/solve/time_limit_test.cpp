@@ -31,8 +31,8 @@ struct Case {
 Scene scene_of(const Case& one) {
     std::vector<std::string> settings = one.settings;
     settings.push_back("solver.name=\"" + one.solver + "\"");
-    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + one.scene + ".toml",
-                                         known_names(), settings);
+    Scene scene =
+        input::read_scene_file(source_folder() + "/scenes/" + one.scene + ".toml", known_names(), settings);
     return scene;
 }
 

@@ -21,8 +21,7 @@ namespace two_sided_cams_test {
 
 /// From two starts and with a loose bound: what is looked at holds for any motion that is delivered.
 Solution solved(const std::string& name) {
-    Scene scene =
-        input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names());
+    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names());
     scene.solver.starts = 2;
     scene.solver.gap = 1e-2;
     return solve(scene);

@@ -22,8 +22,8 @@ namespace within_lift_test {
 using namespace testing_support;
 
 Scene scene_of(const std::string& name) {
-    Scene scene = input::read_scene_file(
-        source_folder() + "/tests/support/cases/" + name + ".toml", known_names());
+    Scene scene =
+        input::read_scene_file(source_folder() + "/tests/support/cases/" + name + ".toml", known_names());
     return scene;
 }
 
