@@ -423,8 +423,8 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
                   : completion_text(program, std::span(words + 2, static_cast<std::size_t>(count - 2))));
         return success;
     }
-    if (first == "__offline_page" && count == 4) {
-        print(make_offline_page(read_text_file(words[2]), words[3],
+    if (first == "__offline_page" && count == 5) {
+        print(make_offline_page(read_text_file(words[2]), read_text_file(words[3]), words[4],
                                 [](const std::string& why) { print_error("no example: " + why + "\n"); }));
         return success;
     }
