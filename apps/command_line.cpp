@@ -383,7 +383,7 @@ ExitCode complain(std::string_view what, ExitCode code) {
     return code;
 }
 
-/// "camopt 0.2.0" and under what terms this binary may be passed on.
+/// "camopt MAJOR.MINOR.PATCH" and under what terms this binary may be passed on.
 std::string version_text() {
     std::string with;
     for (const LicensedPart& part : licensed_parts())

@@ -7,7 +7,9 @@ endif()
 if(BUILD_SHARED_LIBS OR NOT CAMOPT_C OR NOT CAMOPT_HAVE_PYTHON OR NOT TARGET camopt)
   message(FATAL_ERROR "camopt: CAMOPT_DEBIAN=ON needs the program, the C library, the Python package and static libraries (preset debian)")
 endif()
-set(CAMOPT_DEBIAN_MAINTAINER "The camopt authors <maintainers@camopt.example>" CACHE STRING "Maintainer of the Debian packages")
+# Debian demands "Name <address>" with a host that has a dot. camopt has no address: its maintainers are reached as SECURITY.md and
+# CONTRIBUTING.md say. `.invalid` is reserved (RFC 2606), so it receives no mail. Distributors set their own contact here.
+set(CAMOPT_DEBIAN_MAINTAINER "The camopt maintainers <noreply@camopt.invalid>" CACHE STRING "Maintainer of the Debian packages")
 set(CAMOPT_OFFLINE_PAGE "" CACHE FILEPATH "Page of scripts/offline_page, camopt.html; the package camopt installs it in share/camopt")
 
 if(NOT EXISTS "${CAMOPT_OFFLINE_PAGE}")

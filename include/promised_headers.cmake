@@ -121,6 +121,13 @@ camopt_promise(licenses [[
 Which libraries of others are in this build, and under what terms a binary of it may be passed on:
 licensed_parts(), terms_of_binary().]]
   core/version.hpp)
+camopt_promise(machine [[
+A machine of several axes on one master, with clearances between them: solve_machine(machine) finds the
+largest speed at which motions exist, or the least total objective at a given one, with the proof;
+input::read_machine reads a machine file. SI and radians. Throws InputError and SceneError as solve() does.]]
+  input/machine/machine_reader.hpp
+  scene/machine_spec.hpp
+  studies/machine/machine.hpp)
 camopt_promise(mechanism [[
 Any mechanism between a cam and its output, as the optimizer sees it: from one state (s, s', s'') of the
 output and the mechanism's dimensions to the quantities that limits are made of, with exact partials.

@@ -49,7 +49,7 @@ extern "C" {
 /// CAMOPT_ABI_VERSION of the library that was loaded: a program stops where it is not that of its header.
 CAMOPT_C_API int camopt_abi_version(void);
 
-/// The version of camopt, "0.2.0". Static.
+/// The version of camopt, "MAJOR.MINOR.PATCH". Static.
 CAMOPT_C_API const char* camopt_version(void);
 
 /// The libraries that this camopt was built with, a line each ("Ipopt: EPL-1.0 (solver)"), and in a last line

@@ -19,39 +19,55 @@ import notebooks
 import tree
 
 HERE = pathlib.Path(__file__).parent
-# Sections of the site: the pages of docs/ in the order in which one reads them. What is in none is in the last.
+# Sections of the menu, in the order in which a reader needs them: install, first solve, scenes, results, cams, applications.
+# Every page of the tree is in one of them; a page that is in none is an error (missing_pages).
 SECTIONS = [
-    ("Using camopt", ["try", "scene_file", "results", "report", "compare", "sweep", "cams", "programs", "nc", "plc"]),
-    ("Reference", ["reference/scene", "reference/laws", "reference/solvers", "api/index", "embedding"]),
-    ("Examples", ["gallery/index", "notebooks/index", "notebooks_cpp/README"]),
-    ("Theory", ["method", "stability", "theory/pressure_angle"]),
+    ("Start", ["try", "install", "README", "designs", "gallery/index"]),
+    ("Scenes and results", ["scene_file", "reference/scene", "programs", "results", "report", "compare", "sweep", "scale"]),
+    ("Cams", ["cams", "drawing", "nc", "measured", "inspect"]),
+    ("Applications", ["valves", "servo", "plc", "machines", "theory/elastic_follower"]),
+    ("Your own program", ["examples/README", "embedding", "embedding_c", "python", "api/index", "notebooks_cpp/README",
+                          "notebooks/index"]),
+    ("Method and proofs", ["method", "certificates", "stability", "trials", "theory/pressure_angle", "reference/laws",
+                           "reference/solvers"]),
     ("Papers", []),
     ("Benchmarks", ["benchmarks/RESULTS", "benchmarks/README"]),
-    ("The project", ["README", "architecture", "dependencies", "CONTRIBUTING", "CHANGELOG", "SECURITY"]),
+    ("The project", ["architecture", "dependencies", "verification", "CONTRIBUTING", "adding_a_law", "adding_a_limit", "adding_a_term",
+                     "adding_a_solver", "adding_a_follower", "adding_a_kind", "adding_a_format", "CHANGELOG", "SECURITY"]),
 ]
+# Pages that other pages list; "source/" shows files that pages link to.
+LISTED_ELSEWHERE = ("source/", "api/", "gallery/", "notebooks/")
 
 
 def pages_of_tree(root):
-    pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "benchmarks/README.md", "benchmarks/RESULTS.md", "notebooks_cpp/README.md"]
+    pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "benchmarks/README.md", "benchmarks/RESULTS.md",
+             "notebooks_cpp/README.md", "examples/README.md"]
     pages += [str(path.relative_to(root)) for path in (root / "benchmarks/results").glob("*.md")]
     pages += [str(path.relative_to(root)) for path in sorted((root / "docs").rglob("*.md"))]
     return [page for page in pages if (root / page).exists()]
 
 
 def sections(out):
-    """(title, pages) with every page of the site but the first and those that other pages list."""
+    """(title, pages) of the menu: every page of the site but the first and those that other pages list."""
     written = {str(path.relative_to(out).with_suffix("")) for path in out.rglob("*.md")}
-    listed = {"index"} | {page for page in written if page.startswith(("source/", "api/", "gallery/", "notebooks/"))}
+    rows = []
     for title, names in SECTIONS:
         pages = [name if name in written else f"docs/{name}" for name in names]
         if title == "Papers":
             pages = sorted(page for page in written if page.startswith("docs/papers/"))
         if title == "Benchmarks":
             pages += sorted(page for page in written if page.startswith("benchmarks/results/"))
-        if title == "The project":
-            rest = written - listed - {page for _, names in SECTIONS for name in names for page in (name, f"docs/{name}")}
-            pages[1:1] = sorted(page for page in rest if page.startswith("docs/") and not page.startswith("docs/papers/"))
-        yield title, [page for page in pages if page in written]
+        rows.append((title, [page for page in pages if page in written]))
+    missing = missing_pages(written, rows)
+    if missing:
+        sys.exit(f"docs/site/build.py: SECTIONS lacks {', '.join(missing)}")
+    return rows
+
+
+def missing_pages(written, rows):
+    """Pages that are not in the menu."""
+    in_menu = {page for _, pages in rows for page in pages}
+    return sorted(page for page in written - in_menu - {"index"} if not page.startswith(LISTED_ELSEWHERE))
 
 
 def add_contents(out):
@@ -129,4 +145,5 @@ def main():
     sys.exit(status)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -93,7 +93,7 @@ def check_library(prefix, version, root, work):
     """libcamopt-dev, extracted: a CMake project of C++, and a program in C by pkg-config."""
     build = fresh(work, "consumer")
     run("cmake", "-S", root / "tests/package/consumer", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-        "-DCAMOPT_KIND=static", f"-DCMAKE_PREFIX_PATH={prefix}")
+        "-DCAMOPT_KIND=static", f"-DCAMOPT_VERSION={version}", f"-DCMAKE_PREFIX_PATH={prefix}")
     run("cmake", "--build", build, "--target", "one_component", "solve")
     printed = run(build / "solve")
     demand("a C++ program of libcamopt-dev solves", OBJECTIVE in printed, printed)

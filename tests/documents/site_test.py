@@ -10,6 +10,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "docs/site"))
 
 import api  # noqa: E402
+import build  # noqa: E402
 import dead_links  # noqa: E402
 import tree  # noqa: E402
 
@@ -52,6 +53,38 @@ class Pages(unittest.TestCase):
     def test_a_table_without_title_gets_one(self):
         self.assertEqual(tree.with_title("a/stability.md", "### one\n"), "# Stability\n\n## one\n")
         self.assertEqual(tree.with_title("a/b.md", "# Title\n"), "# Title\n")
+
+
+class Menu(unittest.TestCase):
+    """Pages of the tree, laid out as on the site, without what programs write (reference, gallery, notebooks)."""
+
+    MADE = ("try", "reference/", "gallery/", "notebooks/", "api/")
+
+    def written(self, folder, *more):
+        out = pathlib.Path(folder)
+        for page in [*build.pages_of_tree(ROOT), *more]:
+            path = out / ("index.md" if page == "README.md" else page)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text("# Page\n")
+        return out
+
+    def test_has_every_page_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pages = [page for _, pages in build.sections(self.written(folder)) for page in pages]
+        self.assertEqual(len(pages), len(set(pages)))
+        self.assertEqual(pages[0], "docs/install")
+        self.assertEqual(len(pages), len(build.pages_of_tree(ROOT)) - 1)
+
+    def test_refuses_a_page_that_is_in_no_section(self):
+        with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(SystemExit, "lacks docs/forgotten"):
+            build.sections(self.written(folder, "docs/forgotten.md"))
+
+    def test_names_no_page_that_is_gone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = self.written(folder)
+            gone = [name for _, names in build.SECTIONS for name in names if not name.startswith(self.MADE)
+                    and not (out / f"{name}.md").exists() and not (out / f"docs/{name}.md").exists()]
+        self.assertEqual(gone, [])
 
 
 class Declarations(unittest.TestCase):

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""doc_links.py ROOT: every relative link and every path in backticks that the documentation names exists, and what it
-says of camopt's version (find_package, soname, promise) is that of CMakeLists.txt."""
+"""doc_links.py ROOT: every relative link and every path in backticks that the documentation names exists."""
 
 import pathlib
 import re
@@ -11,7 +10,6 @@ import source_tree
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 TICKED = re.compile(r"`([A-Za-z0-9_.][A-Za-z0-9_./-]*/[A-Za-z0-9_./-]*)`")
 FENCE = re.compile(r"^\s*```")
-VERSION = re.compile(r"find_package\(camopt (\d+\.\d+)|libcamopt(?:_c)?\.so\.(\d+\.\d+)|\b(\d+\.\d+)\.x\b|compiles with (\d+\.\d+)\.\d")
 # Made by a build; not in the tree.
 MADE = ("build/", "out/")
 
@@ -35,24 +33,9 @@ def faults_of_link(root, page, target):
         yield f"'{target}': no such heading"
 
 
-def version_of(root):
-    found = re.search(r"project\(camopt VERSION (\d+\.\d+)", (root / "CMakeLists.txt").read_text())
-    return found[1] if found else ""
-
-
-def faults_of_version(root, line):
-    for match in VERSION.finditer(line):
-        said = next(filter(None, match.groups()))
-        if said != version_of(root):
-            yield f"'{match[0]}': CMakeLists.txt has version {version_of(root)}"
-
-
 def faults_of(root, page):
     fenced = False
     for number, line in enumerate((root / page).read_text().splitlines(), 1):
-        if page.name != "CHANGELOG.md":
-            for fault in faults_of_version(root, line):
-                yield f"{page}:{number}: {fault}"
         if FENCE.match(line):
             fenced = not fenced
         if fenced:

@@ -2,6 +2,7 @@
 """release_test.py ROOT: scripts that name the same things agree: artefacts of scripts/release with their builds, checks and
 licences, marks of scripts/packages.txt with scripts/setup, steps of scripts/nightly with the table of docs/verification.md."""
 
+import hashlib
 import importlib.machinery
 import importlib.util
 import os
@@ -10,6 +11,7 @@ import re
 import signal
 import subprocess
 import sys
+import tempfile
 
 sys.dont_write_bytecode = True
 
@@ -30,8 +32,6 @@ def faults_of_release(root):
             yield f"scripts/release: no build_{name}"
         if not hasattr(checks, f"check_{name}"):
             yield f"tests/artefacts/checks.py: no check_{name}"
-
-
     for file, parts in texts.CONTENTS.items():
         for part in parts:
             if part not in texts.PARTS:
@@ -88,6 +88,25 @@ def faults_of_signals(root):
         yield "scripts/release: SIGTERM leaves what its builds began"
 
 
+def faults_of_table(root):
+    """scripts/release --table: what it enters between the marks of docs/install.md, and that it can be entered again."""
+    release = module(root / "scripts/release")
+    page = (root / "docs/install.md").read_text()
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "camopt-1.2.3.html"
+        file.write_bytes(b"a" * 1_234_567)
+        table = release.artefact_table([file], "0123456789abcdef")
+    row = f"| `camopt-1.2.3.html` | 1.23 MB | `{hashlib.sha256(b'a' * 1_234_567).hexdigest()}` |"
+    if row not in table or "`0123456789ab`" not in table:
+        yield f"scripts/release: artefact_table made {table!r}"
+    once = release.with_table(page, table)
+    if row not in once or release.with_table(once, table) != once or once.count(release.TABLE_BEGIN) != 1:
+        yield "scripts/release: with_table does not replace the table of docs/install.md"
+    if [once.split(release.TABLE_BEGIN)[0], once.split(release.TABLE_END)[1]] != \
+            [page.split(release.TABLE_BEGIN)[0], page.split(release.TABLE_END)[1]]:
+        yield "scripts/release: with_table changes what is outside of the table"
+
+
 def faults_of_packages(root):
     marks = set(re.findall(r"optional_marks='([^']*)'", (root / "scripts/setup").read_text()))
     known = "".join(re.escape(mark) for mark in set("".join(marks)))
@@ -108,7 +127,8 @@ def faults_of_steps(root):
 
 
 def main(root):
-    faults = [*faults_of_release(root), *faults_of_licenses(root), *faults_of_signals(root), *faults_of_packages(root), *faults_of_steps(root)]
+    faults = [*faults_of_release(root), *faults_of_licenses(root), *faults_of_signals(root), *faults_of_table(root), *faults_of_packages(root),
+              *faults_of_steps(root)]
     for fault in faults:
         print(fault)
     print(f"release_test: {len(faults)} faults")

@@ -28,6 +28,8 @@ CLEAN = {
     "tests/pairs/pairs.py": '# SPDX-License-Identifier: MIT\nOUTPUTS = {"result": ("solve", [], ["motion.csv"])}\n'
                             'KINDS = {"rise": (["DRD", "disk"], "", [])}\nELSEWHERE = {}\n',
     "output/plc/plc_format.cpp": SPDX,
+    "CHANGELOG.md": "# Changelog\n## [Unreleased]\n## [0.2.0] – 2026-01-31\n## [0.1.0] – 2026-01-30\n",
+    "CITATION.cff": "version: 0.2.0\ndate-released: 2026-01-31\n",
     "README.md": "# Title\nSee [a](core/a.hpp), [here](#title) and `core/a.hpp`.\n",
 }
 # check, file, its text, words that the message must hold
@@ -95,9 +97,19 @@ PLANTED = [
     ("public_headers", "camopt/b.hpp", "#pragma once\n", "stands outside of camopt/"),
     ("doc_links", "docs/x.md", "[gone](gone.md)\n", "'gone.md' does not exist"),
     ("doc_links", "docs/x.md", "[a](../README.md#no-such)\n", "no such heading"),
-    ("doc_links", "docs/x.md", "```cmake\nfind_package(camopt 0.1 REQUIRED)\n```\n", "CMakeLists.txt has version 0.2"),
-    ("doc_links", "docs/x.md", "names stay within 0.1.x\n", "CMakeLists.txt has version 0.2"),
     ("doc_links", "docs/x.md", "see `core/gone.hpp`\n", "`core/gone.hpp` does not exist"),
+    ("versions", "docs/x.md", "```cmake\nfind_package(camopt 0.1 REQUIRED)\n```\n",
+     "docs/x.md:2: 'find_package(camopt 0.1': CMakeLists.txt has version 0.2.0"),
+    ("versions", "docs/x.md", "names stay within 0.1.x\n", "CMakeLists.txt has version 0.2.0"),
+    ("versions", "docs/x.md", "open `camopt-0.1.0.html`\n", "CMakeLists.txt has version 0.2.0"),
+    ("versions", "README.md", "apt-get install ./camopt_0.2.1_amd64.deb\n", "CMakeLists.txt has version 0.2.0"),
+    ("versions", "notebooks_cpp/kernel.py", 'implementation_version = "0.1.0"\n', "CMakeLists.txt has version 0.2.0"),
+    ("versions", "tests/package/CMakeLists.txt", "find_package(camopt 0.1 REQUIRED)\n", "CMakeLists.txt has version 0.2.0"),
+    ("versions", "CHANGELOG.md", "## [0.1.0] – 2026-01-31\n", "its newest release is '0.1.0'"),
+    ("versions", "CHANGELOG.md", "## [0.2.0] – unreleased\n", "has the date 'unreleased'"),
+    ("versions", "CITATION.cff", "version: 0.1.0\ndate-released: 2026-01-31\n", "CITATION.cff: version is '0.1.0'"),
+    ("versions", "CITATION.cff", "version: 0.2.0\n", "CITATION.cff: date-released is ''"),
+    ("versions", "bindings/python/pyproject.toml", '[project]\nversion = "0.1.0"\n', "takes its version from CMakeLists.txt"),
 ]
 
 

@@ -53,7 +53,7 @@ MAY_INCLUDE["output/exports"] = MAY_INCLUDE["output"] | {
     "output", "output/nc", "output/surface", "output/spatial", "output/disk", "output/toolpath", "output/plc", "output/page"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
-    user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "bindings", "notebooks_cpp", "tests")
+    user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "bindings", "examples", "notebooks_cpp", "tests")
 }
 # Nothing builds on the program; what of it can fail by itself (worker processes) is tested by itself.
 MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps", "bindings"}

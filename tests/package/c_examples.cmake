@@ -83,7 +83,7 @@ foreach(kind static shared)
     ${CMAKE_CURRENT_LIST_DIR}/c_and_cpp ${folder} --build-generator ${CMAKE_GENERATOR}
     --build-makeprogram ${CMAKE_MAKE_PROGRAM} --build-options
     -DCMAKE_PREFIX_PATH=${CMAKE_CURRENT_BINARY_DIR}/prefix_${kind} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-    -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} "-DCMAKE_CXX_FLAGS=${consumer_flags}")
+    -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} "-DCMAKE_CXX_FLAGS=${consumer_flags}" -DCAMOPT_VERSION=${PROJECT_VERSION})
   set_tests_properties(package.c_${kind}_beside_cpp_builds PROPERTIES FIXTURES_REQUIRED camopt_${kind}_installed
     FIXTURES_SETUP c_${kind}_beside_cpp_built)
   add_test(NAME package.c_${kind}_beside_cpp_runs COMMAND ${folder}/c_and_cpp)
