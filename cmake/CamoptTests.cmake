@@ -38,7 +38,8 @@ list(JOIN camopt_cases_of_solve ":" camopt_cases_of_solve)
 list(JOIN camopt_cases_of_nightly ":" camopt_cases_of_nightly)
 
 # camopt_add_test(<name> SOURCES … [LIBRARIES …] [TIMEOUT …] [ENVIRONMENT NAME=VALUE]): one GoogleTest program; ctest knows its
-# cases by their tiers and starts the longer ones first.
+# cases by their tiers and starts the longer ones first. A case that makes no assertion fails
+# (tests/support/counted_assertions.hpp).
 function(camopt_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT;ENVIRONMENT" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
@@ -47,6 +48,9 @@ function(camopt_add_test name)
   # What is tested is optimised; the tests themselves are compiled more often than they run.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>)
   camopt_use_precompiled(${name} camopt_precompiled_tests)
+  if(NOT TARGET camopt_precompiled_tests)  # which contain it
+    target_compile_options(${name} PRIVATE "SHELL:-include tests/support/counted_assertions.hpp")
+  endif()
   camopt_compile_together(${name} ${CAMOPT_TEST_UNITY_BATCH})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 600)

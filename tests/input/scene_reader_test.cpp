@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Every key in every unit arrives in the Scene; what is absent keeps its default; overrides replace.
+// What is absent keeps its default; overrides replace; limits remember their spelling.
 #include "input/scene_reader.hpp"
 
 #include "core/errors.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "profiles/factory/cam_formulas.hpp"
 #include "scene/written_limits.hpp"
-#include "tests/input/scene_key_cases.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/input/scene_cases.hpp"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <set>
 
@@ -22,155 +19,12 @@ namespace scene_reader_test {
 constexpr double pi = std::numbers::pi;
 const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
                           .solvers = {"ipopt", "nlopt.slsqp", "structured"},
-                          .cam_formulas = cam_formulas,
-                          .law_shape = [](const std::string&) {
-                              return [](double t) {
-                                  return std::array{t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t)};
-                              };
-                          }};
+                          .cam_formulas = cam_formulas};
 const std::string drd = "motion.type = \"DRD\"\n";
 const std::string jerk_only = "objective.jerk = 1\n";
 
-/// Where measured.csv lies.
-std::filesystem::path folder_of_tables() {
-    static const test::TemporaryFolder own;  // tests run beside one another
-    const std::filesystem::path folder = own.path();
-    std::ofstream(folder / "measured.csv")
-        << "s_mm,theta_rad\n0,0\n1,0.2\n3,0.5\n7,0.8\n12,1.1\n17,1.4\n19,1.7\n20,2\n";
-    return folder;
-}
-
 Scene read(const std::string& toml, const std::vector<std::string>& overrides = {}) {
-    static const KnownNames with_folder = [] {
-        KnownNames names = known;
-        names.folder = folder_of_tables();
-        return names;
-    }();
-    return read_scene(toml, "s.toml", with_folder, overrides);
-}
-
-std::vector<KeyCase> key_cases() {
-    std::vector<KeyCase> all;
-    for (const auto& part :
-         {motion_cases(), valve_cases(), segment_cases(), set_point_cases(), measured_cases(), spline_cases(),
-          objective_cases(), dimension_weight_cases(), cam_cases(), remote_cases(), spatial_cases(),
-          inverse_cases(), force_cases(), limit_cases(), cam_limit_cases(), drawing_cases(), dynamics_cases(),
-          drive_cases(), solver_cases()})
-        all.insert(all.end(), part.begin(), part.end());
-    return all;
-}
-
-/// A set point, or a region, with this key.
-std::string point_with(const std::string& key, const std::string& value) {
-    std::string beside = "at = 0.5";
-    if (key.starts_with("at")) beside = "velocity = 1";
-    if (key.starts_with("from")) beside = "velocity = 1, to = 0.875";
-    if (key.starts_with("to")) beside = "velocity = 1, from = 0.125";
-    return "{ " + beside + ", " + key + " = " + value + " }";
-}
-
-/// A stage of an elastic follower with this key.
-std::string stage_with(const std::string& key, const std::string& value) {
-    const bool turns = key.starts_with("inertia") || key.ends_with("rad");
-    std::string members = key + " = " + value;
-    if (!key.starts_with("mass") && !key.starts_with("inertia"))
-        members += turns ? ", inertia_kg_m2 = 1" : ", mass_kg = 1";
-    if (!key.starts_with("stiffness")) members += turns ? ", stiffness_nm_rad = 4" : ", stiffness_n_m = 4";
-    return "dynamics.stage = [{ " + members + " }]\n";
-}
-
-/// The smallest scene that holds the key.
-std::string scene_with(const KeyCase& c) {
-    const std::string via = "motion.via.", segment = "motion.segments.";
-    std::string toml = c.rest;
-    if (c.key.starts_with(via))
-        toml += "motion.via = [" + point_with(c.key.substr(via.size()), c.value) + "]\n";
-    else if (c.key.starts_with(segment + "via."))
-        toml += "motion.segments = [{ kind = \"spline\", angle_rad = 2, to = 1, via = [" +
-                point_with(c.key.substr(segment.size() + 4), c.value) + "] }]\n";
-    else if (c.key.starts_with(segment + "end."))
-        toml += "motion.segments = [{ kind = \"spline\", angle_rad = 2, to = 1, end = { " +
-                c.key.substr(segment.size() + 4) + " = " + c.value +
-                " } }, { kind = \"spline\", angle_deg = 100, to = 0.25 }]\n";
-    else if (const std::string corridor = "motion.corridor."; c.key.starts_with(corridor))
-        toml += "motion.corridor = [{ " + c.key.substr(corridor.size()) + " = " + c.value +
-                (c.key.find("displacement") == std::string::npos && c.value.find("max") == std::string::npos
-                     ? ", displacement = { min = -1 }"
-                     : "") +
-                " }]\n";
-    else if (c.key.starts_with(segment))
-        toml += "motion.segments = [{ " + c.key.substr(segment.size()) + " = " + c.value +
-                (c.key.find("angle") == std::string::npos ? ", angle_deg = 120" : "") +
-                (c.key != segment + "kind"
-                     ? ", kind = \"" + std::string(c.key == segment + "law" ? "law" : "spline") + "\""
-                     : "") +
-                " }, { kind = \"spline\", angle_deg = 100, to = 0.25 }]\n";
-    else if (const std::string stage = "dynamics.stage."; c.key.starts_with(stage))
-        toml += stage_with(c.key.substr(stage.size()), c.value);
-    else
-        toml += c.key + " = " + c.value + "\n";
-    if (c.key != "motion.type" && c.rest.find("motion.type") == std::string::npos) toml += drd;
-    if (c.key.starts_with("objective.reference.") && !c.key.ends_with(".jerk"))
-        toml += "objective.reference.jerk = 69\n";
-    return c.key == "objective.jerk" ? toml : toml + jerk_only;
-}
-
-/// Reaches everywhere with any numbers: the cases try one number at a time.
-class ReachingMechanism final : public CamMechanism {
- public:
-    explicit ReachingMechanism(const CamSpec& spec) : cam_(cam_formulas(spec)) {}
-    [[nodiscard]] std::string type() const override { return cam_->type(); }
-    [[nodiscard]] bool swings() const override { return cam_->swings(); }
-    [[nodiscard]] Rotation rotation() const override { return cam_->rotation(); }
-    [[nodiscard]] int stations() const override { return cam_->stations(); }
-    [[nodiscard]] std::string station_name(int station) const override { return cam_->station_name(station); }
-    [[nodiscard]] int roller_radius() const override { return cam_->roller_radius(); }
-    [[nodiscard]] bool planar() const override { return cam_->planar(); }
-    [[nodiscard]] bool is_direct() const override { return cam_->is_direct(); }
-    [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> numbers,
-                                                           int station) const override {
-        return cam_->follower(numbers, station);
-    }
-    [[nodiscard]] double length(std::span<const double> numbers) const override {
-        return cam_->length(numbers);
-    }
-    [[nodiscard]] std::string fault(std::span<const double>, double, double) const override { return {}; }
-    [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
-                                          std::span<const int> active) const override {
-        return cam_->quantity(which, state, station, active);
-    }
-    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
-                                       int station) const override {
-        return cam_->point(theta, state, station);
-    }
-    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override {
-        return cam_->shapes(state);
-    }
-
- private:
-    std::shared_ptr<const CamMechanism> cam_;
-};
-
-TEST(SceneReader, EveryKeyArrivesInSiUnits) {
-    KnownNames reaching = known;
-    reaching.folder = folder_of_tables();
-    reaching.cam_formulas = [](const CamSpec& spec) { return std::make_shared<ReachingMechanism>(spec); };
-    for (const KeyCase& c : key_cases()) {
-        SCOPED_TRACE(c.key);
-        const Scene scene = read_scene(scene_with(c), "s.toml", reaching, {});
-        EXPECT_NEAR(c.got(scene), c.expected, 1e-13 * std::abs(c.expected));
-    }
-}
-
-TEST(SceneReader, CoversEveryKeyOfTheTable) {
-    std::set<std::string> tried, written;
-    for (const KeyCase& c : key_cases()) tried.insert(c.key);
-    for (const KeyRow& row : scene_keys()) {
-        if (row.type == KeyType::table) continue;
-        for (const Spelling& spelling : row.spellings)
-            written.insert((row.table.empty() ? "" : std::string(row.table) + ".") + row.key(spelling));
-    }
-    EXPECT_EQ(tried, written);
+    return read_scene(toml, "s.toml", known, overrides);
 }
 
 TEST(SceneReader, MissingKeysKeepDefaults) {
@@ -398,17 +252,17 @@ void strip_words(LimitSpec& limits) {
 
 TEST(SceneReader, CppLimitUsesWordsOfManual) {
     int compared = 0;
-    for (const auto& part : {limit_cases(), cam_limit_cases()})
-        for (const KeyCase& c : part) {
-            SCOPED_TRACE(c.key);
-            Scene scene = read(scene_with(c));
-            const std::vector<std::string> written = words_of(scene.limits);
-            if (written.empty() || written.front() != c.key) continue;
-            EXPECT_EQ(words_of(with_written_limits(scene).limits), written);
-            strip_words(scene.limits);
-            EXPECT_EQ(words_of(with_written_limits(scene).limits), written);
-            ++compared;
-        }
+    for (const AcceptedScene& one : all_accepted_scenes()) {
+        if (!one.key.starts_with("limits.")) continue;
+        SCOPED_TRACE(one.place + ": " + one.key);
+        Scene scene = read(one.toml);
+        const std::vector<std::string> written = words_of(scene.limits);
+        if (written.empty() || written.front() != one.key) continue;
+        EXPECT_EQ(words_of(with_written_limits(scene).limits), written);
+        strip_words(scene.limits);
+        EXPECT_EQ(words_of(with_written_limits(scene).limits), written);
+        ++compared;
+    }
     EXPECT_GE(compared, 30);
 }
 
