@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Scenes the tests of studies/ share.
+// Parts of scenes that tests of studies/ build in C++, as an embedder does.
 #pragma once
 
+#include "core/units.hpp"
 #include "scene/scene.hpp"
 #include "solvers/registry.hpp"
 
@@ -24,6 +25,23 @@ inline Scene paper_objective(MotionType type, int degree, int segments) {
     return scene;
 }
 
+inline ProgramSegment dwell(double degrees) {
+    return {SegmentKind::dwell, degrees * units::degree, "", {}};
+}
+inline ProgramSegment spline(double degrees, std::optional<double> to = {}) {
+    return {SegmentKind::spline, degrees * units::degree, "", to};
+}
+inline ProgramSegment law(double degrees, const char* key, std::optional<double> to = {}) {
+    return {SegmentKind::law, degrees * units::degree, key, to};
+}
+/// With the paper's objective; lift 20 mm.
+inline Scene program(std::vector<ProgramSegment> segments, int spline_segments = 12) {
+    Scene scene = paper_objective(MotionType::program, 3, spline_segments);
+    scene.motion.lift = 20e-3;
+    scene.motion.segments = std::move(segments);
+    return scene;
+}
+
 inline bool is_available(const std::string& solver) {
     if (solver == "auto") return true;
     for (const SolverEntry& entry : solver_entries()) {
@@ -34,6 +52,12 @@ inline bool is_available(const std::string& solver) {
 
 inline PeakLimit normalised_limit(const char* key, double value) {
     return {value, key, value, ""};
+}
+inline WrittenLimit degrees(double value, const char* key) {
+    return {value * units::degree, key, units::degree, "deg"};
+}
+inline WrittenLimit millimetres(double value, const char* key) {
+    return {value * units::millimetre, key, units::millimetre, "mm"};
 }
 
 }  // namespace camopt::testing_support
