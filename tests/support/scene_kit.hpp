@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Scenes of tests: a named one and what the test changes in it, read as the program reads a file and `--set`.
 //
-//     const Scene scene = scene_named("cam_roller").with("limits.pressure_angle_deg = 25", "cam.offset_mm = 0");
+//     const Scene scene = scene_named("cam_roller").with("limits.pressure_angle_deg = 25", "cam.offset_mm =
+//     0");
 #pragma once
 
 #include "scene/scene.hpp"
@@ -34,7 +35,10 @@ class TestScene {
     /// A number, without loss, or a word.
     template <class Value>
     [[nodiscard]] TestScene set(std::string_view key, const Value& value) const {
-        return with(fmt::format("{} = {}", key, value));
+        if constexpr (std::is_convertible_v<Value, std::string_view>)
+            return with(fmt::format("{} = '{}'", key, value));
+        else
+            return with(fmt::format("{} = {}", key, value));
     }
 
     /// Throws InputError as the reader of scenes does.

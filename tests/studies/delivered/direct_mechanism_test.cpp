@@ -10,8 +10,8 @@
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "tests/studies/cam_samples.hpp"
-#include "tests/studies/cam_scenes.hpp"
 #include "tests/support/middle_cam.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 

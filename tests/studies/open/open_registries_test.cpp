@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A law, a solver and a kind of cam of the program's own, named by scenes as if they had always been there. A
 // program of its own: what is added stays.
-#include "core/errors.hpp"
 #include "input/loading/load_scene.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
@@ -11,6 +10,7 @@
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -99,12 +99,8 @@ acceleration = 1
 }
 
 void expect_law_refused(const LawMaker& make, const std::string& part) {
-    try {
-        add_law(make);
-        FAIL() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-    }
+    const std::string said = testing_support::refusal([&] { add_law(make); });
+    EXPECT_NE(said.find(part), std::string::npos) << said;
 }
 
 TEST(OwnLaw, OneThatIsNoneIsRefused) {

@@ -127,7 +127,8 @@ TEST(PressureAtRest, UsesSmallestOfThreeLimits) {
         "motion = { type = 'program', lift_rad = 0.1858, segments = ["
         "{ kind = 'dwell', angle_deg = 60 }, { kind = 'spline', angle_deg = 120, to = 1 },"
         "{ kind = 'dwell', angle_deg = 60 }, { kind = 'spline', angle_deg = 120, to = 0 }] }";
-    for (const std::string& motion : {std::string("motion.type = DRD"), std::string("motion.type = RR"), program}) {
+    for (const std::string& motion :
+         {std::string("motion.type = DRD"), std::string("motion.type = RR"), program}) {
         const Solution broken = solve_without_explaining(resting_arm(26.4).with(motion), {});
         EXPECT_EQ(broken.certificate.verdict, Verdict::infeasible);
         const Solution kept = solve_without_explaining(resting_arm(29.5).with(motion), {});
@@ -161,7 +162,8 @@ TEST(PressureAtRest, OffsetFollowerUsesGeneralLimit) {
                 .with("motion.lift_mm = 20", "motion.rise_rad = 2", "limits.rise_pressure_angle_deg = 45",
                       "limits.return_pressure_angle_deg = 45", cam);
         const auto verdict = [&](double limit) {
-            return solve_without_explaining(scene.set("limits.pressure_angle_deg", limit), {}).certificate.verdict;
+            return solve_without_explaining(scene.set("limits.pressure_angle_deg", limit), {})
+                .certificate.verdict;
         };
         EXPECT_EQ(verdict(25.0), Verdict::infeasible);
         EXPECT_EQ(verdict(31.0), Verdict::optimal);

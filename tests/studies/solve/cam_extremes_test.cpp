@@ -31,8 +31,8 @@ TestScene scaled_scene(double factor) {
 
 template <class... Settings>
 TestScene changed(const Settings&... settings) {
-    return pressure_angle_scene(40, 12)
-        .with("limits.cam_radius_min_mm = 2", "solver.max_seconds = 20", settings...);
+    return pressure_angle_scene(40, 12).with("limits.cam_radius_min_mm = 2", "solver.max_seconds = 20",
+                                             settings...);
 }
 
 const Extreme extremes[] = {

@@ -31,8 +31,9 @@ TestScene arm_face() {
                       "base_radius_mm = 60, face_offset_mm = 5 }");
 }
 TestScene loaded(const TestScene& scene) {
-    return scene.with("motion.speed_rad_s = 60",
-                      "forces = { mass_kg = 0.8, spring_rate_n_m = 4000, preload_n = 400, contact_width_mm = 12 }");
+    return scene.with(
+        "motion.speed_rad_s = 60",
+        "forces = { mass_kg = 0.8, spring_rate_n_m = 4000, preload_n = 400, contact_width_mm = 12 }");
 }
 TestScene grooved(const TestScene& scene) {
     return scene.with("cam.form = grooved", "cam.groove_clearance_mm = 0.1");
@@ -71,7 +72,8 @@ const Beat beats[] = {
     {"rise_pressure_angle", roller().with("motion.type = RR"), "limits.rise_pressure_angle_rad",
      [](const CamSummary& c) { return c.rise_pressure_angle->value; }, 1, 0.9},
     {"return_pressure_angle", roller().with("motion.type = RR", "cam.offset_mm = 3"),
-     "limits.return_pressure_angle_rad", [](const CamSummary& c) { return c.return_pressure_angle->value; }, 1, 0.9},
+     "limits.return_pressure_angle_rad", [](const CamSummary& c) { return c.return_pressure_angle->value; },
+     1, 0.9},
     {"cam_radius_min", roller(), radius, convex_radius, -1, 1.1},
     {"concave_radius_min", roller(), "limits.concave_radius_min_m",
      [](const CamSummary& c) { return c.concave_radius ? c.concave_radius->value : 1e9; }, -1, 1.2},
@@ -81,8 +83,8 @@ const Beat beats[] = {
      convex_radius, -1, 1.03},
     {"flat_radius", flat_scene(40), radius, convex_radius, -1, 1.1},
     {"flat_margin", flat_scene(40), margin, regularity, -1, 1.1},
-    {"face_width", flat_scene(60), "cam.face_half_width_m", [](const CamSummary& c) { return c.contact_offset->value; },
-     1, 0.9},
+    {"face_width", flat_scene(60), "cam.face_half_width_m",
+     [](const CamSummary& c) { return c.contact_offset->value; }, 1, 0.9},
     {"arm_pressure_angle", arm(), pressure_angle, angle, 1, 0.95},
     {"arm_radius", arm(), radius, convex_radius, -1, 1.05},
     {"arm_face_pressure_angle", arm_face(), pressure_angle, angle, 1, 0.97},
@@ -100,15 +102,16 @@ const Beat beats[] = {
      },
      -1, 1.1},
     {"groove_outer_margin", grooved(arm()), margin,
-     [](const CamSummary& c) { return std::min(c.sides[0].regularity.value, c.sides[1].regularity.value); }, -1,
-     1.02},
-    {"groove_hertz",
-     grooved(loaded(roller()).with("forces.preload_n = 0", "forces.spring_rate_n_m = 0")), hertz,
+     [](const CamSummary& c) { return std::min(c.sides[0].regularity.value, c.sides[1].regularity.value); },
+     -1, 1.02},
+    {"groove_hertz", grooved(loaded(roller()).with("forces.preload_n = 0", "forces.spring_rate_n_m = 0")),
+     hertz,
      [](const CamSummary& c) {
          return std::max(c.sides[0].hertz_pressure->value, c.sides[1].hertz_pressure->value);
      },
      1, 0.97},
-    {"second_disk_pressure_angle", arm().with("cam.form = conjugate", "cam.arm_angle_deg = 75"), pressure_angle,
+    {"second_disk_pressure_angle", arm().with("cam.form = conjugate", "cam.arm_angle_deg = 75"),
+     pressure_angle,
      [](const CamSummary& c) {
          return std::max(c.sides[0].pressure_angle.value, c.sides[1].pressure_angle.value);
      },
