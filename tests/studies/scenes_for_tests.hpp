@@ -6,17 +6,23 @@
 #include "scene/scene.hpp"
 #include "solvers/registry.hpp"
 
+#include <array>
+
 namespace camopt::testing_support {
+
+inline Scene with_weights(Scene scene, const std::array<double, 3>& of_velocity_acceleration_jerk) {
+    scene.objective.velocity = of_velocity_acceleration_jerk[0];
+    scene.objective.acceleration = of_velocity_acceleration_jerk[1];
+    scene.objective.jerk = of_velocity_acceleration_jerk[2];
+    return scene;
+}
 
 /// The paper's objective with its rounded references: the setting of the reference figures.
 inline Scene paper_objective(MotionType type, int degree, int segments) {
-    Scene scene;
+    Scene scene = with_weights({}, {0.4, 0.4, 0.2});
     scene.motion.type = type;
     scene.spline.degree = degree;
     scene.spline.segments = segments;
-    scene.objective.velocity = 0.4;
-    scene.objective.acceleration = 0.4;
-    scene.objective.jerk = 0.2;
     Reference& reference = scene.objective.reference;
     reference.numeric = true;
     reference.velocity = 1.76;

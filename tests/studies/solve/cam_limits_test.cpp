@@ -93,7 +93,8 @@ const Beat beats[] = {
      [](const CamSummary& c) { return c.forces->least_force.value; }, -1, 1.05},
     {"torque", loaded(roller()), "limits.torque_max_nm",
      [](const CamSummary& c) { return c.forces->torque.value; }, 1, 0.95},
-    {"hertz_pressure", loaded(roller()), hertz,
+    // One speed: the whole range from 0 has a test of its own (hertz_at_speed) and needs more boxes.
+    {"hertz_pressure", loaded(roller()).with("forces.speed_range_rad_s = [60, 60]"), hertz,
      [](const CamSummary& c) { return c.forces->hertz_pressure->value; }, 1, 0.97},
     {"groove_flank_radius", grooved(roller()), radius,
      [](const CamSummary& c) {

@@ -71,11 +71,9 @@ TEST(TrialCases, SetPointAtLimitIsProved) {
 }
 
 TEST(TrialCases, VerdictsOfOneMotionAgree) {
-    Scene scene = scene_named("contradicting_verdicts");
-    scene.limits.jerk.reset();
-    scene.objective = {};
-    scene.objective.jerk = 1.0;
-    const Solution solution = solve(scene);
+    const Solution solution = solve(scene_named("contradicting_verdicts")
+                                        .with("limits = { velocity = 2.053130027444412 }",
+                                              "objective = { jerk = 1 }", "solver.max_seconds = 60"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     EXPECT_GE(solution.peaks.jerk.value, 38.696);
 }

@@ -79,12 +79,9 @@ TEST(WithinLift, CostsNothing) {
          {Known{3.0, 24, {0.4, 0.4, 0.2}, 0.87043393}, Known{3.0, 48, {0.4, 0.4, 0.2}, 0.85614438},
           Known{2.0, 36, {0.3, 0.3, 0.4}, 0.75379687}, Known{1.375, 38, {0.4, 0.4, 0.2}, 0.85555644},
           Known{3.0, 32, {0.0, 0.5, 0.5}, 0.67828436}}) {
-        Scene scene = paper_objective(MotionType::rr, 3, known.segments);
+        Scene scene = with_weights(paper_objective(MotionType::rr, 3, known.segments), known.weights);
         scene.motion.rise = 1.0;
         scene.motion.return_angle = known.back;
-        scene.objective.velocity = known.weights[0];
-        scene.objective.acceleration = known.weights[1];
-        scene.objective.jerk = known.weights[2];
         const Solution solution = solve(scene);
         EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
         EXPECT_NEAR(solution.certificate.objective, known.objective, 1e-8);
@@ -231,7 +228,7 @@ class RandomStrokes {
         std::array<double, 3> weights{};
         for (double& weight : weights) weight = uniform(0.0, 1.0);
         weights[2] += 0.05;
-        weigh(scene, weights);
+        const Scene forwards = with_weights(scene, weights);
         Scene back = scene;
         back.motion.rise = 0.5 * ratio;
         back.motion.return_angle = 0.5;
@@ -240,8 +237,7 @@ class RandomStrokes {
                 (1.0 + ratio - scene.spline.breakpoints[scene.spline.breakpoints.size() - 1 - i]) / ratio;
         // V, A and J of the reversed motion count by its own rise, ratio times as long.
         for (std::size_t k = 0; k < 3; ++k) weights[k] /= std::pow(ratio, static_cast<double>(k) + 1.0);
-        weigh(back, weights);
-        return {scene, back};
+        return {forwards, with_weights(back, weights)};
     }
 
  private:
@@ -249,11 +245,6 @@ class RandomStrokes {
 
     double uniform(double low, double high) {
         return low + (high - low) * static_cast<double>(engine_()) / 4294967295.0;
-    }
-    static void weigh(Scene& scene, const std::array<double, 3>& weights) {
-        scene.objective.velocity = weights[0];
-        scene.objective.acceleration = weights[1];
-        scene.objective.jerk = weights[2];
     }
 };
 

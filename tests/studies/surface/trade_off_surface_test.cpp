@@ -27,19 +27,12 @@ PeakTriple random_weights(std::mt19937& random) {
     return weights;
 }
 
-Scene at_weights(Scene scene, const PeakTriple& weights) {
-    scene.objective.velocity = weights[0];
-    scene.objective.acceleration = weights[1];
-    scene.objective.jerk = weights[2];
-    return scene;
-}
-
 /// Solves what the surface was not solved at.
 void expect_it_holds(const Scene& scene, const TradeOffSurface& surface, int trials) {
     std::mt19937 random(5);
     for (int k = 0; k < trials; ++k) {
         const PeakTriple weights = random_weights(random);
-        const double objective = solve(at_weights(scene, weights)).certificate.objective;
+        const double objective = solve(with_weights(scene, weights)).certificate.objective;
         const SurfaceValue value = surface.at(weights);
         EXPECT_LE(value.lower, objective + 1e-9);
         EXPECT_GE(value.upper, objective - 1e-9);
