@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: MIT
 // From the segments of a program to the stretches of its motions: where breakpoints fall.
 #include "objectives/scene_model.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace camopt {
 namespace program_family_test {
 
-constexpr double degree = std::numbers::pi / 180.0;
+using namespace testing_support;
+using units::degree;
 
 /// Dwell of 60°, rise of 120°, dwell of 60°, return of 120°.
-Scene program() {
-    Scene scene;
-    scene.motion.type = MotionType::program;
-    scene.motion.segments = {{SegmentKind::dwell, 60.0 * degree, "", {}},
-                             {SegmentKind::spline, 120.0 * degree, "", 1.0},
-                             {SegmentKind::dwell, 60.0 * degree, "", {}},
-                             {SegmentKind::spline, 120.0 * degree, "", 0.0}};
-    return scene;
+Scene up_and_down() {
+    return program({dwell(60), spline(120, 1.0), dwell(60), spline(120, 0.0)});
 }
 
 std::vector<double> spline_begins(const MotionFamily& family, int stretch) {
@@ -32,7 +26,7 @@ std::vector<double> spline_begins(const MotionFamily& family, int stretch) {
 /// The unit of x is that of the scene; a place written in units of a segment lies that part of the way along
 /// it.
 TEST(ProgramFamily, BreakpointsUseUnitsOfEachSegment) {
-    Scene scene = program();
+    Scene scene = up_and_down();
     scene.spline.breakpoints = {0.0, 0.2, 0.45, 0.5, 1.0};
     const double unit = scene.motion.unit_angle();
     for (const DesignKind kind : {DesignKind::ordinates, DesignKind::coefficients, DesignKind::states}) {
@@ -48,7 +42,7 @@ TEST(ProgramFamily, BreakpointsUseUnitsOfEachSegment) {
 }
 
 TEST(ProgramFamily, UniformBreakpointsDivideEachSegment) {
-    Scene scene = program();
+    Scene scene = up_and_down();
     scene.spline.segments = 5;
     const double unit = scene.motion.unit_angle();
     const MotionFamily family = program_family(scene, DesignKind::states);
@@ -61,12 +55,7 @@ TEST(ProgramFamily, UniformBreakpointsDivideEachSegment) {
 
 /// A free displacement whose direction is given turns back where a given one goes the other way.
 TEST(ProgramFamily, DirectionsTurnBackAtJoints) {
-    Scene scene;
-    scene.motion.type = MotionType::program;
-    scene.motion.segments = {{SegmentKind::spline, 100.0 * degree, "", {}},
-                             {SegmentKind::spline, 80.0 * degree, "", 1.0},
-                             {SegmentKind::spline, 120.0 * degree, "", 0.0},
-                             {SegmentKind::dwell, 60.0 * degree, "", {}}};
+    const Scene scene = program({spline(100), spline(80, 1.0), spline(120, 0.0), dwell(60)});
     using enum StrokeDirection;
     const auto conditions = [&](const std::vector<StrokeDirection>& directions) {
         return scene_family(scene, DesignKind::states, directions).equalities().size();

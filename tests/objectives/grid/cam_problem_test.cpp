@@ -3,6 +3,7 @@
 
 #include "objectives/scene_model.hpp"
 #include "splines/curve.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>
 
@@ -68,13 +69,9 @@ TEST(CamProblem, StartsFromLeastJerkEnergy) {
 }
 
 Scene free_program() {
-    Scene scene;
-    scene.motion.type = MotionType::program;
-    const auto angle = [](double degrees) { return degrees * std::numbers::pi / 180.0; };
-    scene.motion.segments = {{SegmentKind::law, angle(120.0), "cycloidal", 0.5},
-                             {SegmentKind::spline, angle(60.0), "", {}},
-                             {SegmentKind::law, angle(180.0), "cycloidal", 0.0}};
-    scene.spline.segments = 4;
+    using namespace testing_support;
+    Scene scene = program({law(120, "cycloidal", 0.5), spline(60), law(180, "cycloidal", 0.0)}, 4);
+    scene.objective = {};
     scene.objective.jerk = 1.0;
     return scene;
 }

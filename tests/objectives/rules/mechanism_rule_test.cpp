@@ -5,6 +5,7 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/remote/remote_cam.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,23 +22,7 @@ using units::degree, units::millimetre;
 
 /// A lever that a coupler joins to a slider; its angles of the pressure lie around 30 deg.
 Scene scene() {
-    Scene own;
-    own.motion.lift = 30 * millimetre;
-    own.motion.rise = 120 * degree;
-    own.objective.jerk = 1.0;
-    CamSpec spec = remote_spec(RemoteLinkage::lever_coupler_slider);
-    spec.choices["lever_branch"] = "right";
-    const std::pair<RemoteDimension, double> numbers[] = {
-        {RemoteDimension::roller_radius, 15},   {RemoteDimension::roller_arm, 100},
-        {RemoteDimension::lever_pivot_x, -100}, {RemoteDimension::lever_pivot_y, 50},
-        {RemoteDimension::lever_arm, 150},      {RemoteDimension::coupler, 200},
-        {RemoteDimension::slider_x, 45},        {RemoteDimension::slider_y, 245}};
-    for (const auto& [which, value] : numbers)
-        spec.dimensions[static_cast<std::size_t>(which)].value = Dimension(value * millimetre);
-    spec.dimensions[static_cast<std::size_t>(RemoteDimension::slider_angle)].value = Dimension(90 * degree);
-    own.cam = spec;
-    own.cam->make = remote_mechanism;
-    return own;
+    return testing_support::scene_named("lever_coupler_slider").with("objective = { jerk = 1 }");
 }
 
 WrittenLimit limit(const char* key, double value) {

@@ -4,7 +4,7 @@
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,49 +15,12 @@
 namespace camopt {
 namespace mechanism_shape_test {
 
-using units::degree, units::millimetre;
-using Numbers = std::vector<std::pair<SpatialNumber, Dimension>>;
+using namespace testing_support;
+using units::degree;
 constexpr double limit = 40 * degree;
 
-Scene scene_of(SpatialFollower follower, Rotation rotation, double lift, const Numbers& numbers) {
-    Scene scene;
-    scene.motion.lift = lift;
-    scene.motion.lift_is_angle = swings(follower);
-    scene.motion.rise = 160 * degree;
-    scene.objective.jerk = 1.0;
-    CamSpec spec = spatial_spec(follower);
-    spec.rotation = rotation;
-    for (const auto& [which, value] : numbers) spec.dimensions[static_cast<std::size_t>(which)].value = value;
-    scene.cam = spec;
-    scene.cam->make = spatial_mechanism;
-    scene.limits.pressure_angle = WrittenLimit{limit, "limits.pressure_angle_deg", degree, "deg"};
-    return scene;
-}
-
-Scene barrel(Rotation rotation, const Dimension& distance = 150 * millimetre) {
-    return scene_of(SpatialFollower::barrel, rotation, 50 * degree,
-                    {{SpatialNumber::roller_radius, 30 * millimetre},
-                     {SpatialNumber::arm_length, 160 * millimetre},
-                     {SpatialNumber::center_distance, distance},
-                     {SpatialNumber::lateral_offset, 155 * millimetre},
-                     {SpatialNumber::roller_length, 40 * millimetre},
-                     {SpatialNumber::start, -25 * degree}});
-}
-
-Scene slide() {
-    return scene_of(SpatialFollower::cylindrical_translating, Rotation::clockwise, 40 * millimetre,
-                    {{SpatialNumber::roller_radius, 10 * millimetre},
-                     {SpatialNumber::center_distance, Dimension(50 * millimetre, 70 * millimetre)},
-                     {SpatialNumber::roller_length, 15 * millimetre}});
-}
-
-Scene wheel() {
-    return scene_of(SpatialFollower::cylindrical_rotating, Rotation::clockwise, 45 * degree,
-                    {{SpatialNumber::roller_radius, 8 * millimetre},
-                     {SpatialNumber::arm_length, 70 * millimetre},
-                     {SpatialNumber::center_distance, 150 * millimetre},
-                     {SpatialNumber::roller_length, 20 * millimetre},
-                     {SpatialNumber::start, -22.5 * degree}});
+Scene barrel(const char* rotation, const char* distance = "cam.center_distance_mm = 150") {
+    return scene_named("barrel_index").set("cam.rotation", rotation).with(distance);
 }
 
 std::vector<PlacedRule> limits_of(const Scene& scene) {
@@ -103,24 +66,26 @@ void expect_shape(const Scene& scene, Curvature shape) {
 }
 
 TEST(MechanismShape, BarrelsOfFixedSizeAreConvex) {
-    expect_shape(barrel(Rotation::counterclockwise), Curvature::convex);
-    expect_shape(barrel(Rotation::clockwise), Curvature::convex);
+    expect_shape(barrel("counterclockwise"), Curvature::convex);
+    expect_shape(barrel("clockwise"), Curvature::convex);
 }
 
 TEST(MechanismShape, SlidesAreLinearWithAnyRadius) {
-    expect_shape(slide(), Curvature::linear);
+    expect_shape(scene_named("slide_of_any_radius"), Curvature::linear);
 }
 
 TEST(MechanismShape, TheOthersClaimNothing) {
-    expect_shape(barrel(Rotation::clockwise, Dimension(140 * millimetre, 170 * millimetre)),
+    expect_shape(barrel("clockwise", "cam.center_distance_mm = { min = 140, max = 170 }"),
                  Curvature::general);
-    expect_shape(wheel(), Curvature::general);
+    expect_shape(
+        scene_named("ocrf_indexing").with("limits = { pressure_angle_deg = 40 }", "motion.rise_deg = 160"),
+        Curvature::general);
 }
 
 /// Where the index is within the limit of the line through both axes, the rule is the pressure angle's;
 /// beyond, it is never more generous, and its partials are the differences across the joint.
 TEST(MechanismShape, BarrelRuleIsExtendedConservatively) {
-    for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
+    for (const char* rotation : {"counterclockwise", "clockwise"}) {
         const Scene scene = barrel(rotation);
         const std::vector<double> numbers = scene.cam->middle();
         const std::vector<PlacedRule> rules = limits_of(scene);
@@ -153,7 +118,7 @@ TEST(MechanismShape, BarrelRuleIsExtendedConservatively) {
 
 TEST(MechanismShape, ContinuationPartialsMatchDifferences) {
     constexpr double step = 1e-5;
-    for (const PlacedRule& rule : limits_of(barrel(Rotation::clockwise)))
+    for (const PlacedRule& rule : limits_of(barrel("clockwise")))
         for (const double displacement : {-2.5, -0.7, -0.35, 0.4, 1.35, 1.7, 3.5}) {
             Eigen::VectorXd place(4);
             place << displacement, 1.3, 0.0, 0.0;

@@ -2,6 +2,7 @@
 // What does not reach is named, with the amount it lacks.
 #include "core/errors.hpp"
 #include "tappet.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -62,12 +63,8 @@ TEST(RemoteFault, NamesNonpositiveDimension) {
 TEST(RemoteFault, RefusesAnUnknownBranch) {
     CamSpec spec = tappet();
     spec.choices["lever_branch"] = "up";
-    try {
-        const RemoteCam cam(spec);
-        FAIL();
-    } catch (const InputError& error) {
-        expect_words(error.what(), {"lever_branch", "\"up\"", "\"left\"", "\"right\""});
-    }
+    expect_words(testing_support::refusal([&] { const RemoteCam cam(spec); }),
+                 {"lever_branch", "\"up\"", "\"left\"", "\"right\""});
 }
 
 }  // namespace remote_fault_test

@@ -3,13 +3,12 @@
 #include "studies/bound/box_bound.hpp"
 
 #include "core/errors.hpp"
-#include "input/loading/load_scene.hpp"
 #include "objectives/scene_model.hpp"
 #include "studies/bound/bounder.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,15 +33,13 @@ const RollerCase roller_cases[] = {{15, 50, 22, 8, 34, 7, 14, 1.588796},
                                    {20, 60, 26, 10, 35, 13, 16, 1.077772},
                                    {10, 45, 20, 9, 30, 5, 16, 1.253867}};
 
-Scene roller_scene(const RollerCase& which) {
-    Scene scene = pressure_angle_scene(which.base + which.roller, which.segments);
-    scene.motion.lift = which.lift * 1e-3;
-    scene.motion.rise = which.rise * units::degree;
-    scene.cam->set(base_radius, which.base * 1e-3);
-    scene.cam->set(roller_radius, which.roller * 1e-3);
-    scene.limits.pressure_angle = degrees(which.angle, "limits.pressure_angle_deg");
-    scene.limits.cam_radius_min = millimetres(which.radius, "limits.cam_radius_min_mm");
-    return scene;
+TestScene roller_scene(const RollerCase& which) {
+    return pressure_angle_scene(which.base + 10.0, which.segments)
+        .set("motion.lift_mm", which.lift)
+        .set("motion.rise_deg", which.rise)
+        .set("cam.roller_radius_mm", which.roller)
+        .set("limits.pressure_angle_deg", which.angle)
+        .set("limits.cam_radius_min_mm", which.radius);
 }
 
 CamModel model_of(const Scene& scene) {
@@ -53,7 +50,7 @@ CamModel model_of(const Scene& scene) {
 TEST(BoxBound, BoundsEveryLimitOfEveryCam) {
     for (const char* const name : {"cam_arm_flat", "cam_conjugate", "cam_forces", "cam_grooved", "tappet_75",
                                    "inverse_feeder", "barrel_smallest", "ocrf_indexing", "cylinder_slide"}) {
-        const Scene scene = load_scene(source_folder() + "/scenes/" + name + ".toml");
+        const Scene scene = scene_named(name);
         int limits = 0;
         for (const PlacedRule& rule : model_of(scene).rules) {
             if (rule->linear() || rule->whole()) continue;
@@ -110,18 +107,15 @@ TEST(BoxBound, CountsWeightOfFixedDimension) {
 }
 
 TEST(BoxBound, SmallerGapTakesMorePasses) {
-    Scene scene = roller_scene(roller_cases[1]);
-    scene.solver.gap = 1e-6;
-    const Solution solution = solve(scene);
+    const Solution solution = solve(roller_scene(roller_cases[1]).with("solver.gap = 1e-6"));
     ASSERT_TRUE(solution.certificate.gap);
     EXPECT_LE(*solution.certificate.gap, 1e-6);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
 }
 
 TEST(BoxBound, ProvesRadiusLimitInfeasible) {
-    Scene scene = roller_scene(roller_cases[0]);
-    scene.limits.cam_radius_min = millimetres(14.0, "limits.cam_radius_min_mm");
-    const Solution solution = solve_without_explaining(scene, {});
+    const Solution solution =
+        solve_without_explaining(roller_scene(roller_cases[0]).with("limits.cam_radius_min_mm = 14"), {});
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_EQ(solution.certificate.reason, Reason::limits_contradict);
     EXPECT_FALSE(solution.motion);
@@ -161,12 +155,7 @@ TEST(BoxBound, CorruptedProofIsRefusedOrWeaker) {
 }
 
 TEST(BoxBound, BoundsBothSignsOfTorque) {
-    Scene scene;
-    scene.spline.segments = 10;
-    scene.objective.velocity = 0.1;
-    scene.objective.acceleration = scene.objective.jerk = 0.2;
-    scene.objective.torque = 0.5;
-    const Solution solution = solve(scene);
+    const Solution solution = solve(scene_named("drd_torque").with("spline.segments = 10"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_TRUE(solution.certificate.box_proof);
     EXPECT_GE(solution.certificate.box_proof->parts.size(), 1u);

@@ -3,10 +3,9 @@
 // itself is found.
 #include "studies/check/scene_check.hpp"
 
-#include "input/loading/load_scene.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,11 +17,7 @@
 namespace camopt {
 namespace scene_check_test {
 
-Scene scene_of(const std::string& name, const std::vector<std::string>& settings = {}) {
-    Scene scene =
-        input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names(), settings);
-    return scene;
-}
+using namespace testing_support;
 
 /// Its entries of one kind that count for something are wrong by 1e-4 of themselves.
 class SpoiledNlp final : public Nlp {
@@ -79,9 +74,8 @@ long telling_entries(const SparsityPattern& pattern, const std::vector<double>& 
     return static_cast<long>(places.size());
 }
 
-void expect_faults_found(const std::string& name, const std::vector<std::string>& settings) {
-    SCOPED_TRACE(name);
-    const Scene scene = scene_of(name, settings);
+void expect_faults_found(const Scene& scene) {
+    SCOPED_TRACE(scene.title);
     const CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
     const Nlp& grid = problem.grid();
     const Eigen::VectorXd x = off_every_special_place(problem);
@@ -107,10 +101,10 @@ void expect_faults_found(const std::string& name, const std::vector<std::string>
 }
 
 TEST(SceneCheck, FindsPartialsWrongByTenThousandth) {
-    expect_faults_found("barrel_smallest", {"spline.segments=6"});
-    expect_faults_found("cam_forces", {"spline.segments=8"});
-    expect_faults_found("drd_rms_jerk", {});
-    expect_faults_found("drd_torque", {"spline.segments=8"});
+    expect_faults_found(scene_named("barrel_smallest").with("spline.segments = 6"));
+    expect_faults_found(scene_named("cam_forces").with("spline.segments = 8"));
+    expect_faults_found(scene_named("drd_rms_jerk"));
+    expect_faults_found(scene_named("drd_torque").with("spline.segments = 8"));
 }
 
 /// A single entry among thousands.
@@ -135,7 +129,7 @@ class OneWrong final : public Nlp {
 };
 
 TEST(SceneCheck, FindsWrongEntryOfBarrelHessian) {
-    const Scene scene = scene_of("barrel_smallest", {"spline.segments=6"});
+    const Scene scene = scene_named("barrel_smallest").with("spline.segments = 6");
     const CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
     const Eigen::VectorXd x = off_every_special_place(problem);
     const SparsityPattern& pattern = problem.grid().shape().hessian;

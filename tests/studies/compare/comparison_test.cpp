@@ -4,9 +4,9 @@
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/disk/disk_cam.hpp"
 #include "studies/laws/law_motion.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,38 +20,26 @@ namespace camopt {
 namespace comparison_test {
 
 using std::numbers::pi;
-using testing_support::normalised_limit;
+using namespace testing_support;
 
 /// Weights 0.4, 0.4, 0.2 over the peaks of the modified sine.
-Scene scene_of(MotionType type, int segments) {
-    Scene scene;
-    scene.motion.type = type;
-    scene.spline.segments = segments;
-    scene.objective.velocity = 0.4;
-    scene.objective.acceleration = 0.4;
-    scene.objective.jerk = 0.2;
-    return scene;
+TestScene scene_of(const char* type, int segments) {
+    return scene_named("drd_cubic_12")
+        .with("objective.reference = modified_sine")
+        .set("motion.type", type)
+        .set("spline.segments", segments);
 }
 
 /// docs/theory/pressure_angle.md: lift 20 mm in 60 deg, roller 10 mm, |φ| <= 30 deg.
-Scene pressure_scene(double base_radius) {
-    Scene scene = scene_of(MotionType::drd, 24);
-    scene.motion.lift = 20e-3;
-    scene.motion.rise = pi / 3;
-    scene.cam = disk_spec({});
-    scene.cam->set(DimensionIndex::base_radius, base_radius);
-    scene.cam->set(DimensionIndex::roller_radius, 10e-3);
-    scene.limits.pressure_angle = WrittenLimit{pi / 6, "limits.pressure_angle_deg", units::degree, "deg"};
-    return scene;
+TestScene pressure_scene(double base_mm) {
+    return pressure_angle_scene(base_mm + 10.0).with("objective.reference = modified_sine");
 }
 
-/// Dwell, up, dwell, down: a quarter turn each.
-Scene program_scene() {
-    Scene scene = scene_of(MotionType::program, 12);
-    scene.motion.segments = {{SegmentKind::dwell, pi / 2, {}, {}},
-                             {SegmentKind::spline, pi / 2, {}, 1.0},
-                             {SegmentKind::dwell, pi / 2, {}, {}},
-                             {SegmentKind::spline, pi / 2, {}, 0.0}};
+/// Without segments: dwell, up, dwell, down, a quarter turn each.
+Scene program_scene(std::vector<ProgramSegment> segments = {}) {
+    if (segments.empty()) segments = {dwell(90), spline(90, 1.0), dwell(90), spline(90, 0.0)};
+    Scene scene = program(std::move(segments));
+    scene.objective.reference = {};
     return scene;
 }
 
@@ -70,7 +58,7 @@ const ComparisonRow& row_of(const Comparison& comparison, const std::string& key
 }
 
 TEST(Comparison, ListsEveryLawSorted) {
-    const Comparison comparison = compare(scene_of(MotionType::drd, 12));
+    const Comparison comparison = compare(scene_of("DRD", 12));
     EXPECT_EQ(comparison.rows.size(), rises().size() + 1);
     for (const LawInfo& law : rises()) {
         const ComparisonRow& row = row_of(comparison, law.key);
@@ -88,21 +76,12 @@ TEST(Comparison, ListsEveryLawSorted) {
 /// A valve's flat tappet on a base circle so small that most laws undercut: they have smaller objectives than
 /// the optimum, and stand below it all the same.
 TEST(Comparison, InfeasibleLawsRankLast) {
-    Scene scene = scene_of(MotionType::rr, 24);
-    scene.objective = {};
-    scene.objective.acceleration = scene.objective.jerk = 0.5;
-    scene.motion.lift = 9e-3;
-    scene.motion.rise = 65.0 * units::degree;
-    scene.motion.speed = 314.16;
-    scene.cam = disk_spec({.follower = FollowerType::translating_flat});
-    scene.cam->set(DimensionIndex::base_radius, 26.0e-3);
-    ForceSpec& forces = scene.forces.emplace();
-    forces.mass = 0.15;
-    forces.spring_rate = 35e3;
-    forces.preload = 250.0;
-    forces.contact_width = 12e-3;
-    scene.limits.hertz_pressure_max = WrittenLimit{700e6, "limits.hertz_pressure_max_mpa", 1e6, "MPa"};
-    const Comparison comparison = compare(scene);
+    const Comparison comparison = compare(scene_of("RR", 24).with(
+        "objective = { acceleration = 0.5, jerk = 0.5 }",
+        "motion = { type = 'RR', lift_mm = 9, rise_deg = 65, speed_rad_s = 314.16 }",
+        "cam = { type = 'disk', follower = 'translating_flat', base_radius_mm = 26 }",
+        "forces = { mass_kg = 0.15, spring_rate_n_mm = 35, preload_n = 250, contact_width_mm = 12 }",
+        "limits.hertz_pressure_max_mpa = 700"));
     bool broken_before = false;
     int feasible = 0, undercut = 0;
     for (const ComparisonRow& row : comparison.rows) {
@@ -123,7 +102,7 @@ TEST(Comparison, InfeasibleLawsRankLast) {
 }
 
 TEST(Comparison, ModifiedSinePeaksSumToWeights) {
-    const Comparison comparison = compare(scene_of(MotionType::drd, 12));
+    const Comparison comparison = compare(scene_of("DRD", 12));
     const ComparisonRow& row = row_of(comparison, "modified_sine");
     EXPECT_NEAR(row.objective, 1.0, 1e-14);
     const double optimum = comparison.optimum.certificate.objective;
@@ -134,7 +113,7 @@ TEST(Comparison, ModifiedSinePeaksSumToWeights) {
 }
 
 TEST(Comparison, NoLawBeatsAnyCurveLimit) {
-    const Comparison comparison = compare(scene_of(MotionType::drd, 12));
+    const Comparison comparison = compare(scene_of("DRD", 12));
     for (const ComparisonRow& row : comparison.rows) {
         if (!row.misfit.empty()) continue;
         EXPECT_GE(row.objective, comparison.optimum.any_curve_limit->objective * (1.0 - 1e-9)) << row.key;
@@ -146,7 +125,7 @@ TEST(Comparison, NoLawBeatsAnyCurveLimit) {
 }
 
 TEST(Comparison, InfiniteJerkCountsOnlyIfWeighted) {
-    Scene scene = scene_of(MotionType::drd, 12);
+    Scene scene = scene_of("DRD", 12);
     EXPECT_TRUE(std::isinf(row_of(compare(scene), "parabolic").objective));
     EXPECT_FALSE(row_of(compare(scene), "parabolic").loss_percent);
     scene.objective.jerk = 0.0;
@@ -156,10 +135,8 @@ TEST(Comparison, InfiniteJerkCountsOnlyIfWeighted) {
 }
 
 TEST(Comparison, ReportsAmountOfViolation) {
-    Scene scene = scene_of(MotionType::drd, 12);
-    scene.limits.velocity = normalised_limit("limits.velocity", 1.8);
-    scene.motion.via = {{0.25, 0.1, {}, {}}};
-    const Comparison comparison = compare(scene);
+    const Comparison comparison = compare(scene_of("DRD", 12).with(
+        "limits.velocity = 1.8", "motion.via = [{ at = 0.25, displacement = 0.1 }]"));
     const LimitOutcome& cycloidal = row_of(comparison, "cycloidal").limits[0];
     EXPECT_FALSE(cycloidal.kept);
     EXPECT_NEAR(cycloidal.excess, 0.2, 1e-12);
@@ -175,13 +152,11 @@ TEST(Comparison, ReportsAmountOfViolation) {
 // A law that misses a set point makes another motion, and a broken limit makes a law no better: neither has a
 // loss that could be negative.
 TEST(Comparison, ViolatedConditionsHaveNoLoss) {
-    Scene scene = scene_of(MotionType::drd, 12);
-    scene.motion.via = {{0.25, 0.02, {}, {}}};
-    for (const ComparisonRow& row : compare(scene).rows)
+    const TestScene scene = scene_of("DRD", 12);
+    for (const ComparisonRow& row :
+         compare(scene.with("motion.via = [{ at = 0.25, displacement = 0.02 }]")).rows)
         EXPECT_EQ(row.loss_percent.has_value(), row.is_optimum()) << row.key;
-    scene.motion.via.clear();
-    scene.limits.velocity = normalised_limit("limits.velocity", 1.4);
-    const Comparison capped = compare(scene);
+    const Comparison capped = compare(scene.with("limits.velocity = 1.4"));
     bool better_and_broken = false;
     for (const ComparisonRow& row : capped.rows) {
         if (row.loss_percent) {
@@ -193,11 +168,8 @@ TEST(Comparison, ViolatedConditionsHaveNoLoss) {
 }
 
 TEST(Comparison, AsymmetricLawsDifferInEndJerk) {
-    Scene scene = scene_of(MotionType::drd, 12);
-    scene.motion.symmetric = true;
-    scene.spline.degree = 5;
-    scene.spline.end_jerk = EndJerk::zero;
-    const Comparison comparison = compare(scene);
+    const Comparison comparison = compare(
+        scene_of("DRD", 12).with("motion.symmetric = true", "spline.degree = 5", "spline.end_jerk = zero"));
     EXPECT_TRUE(row_of(comparison, "polynomial_4567").feasible);
     EXPECT_FALSE(row_of(comparison, "polynomial_345").feasible);
     for (const LimitOutcome& outcome : row_of(comparison, "polynomial_4567").limits)
@@ -210,7 +182,7 @@ TEST(Comparison, AsymmetricLawsDifferInEndJerk) {
 }
 
 TEST(Comparison, AxialRollerBaseRadiusMatchesDenseComputation) {
-    const Comparison comparison = compare(pressure_scene(30e-3));
+    const Comparison comparison = compare(pressure_scene(30));
     int seen = 0;
     for (const LawInfo& info : rises()) {
         if (info.top != TopEnd::dwell) continue;
@@ -234,14 +206,12 @@ TEST(Comparison, AxialRollerBaseRadiusMatchesDenseComputation) {
 }
 
 TEST(Comparison, FlatFaceBaseRadiusMatchesDenseComputation) {
-    Scene scene = scene_of(MotionType::rr, 24);
-    scene.motion.lift = 10e-3;
-    scene.motion.rise = 1.3;
-    scene.motion.return_angle = 1.1;  // breakpoints of the mirrored laws are rounded
-    scene.cam = disk_spec({.follower = FollowerType::translating_flat});
-    scene.cam->set(DimensionIndex::base_radius, 80e-3);
-    scene.limits.cam_radius_min = WrittenLimit{5e-3, "limits.cam_radius_min_mm", units::millimetre, "mm"};
-    const Comparison comparison = compare(scene);
+    const Comparison comparison =
+        compare(scene_of("RR", 24)
+                    // Breakpoints of the mirrored laws are rounded.
+                    .with("motion = { type = 'RR', lift_mm = 10, rise_rad = 1.3, return_rad = 1.1 }",
+                          "cam = { type = 'disk', follower = 'translating_flat', base_radius_mm = 80 }",
+                          "limits.cam_radius_min_mm = 5"));
     for (const LawInfo& info : rises()) {
         const std::unique_ptr<Law> law = make_law(info.key);
         double base = 0.0;  // max of 5 mm − s − s'', every piece of the law with its own two ends
@@ -280,9 +250,7 @@ TEST(LawMotion, OneSidedValuesAtJumps) {
 }
 
 TEST(Comparison, RadiusIndependentLimitNeedsNoBaseRadius) {
-    Scene scene = pressure_scene(40e-3);
-    scene.limits.velocity = normalised_limit("limits.velocity", 1.9);
-    const Comparison comparison = compare(scene);
+    const Comparison comparison = compare(pressure_scene(40).with("limits.velocity = 1.9"));
     const ComparisonRow& cycloidal = row_of(comparison, "cycloidal");
     EXPECT_FALSE(cycloidal.base->radius);
     EXPECT_EQ(cycloidal.base->broken, "limits.velocity");
@@ -290,10 +258,8 @@ TEST(Comparison, RadiusIndependentLimitNeedsNoBaseRadius) {
 }
 
 TEST(Comparison, VariableBaseRadiusIsOptimalForAll) {
-    Scene scene = pressure_scene(30e-3);
-    scene.cam->set(DimensionIndex::base_radius, Dimension(20e-3, 60e-3));
-    scene.objective.dimensions[0] = 0.5;
-    const Comparison comparison = compare(scene);
+    const Comparison comparison = compare(pressure_scene(30).with(
+        "cam.base_radius_mm = { min = 20, max = 60 }", "objective.base_radius = 0.5"));
     ASSERT_TRUE(comparison.cam);
     const double base = comparison.cam->formulas->base_radius(comparison.cam->dimensions).value();
     EXPECT_NEAR(row_of(comparison, "modified_sine").objective, 1.0 + 0.5 * base / 20e-3, 1e-9);
@@ -301,7 +267,7 @@ TEST(Comparison, VariableBaseRadiusIsOptimalForAll) {
 }
 
 TEST(Comparison, RiseAndReturnAcceptsTurningPointLaws) {
-    const Comparison comparison = compare(scene_of(MotionType::rr, 24));
+    const Comparison comparison = compare(scene_of("RR", 24));
     for (const LawInfo& law : rises()) {
         const ComparisonRow& row = row_of(comparison, law.key);
         ASSERT_TRUE(row.motion) << law.key;
@@ -315,10 +281,8 @@ TEST(Comparison, RiseAndReturnAcceptsTurningPointLaws) {
 }
 
 TEST(Comparison, ShortReturnMakesJerkDiscontinuous) {
-    Scene scene = scene_of(MotionType::rr, 24);
-    scene.motion.rise = pi;
-    scene.motion.return_angle = pi / 2;
-    const Comparison comparison = compare(scene);
+    const Comparison comparison =
+        compare(scene_of("RR", 24).with("motion.rise_deg = 180", "motion.return_deg = 90"));
     const ComparisonRow& turning = row_of(comparison, "double_harmonic");
     EXPECT_TRUE(std::isinf(turning.peaks.jerk.value));
     EXPECT_EQ(turning.peaks.jerk.at, 1.0);
@@ -339,9 +303,7 @@ TEST(Comparison, NormalisesEachProgramStrokeSeparately) {
 }
 
 TEST(Comparison, TwoSimpleHarmonicsHaveNoImpulse) {
-    Scene scene = program_scene();
-    scene.motion.segments = {{SegmentKind::spline, pi, {}, 1.0}, {SegmentKind::spline, pi, {}, 0.0}};
-    const Comparison comparison = compare(scene);
+    const Comparison comparison = compare(program_scene({spline(180, 1.0), spline(180, 0.0)}));
     const ComparisonRow& eccentric = row_of(comparison, "simple_harmonic");
     EXPECT_NEAR(eccentric.peaks.jerk.value, pi * pi * pi / 2, 1e-9);
     EXPECT_NEAR(eccentric.peaks.rms_jerk, pi * pi * pi / 2 / std::sqrt(2.0), 1e-9);
@@ -350,11 +312,7 @@ TEST(Comparison, TwoSimpleHarmonicsHaveNoImpulse) {
 }
 
 TEST(Comparison, TurningPointLawsFitProgramsBetweenDwells) {
-    Scene scene = program_scene();
-    scene.motion.segments = {{SegmentKind::dwell, pi, {}, {}},
-                             {SegmentKind::spline, pi / 2, {}, 1.0},
-                             {SegmentKind::spline, pi / 2, {}, 0.0}};
-    const Comparison comparison = compare(scene);
+    const Comparison comparison = compare(program_scene({dwell(180), spline(90, 1.0), spline(90, 0.0)}));
     const ComparisonRow& row = row_of(comparison, "double_harmonic");
     ASSERT_TRUE(row.motion);
     EXPECT_NEAR(row.peaks.jerk.value, make_law("double_harmonic")->peaks().jerk.value, 1e-9);
@@ -362,34 +320,24 @@ TEST(Comparison, TurningPointLawsFitProgramsBetweenDwells) {
 }
 
 TEST(Comparison, AFreeDisplacementIsTheOptimums) {
-    Scene scene = program_scene();
-    scene.motion.segments = {{SegmentKind::dwell, pi / 2, {}, {}},
-                             {SegmentKind::spline, pi / 2, {}, 1.0},
-                             {SegmentKind::spline, pi / 2, {}, {}},
-                             {SegmentKind::spline, pi / 2, {}, 0.0}};
-    const Comparison comparison = compare(scene);
+    const Comparison comparison =
+        compare(program_scene({dwell(90), spline(90, 1.0), spline(90), spline(90, 0.0)}));
     const double chosen = comparison.optimum.motion->at(2.0).derivative[0];
     EXPECT_NEAR(row_of(comparison, "cycloidal").motion->at(2.0).derivative[0], chosen, 1e-12);
 }
 
 TEST(Comparison, ZeroStrokeHasNoImpulseOrReversal) {
-    Scene scene = program_scene();
-    scene.motion.segments = {{SegmentKind::dwell, 1.0, {}, {}},
-                             {SegmentKind::spline, 1.7, {}, 1.0},
-                             {SegmentKind::spline, 1.7, {}, 1.0 - 1e-11},
-                             {SegmentKind::spline, 2 * pi - 4.4, {}, 0.0}};
-    const Comparison comparison = compare(scene);
+    constexpr double radian = 180.0 / pi;
+    const Comparison comparison =
+        compare(program_scene({dwell(radian), spline(1.7 * radian, 1.0), spline(1.7 * radian, 1.0 - 1e-11),
+                               spline(360.0 - 4.4 * radian, 0.0)}));
     // The stroke's own displacement is what it is normalised by: A and J are the law's.
     EXPECT_NEAR(row_of(comparison, "cycloidal").peaks.jerk.value, 4 * pi * pi, 1e-4);
     EXPECT_NE(row_of(comparison, "double_harmonic").misfit, "");
 }
 
 TEST(Comparison, FreeDisplacementUnknownWithoutOptimum) {
-    Scene scene = program_scene();
-    scene.motion.segments = {{SegmentKind::dwell, pi / 2, {}, {}},
-                             {SegmentKind::spline, pi / 2, {}, 1.0},
-                             {SegmentKind::spline, pi / 2, {}, {}},
-                             {SegmentKind::spline, pi / 2, {}, 0.0}};
+    Scene scene = program_scene({dwell(90), spline(90, 1.0), spline(90), spline(90, 0.0)});
     scene.limits.velocity = normalised_limit("limits.velocity", 0.3);
     const Comparison comparison = compare(scene);
     EXPECT_EQ(comparison.rows.size(), rises().size());
@@ -397,9 +345,7 @@ TEST(Comparison, FreeDisplacementUnknownWithoutOptimum) {
 }
 
 TEST(Comparison, ListsLawsWithoutOptimum) {
-    Scene scene = scene_of(MotionType::drd, 12);
-    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    const Comparison comparison = compare(scene);
+    const Comparison comparison = compare(scene_of("DRD", 12).with("limits.velocity = 0.9"));
     EXPECT_EQ(comparison.optimum.certificate.verdict, Verdict::infeasible);
     for (const LawInfo& law : rises()) {
         const ComparisonRow& row = row_of(comparison, law.key);

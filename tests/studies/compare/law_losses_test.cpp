@@ -13,7 +13,9 @@
 namespace camopt {
 namespace law_losses_test {
 
-using testing_support::paper_objective;
+using namespace testing_support;
+
+const Scene drd_24 = paper_objective(MotionType::drd, 3, 24);
 
 /// The largest least row of all mixes in steps of 1 / count.
 double best_of_lattice(const std::vector<std::array<double, 3>>& rows, int count) {
@@ -89,7 +91,7 @@ TEST(MatrixGame, NearlyParallelFacesGiveNoValue) {
 class LawLossesOfDrd : public testing::Test {
  protected:
     static const LawLosses& losses() {
-        static const LawLosses found = law_losses(paper_objective(MotionType::drd, 3, 24));
+        static const LawLosses found = law_losses(drd_24);
         return found;
     }
     static const LawLoss& law(const std::string& key) {
@@ -113,10 +115,7 @@ TEST_F(LawLossesOfDrd, CoverFinitePeakLaws) {
 TEST_F(LawLossesOfDrd, WeightsAreOptimal) {
     for (int i = 0; i <= 4; ++i) {
         for (int j = 0; i + j <= 4; ++j) {
-            Scene scene = paper_objective(MotionType::drd, 3, 24);
-            scene.objective.velocity = i / 4.0;
-            scene.objective.acceleration = j / 4.0;
-            scene.objective.jerk = (4 - i - j) / 4.0;
+            const Scene scene = with_weights(drd_24, {i / 4.0, j / 4.0, (4 - i - j) / 4.0});
             const double optimum = solve(scene).certificate.objective;
             for (const LawLoss& loss : losses().laws) {
                 const double of_law = scene.objective.velocity * loss.peaks[0] / 1.76 +
@@ -134,13 +133,10 @@ TEST_F(LawLossesOfDrd, LeastLossLowersPeaks) {
         const LawLoss& loss = law(key);
         const double part = 1.0 / (1.0 + loss.closest->loss_percent / 100.0);
         for (const double slack : {1e-4, -1e-4}) {
-            Scene scene = paper_objective(MotionType::drd, 3, 24);
-            scene.limits.velocity =
-                testing_support::normalised_limit("limits.velocity", (part + slack) * loss.peaks[0]);
-            scene.limits.acceleration =
-                testing_support::normalised_limit("limits.acceleration", (part + slack) * loss.peaks[1]);
-            scene.limits.jerk =
-                testing_support::normalised_limit("limits.jerk", (part + slack) * loss.peaks[2]);
+            Scene scene = drd_24;
+            scene.limits.velocity = PeakLimit((part + slack) * loss.peaks[0]);
+            scene.limits.acceleration = PeakLimit((part + slack) * loss.peaks[1]);
+            scene.limits.jerk = PeakLimit((part + slack) * loss.peaks[2]);
             EXPECT_EQ(solve(scene).certificate.verdict, slack > 0.0 ? Verdict::optimal : Verdict::infeasible)
                 << key;
         }
@@ -167,7 +163,7 @@ TEST_F(LawLossesOfDrd, LeastJerkUsesPeaks) {
 }
 
 TEST_F(LawLossesOfDrd, MatchTheComparison) {
-    const Comparison comparison = compare(paper_objective(MotionType::drd, 3, 24));
+    const Comparison comparison = compare(drd_24);
     for (const ComparisonRow& row : comparison.rows) {
         const auto found = std::ranges::find(losses().laws, row.key, &LawLoss::key);
         if (found == losses().laws.end()) continue;
@@ -180,15 +176,11 @@ TEST_F(LawLossesOfDrd, KnownMotionsSaveSolves) {
     std::vector<PeakTriple> known;
     for (int i = 1; i <= 8; ++i) {
         for (int j = 1; i + j <= 9; ++j) {
-            Scene scene = paper_objective(MotionType::drd, 3, 24);
-            scene.objective.velocity = i / 10.0;
-            scene.objective.acceleration = j / 10.0;
-            scene.objective.jerk = (10 - i - j) / 10.0;
-            const Peaks peaks = solve(scene).peaks;
+            const Peaks peaks = solve(with_weights(drd_24, {i / 10.0, j / 10.0, (10 - i - j) / 10.0})).peaks;
             known.push_back({peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value});
         }
     }
-    const LawLosses again = law_losses(paper_objective(MotionType::drd, 3, 24), {}, known);
+    const LawLosses again = law_losses(drd_24, {}, known);
     EXPECT_LT(again.solves, losses().solves);
     for (const LawLoss& loss : again.laws)
         EXPECT_NEAR(loss.closest->loss_percent, law(loss.key).closest->loss_percent, 5e-4) << loss.key;

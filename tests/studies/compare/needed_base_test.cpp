@@ -3,8 +3,8 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/compare/comparison.hpp"
-#include "tests/studies/cam_scenes.hpp"
 #include "tests/support/middle_cam.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,8 +53,7 @@ TEST(NeededBase, IsLeastRadiusForPressureAngle) {
 
 /// A flat face: base + s + s'' >= ρ.
 TEST(NeededBase, IsLeastRadiusForFlatFace) {
-    Scene scene = flat_scene(30.0, 2.0);
-    scene.motion.type = MotionType::drd;
+    const Scene scene = flat_scene(30).with("motion.type = DRD", "limits.cam_radius_min_mm = 2");
     const DrivenMechanism cam = disk_mechanism(middle_cam(disk_of(*scene.cam)));
     const auto law = make_law("polynomial_345");
     const double lift = scene.motion.lift, rise = scene.motion.rise;
@@ -68,12 +67,9 @@ TEST(NeededBase, IsLeastRadiusForFlatFace) {
 }
 
 TEST(NeededBase, NamesLimitWithoutFeasibleRadius) {
-    Scene scene = pressure_angle_scene(40.0);
-    scene.motion.speed = 10.0;
-    scene.forces = ForceSpec{};
-    scene.forces->mass = 1.0;
-    scene.forces->preload = 5.0;
-    scene.limits.contact_force_min = WrittenLimit{10.0, "limits.contact_force_min_n", 1.0, "N"};
+    const Scene scene =
+        pressure_angle_scene(40).with("motion.speed_rad_s = 10", "forces = { mass_kg = 1, preload_n = 5 }",
+                                      "limits.contact_force_min_n = 10");
     const NeededBase found =
         needed_base(scene, disk_mechanism(middle_cam(disk_of(*scene.cam))), *make_law("modified_sine"));
     EXPECT_FALSE(found.radius);

@@ -9,6 +9,7 @@
 #include "tests/studies/independent_spline.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/counting_clock.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +20,7 @@
 namespace camopt {
 namespace delivered_audit_test {
 
-using testing_support::IndependentSpline;
-using testing_support::normalised_limit;
-using testing_support::paper_objective;
+using namespace testing_support;
 
 /// sqrt(1/L ∫ (y^{(order)})² dx) by Simpson's rule on each piece: exact for the cubes and quintics here where
 /// the integrand has degree 6 or less, and far below 1e-12 for it split into 8.
@@ -79,12 +78,8 @@ TEST(DeliveredObjective, MatchesCurveForRootMeanSquares) {
     EXPECT_EQ(delivered, 12);
 }
 
-Solution solved_twelve() {
-    return solve(paper_objective(MotionType::drd, 3, 12));
-}
-
 TEST(DeliveredAudit, WideGapIsNotOptimal) {
-    Solution solution = solved_twelve();
+    Solution solution = solved(scene_named("drd_cubic_12"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     solution.scene.solver.gap = 1e-12;
     solution.certificate.lower_bound = *solution.certificate.lower_bound - 1e-6;
@@ -105,7 +100,7 @@ void expect_failed(Solution solution, const char* reason) {
 }
 
 TEST(DeliveredAudit, LeavesATrueVerdictAlone) {
-    Solution solution = solved_twelve();
+    Solution solution = solved(scene_named("drd_cubic_12"));
     const double objective = solution.certificate.objective;
     audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
@@ -114,7 +109,7 @@ TEST(DeliveredAudit, LeavesATrueVerdictAlone) {
 }
 
 TEST(DeliveredAudit, FalseObjectiveIsCorrectedWithoutVerdict) {
-    Solution solution = solved_twelve();
+    Solution solution = solved(scene_named("drd_cubic_12"));
     const double objective = solution.certificate.objective;
     solution.certificate.objective *= 1.0 - 1e-6;
     expect_failed(solution, "objective_not_of_the_curve");
@@ -123,7 +118,7 @@ TEST(DeliveredAudit, FalseObjectiveIsCorrectedWithoutVerdict) {
 }
 
 TEST(DeliveredAudit, ViolatedLimitEndsVerdict) {
-    Solution solution = solved_twelve();
+    Solution solution = solved(scene_named("drd_cubic_12"));
     ConstraintReport velocity{"velocity", "limits.velocity", 1.7, 1.7 * (1.0 + 1e-9), "", 0.5, true};
     solution.constraints = {velocity};
     audit_delivered(solution);
@@ -135,7 +130,7 @@ TEST(DeliveredAudit, ViolatedLimitEndsVerdict) {
 }
 
 TEST(DeliveredAudit, EveryConditionIsChecked) {
-    const Solution solution = solved_twelve();
+    const Solution& solution = solved(scene_named("drd_cubic_12"));
     const auto with = [&](auto change) {
         Solution changed = solution;
         change(changed.scene);
@@ -148,26 +143,15 @@ TEST(DeliveredAudit, EveryConditionIsChecked) {
                   "condition_not_met");
     expect_failed(with([](Scene& scene) { scene.motion.via = {{0.25, {}, {}, 0.0}}; }), "condition_not_met");
     expect_failed(with([](Scene& scene) { scene.spline.end_jerk = EndJerk::zero; }), "condition_not_met");
-    Scene lopsided = paper_objective(MotionType::drd, 3, 12);
-    lopsided.motion.via = {{0.5, 0.6, {}, {}}};
-    Solution bent = solve(lopsided);
+    Solution bent =
+        solve(scene_named("drd_cubic_12").with("motion.via = [{ at = 0.5, displacement = 0.6 }]"));
     ASSERT_EQ(bent.certificate.verdict, Verdict::optimal);
     bent.scene.motion.symmetric = true;
     expect_failed(bent, "condition_not_met");
 }
 
-Scene program() {
-    Scene scene = paper_objective(MotionType::program, 3, 12);
-    constexpr double degree = 3.14159265358979323846 / 180.0;
-    scene.motion.segments = {{SegmentKind::dwell, 60 * degree, {}, {}},
-                             {SegmentKind::spline, 120 * degree, {}, 1.0},
-                             {SegmentKind::dwell, 60 * degree, {}, {}},
-                             {SegmentKind::spline, 120 * degree, {}, 0.0}};
-    return scene;
-}
-
 TEST(DeliveredAudit, ProgramsAreChecked) {
-    Solution solution = solve(program());
+    Solution solution = solve(program({dwell(60), spline(120, 1.0), dwell(60), spline(120, 0.0)}));
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     EXPECT_TRUE(missed_conditions(solution, 1e-10).empty());
     Solution elsewhere = solution;
@@ -211,32 +195,9 @@ TEST(DeliveredAudit, RelaxationWithMarginFindsMotion) {
     EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
 }
 
-Scene program_that_may_stand() {
-    constexpr double degree = 3.14159265358979323846 / 180.0;
-    Scene scene;
-    scene.motion.type = MotionType::program;
-    scene.motion.closed = false;
-    scene.motion.lift = 1e-3;
-    scene.motion.segments = {{SegmentKind::spline, 36 * degree, {}, 0.75},
-                             {SegmentKind::spline, 47 * degree, {}, 1.0},
-                             {SegmentKind::spline, 83 * degree, {}, 0.25},
-                             {SegmentKind::law, 88 * degree, "cycloidal", 0.5},
-                             {SegmentKind::spline, 88 * degree, {}, {}}};
-    scene.spline.degree = 3;
-    scene.spline.segments = 9;
-    scene.spline.design = DesignKind::ordinates;
-    scene.objective.velocity = 0.92755760495873008;
-    scene.objective.acceleration = 0.42980311885134909;
-    scene.limits.velocity = normalised_limit("limits.velocity", 1.5);
-    scene.limits.acceleration = normalised_limit("limits.acceleration", 5.8260514135870967);
-    scene.limits.jerk = normalised_limit("limits.jerk", 64.829192483396525);
-    scene.solver.starts = 2;
-    return scene;
-}
-
 /// The last run, which may end where it likes, stands: what rounding leaves there is no measure of itself.
 TEST(DeliveredAudit, StationaryRunIsScaledByMotion) {
-    const Solution solution = solve(program_that_may_stand());
+    const Solution solution = solve(scene_named("last_run_stands"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     ASSERT_FALSE(solution.segments.empty());
     const SegmentReport& last = solution.segments.back();
@@ -313,16 +274,14 @@ TEST(DeliveredAudit, NegativeBoundIsHidden) {
 
 /// The cost of a point that nobody gets is no objective.
 TEST(DeliveredAudit, MissingMotionHasNoObjective) {
-    Scene scene = paper_objective(MotionType::drd, 3, 12);
-    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    const Solution solution = solve(scene);
+    const Solution solution = solve(scene_named("drd_cubic_12").with("limits.velocity = 0.9"));
     ASSERT_FALSE(solution.motion);
     EXPECT_FALSE(std::isfinite(solution.certificate.objective));
 }
 
 /// Pieces that do not meet are no one motion, and no figure of them is one of it: nothing is delivered.
 TEST(DeliveredAudit, DisjointPiecesDeliverNoMotion) {
-    Solution solution = solved_twelve();
+    Solution solution = solved(scene_named("drd_cubic_12"));
     Eigen::MatrixXd pieces = solution.curve->pieces();
     pieces(0, 5) += 1e-4;
     solution.curve = SplineCurve(solution.curve->space(), pieces);

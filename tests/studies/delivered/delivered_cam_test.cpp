@@ -4,8 +4,8 @@
 // what the motion without them reaches, so that many of them bite, among them where the cam would undercut.
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/search/planned_solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/independent_cam.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,19 +50,9 @@ void set_motion(Scene& scene, MotionType type, Random& random) {
     scene.motion.speed = random.between(20.0, 80.0);
     if (type == MotionType::rr) scene.motion.return_angle = random.between(55.0, 120.0) * units::degree;
     if (type != MotionType::program) return;
-    const auto segment = [&](SegmentKind kind, double angle, std::optional<double> to) {
-        ProgramSegment next;
-        next.kind = kind;
-        next.angle = angle * units::degree;
-        next.to = to;
-        scene.motion.segments.push_back(next);
-    };
     const double rise = random.between(60.0, 130.0), back = random.between(60.0, 130.0);
-    segment(SegmentKind::dwell, 40.0, {});
-    segment(SegmentKind::spline, rise, 1.0);
-    segment(SegmentKind::dwell, 20.0, {});
-    segment(SegmentKind::spline, back, 0.0);
-    segment(SegmentKind::dwell, 300.0 - rise - back, {});
+    scene.motion.segments = {dwell(40.0), spline(rise, 1.0), dwell(20.0), spline(back, 0.0),
+                             dwell(300.0 - rise - back)};
 }
 
 void set_cam(Scene& scene, FollowerType follower, Random& random) {

@@ -10,8 +10,8 @@
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "tests/studies/cam_samples.hpp"
-#include "tests/studies/cam_scenes.hpp"
 #include "tests/support/middle_cam.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -143,12 +143,12 @@ TEST(DirectMechanism, EveryKindIsChecked) {
         const MotionScale scale{loaded_scene(cam.formulas->swings()).motion.lift, 1.0};
         const DrivenMechanism other = foreign(cam);
         if (cam.formulas->stations() > 1) {
-            const ForwardCheckReport found = two_sided_check(other, motion, scale, 500);
-            EXPECT_EQ(found.deviation, two_sided_check(cam, motion, scale, 500).deviation);
+            const ForwardCheckReport found = two_sided_check(other, motion, scale, 200);
+            EXPECT_EQ(found.deviation, two_sided_check(cam, motion, scale, 200).deviation);
             EXPECT_LT(found.relative, 1e-6);
         } else {
-            const ForwardCheckResult found = forward_check(forward_check_input(other, motion, scale, 500));
-            EXPECT_EQ(found.deviation, forward_check(forward_check_input(cam, motion, scale, 500)).deviation);
+            const ForwardCheckResult found = forward_check(forward_check_input(other, motion, scale, 200));
+            EXPECT_EQ(found.deviation, forward_check(forward_check_input(cam, motion, scale, 200)).deviation);
             EXPECT_LT(found.relative, 1e-6);
         }
     }

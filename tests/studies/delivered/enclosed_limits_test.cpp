@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Limits along all of a delivered motion: which are verified and which are not, and what passes a limit
 // between the places that figures come from.
-#include "input/loading/load_scene.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
-#include "studies/solve/solve.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,12 +15,12 @@
 namespace camopt {
 namespace enclosed_limits_test {
 
+using namespace testing_support;
+
 using Keys = std::vector<std::string>;
 
-Scene scene_of(const std::string& name) {
-    Scene scene = load_scene(source_folder() + "/scenes/" + name + ".toml");
-    scene.solver.starts = 1;
-    return scene;
+const Solution& solved(const std::string& name) {
+    return testing_support::solved(scene_named(name).with("solver.starts = 1"));
 }
 
 struct Wanted {
@@ -37,7 +35,7 @@ void PrintTo(const Wanted& wanted, std::ostream* stream) {
 class EnclosedLimits : public testing::TestWithParam<Wanted> {};
 
 TEST_P(EnclosedLimits, AreNamedInTheCertificate) {
-    const Solution solution = solve(scene_of(GetParam().scene));
+    const Solution& solution = solved(GetParam().scene);
     ASSERT_TRUE(solution.motion);
     EXPECT_EQ(solution.certificate.verified, GetParam().verified);
     EXPECT_EQ(solution.certificate.unverified, GetParam().unverified);
@@ -66,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Between what the enclosures say and a dense sample there is no room.
 TEST(EnclosedLimits, EqualMaximaOfDenseSample) {
-    const Solution solution = solve(scene_of("cam_roller"));
+    const Solution& solution = solved("cam_roller");
     ASSERT_TRUE(solution.cam);
     double most = 0.0;
     const Motion& motion = *solution.motion;
@@ -93,7 +91,7 @@ TEST(EnclosedLimits, EqualMaximaOfDenseSample) {
 }
 
 TEST(EnclosedLimits, ViolationsBetweenSamplesFailVerdict) {
-    Solution solution = solve(scene_of("cam_knife"));
+    Solution solution = solved("cam_knife");
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_FALSE(solution.cam->limits_along.empty());
     solution.cam->limits_along.front().worst = 1e-5;

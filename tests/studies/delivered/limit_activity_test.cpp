@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // When a limit is active: measured by the quantity it holds, never by the limit, which may be 0.
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/delivered/scene_limits.hpp"
-#include "studies/solve/solve.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,32 +71,9 @@ std::string text_of(const Solution& solution) {
     return summary_text(solution, {});
 }
 
-const char* const roller = R"(
-[motion]
-type = "RR"
-lift_mm = 12
-rise_deg = 60
-return_deg = 60
-[spline]
-degree = 3
-segments = 12
-[objective]
-velocity = 0.4
-acceleration = 0.4
-jerk = 0.2
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = 9
-roller_radius_mm = 15
-[solver]
-starts = 1
-[limits]
-)";
-
 // The roller is larger than the nose of the best motion's cam: the limit of 0 holds it at a cusp.
 TEST(LimitActivity, ActiveUndercutLimitIsCusp) {
-    const Solution solution = solve(scene_of_toml(std::string(roller) + "cam_radius_min_mm = 0\n"));
+    const Solution solution = solve(testing_support::scene_named("roller_at_cusp"));
     ASSERT_TRUE(solution.cam);
     EXPECT_TRUE(limit_of(solution, "limits.cam_radius_min_mm").active);
     EXPECT_TRUE(solution.cam->summary.cusp()) << solution.cam->summary.regularity.value;
@@ -110,24 +86,7 @@ TEST(LimitActivity, ActiveUndercutLimitIsCusp) {
 }
 
 TEST(LimitActivity, ConvexCamHasNoConcaveRadius) {
-    const Solution solution = solve(scene_of_toml(R"(
-[motion]
-type = "RR"
-lift_mm = 10
-rise_deg = 90
-speed_rpm = 600
-[spline]
-segments = 12
-[objective]
-acceleration = 1
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = 60
-roller_radius_mm = 5
-[limits]
-concave_radius_min_mm = 30
-)"));
+    const Solution solution = solve(testing_support::scene_named("nowhere_concave"));
     ASSERT_TRUE(solution.cam);
     ASSERT_FALSE(solution.cam->summary.concave_radius);
     EXPECT_FALSE(limit_of(solution, "limits.concave_radius_min_mm").active);

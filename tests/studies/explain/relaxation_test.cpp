@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The parts of an explanation: values told on the side that does, finer splines, what no motion can keep,
 // limits that give way together, and the time it may take.
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/value_search.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/middle_cam.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,11 +22,6 @@ namespace relaxation_test {
 
 using namespace testing_support;
 using enum DimensionIndex;
-
-Solution solved_case(const char* name, const std::vector<std::string>& settings = {}) {
-    return solve(
-        input::read_scene_file(source_folder() + "/tests/cases/" + name + ".toml", known_names(), settings));
-}
 
 const Relaxation* row_of(const Solution& solution, const std::string& key) {
     const auto found = std::ranges::find(solution.relaxation, key, &Relaxation::key);
@@ -63,8 +55,7 @@ TEST(FinerSpline, HalvesGivenBreakpoints) {
 }
 
 TEST(FinerSpline, IsFewestSegmentsSolved) {
-    Scene scene = paper_objective(MotionType::drd, 5, 4);
-    scene.limits.acceleration = normalised_limit("limits.acceleration", 5.0);
+    const Scene scene = scene_named("drd_cubic_4").with("spline.degree = 5", "limits.acceleration = 5");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const Relaxation* row = row_of(solution, "spline.segments");
@@ -78,21 +69,7 @@ TEST(FinerSpline, IsFewestSegmentsSolved) {
 
 /// Fourteen uniform segments have none: what was solved are the given intervals, halved.
 TEST(FinerSpline, ReportsSubdivisionOfGivenBreakpoints) {
-    Scene scene;
-    scene.spline.degree = 5;
-    scene.spline.end_jerk = EndJerk::zero;
-    scene.spline.breakpoints = {0.0,
-                                0.061252076374454935,
-                                0.29747888614808748,
-                                0.5282531749066397,
-                                0.58889435740949136,
-                                0.93698615576794742,
-                                0.96792961640643982,
-                                1.0};
-    scene.motion.via = {{0.5, {}, {}, 0.0}, {0.66021174251752224, {}, {}, -4.251492948151105}};
-    scene.objective.velocity = scene.objective.acceleration = 0.3;
-    scene.limits.velocity = normalised_limit("limits.velocity", 2.0879228730930919);
-    scene.limits.acceleration = normalised_limit("limits.acceleration", 4.7807709992163305);
+    const TestScene scene = scene_named("finer_breakpoints");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_FALSE(row_of(solution, "spline.segments"));
@@ -100,16 +77,11 @@ TEST(FinerSpline, ReportsSubdivisionOfGivenBreakpoints) {
     ASSERT_TRUE(row && row->needed);
     EXPECT_EQ(*row->needed, 14.0);
     EXPECT_TRUE(solve(with_segments(scene, 14)).motion);
-    Scene uniform = scene;
-    uniform.spline.breakpoints.clear();
-    uniform.spline.segments = 14;
-    EXPECT_FALSE(solve(uniform).motion);
+    EXPECT_FALSE(solve(scene.with("spline = { degree = 5, end_jerk = 'zero', segments = 14 }")).motion);
 }
 
 TEST(FinerSpline, IsNotSearchedWhereImpossible) {
-    Scene scene = paper_objective(MotionType::drd, 3, 12);
-    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    const Solution solution = solve(scene);
+    const Solution solution = solve(scene_named("drd_cubic_12").with("limits.velocity = 0.9"));
     EXPECT_FALSE(row_of(solution, "spline.segments"));
     ASSERT_TRUE(solution.explanation);
     EXPECT_EQ(solution.explanation->any_motion, std::vector<std::string>{"limits.velocity"});
@@ -118,14 +90,10 @@ TEST(FinerSpline, IsNotSearchedWhereImpossible) {
 
 TEST(SmallestOfAnyMotion, UsesMostDemandingStroke) {
     // Rise 0 to 1 in 120 deg, return in two parts: 1 to 0.5 in 20 deg, 0.5 to 0 in 60 deg, with 25 deg there.
-    Scene scene = pressure_angle_scene(40);
+    Scene scene = pressure_angle_scene(40).with("limits.return_pressure_angle_deg = 25");
     scene.motion.type = MotionType::program;
+    scene.motion.segments = {spline(120, 1.0), spline(20, 0.5), spline(60, 0.0), dwell(160)};
     const double degree = units::degree;
-    scene.motion.segments = {{SegmentKind::spline, 120 * degree, {}, 1.0},
-                             {SegmentKind::spline, 20 * degree, {}, 0.5},
-                             {SegmentKind::spline, 60 * degree, {}, 0.0},
-                             {SegmentKind::dwell, 160 * degree, {}, {}}};
-    scene.limits.return_pressure_angle = degrees(25.0, "limits.return_pressure_angle_deg");
     const auto smallest = smallest_of_any_motion(scene, disk_mechanism(middle_cam(disk_of(*scene.cam))));
     ASSERT_TRUE(smallest);
     // r = s0 exp(θ tan φ) from s0 + 10 mm to s0 + 20 mm.
@@ -139,10 +107,8 @@ TEST(SmallestOfAnyMotion, UsesMostDemandingStroke) {
 
 TEST(SmallestOfAnyMotion, BoundsRealMotions) {
     // A cam a little larger than the bound is kept by a spline fine enough; a smaller one by none.
-    Scene scene = pressure_angle_scene(40, 48);
-    scene.motion.type = MotionType::rr;
-    scene.motion.rise = 120 * units::degree;
-    scene.motion.return_angle = 60 * units::degree;
+    Scene scene = pressure_angle_scene(40, 48).with("motion.type = RR", "motion.rise_deg = 120",
+                                                    "motion.return_deg = 60");
     const double bound =
         smallest_of_any_motion(scene, disk_mechanism(middle_cam(disk_of(*scene.cam))))->prime_radius;
     scene.cam->set(base_radius, 1.2 * bound - 10e-3);
@@ -154,54 +120,44 @@ TEST(SmallestOfAnyMotion, BoundsRealMotions) {
 }
 
 TEST(FinerSpline, IsNotSuggestedWhereUseless) {
-    Scene scene = paper_objective(MotionType::drd, 3, 12);
-    scene.motion.symmetric = true;
-    scene.motion.via = {{0.5, 0.4, {}, {}}};  // symmetry makes it 0.5
-    const Solution solution = solve(scene);
+    // Symmetry makes it 0.5.
+    const Solution solution =
+        solve(scene_named("drd_cubic_12")
+                  .with("motion.symmetric = true", "motion.via = [{ at = 0.5, displacement = 0.4 }]"));
     ASSERT_EQ(solution.certificate.reason, "conditions_contradict");
     ASSERT_FALSE(solution.notes.empty());
     EXPECT_EQ(solution.notes[0].find("give it more segments"), std::string::npos) << solution.notes[0];
     EXPECT_FALSE(row_of(solution, "spline.segments"));
-    scene.motion.symmetric = false;
-    scene.spline.segments = 4;
-    scene.motion.via = {{0.25, 0.1, {}, {}}, {0.5, 0.5, {}, {}}, {0.75, 0.95, {}, {}}};
-    const Solution scarce = solve(scene);
+    const Solution scarce = solve(scene_named("three_points_on_four_segments"));
     EXPECT_NE(scarce.notes[0].find("give it more segments"), std::string::npos) << scarce.notes[0];
     EXPECT_TRUE(row_of(scarce, "spline.segments"));
 }
 
 TEST(JointRelaxation, IsTheLeastCommonPart) {
-    Scene scene = paper_objective(MotionType::drd, 3, 12);
-    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    scene.limits.acceleration = normalised_limit("limits.acceleration", 3.0);
-    scene.limits.jerk = normalised_limit("limits.jerk", 400.0);  // has no need to give way
+    const TestScene scene =  // the jerk has no need to give way
+        scene_named("drd_cubic_12").with("limits = { velocity = 0.9, acceleration = 3, jerk = 400 }");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.explanation);
     const std::vector<Relaxation>& together = solution.explanation->together;
     ASSERT_EQ(together.size(), 2U);
     const double part = *together[0].needed / 0.9 - 1.0;
     EXPECT_NEAR(*together[1].needed / 3.0 - 1.0, part, 1e-9);
+    const auto relaxed = [&](double velocity, double acceleration) {
+        return solve(scene.set("limits.velocity", velocity).set("limits.acceleration", acceleration));
+    };
     const auto relaxed_by = [&](double how_far) {
-        Scene changed = scene;
-        changed.limits.velocity = normalised_limit("limits.velocity", 0.9 * (1.0 + how_far));
-        changed.limits.acceleration = normalised_limit("limits.acceleration", 3.0 * (1.0 + how_far));
-        return solve(changed);
+        return relaxed(0.9 * (1.0 + how_far), 3.0 * (1.0 + how_far));
     };
     EXPECT_TRUE(relaxed_by(part * (1.0 + 1e-5)).motion);
     EXPECT_FALSE(relaxed_by(part * (1.0 - 1e-4)).motion);
     // As told.
-    scene.limits.velocity = normalised_limit("limits.velocity", *together[0].solved);
-    scene.limits.acceleration = normalised_limit("limits.acceleration", *together[1].solved);
-    EXPECT_TRUE(solve(scene).motion);
+    EXPECT_TRUE(relaxed(*together[0].solved, *together[1].solved).motion);
 }
 
 TEST(JointRelaxation, ScalesLowerLimitsEqually) {
-    Scene scene = pressure_angle_scene(30, 12);
-    scene.limits.pressure_angle = degrees(15.0, "limits.pressure_angle_deg");
-    scene.limits.concave_radius_min = millimetres(300.0, "limits.concave_radius_min_mm");
-    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    scene.solver.explain_seconds = 30.0;
-    const Solution solution = solve(scene);
+    const Solution solution = solve(pressure_angle_scene(30, 12).with(
+        "limits = { pressure_angle_deg = 15, concave_radius_min_mm = 300, velocity = 0.9 }",
+        "solver.explain_seconds = 30"));
     ASSERT_TRUE(solution.explanation);
     std::map<std::string, double> factors;
     for (const Relaxation& row : solution.explanation->together)
@@ -250,9 +206,7 @@ TEST(Explanation, TimeoutLeavesUnsettledKeysAndReportsProgress) {
 /// "Nothing helps" and "nobody looked to the end" must not be told by the same words.
 TEST(Explanation, InterruptedCombinedSearchIsUnsettled) {
     Solution solution;
-    solution.scene = paper_objective(MotionType::drd, 3, 12);
-    solution.scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    solution.scene.limits.acceleration = normalised_limit("limits.acceleration", 3.0);
+    solution.scene = scene_named("drd_cubic_12").with("limits = { velocity = 0.9, acceleration = 3 }");
     solution.certificate.verdict = Verdict::infeasible;
     bool stop = false;
     SolveControl control;
@@ -271,10 +225,9 @@ TEST(Explanation, InterruptedCombinedSearchIsUnsettled) {
 }
 
 TEST(Explanation, TriesEveryCamAndSpringDimension) {
-    Scene scene = pressure_angle_scene(40);
-    scene.motion.speed = 60.0;
-    scene.forces = ForceSpec{.mass = 0.8, .spring_rate = 4000.0, .preload = 20.0, .contact_width = 12e-3};
-    scene.limits.hertz_pressure_max = WrittenLimit{500e6, "limits.hertz_pressure_max_mpa", 1e6, "MPa"};
+    const Scene scene = pressure_angle_scene(40).with(
+        "motion.speed_rad_s = 60", "limits.hertz_pressure_max_mpa = 500",
+        "forces = { mass_kg = 0.8, spring_rate_n_m = 4000, preload_n = 20, contact_width_mm = 12 }");
     std::vector<std::string> keys;
     for (const Adjustment& one : adjustments(scene)) keys.push_back(one.key);
     for (const char* key :
@@ -286,7 +239,7 @@ TEST(Explanation, TriesEveryCamAndSpringDimension) {
 
 // It starts with 1200 mm/s, above the limit, and with that limit raised needs a jerk of 215.4 m/s³.
 TEST(Conflict, NamesEveryLimitImpossibleAlone) {
-    const Solution solution = solved_case("49_moving_start", {"limits.velocity_mm_s=800"});
+    const Solution solution = solve(scene_named("49_moving_start").with("limits.velocity_mm_s = 800"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     ASSERT_TRUE(solution.explanation);
     const std::vector<std::string>& alone = solution.explanation->alone;
@@ -299,11 +252,8 @@ TEST(Conflict, NamesEveryLimitImpossibleAlone) {
 }
 
 TEST(Conflict, IsTwoLimitsWhereTwoSuffice) {
-    Scene scene = paper_objective(MotionType::drd, 5, 12);
-    scene.limits.velocity = normalised_limit("limits.velocity", 1.5);
-    scene.limits.acceleration = normalised_limit("limits.acceleration", 5.0);
-    scene.limits.jerk = normalised_limit("limits.jerk", 45.0);
-    const Solution solution = solve(scene);
+    const Solution solution =
+        solve(scene_named("drd_quintic_12").with("limits = { velocity = 1.5, acceleration = 5, jerk = 45 }"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_TRUE(solution.explanation->alone.empty());
     std::vector<std::string> keys;
@@ -314,19 +264,17 @@ TEST(Conflict, IsTwoLimitsWhereTwoSuffice) {
 }
 
 TEST(Conflict, OfFreeKnotsNamesLimits) {
-    Scene scene = paper_objective(MotionType::drd, 3, 6);
-    scene.spline.free_knots = true;
-    scene.limits.velocity = normalised_limit("limits.velocity", 1.2);
-    scene.limits.acceleration = normalised_limit("limits.acceleration", 5.0);
-    const Solution solution = solve(scene);
+    const Solution solution =
+        solve(scene_named("drd_cubic_6")
+                  .with("spline.knots = free", "limits = { velocity = 1.2, acceleration = 5 }"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_EQ(solution.conflict.size(), 2U);
 }
 
 TEST(Adjustment, StartOfMotionIsChanged) {
-    const Solution solution =
-        solved_case("49_moving_start",
-                    {"limits.velocity_mm_s=800", "limits.jerk_m_s3=2000", "limits.acceleration_m_s2=400"});
+    const Solution solution = solve(
+        scene_named("49_moving_start")
+            .with("limits.velocity_mm_s = 800", "limits.jerk_m_s3 = 2000", "limits.acceleration_m_s2 = 400"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const Relaxation* const row = row_of(solution, "motion.start.velocity_mm_s");
     ASSERT_TRUE(row && row->solved);
@@ -335,7 +283,7 @@ TEST(Adjustment, StartOfMotionIsChanged) {
 }
 
 TEST(PrescribedMotion, IsShownWhereItViolatesLimit) {
-    const Solution solution = solved_case("43_laws");
+    const Solution solution = solve(scene_named("43_laws"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     ASSERT_TRUE(solution.motion && solution.cam);
     ASSERT_EQ(solution.constraints.size(), 1U);

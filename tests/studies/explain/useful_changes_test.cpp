@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a user is told to change comes in time, in the order of its usefulness, and does make the scene
 // feasible: every change is written into the scene file as it is printed, and the file is solved.
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "output/view/key_words.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/explain/adjustment.hpp"
-#include "studies/solve/solve.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/solved_scene.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,24 +16,19 @@
 namespace camopt {
 namespace useful_changes_test {
 
+using namespace testing_support;
+
 struct Case {
-    std::string name, file;
-    std::vector<std::string> settings;
+    std::string name;
+    TestScene scene;
     friend void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 };
 
-Scene scene_of(const Case& one) {
-    Scene scene =
-        input::read_scene_file(source_folder() + "/" + one.file + ".toml", known_names(), one.settings);
-    return scene;
-}
-
 /// The scene file with the change, as a user would write it.
-Scene with_change(Case one, const Relaxation& row) {
-    one.settings.push_back(fmt::format("{}={}", row.key, *row.solved));
-    for (const CompanionChange& other : row.also)
-        one.settings.push_back(fmt::format("{}={}", other.key, other.solved));
-    return scene_of(one);
+TestScene with_change(const TestScene& scene, const Relaxation& row) {
+    TestScene changed = scene.set(row.key, *row.solved);
+    for (const CompanionChange& other : row.also) changed = changed.set(other.key, other.solved);
+    return changed;
 }
 
 std::string told(const Solution& solution) {
@@ -46,13 +37,13 @@ std::string told(const Solution& solution) {
     return text;
 }
 
-const Case servo = {"servo", "tests/support/cases/servo_four_moves", {}};
-const Case lobe = {"lobe", "tests/support/cases/lobe_ramp_set_point", {}};
+const TestScene servo = scene_named("servo_four_moves"), lobe = scene_named("lobe_ramp_set_point"),
+                infeasible_cam = scene_named("cam_infeasible");
 
 class UsefulChanges : public testing::TestWithParam<Case> {};
 
 TEST_P(UsefulChanges, AreFoundInTimeAndSuffice) {
-    const Solution solution = solve(scene_of(GetParam()));
+    const Solution solution = solve(GetParam().scene);
     ASSERT_FALSE(solution.motion);
     ASSERT_TRUE(solution.explanation);
     EXPECT_LE(solution.explanation->allowed, 5.0);
@@ -62,8 +53,7 @@ TEST_P(UsefulChanges, AreFoundInTimeAndSuffice) {
     for (const Relaxation& row : solution.relaxation) {
         if (!row.solved || applied == 2) continue;
         ++applied;
-        Scene changed = with_change(GetParam(), row);
-        changed.solver.explain_seconds = 0.0;
+        const TestScene changed = with_change(GetParam().scene, row).with("solver.explain_seconds = 0");
         EXPECT_TRUE(solve(changed).motion) << change_words(row);
     }
 }
@@ -71,16 +61,17 @@ TEST_P(UsefulChanges, AreFoundInTimeAndSuffice) {
 INSTANTIATE_TEST_SUITE_P(
     Infeasible, UsefulChanges,
     testing::Values(
-        servo, lobe, Case{"far_target", "tests/support/cases/far_target", {}},
-        Case{"spring", "tests/support/cases/spring_float", {"spline.segments=64", "forces.preload_n=2"}},
-        Case{"cam", "scenes/cam_infeasible", {}},
-        Case{"cam_not_convex", "scenes/cam_infeasible", {"limits.cam_radius_min_mm=8", "spline.segments=64"}},
-        Case{"undercut", "scenes/cam_undercut", {"limits.cam_radius_min_mm=30", "spline.segments=64"}},
-        Case{"cap", "scenes/infeasible_velocity_cap", {}}),
+        Case{"servo", servo}, Case{"lobe", lobe}, Case{"far_target", scene_named("far_target")},
+        Case{"spring", scene_named("spring_float").with("spline.segments = 64", "forces.preload_n = 2")},
+        Case{"cam", infeasible_cam},
+        Case{"cam_not_convex", infeasible_cam.with("limits.cam_radius_min_mm = 8", "spline.segments = 64")},
+        Case{"undercut",
+             scene_named("cam_undercut").with("limits.cam_radius_min_mm = 30", "spline.segments = 64")},
+        Case{"cap", scene_named("infeasible_velocity_cap")}),
     [](const auto& one) { return one.param.name; });
 
 TEST(UsefulChange, ServoProgramChangesAngleAndDwell) {
-    const Solution solution = solve(scene_of(servo));
+    const Solution& solution = solved(servo);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const Relaxation& first = solution.relaxation.front();
     EXPECT_EQ(first.key, "motion.segments[2].angle_deg");
@@ -109,13 +100,8 @@ TEST(UsefulChange, FreeKnotsNeedLeastRise) {
     for (const double velocity_mm_s : {771.0, 772.0}) {
         const double velocity = std::min(peak, 1e-3 * velocity_mm_s);
         const double least = deg_s * (lift / velocity + velocity / acceleration + acceleration / jerk);
-        Scene scene = input::read_scene(
-            fmt::format("[motion]\ntype = \"DRD\"\nlift_mm = 30\nrise_deg = 85\nspeed_rpm = 200\n[spline]\n"
-                        "segments = 9\nknots = \"free\"\n[objective]\njerk = 1\n[limits]\n"
-                        "velocity_mm_s = {}\nacceleration_m_s2 = 25\njerk_m_s3 = 3125\n",
-                        velocity_mm_s),
-            "s.toml", known_names(), {});
-        const Solution solution = solve(scene);
+        const Solution solution =
+            solve(scene_named("jerk_limited_rise").set("limits.velocity_mm_s", velocity_mm_s));
         EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
         EXPECT_EQ(solution.certificate.proof_kind, ProofKind::any_curve_limit);
         ASSERT_FALSE(solution.relaxation.empty());
@@ -128,7 +114,7 @@ TEST(UsefulChange, FreeKnotsNeedLeastRise) {
 }
 
 TEST(UsefulChange, UsesNextDwellBeforePreviousOne) {
-    const std::vector<Adjustment> all = motion_adjustments(scene_of(servo));
+    const std::vector<Adjustment> all = motion_adjustments(servo);
     std::vector<std::string> givers;
     for (const Adjustment& one : all)
         if (one.key == "motion.segments[2].angle_deg")
@@ -138,7 +124,7 @@ TEST(UsefulChange, UsesNextDwellBeforePreviousOne) {
 }
 
 TEST(UsefulChange, NamesSetPointContradictedByRamp) {
-    const Solution solution = solve(scene_of(lobe));
+    const Solution& solution = solved(lobe);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     ASSERT_TRUE(solution.explanation);
     const std::vector<std::string>& named = solution.explanation->set_points;
@@ -154,12 +140,10 @@ TEST(UsefulChange, NamesSetPointContradictedByRamp) {
 
 /// Other conditions leave one value: 0.5 mm and 10 deg of 0.012 mm/deg.
 TEST(UsefulChange, DeterminedSetPointIsItsValue) {
-    Case inside = lobe;
-    inside.settings.insert(
-        inside.settings.end(),
-        {"motion.via[0].from_deg=20", "motion.via[0].to_deg=40", "motion.via[0].displacement_mm=0.5",
-         "motion.via[1].at_deg=30", "limits.acceleration_mm_s2=6000000"});
-    const Solution solution = solve(scene_of(inside));
+    const TestScene inside = lobe.with("motion.via[0].from_deg = 20", "motion.via[0].to_deg = 40",
+                                       "motion.via[0].displacement_mm = 0.5", "motion.via[1].at_deg = 30",
+                                       "limits.acceleration_mm_s2 = 6000000");
+    const Solution solution = solve(inside);
     ASSERT_EQ(solution.certificate.reason, Reason::conditions_contradict);
     const auto row =
         std::ranges::find(solution.relaxation, "motion.via[1].displacement_mm", &Relaxation::key);
@@ -169,22 +153,20 @@ TEST(UsefulChange, DeterminedSetPointIsItsValue) {
 }
 
 TEST(UsefulChange, StopsAfterEnoughAreFound) {
-    Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
+    const TestScene scene = infeasible_cam.with("spline.segments = 8");
     const Solution three = solve(scene);
     ASSERT_EQ(three.relaxation.size(), 3U);
     EXPECT_EQ(three.relaxation[0].key, "motion.rise_deg");
     EXPECT_EQ(three.relaxation[1].key, "cam.base_radius_mm");
     EXPECT_EQ(three.relaxation[2].key, "limits.pressure_angle_deg");
     EXPECT_EQ(three.explanation->end, ExplanationEnd::enough);
-    scene.solver.explain_changes = 1;
-    EXPECT_EQ(solve(scene).relaxation.size(), 1U);
-    scene.solver.explain_changes = 100;
-    EXPECT_GT(solve(scene).relaxation.size(), 3U);
+    EXPECT_EQ(solve(scene.with("solver.explain_changes = 1")).relaxation.size(), 1U);
+    EXPECT_GT(solve(scene.with("solver.explain_changes = 100")).relaxation.size(), 3U);
 }
 
 /// A lift written in mm keeps the displacements that are written in mm.
 TEST(UsefulChange, LiftChangeScalesOnlyLiftUnits) {
-    Scene scene = scene_of(servo);
+    Scene scene = servo;
     const auto keys = [&] {
         std::vector<std::string> all;
         for (const Adjustment& one : motion_adjustments(scene)) all.push_back(one.key);
@@ -211,9 +193,8 @@ TEST(ExplanationTime, InterruptionIsNotReportedAsTimeout) {
         stop = stop || progress.message.find("suggested changes: limits.") != std::string_view::npos;
     };
     control.stop_requested = [&] { return stop; };
-    Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
-    scene.solver.explain_changes = 100;
-    const Solution solution = solve(scene, control);
+    const Solution solution =
+        solve(infeasible_cam.with("spline.segments = 8", "solver.explain_changes = 100"), control);
     ASSERT_TRUE(stop);
     for (const std::string& note : solution.notes)
         EXPECT_EQ(note.find("max_seconds"), std::string::npos) << note;
@@ -229,9 +210,8 @@ TEST(ExplanationTime, FiveSecondLimitIsReported) {
     control.progress = [&](const Progress& progress) {
         if (progress.message.find("suggested changes: limits.") != std::string_view::npos) now += 6.0;
     };
-    Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
-    scene.solver.explain_changes = 100;
-    const Solution solution = solve(scene, control);
+    const Solution solution =
+        solve(infeasible_cam.with("spline.segments = 8", "solver.explain_changes = 100"), control);
     EXPECT_EQ(solution.explanation->end, ExplanationEnd::time_limit);
     EXPECT_TRUE(solution.relaxation.front().solved) << "found before";
     EXPECT_NE(told(solution).find("(solver.explain_seconds)"), std::string::npos) << told(solution);

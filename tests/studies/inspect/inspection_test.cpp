@@ -3,13 +3,11 @@
 #include "studies/inspect/inspection.hpp"
 
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -20,46 +18,15 @@
 namespace camopt {
 namespace inspection_test {
 
+using namespace testing_support;
+
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 
 constexpr double um = 1e-6, mm = 1e-3, degree = units::degree;
 
-const std::string program = R"(
-[motion]
-type = "program"
-lift_mm = 10
-[[motion.segments]]
-kind = "law"
-law = "cycloidal"
-angle_deg = 80
-to_mm = 10
-[[motion.segments]]
-kind = "dwell"
-angle_deg = 40
-[[motion.segments]]
-kind = "law"
-law = "polynomial_345"
-angle_deg = 120
-to_mm = 0
-[[motion.segments]]
-kind = "dwell"
-angle_deg = 120
-)";
-const std::string roller = R"(
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = 40
-roller_radius_mm = 10
-offset_mm = 6
-)";
-
-const Solution& nominal(const std::string& cam = roller) {
-    static std::map<std::string, Solution> solved;
-    const auto [found, is_new] = solved.try_emplace(cam);
-    if (is_new) found->second = solve(input::read_scene(program + cam, "s.toml", known_names(), {}));
-    return found->second;
+const Solution& nominal() {
+    return solved(scene_named("inspected_cam"));
 }
 
 /// The known errors of a measured cam.
@@ -225,9 +192,10 @@ TEST(Inspection, RoundPartKeepsItsAngle) {
 }
 
 TEST(Inspection, RefusesWhatDoesNotFit) {
-    const auto refused = [](const std::string& cam, const std::string& text, double probe = 0.0) {
-        return testing_support::refusal(
-            [&] { (void)inspect_cam(nominal(cam), input::inspected_table_of(text, "t.csv"), probe); });
+    const Solution& without_cam = solved(scene_named("prescribed_laws"));
+    const auto refused = [&](const std::string& text, double probe = 0.0) {
+        return refusal(
+            [&] { (void)inspect_cam(without_cam, input::inspected_table_of(text, "t.csv"), probe); });
     };
     std::string points = "x_mm,y_mm\n", degrees = "theta_deg,s_deg\n", lifts = "theta_deg,s_mm\n";
     for (int i = 0; i < 9; ++i) {
@@ -236,11 +204,11 @@ TEST(Inspection, RefusesWhatDoesNotFit) {
         lifts += fmt::format("{},0\n", i);
     }
     EXPECT_EQ(
-        refused("", points),
+        refused(points),
         "t.csv: found points of a cam where the scene has no cam; allowed: displacements s_mm, s_in or s_m");
-    EXPECT_EQ(refused("", degrees),
+    EXPECT_EQ(refused(degrees),
               "t.csv: found angles where the lift is a length; allowed: displacements s_mm, s_in or s_m");
-    EXPECT_EQ(refused("", lifts, mm),
+    EXPECT_EQ(refused(lifts, mm),
               "--probe-radius-mm: found with displacements; allowed: with points of the cam");
 }
 

@@ -2,12 +2,10 @@
 // The optimised scene of an inverse cam, rebuilt from the delivered motion alone: rocker, pin and body from
 // positions with own formulas, the guide's tangent and curvature by differences.
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,11 +24,6 @@ using units::degree;
 
 constexpr int fine = 20000;
 constexpr double step = 1e-4;  // of the rise, for differences
-
-Scene scene_of_the_feeder() {
-    Scene scene = input::read_scene_file(source_folder() + "/scenes/inverse_feeder.toml", known_names());
-    return scene;
-}
 
 /// The scene's numbers once more, in inches; the place of the roller in the body at x of the rise.
 Point guide_at(const std::function<double(double)>& lift, double x) {
@@ -71,7 +64,7 @@ Rebuilt rebuilt(const std::function<double(double)>& lift) {
 }
 
 TEST(InverseScene, ForwardModelConfirmsTenDegrees) {
-    const Scene scene = scene_of_the_feeder();
+    const Scene scene = testing_support::scene_named("inverse_feeder");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion) << "no motion within 10 deg was found";
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Machines of servo axes: the largest speed that their motors allow, and time shared out between strokes.
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "objectives/drive_rules.hpp"
 #include "studies/machine/machine.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,17 +13,12 @@ namespace camopt {
 namespace machine_drive_test {
 
 /// A slide that goes and comes back; `out`, `back`: cam angles of the strokes as TOML.
-Scene slide(double lift_mm, const std::string& out, const std::string& back, double rest_deg) {
-    return input::read_scene(
-        fmt::format(
-            "[motion]\ntype = \"program\"\nlift_mm = {}\nspeed_rpm = 60\nsegments = [\n"
-            "{{ kind = \"spline\", angle_deg = {}, to = 1 }},\n{{ kind = \"dwell\", angle_deg = {} }},\n"
-            "{{ kind = \"spline\", angle_deg = {}, to = 0 }},\n{{ kind = \"dwell\", angle_deg = 40 }},\n]\n"
-            "[spline]\nsegments = 8\n[drive]\nload_mass_kg = 5\nmotor_inertia_kg_m2 = 2e-4\n"
-            "transmission_mm_per_rev = 50\nforce_n = 40\n[limits]\nmotor_torque_nm = 4\n"
-            "motor_torque_rms_nm = 2\n[objective]\nmotor_torque_rms = 1\n",
-            lift_mm, out, rest_deg, back),
-        "slide.toml", known_names(), {});
+Scene slide(double lift_mm, const char* out, const char* back, double rest_deg) {
+    return testing_support::scene_named("servo_there_and_back")
+        .with(std::string("motion.segments[0].angle_deg = ") + out,
+              std::string("motion.segments[2].angle_deg = ") + back)
+        .set("motion.segments[1].angle_deg", rest_deg)
+        .set("motion.lift_mm", lift_mm);
 }
 
 MachineSpec machine_of(std::vector<Scene> scenes) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A law, a solver and a kind of cam of the program's own, named by scenes as if they had always been there. A
 // program of its own: what is added stays.
-#include "core/errors.hpp"
-#include "input/loading/load_scene.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "profiles/remote/remote_cam.hpp"
@@ -11,6 +9,8 @@
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,6 +22,8 @@
 
 namespace camopt {
 namespace open_registries_test {
+
+using namespace testing_support;
 
 /// y = 3 x² − 2 x³, or what is asked for.
 class Smoothstep final : public Law {
@@ -49,15 +51,9 @@ LawMaker smoothstep(const std::string& key, double slip = 0.0) {
     return [key, slip]() -> std::unique_ptr<Law> { return std::make_unique<Smoothstep>(key, slip); };
 }
 
-const std::string rise = R"(
-[motion]
-type = "DRD"
-lift_mm = 10
-rise_deg = 120
-[spline]
-degree = 3
-segments = 12
-)";
+TestScene rise() {
+    return scene_named("drd_cubic_12").with("motion.lift_mm = 10", "motion.rise_deg = 120");
+}
 
 TEST(OwnLaw, WorksAsReferenceComparisonAndSegment) {
     const std::span<const LawInfo> before = law_catalogue();
@@ -66,12 +62,8 @@ TEST(OwnLaw, WorksAsReferenceComparisonAndSegment) {
     EXPECT_EQ(before.front().key, "parabolic");  // what was handed out stays
     EXPECT_NEAR(make_law("smoothstep")->peaks().velocity.value, 1.5, 1e-12);
 
-    const Scene scene = scene_of_toml(rise + R"(
-[objective]
-velocity = 0.5
-acceleration = 0.5
-reference = "smoothstep"
-)");
+    const Scene scene =
+        rise().with("objective = { velocity = 0.5, acceleration = 0.5, reference = 'smoothstep' }");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     EXPECT_NEAR(solution.certificate.objective,
@@ -82,29 +74,19 @@ reference = "smoothstep"
     ASSERT_NE(row, comparison.rows.end());
     EXPECT_NEAR(row->objective, 1.0, 1e-9);
 
-    const Solution turn = solve(scene_of_toml(R"(
-[motion]
-type = "program"
-lift_mm = 10
-segments = [ { kind = "law", law = "smoothstep", angle_deg = 90, to_mm = 10 },
-             { kind = "dwell", angle_deg = 90 },
-             { kind = "spline", angle_deg = 180, to_mm = 0 } ]
-[spline]
-segments = 8
-[objective]
-acceleration = 1
-)"));
+    const Solution turn =
+        solve(rise().with("motion = { type = 'program', lift_mm = 10, segments = ["
+                          "{ kind = 'law', law = 'smoothstep', angle_deg = 90, to_mm = 10 }, { kind = "
+                          "'dwell', angle_deg = 90 },"
+                          "{ kind = 'spline', angle_deg = 180, to_mm = 0 }] }",
+                          "spline = { segments = 8 }", "objective = { acceleration = 1 }"));
     ASSERT_TRUE(turn.motion) << turn.certificate.reason;
     EXPECT_NEAR(turn.motion->at(0.25).derivative[0], 0.5, 1e-12);  // x: in units of the spline's angle
 }
 
 void expect_law_refused(const LawMaker& make, const std::string& part) {
-    try {
-        add_law(make);
-        FAIL() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-    }
+    const std::string said = refusal([&] { add_law(make); });
+    EXPECT_NE(said.find(part), std::string::npos) << said;
 }
 
 TEST(OwnLaw, OneThatIsNoneIsRefused) {
@@ -141,9 +123,8 @@ TEST(OwnSolver, IsSelectedByNameAndCertified) {
     entry.gives_multipliers = true;
     const SolverMaker make = []() -> std::unique_ptr<Solver> { return std::make_unique<Counted>(calls); };
     add_solver(entry, make);
-    const std::string weights = "[objective]\nvelocity = 0.4\nacceleration = 0.4\njerk = 0.2\n";
-    const Solution own = solve(scene_of_toml(rise + weights + "[solver]\nname = \"counted\"\n"));
-    const Solution built_in = solve(scene_of_toml(rise + weights));
+    const Solution own = solve(rise().with("solver.name = counted"));
+    const Solution built_in = solve(rise());
     EXPECT_GT(calls, 0);
     EXPECT_EQ(own.solver.name, "counted");
     EXPECT_EQ(own.certificate.verdict, Verdict::optimal);
@@ -155,26 +136,6 @@ TEST(OwnSolver, IsSelectedByNameAndCertified) {
     EXPECT_THROW(add_solver(entry, make), InputError);
     EXPECT_THROW(add_solver(entry, {}), InputError);
 }
-
-const std::string lever_scene = R"(
-lever_pivot_x_mm = 60
-lever_pivot_y_mm = 0
-roller_arm_mm = 50
-roller_radius_mm = 8
-[linkage]
-type = "lever"
-output_angle_deg = 120
-[motion]
-type = "RR"
-lift_deg = 15
-rise_deg = 90
-[spline]
-segments = 8
-[objective]
-acceleration = 1
-[limits]
-pressure_angle_deg = 60
-)";
 
 TEST(OwnCamKind, IsReadAndSolved) {
     CamKind kind = *cam_kind("remote");
@@ -191,11 +152,9 @@ TEST(OwnCamKind, IsReadAndSolved) {
         same.type = remote_type;
         return std::make_shared<RemoteCam>(same);
     };
-    const std::string own_text = "[cam]\ntype = \"rocking\"" + lever_scene;
-    EXPECT_THROW((void)scene_of_toml(own_text), InputError);
+    const TestScene built_in = scene_named("lever_alone"), own = built_in.with("cam.type = rocking");
+    EXPECT_THROW((void)own.read(), InputError);
     add_cam_kind(kind);
-    const Scene own = scene_of_toml(own_text);
-    const Scene built_in = scene_of_toml("[cam]\ntype = \"remote\"" + lever_scene);
     const Solution found = solve(own), expected = solve(built_in);
     ASSERT_TRUE(expected.motion) << expected.certificate.reason;
     ASSERT_TRUE(found.motion) << found.certificate.reason;
@@ -223,7 +182,7 @@ TEST(OpenRegistries, ReadersSeeCompleteListsDuringAdds) {
 }
 
 TEST(SceneSweep, IsWhatSingleSolvesGive) {
-    const Scene scene = scene_of_toml(rise + "[objective]\nvelocity = 1\njerk = 0.2\n");
+    const Scene scene = rise().with("objective = { velocity = 1, jerk = 0.2 }");
     const std::vector<double> values = {0.0, 0.1, 0.5, 2.0};
     int told = 0;
     const std::vector<SweptScene> rows = sweep(

@@ -2,22 +2,20 @@
 #include "studies/pareto/pareto_front.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 namespace camopt {
 namespace pareto_front_test {
 
-using testing_support::normalised_limit;
-using testing_support::paper_objective;
+using namespace testing_support;
 
 constexpr FrontFigure V = FrontFigure::velocity, A = FrontFigure::acceleration, J = FrontFigure::jerk;
 
@@ -128,10 +126,7 @@ TEST(ParetoFront, InnerPointsMatchWeightedOptimum) {
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
         if (std::abs(fall(i) / fall(i - 1) - 1.0) > 1e-6) continue;
         ++inside;
-        Scene weighted = scene;
-        weighted.objective.velocity = fall(i) / (1.0 + fall(i));
-        weighted.objective.acceleration = 1.0 / (1.0 + fall(i));
-        weighted.objective.jerk = 0.0;
+        const Scene weighted = with_weights(scene, {fall(i) / (1.0 + fall(i)), 1.0 / (1.0 + fall(i)), 0.0});
         const Solution optimum = solve(weighted);
         const double here = weighted.objective.velocity * points[i].value[0] / reference[0] +
                             weighted.objective.acceleration * points[i].value[1] / reference[1];
@@ -144,11 +139,7 @@ TEST(ParetoFront, StaysAboveEveryWeightedOptimum) {
     const Scene scene = cubic_12();
     const ParetoFront front = front_of(request_of(V, A), scene);
     for (const double share : {0.05, 0.2, 0.5, 0.8, 0.95}) {
-        Scene weighted = scene;
-        weighted.objective.velocity = share;
-        weighted.objective.acceleration = 1.0 - share;
-        weighted.objective.jerk = 0.0;
-        const double optimum = solve(weighted).certificate.objective;
+        const double optimum = solve(with_weights(scene, {share, 1.0 - share, 0.0})).certificate.objective;
         double least = infinity;
         for (const FrontPoint& point : front.points)
             least = std::min(least, share * point.value[0] / 1.76 + (1.0 - share) * point.value[1] / 5.53);
@@ -173,9 +164,7 @@ TEST(ParetoFront, ExcludesExcessiveCostOfOtherGoal) {
 }
 
 TEST(ParetoFront, KeepsTheScenesOwnLimits) {
-    Scene scene = cubic_12();
-    scene.limits.jerk = normalised_limit("limits.jerk", 70.0);
-    scene.limits.velocity = normalised_limit("limits.velocity", 1.9);
+    const Scene scene = scene_named("drd_cubic_12").with("limits = { jerk = 70, velocity = 1.9 }");
     const std::vector<FrontPoint> points = spaced(front_of(request_of(V, A), scene));
     for (const FrontPoint& point : points) {
         EXPECT_LE(point.solution.peaks.jerk.value, 70.0 * (1.0 + 1e-8));
@@ -201,15 +190,7 @@ TEST(ParetoFront, KeepsOtherWeightsOnRequest) {
 
 // One solve knows the least base circle but for what the peaks weigh in: see lexicographic_weight.
 TEST(ParetoFront, TradesTheBaseCircleForJerk) {
-    Scene scene = paper_objective(MotionType::drd, 3, 24);
-    scene.motion.lift = 0.02;
-    scene.motion.rise = std::numbers::pi / 3.0;
-    DiskSpec cam;
-    cam[DimensionIndex::base_radius] = Dimension(0.005, 0.06);
-    cam[DimensionIndex::roller_radius] = 0.01;
-    scene.cam = disk_spec(cam);
-    const double degree = std::numbers::pi / 180.0;
-    scene.limits.pressure_angle = WrittenLimit{30.0 * degree, "limits.pressure_angle_deg", degree, "deg"};
+    const Scene scene = pressure_angle_scene(15).with("cam.base_radius_mm = { min = 5, max = 60 }");
     FrontRequest request = request_of(DimensionIndex::base_radius, J);
     request.points = 6;
     const ParetoFront front = front_of(request, scene);
@@ -258,9 +239,8 @@ TEST(ParetoFront, AgreeingGoalsGiveOnePoint) {
 }
 
 TEST(ParetoFront, AnInfeasibleSceneHasNone) {
-    Scene scene = cubic_12();
-    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    const ParetoFront front = pareto_front(scene, request_of(A, J));
+    const ParetoFront front =
+        pareto_front(scene_named("drd_cubic_12").with("limits.velocity = 0.9"), request_of(A, J));
     EXPECT_FALSE(front.complete);
     ASSERT_EQ(front.points.size(), 1U);
     EXPECT_EQ(front.points.front().solution.certificate.verdict, Verdict::infeasible);

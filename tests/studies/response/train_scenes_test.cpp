@@ -3,7 +3,6 @@
 // every speed of their range; and what is refused.
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/response/train_figures.hpp"
@@ -20,8 +19,9 @@
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 #include "tests/dynamics/stiff_integrator.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scene_kit.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,41 +30,33 @@
 namespace camopt {
 namespace train_scenes_test {
 
-std::string slide(const std::string& dynamics, const std::string& rest) {
-    return fmt::format(
-        "[motion]\ntype = \"DRD\"\nlift_mm = 24\nrise_deg = 90\nspeed_rpm = 300\n[spline]\ndegree = "
-        "5\nsegments = "
-        "14\n[dynamics]\nmass_kg = 2.5\n{}\n{}",
-        dynamics, rest);
+using namespace testing_support;
+
+template <class... Settings>
+TestScene slide(const char* dynamics, const Settings&... settings) {
+    return scene_named("elastic_slide")
+        .with(std::string("dynamics = { mass_kg = 2.5, ") + dynamics + " }", settings...);
 }
 
-const char* const soft = "natural_frequency_hz = 70\ndamping_ratio = 0.02\n";
-const char* const ranged = "natural_frequency_hz = 70\ndamping_ratio = 0.02\nspeed_range_rpm = [285, 315]\n";
-const char* const pressed =
-    "natural_frequency_hz = 70\ndamping_ratio = 0.02\nreturn_spring_n_mm = 8\npreload_n = 150\n";
-const char* const chain =
-    "natural_frequency_hz = 80\ndamping_ratio = 0.03\n[[dynamics.stage]]\nmass_kg = 0.8\nstiffness_n_mm = "
-    "2500\ndamping_ratio = 0.01\n";
+constexpr const char* soft = "natural_frequency_hz = 70, damping_ratio = 0.02";
+constexpr const char* ranged =
+    "natural_frequency_hz = 70, damping_ratio = 0.02, speed_range_rpm = [285, 315]";
+constexpr const char* pressed =
+    "natural_frequency_hz = 70, damping_ratio = 0.02, return_spring_n_mm = 8, preload_n = 150";
+constexpr const char* two_masses =
+    "natural_frequency_hz = 80, damping_ratio = 0.03, "
+    "stage = [{ mass_kg = 0.8, stiffness_n_mm = 2500, damping_ratio = 0.01 }]";
 
 // No dwell, no transient: there is no acceleration of 0.
 TEST(TrainScenes, ProgramWithoutDwellHasNoTransient) {
-    const Solution solution = solve(scene_of_toml(R"(
-[motion]
-type = "program"
-lift_mm = 40
-segments = [{ kind = "spline", angle_deg = 180, to = 1.0 }, { kind = "spline", angle_deg = 180, to = 0.0 }]
-speed_rpm = 275.4
-[spline]
-segments = 6
-[objective]
-velocity = 0.7
-acceleration = 0.4
-[dynamics]
-mass_kg = 3.299
-natural_frequency_hz = 22.51
-return_spring_n_mm = 1
-preload_n = 10
-)"));
+    const Solution solution =
+        solve(scene_named("elastic_slide")
+                  .with("motion = { type = 'program', lift_mm = 40, speed_rpm = 275.4, segments = ["
+                        "{ kind = 'spline', angle_deg = 180, to = 1 }, { kind = 'spline', angle_deg = 180, "
+                        "to = 0 }] }",
+                        "spline = { segments = 6 }", "objective = { velocity = 0.7, acceleration = 0.4 }",
+                        "dynamics = { mass_kg = 3.299, natural_frequency_hz = 22.51, return_spring_n_mm = 1, "
+                        "preload_n = 10 }"));
     ASSERT_TRUE(solution.train);
     EXPECT_FALSE(solution.train->acceleration);
     const Json json = train_json(solution);
@@ -75,29 +67,35 @@ preload_n = 10
     EXPECT_NE(sentences.back().find("no dwell: the motion never rests"), std::string::npos);
 }
 
-std::vector<std::string> ten_scenes() {
+struct Named {
+    const char* name;
+    TestScene scene;
+};
+
+std::vector<Named> ten_scenes() {
     return {
-        slide(soft, "[objective]\nacceleration = 0.6\nresidual = 0.4\n"),
-        slide(soft, "[objective]\nacceleration = 1\n[limits]\nresidual_um = 30\n"),
-        slide(soft, "[objective]\nacceleration = 0.5\njerk = 0.1\ndynamic_acceleration = 0.5\n"),
-        slide(ranged, "[objective]\nacceleration = 0.6\njerk = 0.1\nresidual = 0.3\n"),
-        slide(ranged, "[objective]\nacceleration = 0.6\njerk = 0.1\n[limits]\nresidual_um = 40\n"),
-        slide(pressed,
-              "[objective]\nvelocity = 0.3\nacceleration = 0.5\n[limits]\n"
-              "dynamic_contact_force_min_n = 90\n"),
-        slide(chain, "[objective]\nacceleration = 0.6\njerk = 0.05\nresidual = 0.4\n"),
-        slide("stiffness_n_mm = 900\ndamping_ratio = 0\n",
-              "[objective]\nrms_acceleration = 0.6\nresidual = 0.4\n"),
-        slide("stiffness_n_mm = 900\ndamping_ratio = 0.7\n",
-              "[objective]\nacceleration = 0.6\nresidual = 0.4\n"),
-        slide("natural_frequency_hz = 70\ndamping_ratio = 1.4\n",
-              "[objective]\nacceleration = 0.6\njerk = 0.1\ndynamic_acceleration = 0.4\n"),
+        {"residual", slide(soft, "objective = { acceleration = 0.6, residual = 0.4 }")},
+        {"residual limit", slide(soft, "limits.residual_um = 30")},
+        {"dynamic acceleration",
+         slide(soft, "objective = { acceleration = 0.5, jerk = 0.1, dynamic_acceleration = 0.5 }")},
+        {"range", slide(ranged, "objective = { acceleration = 0.6, jerk = 0.1, residual = 0.3 }")},
+        {"range limit",
+         slide(ranged, "objective = { acceleration = 0.6, jerk = 0.1 }", "limits.residual_um = 40")},
+        {"force limit", slide(pressed, "objective = { velocity = 0.3, acceleration = 0.5 }",
+                              "limits.dynamic_contact_force_min_n = 90")},
+        {"chain", slide(two_masses, "objective = { acceleration = 0.6, jerk = 0.05, residual = 0.4 }")},
+        {"undamped", slide("stiffness_n_mm = 900, damping_ratio = 0",
+                           "objective = { rms_acceleration = 0.6, residual = 0.4 }")},
+        {"damped", slide("stiffness_n_mm = 900, damping_ratio = 0.7",
+                         "objective = { acceleration = 0.6, residual = 0.4 }")},
+        {"overdamped", slide("natural_frequency_hz = 70, damping_ratio = 1.4",
+                             "objective = { acceleration = 0.6, jerk = 0.1, dynamic_acceleration = 0.4 }")},
     };
 }
 
 TEST(TrainScenes, TenAreProved) {
-    for (const std::string& text : ten_scenes()) {
-        const Solution solution = solve(scene_of_toml(text));
+    for (const auto& [text, given] : ten_scenes()) {
+        const Solution solution = solve(given);
         EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << text;
         ASSERT_TRUE(solution.certificate.gap.has_value()) << text;
         EXPECT_LE(*solution.certificate.gap, 1e-7) << text;
@@ -107,8 +105,7 @@ TEST(TrainScenes, TenAreProved) {
 }
 
 TEST(TrainScenes, ASmallWeightIsReportedToo) {
-    const Solution solution =
-        solve(scene_of_toml(slide(soft, "[objective]\nacceleration = 1\nresidual = 5e-4\n")));
+    const Solution solution = solve(slide(soft, "objective.residual = 5e-4"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_TRUE(solution.train);
     ASSERT_EQ(solution.train->terms.size(), 1u);
@@ -117,8 +114,8 @@ TEST(TrainScenes, ASmallWeightIsReportedToo) {
 }
 
 TEST(TrainScenes, DerivativesAreRight) {
-    for (const std::string& text : ten_scenes()) {
-        const Scene scene = scene_of_toml(text);
+    for (const auto& [text, given] : ten_scenes()) {
+        const Scene scene = given;
         CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
         const Eigen::VectorXd x = problem.start();
         // With the rows of the train at the start.
@@ -130,8 +127,8 @@ TEST(TrainScenes, DerivativesAreRight) {
 
 /// Each row at the motion it was made for is the rule's own value.
 TEST(TrainScenes, RowsAreWhatTheMotionDoes) {
-    for (const std::string& text : ten_scenes()) {
-        const Scene scene = scene_of_toml(text);
+    for (const auto& [text, given] : ten_scenes()) {
+        const Scene scene = given;
         CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
         const Eigen::VectorXd x = problem.random_start(3);
         const CamModel& model = problem.model();
@@ -170,8 +167,8 @@ double integrated_residual(const Scene& scene, const Motion& motion, double spee
 }
 
 TEST(TrainScenes, ResidualIsThatOfAnIntegrator) {
-    const Scene scene = scene_of_toml(
-        slide(ranged, "[objective]\nacceleration = 0.6\njerk = 0.1\n[limits]\nresidual_um = 40\n"));
+    const Scene scene =
+        slide(ranged, "objective = { acceleration = 0.6, jerk = 0.1 }", "limits.residual_um = 40");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.train && solution.train->residual);
     EXPECT_NEAR(solution.train->residual->value * scene.motion.lift, 40e-6, 1e-10);
@@ -189,10 +186,9 @@ TEST(TrainScenes, ResidualIsThatOfAnIntegrator) {
 
 /// Nothing exceeds its limit between the speeds that the exchange looked at.
 TEST(TrainScenes, AreSatisfiedAtEverySpeed) {
-    const Scene scene =
-        scene_of_toml(slide(std::string(ranged) + "return_spring_n_mm = 8\npreload_n = 120\n",
-                            "[objective]\nacceleration = 0.6\njerk = 0.1\n[limits]\nresidual_um = "
-                            "30\ndynamic_contact_force_min_n = 60\n"));
+    const Scene scene = slide(ranged, "dynamics.return_spring_n_mm = 8", "dynamics.preload_n = 120",
+                              "objective = { acceleration = 0.6, jerk = 0.1 }",
+                              "limits = { residual_um = 30, dynamic_contact_force_min_n = 60 }");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     const auto pieces = scene.dynamics->formulas->pieces(*solution.motion);
@@ -212,14 +208,15 @@ TEST(TrainScenes, AreSatisfiedAtEverySpeed) {
 
 /// A closed program, two events, shapes beside splines.
 TEST(TrainScenes, ProgramsAreProvedToo) {
-    const Solution solution = solve(
-        scene_of_toml("[motion]\ntype = \"program\"\nlift_mm = 20\nspeed_rpm = 200\n"
-                      "[[motion.segments]]\nkind = \"law\"\nlaw = \"cycloidal\"\nangle_deg = 100\nto = 1\n"
-                      "[[motion.segments]]\nkind = \"dwell\"\nangle_deg = 80\n"
-                      "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 110\nto = 0\n"
-                      "[[motion.segments]]\nkind = \"dwell\"\nangle_deg = 70\n"
-                      "[spline]\ndegree = 3\nsegments = 16\n[objective]\nacceleration = 0.5\nresidual = 0.5\n"
-                      "[dynamics]\nmass_kg = 4\nstiffness_n_mm = 300\ndamping_ratio = 0.03\n"));
+    const Solution solution =
+        solve(scene_named("elastic_slide")
+                  .with("motion = { type = 'program', lift_mm = 20, speed_rpm = 200, segments = ["
+                        "{ kind = 'law', law = 'cycloidal', angle_deg = 100, to = 1 }, { kind = 'dwell', "
+                        "angle_deg = 80 },"
+                        "{ kind = 'spline', angle_deg = 110, to = 0 }, { kind = 'dwell', angle_deg = 70 }] }",
+                        "spline = { degree = 3, segments = 16 }",
+                        "objective = { acceleration = 0.5, residual = 0.5 }",
+                        "dynamics = { mass_kg = 4, stiffness_n_mm = 300, damping_ratio = 0.03 }"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_TRUE(solution.train);
     // The law rings, whatever the spline does: it is the worst.
@@ -227,8 +224,7 @@ TEST(TrainScenes, ProgramsAreProvedToo) {
 }
 
 TEST(TrainScenes, WithoutDynamicsThereIsNothing) {
-    const Scene scene =
-        scene_of_toml("[motion]\ntype = \"DRD\"\nlift_mm = 24\n[objective]\nacceleration = 1\n");
+    const Scene scene = TestScene("motion = { type = 'DRD', lift_mm = 24 }\nobjective.acceleration = 1\n");
     const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
     for (const PlacedRule& rule : model.rules) EXPECT_EQ(rule->whole(), nullptr);
     EXPECT_FALSE(solve(scene).train);
@@ -236,14 +232,13 @@ TEST(TrainScenes, WithoutDynamicsThereIsNothing) {
 
 /// Rows of a sweep over weight and limit of the train carry its figures, and come back from their file.
 TEST(TrainScenes, SweepsHaveTheTrainsFigures) {
-    const std::string text = slide(pressed,
-                                   "[objective]\nacceleration = 1\njerk = 0.1\n[limits]\n"
-                                   "dynamic_contact_force_min_n = 20\n");
+    const TestScene given = slide(pressed, "objective = { acceleration = 1, jerk = 0.1 }",
+                                  "limits.dynamic_contact_force_min_n = 20");
     const SweepAxis axes[] = {{{"objective.residual"}, {0.0, 0.3}}, {{"limits.residual_um"}, {60.0, 200.0}}};
     const SweepPlan plan = sweep_grid(axes);
     EXPECT_TRUE(is_weight_key("objective.residual"));
     SweepScenes scenes(plan, [&](std::span<const std::string> settings) {
-        return scene_of_toml(text, {settings.begin(), settings.end()});
+        return given.with_all({settings.begin(), settings.end()}).read();
     });
     SweepTable table;
     table.columns = check_rows(scenes);
@@ -271,10 +266,8 @@ TEST(TrainScenes, SweepsHaveTheTrainsFigures) {
 
 /// Laws are held against the limits of the train, each as it responds itself.
 TEST(TrainScenes, LawsAreJudgedByTheTrain) {
-    const Scene scene =
-        scene_of_toml(slide(pressed,
-                            "[objective]\nacceleration = 1\njerk = 0.1\n[limits]\nresidual_um = 100\n"
-                            "dynamic_contact_force_min_n = 20\n"));
+    const Scene scene = slide(pressed, "objective = { acceleration = 1, jerk = 0.1 }",
+                              "limits = { residual_um = 100, dynamic_contact_force_min_n = 20 }");
     const Comparison comparison = compare(scene);
     int broken = 0, judged = 0;
     for (const ComparisonRow& row : comparison.rows) {
@@ -297,42 +290,34 @@ TEST(TrainScenes, LawsAreJudgedByTheTrain) {
 }
 
 TEST(TrainScenes, SaysWhatIsWrong) {
-    const auto refused = [](const std::string& text, const std::string& words) {
-        try {
-            static_cast<void>(solve(scene_of_toml(text)));
-            ADD_FAILURE() << "taken: " << text;
-        } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-        }
+    const auto refused = [](const TestScene& scene, const std::string& words) {
+        const std::string said = refusal([&] { (void)solve(scene); });
+        EXPECT_NE(said.find(words), std::string::npos) << said;
     };
-    const std::string weights = "[objective]\nacceleration = 1\n";
-    refused("[motion]\ntype = \"DRD\"\nlift_mm = 24\n[objective]\nacceleration = 1\nresidual = 1\n",
+    refused(TestScene(
+                "motion = { type = 'DRD', lift_mm = 24 }\nobjective = { acceleration = 1, residual = 1 }\n"),
             "only together with a [dynamics] table");
-    refused(slide("natural_frequency_hz = 70\nstiffness_n_mm = 5\n", weights), "only one of the two");
-    refused(slide("", weights), "one of natural_frequency and stiffness");
-    refused(slide("natural_frequency_hz = 70\ndamping_ratio = 2.5\n", weights), "damping_ratio");
-    refused(slide("natural_frequency_hz = 70\nspeed_range_rpm = [300, 200]\n", weights),
-            "two speeds > 0 that ascend");
-    refused(slide("natural_frequency_hz = 70\nspeed_range_rpm = [300]\n", weights), "found 1 numbers");
-    refused(slide("natural_frequency_hz = 70\n", weights + "[limits]\ndynamic_contact_force_min_n = 3\n"),
+    refused(slide("natural_frequency_hz = 70, stiffness_n_mm = 5"), "only one of the two");
+    refused(scene_named("elastic_slide").with("dynamics = { mass_kg = 2.5 }"),
+            "one of natural_frequency and stiffness");
+    refused(slide("natural_frequency_hz = 70, damping_ratio = 2.5"), "damping_ratio");
+    refused(slide("natural_frequency_hz = 70, speed_range_rpm = [300, 200]"), "two speeds > 0 that ascend");
+    refused(slide("natural_frequency_hz = 70, speed_range_rpm = [300]"), "found 1 numbers");
+    refused(slide("natural_frequency_hz = 70", "limits.dynamic_contact_force_min_n = 3"),
             "without a force towards the cam");
-    refused(slide("natural_frequency_hz = 70\n", "[objective]\nresidual = 1\n"),
-            "no weight or cap on a peak");
-    refused(slide("natural_frequency_hz = 70\nreturn_spring_n_mm = 900\n", weights), "return spring alone");
-    refused(slide("natural_frequency_hz = 70\n[[dynamics.stage]]\nmass_kg = 1\n", weights), "stiffness");
-    refused("[motion]\ntype = \"DRD\"\nlift_mm = 24\n[dynamics]\nmass_kg = 1\nnatural_frequency_hz = 9\n" +
-                weights,
-            "without a speed");
+    refused(slide("natural_frequency_hz = 70", "objective = { residual = 1 }"), "no weight or cap on a peak");
+    refused(slide("natural_frequency_hz = 70, return_spring_n_mm = 900"), "return spring alone");
+    refused(slide("natural_frequency_hz = 70, stage = [{ mass_kg = 1 }]"), "stiffness");
+    refused(scene_named("elastic_slide").with("motion = { type = 'DRD', lift_mm = 24 }"), "without a speed");
     // A reference that does not ring cannot be divided by.
-    refused(slide("natural_frequency_hz = 80\n",
-                  "[objective]\nacceleration = 1\nresidual = 1\nreference = \"cycloidal\"\n"),
+    refused(slide("natural_frequency_hz = 80",
+                  "objective = { acceleration = 1, residual = 1, reference = 'cycloidal' }"),
             "a law that vibrates");
 }
 
 /// The table of the command, against the published single rise.
 TEST(TrainStudy, ComparesAsPublished) {
-    const Scene scene = scene_of_toml(
-        slide("natural_frequency_hz = 50\ndamping_ratio = 0.05\n", "[objective]\nacceleration = 1\n"));
+    const Scene scene = slide("natural_frequency_hz = 50, damping_ratio = 0.05");
     // Half a turn of 90 degrees at 300 rpm takes 50 ms: 2.5 periods.
     const double speed = 300 * units::revolution_per_minute;
     const TrainStudy study = train_study(scene, {speed, speed, 1});
@@ -348,24 +333,7 @@ TEST(TrainStudy, ComparesAsPublished) {
 
 /// Laws take each stroke's own lift and angle: 15 mm in 60 degrees, twice, and 30 mm back in 80 degrees.
 TEST(TrainStudy, ComparesLawsInEachStroke) {
-    const Scene scene = scene_of_toml(R"(
-[motion]
-type = "program"
-lift_mm = 30
-speed_rpm = 30
-segments = [{ kind = "dwell", angle_deg = 60 }, { kind = "spline", angle_deg = 60, to_mm = 15 },
-            { kind = "dwell", angle_deg = 20 }, { kind = "spline", angle_deg = 60, to_mm = 30 },
-            { kind = "dwell", angle_deg = 20 }, { kind = "spline", angle_deg = 80, to_mm = 0 },
-            { kind = "dwell", angle_deg = 60 }]
-[spline]
-segments = 24
-[objective]
-acceleration = 1
-[dynamics]
-mass_kg = 20
-natural_frequency_hz = 21.915
-damping_ratio = 0.077
-)");
+    const Scene scene = scene_named("elastic_three_strokes");
     const double speed = *scene.motion.speed;
     const TrainStudy study = train_study(scene, {speed, speed, 1});
     EXPECT_EQ(study.strokes.size(), 3U);
@@ -387,7 +355,7 @@ damping_ratio = 0.077
 
 /// Just below the speed of lift-off the force is positive, just above negative.
 TEST(TrainStudy, LiftsOffWhereTheForceEnds) {
-    const Scene scene = scene_of_toml(slide(pressed, "[objective]\nacceleration = 1\n"));
+    const Scene scene = slide(pressed);
     const double speed = 300 * units::revolution_per_minute;
     const TrainStudy study = train_study(scene, {speed, 1.2 * speed, 3});
     int found = 0;

@@ -13,12 +13,10 @@
 namespace camopt {
 namespace proved_optima_test {
 
+using namespace testing_support;
+
 Scene weighted(const std::array<double, 3>& weights, int segments = 12) {
-    Scene scene = testing_support::paper_objective(MotionType::drd, 3, segments);
-    scene.objective.velocity = weights[0];
-    scene.objective.acceleration = weights[1];
-    scene.objective.jerk = weights[2];
-    return scene;
+    return with_weights(paper_objective(MotionType::drd, 3, segments), weights);
 }
 
 Solution neighbour(const Scene& scene, KnownSolutions& known) {

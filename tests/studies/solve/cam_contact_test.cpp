@@ -7,97 +7,20 @@
 #include "studies/delivered/solution_report.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/search/planned_solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/independent_cam.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
-#include <tuple>
 
 namespace camopt {
 namespace cam_contact_test {
 
 using namespace testing_support;
-using enum DimensionIndex;
 
 constexpr int dense_points = 20000;
-
-Scene pressed_scene(FollowerType follower) {
-    Scene scene;
-    scene.cam = disk_spec({.follower = follower});
-    scene.solver.starts = 2;
-    scene.solver.max_seconds = 20.0;
-    ForceSpec& forces = scene.forces.emplace();
-    forces.contact_width = 0.01;
-    return scene;
-}
-
-WrittenLimit megapascals(double value) {
-    return {value * 1e6, "limits.hertz_pressure_max_mpa", 1e6, "MPa"};
-}
-
-/// A flat tappet whose optimum without limits undercuts by two thirds of its base radius.
-Scene flat_scene_under_pressure(double limit_mpa) {
-    Scene scene = pressed_scene(FollowerType::translating_flat);
-    scene.motion.lift = 0.0513;
-    scene.motion.rise = 1.0441;
-    scene.motion.speed = 87.48;
-    scene.spline.segments = 10;
-    scene.objective.velocity = 0.503;
-    scene.objective.acceleration = 0.418;
-    scene.objective.jerk = 0.0913;
-    scene.cam->set(base_radius, 0.13678);
-    scene.forces->mass = 2.679;
-    scene.forces->spring_rate = 162445.0;
-    scene.forces->preload = 2488.3;
-    scene.limits.hertz_pressure_max = megapascals(limit_mpa);
-    return scene;
-}
-
-/// A flat face on an arm, rise and return; without limits it undercuts by 2.7 base radii.
-Scene flat_arm_under_pressure(double base) {
-    Scene scene = pressed_scene(FollowerType::oscillating_flat);
-    scene.motion.type = MotionType::rr;
-    scene.motion.lift_is_angle = true;
-    scene.motion.lift = 0.30657;
-    scene.motion.rise = 1.3916;
-    scene.motion.speed = 59.485;
-    scene.spline.segments = 16;
-    scene.objective.velocity = 0.3136;
-    scene.objective.acceleration = 0.8195;
-    scene.objective.jerk = 0.4287;
-    scene.cam->rotation = Rotation::clockwise;
-    scene.cam->set(base_radius, base);
-    scene.cam->set(center_distance, 0.16773);
-    scene.forces->mass = 0.02704;
-    scene.forces->spring_rate = 365.45;
-    scene.forces->preload = 102.8;
-    scene.limits.hertz_pressure_max = megapascals(2365.4);
-    return scene;
-}
-
-/// A roller whose cam comes to a cusp on the return.
-Scene roller_under_pressure(double limit_mpa) {
-    Scene scene = pressed_scene(FollowerType::translating_roller);
-    scene.motion.type = MotionType::rr;
-    scene.motion.lift = 0.015745;
-    scene.motion.rise = 0.80446;
-    scene.motion.speed = 79.945;
-    scene.spline.segments = 12;
-    scene.objective.velocity = 0.7561;
-    scene.objective.acceleration = 0.6605;
-    scene.objective.jerk = 0.3113;
-    scene.cam->set(base_radius, 0.027401);
-    scene.cam->set(roller_radius, 0.019809);
-    scene.cam->set(offset, -0.011157);
-    scene.forces->mass = 2.1166;
-    scene.forces->spring_rate = 127893.6;
-    scene.forces->preload = 1862.1;
-    scene.limits.hertz_pressure_max = megapascals(limit_mpa);
-    return scene;
-}
 
 void expect_hertz_kept(Scene scene) {
     const double speed = *scene.motion.speed;
@@ -119,31 +42,30 @@ void expect_hertz_kept(Scene scene) {
 }
 
 TEST(HertzPressure, IsSatisfiedByFlatFace) {
-    expect_hertz_kept(flat_scene_under_pressure(720.0));
+    expect_hertz_kept(scene_named("flat_tappet_pressed"));
 }
 
 TEST(HertzPressure, ProvesFlatFaceInfeasible) {
-    const Solution solution = solve_without_explaining(flat_scene_under_pressure(459.7), {});
+    const Solution solution = solve_without_explaining(
+        scene_named("flat_tappet_pressed").with("limits.hertz_pressure_max_mpa = 459.7"), {});
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
 }
 
 TEST(HertzPressure, FlatFaceOnArmSatisfiesIt) {
-    expect_hertz_kept(flat_arm_under_pressure(0.085));
-    const Solution broken = solve_without_explaining(flat_arm_under_pressure(0.0607), {});
+    expect_hertz_kept(scene_named("flat_arm_pressed").with("cam.base_radius_m = 0.085"));
+    const Solution broken = solve_without_explaining(scene_named("flat_arm_pressed"), {});
     EXPECT_TRUE(broken.certificate.verdict == Verdict::failed ||
                 broken.certificate.verdict == Verdict::infeasible)
         << name_of(broken.certificate.verdict);
 }
 
 TEST(HertzPressure, IsSatisfiedByRoller) {
-    expect_hertz_kept(roller_under_pressure(2400.0));
+    expect_hertz_kept(scene_named("roller_pressed"));
 }
 
 TEST(TorqueLimit, ImpliesContactWithCam) {
-    Scene scene = flat_scene_under_pressure(720.0);
-    scene.limits.hertz_pressure_max.reset();
-    scene.limits.torque_max = WrittenLimit{1e6, "limits.torque_max_nm", 1.0, "N m"};
-    const Solution solution = solve_without_explaining(scene, {});
+    const Solution solution = solve_without_explaining(
+        scene_named("flat_tappet_pressed").with("limits = { torque_max_nm = 1e6 }"), {});
     ASSERT_TRUE(solution.cam);
     EXPECT_GT(solution.cam->summary.regularity.value, 0.0);
     EXPECT_FALSE(solution.cam->summary.no_contact);
@@ -151,11 +73,8 @@ TEST(TorqueLimit, ImpliesContactWithCam) {
 
 /// A least radius of 0 allows a cusp, and rounding a little less; beside a torque it does not.
 TEST(TorqueLimit, PreventsCuspAllowedByZeroRadius) {
-    Scene scene = roller_under_pressure(2400.0);
-    scene.limits.hertz_pressure_max.reset();
-    scene.limits.cam_radius_min = millimetres(0.0, "limits.cam_radius_min_mm");
-    scene.limits.torque_max = WrittenLimit{88.86, "limits.torque_max_nm", 1.0, "N m"};
-    const Solution solution = solve_without_explaining(scene, {});
+    const Solution solution = solve_without_explaining(
+        scene_named("roller_pressed").with("limits = { cam_radius_min_mm = 0, torque_max_nm = 88.86 }"), {});
     ASSERT_TRUE(solution.cam);
     EXPECT_GT(solution.cam->summary.regularity.value, 0.0);
     EXPECT_FALSE(solution.cam->summary.no_contact);
@@ -163,12 +82,11 @@ TEST(TorqueLimit, PreventsCuspAllowedByZeroRadius) {
 }
 
 TEST(UndercutMargin, PreventsReversalOfFaceOnArm) {
-    Scene scene = flat_arm_under_pressure(0.0607);
-    scene.limits.hertz_pressure_max.reset();
-    scene.limits.undercut_margin = WrittenLimit{0.0, "limits.undercut_margin", 1.0, ""};
-    scene.motion.lift = 0.9;  // so far in so short an angle that 1 + σψ' passes zero
-    scene.motion.rise = 0.5;
-    const Solution solution = solve_without_explaining(scene, {});
+    // So far in so short an angle that 1 + σψ' passes zero.
+    const Solution solution = solve_without_explaining(
+        scene_named("flat_arm_pressed")
+            .with("limits = { undercut_margin = 0 }", "motion.lift_rad = 0.9", "motion.rise_rad = 0.5"),
+        {});
     const Verdict verdict = solution.certificate.verdict;
     EXPECT_TRUE(verdict == Verdict::failed || verdict == Verdict::infeasible) << name_of(verdict);
 }
@@ -176,10 +94,10 @@ TEST(UndercutMargin, PreventsReversalOfFaceOnArm) {
 /// An undercut flat face, and one that turns back: every figure is a number or says that there is none.
 TEST(CamFigures, UnreachableFlatFaceHasNoNumbers) {
     for (const double lift : {0.3, 0.9}) {
-        Scene scene = flat_arm_under_pressure(0.0607);
-        scene.limits.hertz_pressure_max.reset();
-        scene.motion.lift = lift;
-        scene.motion.rise = lift < 0.5 ? 1.39 : 0.5;
+        Scene scene = scene_named("flat_arm_pressed")
+                          .with("limits = {}")
+                          .set("motion.lift_rad", lift)
+                          .set("motion.rise_rad", lift < 0.5 ? 1.39 : 0.5);
         const Solution solution = solve_without_explaining(scene, {});
         ASSERT_TRUE(solution.cam);
         const CamSummary& summary = solution.cam->summary;
@@ -192,7 +110,7 @@ TEST(CamFigures, UnreachableFlatFaceHasNoNumbers) {
         EXPECT_TRUE(std::isinf(summary.forces->normal_force->value));
         EXPECT_FALSE(summary.regularity.value > 0.0);
         // A limit on what does not exist is not kept, and says why.
-        scene.limits.hertz_pressure_max = megapascals(5000.0);
+        scene.limits.hertz_pressure_max = WrittenLimit{5e9, "limits.hertz_pressure_max_mpa", 1e6, "MPa"};
         const auto rows = cam_constraints(scene, *solution.cam);
         ASSERT_EQ(rows.size(), 1U);
         EXPECT_TRUE(rows[0].no_contact);
@@ -200,42 +118,20 @@ TEST(CamFigures, UnreachableFlatFaceHasNoNumbers) {
     }
 }
 
-/// At rest 29°: an arm whose pressure angle does not vanish there.
-Scene resting_arm(double general_deg, MotionType type) {
-    Scene scene;
-    paper_weights(scene);
-    scene.motion.type = type;
-    scene.motion.lift_is_angle = true;
-    scene.motion.lift = 0.1858;
-    scene.motion.rise = 2.527;
-    scene.spline.segments = 10;
-    scene.cam = disk_spec({.follower = FollowerType::oscillating_roller});
-    scene.cam->rotation = Rotation::clockwise;
-    scene.cam->set(base_radius, 0.045157);
-    scene.cam->set(roller_radius, 0.010807);
-    scene.cam->set(center_distance, 0.067974);
-    scene.cam->set(arm_length, 0.066768);
-    scene.limits.pressure_angle = degrees(general_deg, "limits.pressure_angle_deg");
-    scene.limits.rise_pressure_angle = degrees(36.0, "limits.rise_pressure_angle_deg");
-    scene.limits.return_pressure_angle = degrees(34.4, "limits.return_pressure_angle_deg");
-    if (type != MotionType::program) return scene;
-    for (const auto& [kind, angle, to] :
-         {std::tuple{SegmentKind::dwell, 60.0, 0.0}, std::tuple{SegmentKind::spline, 120.0, 1.0},
-          std::tuple{SegmentKind::dwell, 60.0, 1.0}, std::tuple{SegmentKind::spline, 120.0, 0.0}}) {
-        ProgramSegment segment;
-        segment.kind = kind;
-        segment.angle = angle * units::degree;
-        if (kind == SegmentKind::spline) segment.to = to;
-        scene.motion.segments.push_back(segment);
-    }
-    return scene;
+TestScene resting_arm(double general_deg) {
+    return scene_named("arm_resting_at_29_deg").set("limits.pressure_angle_deg", general_deg);
 }
 
 TEST(PressureAtRest, UsesSmallestOfThreeLimits) {
-    for (const MotionType type : {MotionType::drd, MotionType::rr, MotionType::program}) {
-        const Solution broken = solve_without_explaining(resting_arm(26.4, type), {});
+    const std::string program =
+        "motion = { type = 'program', lift_rad = 0.1858, segments = ["
+        "{ kind = 'dwell', angle_deg = 60 }, { kind = 'spline', angle_deg = 120, to = 1 },"
+        "{ kind = 'dwell', angle_deg = 60 }, { kind = 'spline', angle_deg = 120, to = 0 }] }";
+    for (const std::string& motion :
+         {std::string("motion.type = DRD"), std::string("motion.type = RR"), program}) {
+        const Solution broken = solve_without_explaining(resting_arm(26.4).with(motion), {});
         EXPECT_EQ(broken.certificate.verdict, Verdict::infeasible);
-        const Solution kept = solve_without_explaining(resting_arm(29.5, type), {});
+        const Solution kept = solve_without_explaining(resting_arm(29.5).with(motion), {});
         EXPECT_NE(kept.certificate.verdict, Verdict::infeasible);
         ASSERT_TRUE(kept.motion);
         ASSERT_EQ(kept.constraints.size(), 3U);
@@ -245,8 +141,7 @@ TEST(PressureAtRest, UsesSmallestOfThreeLimits) {
 }
 
 TEST(PressureAtRest, IsSatisfiedByFreeDimensions) {
-    Scene scene = resting_arm(26.4, MotionType::drd);
-    scene.cam->set(arm_length, {0.055, 0.0668});
+    const Scene scene = resting_arm(26.4).with("cam.arm_length_m = { min = 0.055, max = 0.0668 }");
     const Solution solution = solve_without_explaining(scene, {});
     ASSERT_TRUE(solution.cam) << name_of(solution.certificate.verdict);
     for (const double x : {0.0, 1.0}) {
@@ -257,27 +152,27 @@ TEST(PressureAtRest, IsSatisfiedByFreeDimensions) {
 }
 
 TEST(PressureAtRest, OffsetFollowerUsesGeneralLimit) {
-    for (const FollowerType follower : {FollowerType::translating_roller, FollowerType::translating_knife}) {
-        Scene scene;
-        paper_weights(scene);
-        scene.motion.lift = 0.02;
-        scene.motion.rise = 2.0;
-        scene.cam = disk_spec({.follower = follower});
-        scene.cam->set(base_radius, 0.03);
-        if (has_roller(follower)) scene.cam->set(roller_radius, 0.01);
-        scene.cam->set(offset, follower == FollowerType::translating_knife ? 0.015 : 0.02);  // 30° at rest
-        scene.limits.rise_pressure_angle = degrees(45.0, "limits.rise_pressure_angle_deg");
-        scene.limits.return_pressure_angle = degrees(45.0, "limits.return_pressure_angle_deg");
-        scene.limits.pressure_angle = degrees(25.0, "limits.pressure_angle_deg");
-        EXPECT_EQ(solve_without_explaining(scene, {}).certificate.verdict, Verdict::infeasible);
-        scene.limits.pressure_angle = degrees(31.0, "limits.pressure_angle_deg");
-        EXPECT_EQ(solve_without_explaining(scene, {}).certificate.verdict, Verdict::optimal);
+    // 30° at rest.
+    for (const char* cam : {"cam = { type = 'disk', follower = 'translating_roller', base_radius_mm = 30,"
+                            " roller_radius_mm = 10, offset_mm = 20 }",
+                            "cam = { type = 'disk', follower = 'translating_knife', base_radius_mm = 30,"
+                            " offset_mm = 15 }"}) {
+        const TestScene scene =
+            scene_named("drd_cubic_12")
+                .with("motion.lift_mm = 20", "motion.rise_rad = 2", "limits.rise_pressure_angle_deg = 45",
+                      "limits.return_pressure_angle_deg = 45", cam);
+        const auto verdict = [&](double limit) {
+            return solve_without_explaining(scene.set("limits.pressure_angle_deg", limit), {})
+                .certificate.verdict;
+        };
+        EXPECT_EQ(verdict(25.0), Verdict::infeasible);
+        EXPECT_EQ(verdict(31.0), Verdict::optimal);
     }
 }
 
 TEST(PressureAtRest, IsSuggestedWhereItMatters) {
     const auto offered = [](double general) {
-        for (const Adjustment& adjustment : adjustments(resting_arm(general, MotionType::drd)))
+        for (const Adjustment& adjustment : adjustments(resting_arm(general)))
             if (adjustment.key == "limits.pressure_angle_deg") return true;
         return false;
     };

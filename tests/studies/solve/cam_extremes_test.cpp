@@ -2,89 +2,60 @@
 // Extreme scenes end in a true verdict: never a crash, a NaN or a false success.
 #include "solvers/certificate/box_proof.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 namespace camopt {
 namespace cam_extremes_test {
 
 using namespace testing_support;
-using enum DimensionIndex;
 
 struct Extreme {
     const char* name;
-    std::function<Scene()> scene;
+    TestScene scene;
 };
 void PrintTo(const Extreme& extreme, std::ostream* stream) {
     *stream << extreme.name;
 }
 
-Scene scaled_scene(double factor) {
-    Scene scene = pressure_angle_scene(40, 12);
-    scene.motion.lift *= factor;
-    for (CamDimension& dimension : scene.cam->dimensions)
-        dimension.value.low = dimension.value.high = dimension.value.low * factor;
-    scene.limits.cam_radius_min = millimetres(5.0 * factor, "limits.cam_radius_min_mm");
-    return scene;
+TestScene scaled_scene(double factor) {
+    return pressure_angle_scene(40, 12)
+        .set("motion.lift_mm", 20.0 * factor)
+        .set("cam.base_radius_mm", 30.0 * factor)
+        .set("cam.roller_radius_mm", 10.0 * factor)
+        .set("limits.cam_radius_min_mm", 5.0 * factor);
 }
 
-Scene changed(const std::function<void(Scene&)>& change) {
-    Scene scene = pressure_angle_scene(40, 12);
-    scene.limits.cam_radius_min = millimetres(2.0, "limits.cam_radius_min_mm");
-    scene.solver.max_seconds = 20.0;
-    change(scene);
-    return scene;
+template <class... Settings>
+TestScene changed(const Settings&... settings) {
+    return pressure_angle_scene(40, 12).with("limits.cam_radius_min_mm = 2", "solver.max_seconds = 20",
+                                             settings...);
 }
 
 const Extreme extremes[] = {
-    {"lift_of_a_micrometre", [] { return scaled_scene(1e-3 / 20.0); }},
-    {"lift_of_a_metre", [] { return scaled_scene(1e3 / 20.0); }},
-    {"small_lift_on_a_usual_cam", [] { return changed([](Scene& s) { s.motion.lift = 1e-6; }); }},
-    {"large_lift_on_a_usual_cam", [] { return changed([](Scene& s) { s.motion.lift = 1.0; }); }},
-    {"rise_of_2_degrees", [] { return changed([](Scene& s) { s.motion.rise = 2.0 * units::degree; }); }},
-    {"rise_of_350_degrees", [] { return changed([](Scene& s) { s.motion.rise = 350.0 * units::degree; }); }},
-    {"base_just_above_the_limit",
-     [] {
-         Scene scene = pressure_angle_scene(27.0058744, 24);
-         return scene;
-     }},
-    {"base_just_below_the_limit", [] { return pressure_angle_scene(27.00587, 24); }},
-    {"offset_near_the_prime_radius", [] { return changed([](Scene& s) { s.cam->set(offset, 39.9e-3); }); }},
-    {"offset_near_the_prime_radius_clockwise",
-     [] {
-         return changed([](Scene& s) {
-             s.cam->set(offset, 39.9e-3);
-             s.cam->rotation = Rotation::clockwise;
-         });
-     }},
+    {"lift_of_a_micrometre", scaled_scene(1e-3 / 20.0)},
+    {"lift_of_a_metre", scaled_scene(1e3 / 20.0)},
+    {"small_lift_on_a_usual_cam", changed("motion.lift_m = 1e-6")},
+    {"large_lift_on_a_usual_cam", changed("motion.lift_m = 1")},
+    {"rise_of_2_degrees", changed("motion.rise_deg = 2")},
+    {"rise_of_350_degrees", changed("motion.rise_deg = 350")},
+    {"base_just_above_the_limit", pressure_angle_scene(27.0058744)},
+    {"base_just_below_the_limit", pressure_angle_scene(27.00587)},
+    {"offset_near_the_prime_radius", changed("cam.offset_mm = 39.9")},
+    {"offset_near_the_prime_radius_clockwise", changed("cam.offset_mm = 39.9", "cam.rotation = clockwise")},
     {"roller_as_large_as_the_pitch_curvature",
-     [] {
-         return changed([](Scene& s) {
-             s.cam->set(base_radius, 10.5e-3);
-             s.cam->set(roller_radius, 29.5e-3);
-             s.limits.cam_radius_min = millimetres(0.0, "limits.cam_radius_min_mm");
-         });
-     }},
-    {"pressure_angle_of_1_degree",
-     [] {
-         return changed(
-             [](Scene& s) { s.limits.pressure_angle = degrees(1.0, "limits.pressure_angle_deg"); });
-     }},
-    {"pressure_angle_of_89_degrees",
-     [] {
-         return changed(
-             [](Scene& s) { s.limits.pressure_angle = degrees(89.0, "limits.pressure_angle_deg"); });
-     }},
+     changed("cam.base_radius_mm = 10.5", "cam.roller_radius_mm = 29.5", "limits.cam_radius_min_mm = 0")},
+    {"pressure_angle_of_1_degree", changed("limits.pressure_angle_deg = 1")},
+    {"pressure_angle_of_89_degrees", changed("limits.pressure_angle_deg = 89")},
 };
 
 class ExtremeCam : public testing::TestWithParam<Extreme> {};
 
 TEST_P(ExtremeCam, EndsInATrueVerdict) {
-    const Scene scene = GetParam().scene();
+    const Scene scene = GetParam().scene;
     const Solution solution = solve(scene);
     const Certificate& certificate = solution.certificate;
     std::printf("%s: %s %s, objective %.9g, %.2f s\n", GetParam().name, name_of(certificate.verdict),

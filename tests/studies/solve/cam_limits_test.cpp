@@ -2,9 +2,8 @@
 // Three beats for every limit of a cam: broken without it, kept with it on a dense grid, rows added for it.
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,73 +15,35 @@ namespace camopt {
 namespace cam_limits_test {
 
 using namespace testing_support;
-using enum DimensionIndex;
 
-Scene roller_scene() {
-    Scene scene = pressure_angle_scene(40, 12);
-    scene.limits = {};
-    return scene;
+TestScene roller() {
+    return pressure_angle_scene(40, 12).with("limits = {}");
+}
+TestScene arm() {
+    return scene_named("rr_cubic_24")
+        .with("motion.lift_deg = 20", "motion.rise_deg = 90", "spline.segments = 16",
+              "cam = { type = 'disk', follower = 'oscillating_roller', center_distance_mm = 100, "
+              "base_radius_mm = 40, roller_radius_mm = 10, arm_length_mm = 80 }");
+}
+TestScene arm_face() {
+    return arm().with("motion.lift_deg = 10",
+                      "cam = { type = 'disk', follower = 'oscillating_flat', center_distance_mm = 100, "
+                      "base_radius_mm = 60, face_offset_mm = 5 }");
+}
+TestScene loaded(const TestScene& scene) {
+    return scene.with(
+        "motion.speed_rad_s = 60",
+        "forces = { mass_kg = 0.8, spring_rate_n_m = 4000, preload_n = 400, contact_width_mm = 12 }");
+}
+TestScene grooved(const TestScene& scene) {
+    return scene.with("cam.form = grooved", "cam.groove_clearance_mm = 0.1");
 }
 
-Scene oscillating_scene(FollowerType follower) {
-    Scene scene;
-    scene.motion.type = MotionType::rr;
-    scene.motion.lift = 20.0 * units::degree;
-    scene.motion.lift_is_angle = true;
-    scene.motion.rise = 90.0 * units::degree;
-    scene.spline.segments = 16;
-    paper_weights(scene);
-    scene.cam = disk_spec({.follower = follower});
-    scene.cam->set(center_distance, 100e-3);
-    if (follower == FollowerType::oscillating_roller) {
-        scene.cam->set(base_radius, 40e-3);
-        scene.cam->set(roller_radius, 10e-3);
-        scene.cam->set(arm_length, 80e-3);
-    } else {
-        scene.motion.lift = 10.0 * units::degree;
-        scene.cam->set(base_radius, 60e-3);
-        scene.cam->set(face_offset, 5e-3);
-    }
-    return scene;
-}
-
-void add_forces(Scene& scene) {
-    scene.motion.speed = 60.0;
-    scene.forces = ForceSpec{.mass = 0.8, .spring_rate = 4000.0, .preload = 400.0, .contact_width = 12e-3};
-}
-
-Scene grooved(Scene scene) {
-    DiskSpec cam = disk_of(*scene.cam);
-    cam.form.type = CamForm::grooved;
-    cam.form.groove_clearance = 0.1e-3;
-    scene.cam = disk_spec(cam);
-    return scene;
-}
-
-/// Both disks carry: no preload.
-Scene conjugate(Scene scene) {
-    DiskSpec cam = disk_of(*scene.cam);
-    cam.form.type = CamForm::conjugate;
-    if (scene.motion.lift_is_angle)
-        cam.form.arm_angle = 75.0 * units::degree;
-    else
-        cam.form.roller_distance = 120e-3;
-    scene.cam = disk_spec(cam);
-    return scene;
-}
-
-Scene with_free_forces(Scene scene) {
-    add_forces(scene);
-    scene.forces->preload = 0.0;
-    scene.forces->spring_rate = 0.0;
-    return scene;
-}
-
-/// One limit: how to set it to a value, and the figure it limits.
+/// One limit, and the figure it limits.
 struct Beat {
     const char* name;
-    std::function<Scene()> scene;
-    std::function<void(Scene&, double)> set;
+    TestScene scene;
+    const char* limit;  ///< its key, in SI units
     std::function<double(const CamSummary&)> figure;
     int sign;     ///< +1: at most, −1: at least
     double part;  ///< the limit as a part of the free figure
@@ -91,139 +52,72 @@ void PrintTo(const Beat& beat, std::ostream* stream) {
     *stream << beat.name;
 }
 
-std::optional<WrittenLimit> written(double value, const char* key) {
-    return WrittenLimit{value, key, 1.0, ""};
+constexpr const char* pressure_angle = "limits.pressure_angle_rad";
+constexpr const char* radius = "limits.cam_radius_min_m";
+constexpr const char* margin = "limits.undercut_margin";
+constexpr const char* hertz = "limits.hertz_pressure_max_pa";
+
+double convex_radius(const CamSummary& c) {
+    return c.convex_radius->value;
+}
+double angle(const CamSummary& c) {
+    return c.pressure_angle.value;
+}
+double regularity(const CamSummary& c) {
+    return c.regularity.value;
 }
 
 const Beat beats[] = {
-    {"pressure_angle", roller_scene,
-     [](Scene& s, double v) { s.limits.pressure_angle = written(v, "limits.pressure_angle_deg"); },
-     [](const CamSummary& c) { return c.pressure_angle.value; }, 1, 0.9},
-    {"rise_pressure_angle",
-     [] {
-         Scene scene = roller_scene();
-         scene.motion.type = MotionType::rr;
-         return scene;
-     },
-     [](Scene& s, double v) { s.limits.rise_pressure_angle = written(v, "limits.rise_pressure_angle_deg"); },
+    {"pressure_angle", roller(), pressure_angle, angle, 1, 0.9},
+    {"rise_pressure_angle", roller().with("motion.type = RR"), "limits.rise_pressure_angle_rad",
      [](const CamSummary& c) { return c.rise_pressure_angle->value; }, 1, 0.9},
-    {"return_pressure_angle",
-     [] {
-         Scene scene = roller_scene();
-         scene.motion.type = MotionType::rr;
-         scene.cam->set(offset, 3e-3);
-         return scene;
-     },
-     [](Scene& s, double v) {
-         s.limits.return_pressure_angle = written(v, "limits.return_pressure_angle_deg");
-     },
-     [](const CamSummary& c) { return c.return_pressure_angle->value; }, 1, 0.9},
-    {"cam_radius_min", roller_scene,
-     [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.1},
-    {"concave_radius_min", roller_scene,
-     [](Scene& s, double v) { s.limits.concave_radius_min = written(v, "limits.concave_radius_min_mm"); },
+    {"return_pressure_angle", roller().with("motion.type = RR", "cam.offset_mm = 3"),
+     "limits.return_pressure_angle_rad", [](const CamSummary& c) { return c.return_pressure_angle->value; },
+     1, 0.9},
+    {"cam_radius_min", roller(), radius, convex_radius, -1, 1.1},
+    {"concave_radius_min", roller(), "limits.concave_radius_min_m",
      [](const CamSummary& c) { return c.concave_radius ? c.concave_radius->value : 1e9; }, -1, 1.2},
-    {"undercut_margin", roller_scene,
-     [](Scene& s, double v) { s.limits.undercut_margin = written(v, "limits.undercut_margin"); },
-     [](const CamSummary& c) { return c.regularity.value; }, -1, 1.03},
+    {"undercut_margin", roller(), margin, regularity, -1, 1.03},
     {"knife_radius",
-     [] {
-         Scene scene = roller_scene();
-         scene.cam = disk_spec({.follower = FollowerType::translating_knife});
-         scene.cam->set(base_radius, 40e-3);
-         return scene;
-     },
-     [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.03},
-    {"flat_radius",
-     [] {
-         Scene s = flat_scene(40, 0);
-         s.limits = {};
-         return s;
-     },
-     [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.1},
-    {"flat_margin",
-     [] {
-         Scene s = flat_scene(40, 0);
-         s.limits = {};
-         return s;
-     },
-     [](Scene& s, double v) { s.limits.undercut_margin = written(v, "limits.undercut_margin"); },
-     [](const CamSummary& c) { return c.regularity.value; }, -1, 1.1},
-    {"face_width",
-     [] {
-         Scene s = flat_scene(60, 0);
-         s.limits = {};
-         return s;
-     },
-     [](Scene& s, double v) { s.cam->face_half_width = v; },
+     roller().with("cam = { type = 'disk', follower = 'translating_knife', base_radius_mm = 40 }"), radius,
+     convex_radius, -1, 1.03},
+    {"flat_radius", flat_scene(40), radius, convex_radius, -1, 1.1},
+    {"flat_margin", flat_scene(40), margin, regularity, -1, 1.1},
+    {"face_width", flat_scene(60), "cam.face_half_width_m",
      [](const CamSummary& c) { return c.contact_offset->value; }, 1, 0.9},
-    {"arm_pressure_angle", [] { return oscillating_scene(FollowerType::oscillating_roller); },
-     [](Scene& s, double v) { s.limits.pressure_angle = written(v, "limits.pressure_angle_deg"); },
-     [](const CamSummary& c) { return c.pressure_angle.value; }, 1, 0.95},
-    {"arm_radius", [] { return oscillating_scene(FollowerType::oscillating_roller); },
-     [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.05},
-    {"arm_face_pressure_angle", [] { return oscillating_scene(FollowerType::oscillating_flat); },
-     [](Scene& s, double v) { s.limits.pressure_angle = written(v, "limits.pressure_angle_deg"); },
-     [](const CamSummary& c) { return c.pressure_angle.value; }, 1, 0.97},
-    {"arm_face_radius", [] { return oscillating_scene(FollowerType::oscillating_flat); },
-     [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.05},
-    {"contact_force",
-     [] {
-         Scene s = roller_scene();
-         add_forces(s);
-         return s;
-     },
-     [](Scene& s, double v) { s.limits.contact_force_min = written(v, "limits.contact_force_min_n"); },
+    {"arm_pressure_angle", arm(), pressure_angle, angle, 1, 0.95},
+    {"arm_radius", arm(), radius, convex_radius, -1, 1.05},
+    {"arm_face_pressure_angle", arm_face(), pressure_angle, angle, 1, 0.97},
+    {"arm_face_radius", arm_face(), radius, convex_radius, -1, 1.05},
+    {"contact_force", loaded(roller()), "limits.contact_force_min_n",
      [](const CamSummary& c) { return c.forces->least_force.value; }, -1, 1.05},
-    {"torque",
-     [] {
-         Scene s = roller_scene();
-         add_forces(s);
-         return s;
-     },
-     [](Scene& s, double v) { s.limits.torque_max = written(v, "limits.torque_max_nm"); },
+    {"torque", loaded(roller()), "limits.torque_max_nm",
      [](const CamSummary& c) { return c.forces->torque.value; }, 1, 0.95},
-    {"hertz_pressure",
-     [] {
-         Scene s = roller_scene();
-         add_forces(s);
-         // One speed: the whole range from 0 has a test of its own (hertz_at_speed) and needs more boxes.
-         s.forces->speed_range = {s.motion.speed, s.motion.speed};
-         return s;
-     },
-     [](Scene& s, double v) { s.limits.hertz_pressure_max = written(v, "limits.hertz_pressure_max_mpa"); },
+    // One speed: the whole range from 0 has a test of its own (hertz_at_speed) and needs more boxes.
+    {"hertz_pressure", loaded(roller()).with("forces.speed_range_rad_s = [60, 60]"), hertz,
      [](const CamSummary& c) { return c.forces->hertz_pressure->value; }, 1, 0.97},
-    {"groove_flank_radius", [] { return grooved(roller_scene()); },
-     [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
+    {"groove_flank_radius", grooved(roller()), radius,
      [](const CamSummary& c) {
          return std::min(c.sides[0].convex_radius->value,
                          c.sides[1].convex_radius ? c.sides[1].convex_radius->value : 1e9);
      },
      -1, 1.1},
-    {"groove_outer_margin", [] { return grooved(oscillating_scene(FollowerType::oscillating_roller)); },
-     [](Scene& s, double v) { s.limits.undercut_margin = written(v, "limits.undercut_margin"); },
+    {"groove_outer_margin", grooved(arm()), margin,
      [](const CamSummary& c) { return std::min(c.sides[0].regularity.value, c.sides[1].regularity.value); },
      -1, 1.02},
-    {"groove_hertz", [] { return grooved(with_free_forces(roller_scene())); },
-     [](Scene& s, double v) { s.limits.hertz_pressure_max = written(v, "limits.hertz_pressure_max_mpa"); },
+    {"groove_hertz", grooved(loaded(roller()).with("forces.preload_n = 0", "forces.spring_rate_n_m = 0")),
+     hertz,
      [](const CamSummary& c) {
          return std::max(c.sides[0].hertz_pressure->value, c.sides[1].hertz_pressure->value);
      },
      1, 0.97},
-    {"second_disk_pressure_angle",
-     [] { return conjugate(oscillating_scene(FollowerType::oscillating_roller)); },
-     [](Scene& s, double v) { s.limits.pressure_angle = written(v, "limits.pressure_angle_deg"); },
+    {"second_disk_pressure_angle", arm().with("cam.form = conjugate", "cam.arm_angle_deg = 75"),
+     pressure_angle,
      [](const CamSummary& c) {
          return std::max(c.sides[0].pressure_angle.value, c.sides[1].pressure_angle.value);
      },
      1, 0.98},
-    {"second_disk_radius", [] { return conjugate(roller_scene()); },
-     [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
+    {"second_disk_radius", roller().with("cam.form = conjugate", "cam.roller_distance_mm = 120"), radius,
      [](const CamSummary& c) {
          return std::min(c.sides[0].convex_radius->value, c.sides[1].convex_radius->value);
      },
@@ -234,7 +128,7 @@ class CamLimit : public testing::TestWithParam<Beat> {};
 
 TEST_P(CamLimit, IsInactiveActiveOrInfeasible) {
     const Beat& beat = GetParam();
-    Scene scene = beat.scene();
+    Scene scene = beat.scene;
     const Solution free = solve(scene);
     ASSERT_EQ(free.certificate.verdict, Verdict::optimal);
     const double without = beat.figure(free.cam->summary);
@@ -242,7 +136,7 @@ TEST_P(CamLimit, IsInactiveActiveOrInfeasible) {
     const Peaks reference = reference_peaks(scene);
     const int rows =
         CamProblem(scene_model(scene, DesignKind::states, reference)).grid().shape().constraints();
-    beat.set(scene, limit);
+    scene = beat.scene.set(beat.limit, limit);
     const CamProblem limited(scene_model(scene, DesignKind::states, reference));
     EXPECT_GT(limited.grid().shape().constraints(), rows);
 

@@ -3,8 +3,8 @@
 // left out.
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,9 +35,8 @@ TEST(PressureAngle, TabulatedOptimaAreProved) {
         for (const bool symmetric : {false, true}) {
             const double expected = symmetric ? row.antisymmetric : row.free;
             if (expected == 0) continue;
-            Scene scene = pressure_angle_scene(row.prime_radius);
-            scene.motion.symmetric = symmetric;
-            const Solution solution = solve(scene);
+            const Solution solution =
+                solve(pressure_angle_scene(row.prime_radius).set("motion.symmetric", symmetric));
             ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << row.prime_radius;
             EXPECT_NEAR(solution.certificate.objective, expected, 1e-8 * expected + 5e-9) << row.prime_radius;
             EXPECT_LE(*solution.certificate.gap, 1e-7);
@@ -49,14 +48,11 @@ TEST(PressureAngle, TabulatedOptimaAreProved) {
 
 TEST(PressureAngle, QuinticSplinesAreProvedToo) {
     for (const auto& [segments, expected] : {std::pair{12, 1.057339917}, {24, 1.028360085}}) {
-        Scene scene = pressure_angle_scene(40, segments);
-        scene.spline.degree = 5;
-        const Solution solution = solve(scene);
+        const Solution solution = solve(pressure_angle_scene(40, segments).with("spline.degree = 5"));
         EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << segments;
         EXPECT_NEAR(solution.certificate.objective, expected, 1e-7) << segments;
         // A limit far away changes nothing.
-        scene = pressure_angle_scene(1000, segments);
-        scene.spline.degree = 5;
+        Scene scene = pressure_angle_scene(1000, segments).with("spline.degree = 5");
         const double far = solve(scene).certificate.objective;
         scene.cam.reset();
         scene.limits = {};
@@ -65,9 +61,7 @@ TEST(PressureAngle, QuinticSplinesAreProvedToo) {
 }
 
 TEST(PressureAngle, AntisymmetryCanMakeItInfeasible) {
-    Scene scene = pressure_angle_scene(30);
-    scene.motion.symmetric = true;
-    const Solution solution = solve(scene);
+    const Solution solution = solve(pressure_angle_scene(30).with("motion.symmetric = true"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
     ASSERT_TRUE(solution.certificate.proof);
     EXPECT_GT(solution.certificate.proof->bound, 0.0);
@@ -88,11 +82,11 @@ TEST(PressureAngle, EveryBackendFindsTheSame) {
 
 constexpr double any_motion_mm = 24.0813;  // h / (exp(β tan φ) − 1)
 
-Scene smallest_cam_scene(int segments, double weight) {
-    Scene scene = pressure_angle_scene(0, segments);
-    scene.cam->set(base_radius, Dimension(1e-3, 60e-3));
-    scene.objective.dimensions[0] = weight;
-    return scene;
+TestScene smallest_cam_scene(int segments, double weight) {
+    return scene_named("cam_smallest")
+        .with("cam.base_radius_mm = { min = 1, max = 60 }")
+        .set("spline.segments", segments)
+        .set("objective.base_radius", weight);
 }
 
 TEST(SmallestCam, LargerWeightShrinksCam) {
@@ -113,9 +107,8 @@ TEST(SmallestCam, LargerWeightShrinksCam) {
 TEST(SmallestCam, AloneReachesTheSplineMinimum) {
     for (const auto& [segments, least] :
          {std::pair{24, 27.00587}, {48, 25.4783}, {96, 24.7645}, {192, 24.4192}}) {
-        Scene scene = smallest_cam_scene(segments, 1.0);
-        scene.objective.velocity = scene.objective.acceleration = scene.objective.jerk = 0.0;
-        const Solution solution = solve(scene);
+        const Solution solution =
+            solve(smallest_cam_scene(segments, 1.0).with("objective = { base_radius = 1 }"));
         ASSERT_TRUE(solution.motion);
         EXPECT_LE(*solution.certificate.gap, 1e-6);
         EXPECT_NEAR(prime_radius_mm(solution), least, 5e-5 * least / 24.0) << segments;
@@ -124,8 +117,7 @@ TEST(SmallestCam, AloneReachesTheSplineMinimum) {
 }
 
 TEST(SmallestCam, BelowLowerBoundIsProvedInfeasible) {
-    Scene scene = pressure_angle_scene(24.0);
-    const Solution solution = solve(scene);
+    const Solution solution = solve(pressure_angle_scene(24.0));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_FALSE(solution.conflict.empty());
     EXPECT_EQ(solution.conflict.front().key, "limits.pressure_angle_deg");
@@ -142,8 +134,7 @@ TEST(SmallestCam, BelowLowerBoundIsProvedInfeasible) {
 /// Each line of the explanation, carried out with a little to spare, makes the scene feasible; with a little
 /// less it stays infeasible.
 TEST(Explanation, EachChangeIsEnoughAndNeeded) {
-    Scene scene = pressure_angle_scene(25.0, 12);
-    scene.solver.explain_changes = 100;
+    const Scene scene = pressure_angle_scene(25.0, 12).with("solver.explain_changes = 100");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     int checked = 0;
@@ -171,30 +162,26 @@ TEST(Explanation, EachChangeIsEnoughAndNeeded) {
 }
 
 TEST(FlatFace, LinearUndercutProvesOptimum) {
-    Scene scene = flat_scene(30, 8);
-    const Solution limited = solve(scene);
+    const Solution limited = solve(flat_scene(30).with("limits.cam_radius_min_mm = 8"));
     ASSERT_EQ(limited.certificate.verdict, Verdict::optimal);
     EXPECT_GE(limited.cam->summary.convex_radius->value, 8e-3 * (1 - 1e-8));
-    scene.limits = {};
-    const Solution free = solve(scene);
+    const Solution free = solve(flat_scene(30));
     EXPECT_LT(free.cam->summary.convex_radius->value, 8e-3);
     EXPECT_LT(free.certificate.objective, limited.certificate.objective);
     // With the base radius free the peaks cost what they cost without the limit, or the cam grows.
-    scene = flat_scene(30, 8);
-    scene.cam->set(base_radius, Dimension(1e-3, 200e-3));
-    scene.objective.dimensions[0] = 1e-3;
-    const Solution large = solve(scene);
+    const Solution large = solve(flat_scene(30).with("limits.cam_radius_min_mm = 8",
+                                                     "cam.base_radius_mm = { min = 1, max = 200 }",
+                                                     "objective.base_radius = 1e-3"));
     ASSERT_EQ(large.certificate.verdict, Verdict::optimal);
     EXPECT_LT(large.certificate.objective - 1e-3 * (*disk_cam(large.cam->cam))[base_radius] / 14e-3,
               limited.certificate.objective);
 }
 
 TEST(FlatFace, TheFaceWidthLimitsTheVelocity) {
-    Scene scene = flat_scene(60, 0);
+    const TestScene scene = flat_scene(60).with("limits.cam_radius_min_mm = 0");
     const Solution free = solve(scene);
     const double width = 0.9 * free.cam->summary.contact_offset->value;
-    scene.cam->face_half_width = width;
-    const Solution narrow = solve(scene);
+    const Solution narrow = solve(scene.set("cam.face_half_width_m", width));
     ASSERT_EQ(narrow.certificate.verdict, Verdict::optimal);
     EXPECT_NEAR(narrow.cam->summary.contact_offset->value, width, 1e-7 * width);
     EXPECT_GT(narrow.certificate.objective, free.certificate.objective);
@@ -210,13 +197,12 @@ TEST(NoCam, NoProfileIsEverTouched) {
 }
 
 TEST(ClockwiseCams, OffsetActsInOppositeDirection) {
-    Scene scene = pressure_angle_scene(40);
-    scene.cam->set(offset, 8e-3);
-    const double counterclockwise = solve(scene).certificate.objective;
-    scene.cam->rotation = Rotation::clockwise;
-    const double clockwise = solve(scene).certificate.objective;
-    scene.cam->set(offset, -8e-3);
-    const double mirrored = solve(scene).certificate.objective;
+    const auto objective = [](const char* offset, const char* rotation) {
+        return solve(pressure_angle_scene(40).with(offset, rotation)).certificate.objective;
+    };
+    const double counterclockwise = objective("cam.offset_mm = 8", "cam.rotation = counterclockwise");
+    const double clockwise = objective("cam.offset_mm = 8", "cam.rotation = clockwise");
+    const double mirrored = objective("cam.offset_mm = -8", "cam.rotation = clockwise");
     EXPECT_NEAR(counterclockwise, mirrored, 1e-9);
     EXPECT_GT(clockwise, counterclockwise + 1e-3);
 }

@@ -5,7 +5,7 @@
 #include "solvers/certificate/box_proof.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/long_run.hpp"
 
 #include <gtest/gtest.h>

@@ -2,11 +2,8 @@
 // Motions that do not start or end at rest: given states, motions that go on in the next revolution, laws at
 // both ends, turning points at joints, repeated parts.
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
-#include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,23 +15,16 @@
 namespace camopt {
 namespace ends_in_motion_test {
 
+using namespace testing_support;
+
 void expect_refusal(const auto& action, const std::string& words) {
-    const std::string message = testing_support::refusal(action);
+    const std::string message = refusal(action);
     EXPECT_NE(message.find(words), std::string::npos) << message;
 }
 
-Scene scene_of(const std::string& toml) {
-    return input::read_scene(toml, "s.toml", known_names(), {});
-}
-
-const std::string objective =
-    "[objective]\nacceleration = 1\njerk = 0.2\n[spline]\ndegree = 5\nsegments = 12\n";
-
-Solution optimum_of(const Scene& scene) {
-    Solution solution = solve(scene);
-    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
-    if (!solution.motion) throw InputError("no motion");
-    return solution;
+/// By quintics, of another motion than that of its file.
+TestScene scene_with(const char* motion) {
+    return scene_named("rotary_knife_turn").with(motion);
 }
 
 void expect_state(const Motion& motion, double x, Side side, std::array<double, 3> state) {
@@ -51,10 +41,9 @@ double jump(const Motion& motion, std::size_t order) {
 }
 
 TEST(EndsInMotion, DrdHasTheGivenStates) {
-    const Solution solution =
-        optimum_of(scene_of("[motion]\ntype = \"DRD\"\nlift_mm = 10\nrise_deg = 90\nspeed_rpm = 60\n"
-                            "start = { velocity_mm_s = 20 }\nend = { velocity = 0.5, acceleration = -1 }\n" +
-                            objective));
+    const Solution solution = optimum_of(
+        scene_with("motion = { type = 'DRD', lift_mm = 10, rise_deg = 90, speed_rpm = 60,"
+                   "start = { velocity_mm_s = 20 }, end = { velocity = 0.5, acceleration = -1 } }"));
     const double rate = 360.0 / 90.0;  // x in a second
     expect_state(*solution.motion, 0.0, Side::right, {0.0, 20.0 / (10.0 * rate), 0.0});
     expect_state(*solution.motion, 1.0, Side::left, {1.0, 0.5, -1.0});
@@ -62,24 +51,16 @@ TEST(EndsInMotion, DrdHasTheGivenStates) {
 }
 
 TEST(EndsInMotion, RrMayStartDownwards) {
-    const Solution solution = optimum_of(scene_of(
-        "[motion]\ntype = \"RR\"\nstart = { velocity = -0.5 }\nend = { velocity = -0.5 }\n" + objective));
+    const Solution solution = optimum_of(
+        scene_with("motion = { type = 'RR', start = { velocity = -0.5 }, end = { velocity = -0.5 } }"));
     expect_state(*solution.motion, 0.0, Side::right, {0.0, -0.5, 0.0});
     expect_state(*solution.motion, 2.0, Side::left, {0.0, -0.5, 0.0});
     EXPECT_NEAR(solution.motion->at(1.0).derivative[0], 1.0, 1e-9);
 }
 
-const std::string knife =
-    "[motion]\ntype = \"program\"\nlift_deg = 360\nspeed_rpm = 250\nclosed = \"relative\"\n";
-
 /// Splines all around: the turn ends as it starts, one lift further.
 TEST(Relative, RingGoesOnSmoothly) {
-    const Solution solution =
-        optimum_of(scene_of(knife +
-                            "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 200\nto = 0.8\n"
-                            "via = [{ at = 0.5, velocity_deg_deg = 0.5 }]\n"
-                            "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 160\nto = 1\n" +
-                            objective));
+    const Solution solution = optimum_of(scene_named("rotary_knife_turn"));
     EXPECT_NEAR(jump(*solution.motion, 0), 1.0, 1e-9);
     for (std::size_t order = 1; order < 4; ++order)
         EXPECT_NEAR(jump(*solution.motion, order), 0.0, 1e-6) << order;
@@ -90,11 +71,9 @@ TEST(Relative, RingGoesOnSmoothly) {
 /// A dwell inside: the first and the last spline are two runs that join across the end of the turn.
 TEST(Relative, RunsJoinAcrossTheEnd) {
     const Solution solution =
-        optimum_of(scene_of(knife +
-                            "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 150\nto = 0.5\n"
-                            "[[motion.segments]]\nkind = \"dwell\"\nangle_deg = 60\n"
-                            "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 150\nto = 1\n" +
-                            objective));
+        optimum_of(scene_with("motion.segments = [{ kind = 'spline', angle_deg = 150, to = 0.5 }, { kind = "
+                              "'dwell', angle_deg = 60 },"
+                              "{ kind = 'spline', angle_deg = 150, to = 1 }]"));
     EXPECT_NEAR(jump(*solution.motion, 0), 1.0, 1e-9);
     for (std::size_t order = 1; order < 4; ++order)
         EXPECT_NEAR(jump(*solution.motion, order), 0.0, 1e-6) << order;
@@ -103,54 +82,48 @@ TEST(Relative, RunsJoinAcrossTheEnd) {
 
 /// Line, polynomial, line: a rotary knife that cuts at constant velocity.
 TEST(Relative, LawsStandAtBothEnds) {
-    const std::string lines =
-        "[[motion.segments]]\nkind = \"law\"\nlaw = \"constant_velocity\"\nangle_deg = 30\nto_deg = 40\n"
-        "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 300\nto_deg = 320\n"
-        "[[motion.segments]]\nkind = \"law\"\nlaw = \"constant_velocity\"\nangle_deg = 30\nto_deg = ";
-    const Solution solution = optimum_of(scene_of(knife + lines + "360\n" + objective));
+    const TestScene scene = scene_with(
+        "motion.segments = [{ kind = 'law', law = 'constant_velocity', angle_deg = 30, to_deg = 40 },"
+        "{ kind = 'spline', angle_deg = 300, to_deg = 320 },"
+        "{ kind = 'law', law = 'constant_velocity', angle_deg = 30, to_deg = 360 }]");
+    const Solution solution = optimum_of(scene);
     EXPECT_NEAR(jump(*solution.motion, 0), 1.0, 1e-9);
     EXPECT_NEAR(jump(*solution.motion, 1), 0.0, 1e-9);
-    expect_refusal([&] { static_cast<void>(solve(scene_of(knife + lines + "350\n" + objective))); },
+    expect_refusal([&] { static_cast<void>(solve(scene.with("motion.segments[2].to_deg = 350"))); },
                    "with another velocity");
 }
 
 TEST(EndsInMotion, RegionsReachTheOpenEnds) {
-    const Scene scene = input::read_scene_file(
-        source_folder() + "/tests/support/cases/rotary_knife_set_points.toml", known_names());
-    const Solution solution = optimum_of(scene);
+    const Solution solution = optimum_of(scene_named("rotary_knife_set_points"));
     expect_state(*solution.motion, 0.0, Side::right, {0.0, 0.5, 0.0});
     expect_state(*solution.motion, 1.0, Side::left, {1.0, 0.5, 0.0});
 }
 
 TEST(TurningPoint, IsHeldAtAJoint) {
-    const std::string text =
-        "[motion]\ntype = \"program\"\nlift_mm = 10\nclosed = false\nwithin_lift = false\n"
-        "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 90\nto = 1\nend = { velocity = 0 }\n"
-        "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 60\nto = -1\n" +
-        objective;
-    const Solution turning = optimum_of(scene_of(text));
+    const TestScene scene = scene_with(
+        "motion = { type = 'program', lift_mm = 10, closed = false, within_lift = false, segments = ["
+        "{ kind = 'spline', angle_deg = 90, to = 1, end = { velocity = 0 } },"
+        "{ kind = 'spline', angle_deg = 60, to = -1 }] }");
+    const Solution turning = optimum_of(scene);
     EXPECT_NEAR(turning.motion->at(1.0).derivative[1], 0.0, 1e-9);
     EXPECT_GT(std::abs(turning.motion->at(1.0).derivative[2]), 1.0) << "it does not rest there";
-    Scene free = scene_of(text);
+    Scene free = scene;
     free.motion.segments[0].end.reset();
     EXPECT_GT(std::abs(optimum_of(free).motion->at(1.0).derivative[1]), 1e-3);
 }
 
 /// The same motion in every part, at the price of one part.
 TEST(Repeat, IsOnePartManyTimes) {
-    const std::string part =
-        "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 40\nto = 1\n"
-        "[[motion.segments]]\nkind = \"dwell\"\nangle_deg = 10\n"
-        "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 40\n";
-    const std::string head = "[motion]\ntype = \"program\"\nlift_mm = 10\n";
-    std::string four;
-    for (int i = 0; i < 4; ++i) four += part;
+    const std::string head = "motion = { type = 'program', lift_mm = 10, segments = [",
+                      dwell = "{ kind = 'dwell', angle_deg = 10 }, ",
+                      up = "{ kind = 'spline', angle_deg = 40, to = 1 }, " + dwell;
     // Written out, the second and the last spline need their displacement.
-    std::size_t at = 0;
-    const std::string open = "angle_deg = 40\n[[";
-    while ((at = four.find(open, at)) != std::string::npos) four.insert(at + 15, "to = 0\n");
-    const Solution repeated = optimum_of(scene_of(head + "repeat = 4\n" + part + objective));
-    const Solution whole = optimum_of(scene_of(head + four + objective));
+    std::string four;
+    for (int i = 0; i < 4; ++i)
+        four += up + "{ kind = 'spline', angle_deg = 40" + (i < 3 ? ", to = 0 }, " : " }");
+    const Solution repeated =
+        optimum_of(scene_with((head + up + "{ kind = 'spline', angle_deg = 40 }], repeat = 4 }").c_str()));
+    const Solution whole = optimum_of(scene_with((head + four + "] }").c_str()));
     EXPECT_NEAR(repeated.certificate.objective, whole.certificate.objective, 1e-7);
     ASSERT_EQ(repeated.segments.size(), 12U);
     const Motion& motion = *repeated.motion;
@@ -168,11 +141,10 @@ TEST(Repeat, IsOnePartManyTimes) {
 TEST(Repeat, AnglesFillOnePart) {
     expect_refusal(
         [] {
-            static_cast<void>(
-                scene_of("[motion]\ntype = \"program\"\nrepeat = 10\n[[motion.segments]]\nkind = "
-                         "\"spline\"\nangle_deg = "
-                         "20\nto = 1\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = 20\n" +
-                         objective));
+            (void)scene_with(
+                "motion = { type = 'program', repeat = 10, segments = ["
+                "{ kind = 'spline', angle_deg = 20, to = 1 }, { kind = 'spline', angle_deg = 20 }] }")
+                .read();
         },
         "those of one of the 10 copies add up to 36 deg");
 }
@@ -180,10 +152,9 @@ TEST(Repeat, AnglesFillOnePart) {
 TEST(Dwell, OfZeroIsRefusedWithAdvice) {
     expect_refusal(
         [] {
-            Scene scene = scene_of(
-                "[motion]\ntype = \"program\"\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = 180\nto "
-                "= 1\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = 180\n" +
-                objective);
+            Scene scene = scene_with(
+                "motion = { type = 'program', segments = ["
+                "{ kind = 'spline', angle_deg = 180, to = 1 }, { kind = 'spline', angle_deg = 180 }] }");
             scene.motion.segments.insert(scene.motion.segments.begin() + 1, ProgramSegment{});
             validate(scene);
         },

@@ -17,7 +17,7 @@ using namespace testing_support;
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
 ProgramSegment stroke(double to, double least, double most, double start) {
-    ProgramSegment segment{SegmentKind::spline, start * degree, "", to};
+    ProgramSegment segment = spline(start, to);
     segment.angle_range = AngleRange{least * degree, most * degree};
     return segment;
 }
@@ -30,18 +30,12 @@ PeakLimit limit_of(double acceleration) {
 
 /// 20 mm up, 20 mm more, 40 mm down; the last two share 200 deg.
 Scene strokes_scene() {
-    Scene scene = paper_objective(MotionType::program, 3, 16);
+    // The last two would meet at speed without a rest between them.
+    Scene scene = program({dwell(30), spline(90, 0.5), dwell(30), stroke(1.0, 60, 150, 100), dwell(10),
+                           stroke(0.0, 40, 140, 100)},
+                          16);
     scene.motion.lift = 40e-3;
     scene.motion.speed = 20.0;
-    scene.motion.segments = {{SegmentKind::dwell, 40 * degree, "", {}},
-                             {SegmentKind::spline, 90 * degree, "", 0.5},
-                             {SegmentKind::dwell, 30 * degree, "", {}},
-                             stroke(1.0, 60, 150, 100),
-                             stroke(0.0, 40, 140, 100)};
-    // The last two would meet at speed without a rest between them.
-    scene.motion.segments.insert(scene.motion.segments.begin() + 4,
-                                 {SegmentKind::dwell, 10 * degree, "", {}});
-    scene.motion.segments[0].angle -= 10 * degree;
     scene.limits.acceleration = limit_of(acceleration_limit);
     return scene;
 }
@@ -100,12 +94,9 @@ TEST(FreeAngles, InfeasibleSharesAreProved) {
 
 /// Two splines that meet at speed know each other's angle: no bound over boxes, an honest local optimum.
 TEST(FreeAngles, OfJointsAtSpeedAreLocal) {
-    Scene scene = paper_objective(MotionType::program, 3, 8);
+    Scene scene =
+        program({dwell(120), stroke(0.3, 40, 120, 60), stroke(1.0, 40, 120, 60), spline(120, 0.0)}, 8);
     scene.motion.within_lift = false;  // the top is a joint at speed too
-    scene.motion.segments = {{SegmentKind::dwell, 120 * degree, "", {}},
-                             stroke(0.3, 40, 120, 60),
-                             stroke(1.0, 40, 120, 60),
-                             {SegmentKind::spline, 120 * degree, "", 0.0}};
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion) << solution.certificate.reason;
     EXPECT_TRUE(solution.certificate.verdict == Verdict::local ||
@@ -160,13 +151,9 @@ TEST(FreeAngles, CorridorIsNoReasonForInfeasibility) {
 
 /// More area may be lost where a dwell at 0 grows: the bound of the largest angles was above the optimum.
 TEST(FreeAngles, AreaHasNoBoundOverAngles) {
-    Scene scene = paper_objective(MotionType::program, 3, 12);
-    scene.motion.segments = {{SegmentKind::dwell, 90 * degree, "", {}},
-                             {SegmentKind::spline, 90 * degree, "", 1.0},
-                             {SegmentKind::dwell, 90 * degree, "", {}},
-                             {SegmentKind::spline, 90 * degree, "", 0.0}};
-    for (const std::size_t dwell : {std::size_t{0}, std::size_t{2}})
-        scene.motion.segments[dwell].angle_range = AngleRange{30 * degree, 150 * degree};
+    Scene scene = program({dwell(90), spline(90, 1.0), dwell(90), spline(90, 0.0)});
+    for (const std::size_t rest : {std::size_t{0}, std::size_t{2}})
+        scene.motion.segments[rest].angle_range = AngleRange{30 * degree, 150 * degree};
     scene.objective = {};
     scene.objective.acceleration = 0.1;
     scene.objective.area = 1.0;

@@ -5,6 +5,7 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/search/free_knot_descent.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -12,21 +13,11 @@
 namespace camopt {
 namespace free_knots_test {
 
-using testing_support::refusal;
+using namespace testing_support;
 
 Scene scene_of(MotionType type, int degree, int segments) {
-    Scene scene;
-    scene.motion.type = type;
-    scene.spline.degree = degree;
-    scene.spline.segments = segments;
+    Scene scene = paper_objective(type, degree, segments);
     scene.spline.free_knots = true;
-    scene.objective.velocity = scene.objective.acceleration = 0.4;
-    scene.objective.jerk = 0.2;
-    Reference& reference = scene.objective.reference;
-    reference.numeric = true;
-    reference.velocity = 1.76;
-    reference.acceleration = 5.53;
-    reference.jerk = 69.0;
     scene.solver.starts = 1;
     return scene;
 }
@@ -123,7 +114,7 @@ TEST(FreeKnotSolve, SymmetricMotionsStaySymmetric) {
 
 TEST(FreeKnotSolve, CapsAreSatisfied) {
     Scene scene = scene_of(MotionType::drd, 3, 7);
-    scene.limits.velocity = PeakLimit{1.6, "limits.velocity", 1.6, ""};
+    scene.limits.velocity = normalised_limit("limits.velocity", 1.6);
     const Solution solution = solve(scene);
     EXPECT_LE(solution.peaks.velocity.value, 1.6 + 1e-8);
     ASSERT_TRUE(solution.any_curve_limit);
@@ -132,7 +123,7 @@ TEST(FreeKnotSolve, CapsAreSatisfied) {
 
 TEST(FreeKnotSolve, FreeBreakpointsSatisfyTighterLimits) {
     Scene scene = scene_of(MotionType::drd, 3, 7);
-    scene.limits.jerk = PeakLimit{33.0, "limits.jerk", 33.0, ""};
+    scene.limits.jerk = normalised_limit("limits.jerk", 33.0);
     ASSERT_EQ(solve(fixed(scene)).certificate.verdict, Verdict::infeasible);
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion);
@@ -184,9 +175,8 @@ TEST(FreeKnotDescent, StepsGrowWithAccurateModel) {
 }
 
 TEST(FreeKnotSolve, ProgramsAreRefused) {
-    Scene scene = scene_of(MotionType::program, 3, 4);
-    scene.motion.segments = {{SegmentKind::spline, 3.0, "", 1.0},
-                             {SegmentKind::dwell, 3.283185307179586, "", {}}};
+    Scene scene = program({spline(180, 1.0), dwell(180)}, 4);
+    scene.spline.free_knots = true;
     scene.motion.closed = false;
     EXPECT_EQ(
         refusal([&] { (void)solve(scene); }),

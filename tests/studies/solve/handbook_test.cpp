@@ -2,11 +2,8 @@
 // Cam Design Handbook, chapter 5, example 4 (scenes/handbook_nine_points.toml): twenty conditions at nine
 // angles. With fourteen inner breakpoints one quintic spline keeps them all; with one breakpoint every 5° the
 // optimum lies under it.
-#include "input/loading/load_scene.hpp"
-#include "studies/solve/solve.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/solved_scene.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
@@ -17,6 +14,8 @@
 
 namespace camopt {
 namespace handbook_test {
+
+using namespace testing_support;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -57,10 +56,6 @@ std::vector<double> breakpoints_of_interpolation() {
     return breakpoints;
 }
 
-Solution solved(const std::vector<std::string>& settings) {
-    return solve(load_scene(source_folder() + "/scenes/handbook_nine_points.toml", settings));
-}
-
 void expect_conditions(const Solution& solution) {
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     ASSERT_TRUE(solution.motion);
@@ -72,15 +67,15 @@ void expect_conditions(const Solution& solution) {
 TEST(Handbook, OptimumIsBelowInterpolatingSpline) {
     const std::vector<double> breakpoints = breakpoints_of_interpolation();
     ASSERT_EQ(breakpoints.size(), 16U);
-    const Solution through =
-        solved({fmt::format("spline.breakpoints=[{:.17g}]", fmt::join(breakpoints, ","))});
+    const TestScene scene = scene_named("handbook_nine_points");
+    const Solution through = solve(scene.set("spline.breakpoints", breakpoints));
     expect_conditions(through);
     // As many conditions as coefficients: there is one such spline. Its peaks by SciPy's BSpline and a linear
     // solve.
     EXPECT_NEAR(peak(*through.motion, 1), 27.0371578, 1e-5);
     EXPECT_NEAR(peak(*through.motion, 2), 57.5835535, 1e-5);
     EXPECT_NEAR(peak(*through.motion, 3), 265.326592, 1e-4);
-    const Solution best = solved({});
+    const Solution best = solve(scene);
     expect_conditions(best);
     EXPECT_LE(best.certificate.gap.value(), 1e-7);
     EXPECT_NEAR(peak(*best.motion, 2), 49.9888, 1e-3);

@@ -2,54 +2,41 @@
 // Scenes built to be infeasible: proved so through every backend, and explained by what would help.
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
 namespace camopt {
 namespace infeasible_test {
 
-using testing_support::is_available;
-using testing_support::normalised_limit;
-using testing_support::paper_objective;
+using namespace testing_support;
 
 struct InfeasibleCase {
     const char* name;
-    Scene scene;
+    TestScene scene;
 };
 
 std::vector<InfeasibleCase> infeasible_cases() {
-    std::vector<InfeasibleCase> cases;
-    const auto add = [&](const char* name, int degree, MotionType type = MotionType::drd) -> Scene& {
-        cases.push_back({name, paper_objective(type, degree, 12)});
-        return cases.back().scene;
-    };
-    add("a velocity below the mean", 3).limits.velocity = normalised_limit("limits.velocity", 0.9);
-    add("an acceleration below 4", 3).limits.acceleration = normalised_limit("limits.acceleration", 3.9);
-    add("a jerk below 32", 5).limits.jerk = normalised_limit("limits.jerk", 31.0);
-    Scene& pair = add("velocity and acceleration together", 3);
-    pair.limits.velocity = normalised_limit("limits.velocity", 1.5);
-    pair.limits.acceleration = normalised_limit("limits.acceleration", 4.5);
-    Scene& three = add("all three together", 5);
-    three.limits.velocity = normalised_limit("limits.velocity", 1.8);
-    three.limits.acceleration = normalised_limit("limits.acceleration", 5.4);
-    three.limits.jerk = normalised_limit("limits.jerk", 45.0);
-    add("rise and return", 3, MotionType::rr).limits.acceleration =
-        normalised_limit("limits.acceleration", 3.0);
-    Scene& point = add("a set point that needs more speed", 3);
-    point.motion.via = {{0.1, 0.4, {}, {}}};
-    point.limits.velocity = normalised_limit("limits.velocity", 2.0);
-    return cases;
+    const TestScene cubic = scene_named("drd_cubic_12"), quintic = scene_named("drd_quintic_12");
+    return {
+        {"a velocity below the mean", cubic.with("limits.velocity = 0.9")},
+        {"an acceleration below 4", cubic.with("limits.acceleration = 3.9")},
+        {"a jerk below 32", quintic.with("limits.jerk = 31")},
+        {"velocity and acceleration together", cubic.with("limits = { velocity = 1.5, acceleration = 4.5 }")},
+        {"all three together", quintic.with("limits = { velocity = 1.8, acceleration = 5.4, jerk = 45 }")},
+        {"rise and return", cubic.with("motion.type = RR", "limits.acceleration = 3")},
+        {"a set point that needs more speed",
+         cubic.with("motion.via = [{ at = 0.1, displacement = 0.4 }]", "limits.velocity = 2")}};
 }
 
 class Infeasible : public testing::TestWithParam<std::string> {};
 
 TEST_P(Infeasible, IsProved) {
     if (!is_available(GetParam())) GTEST_SKIP() << GetParam() << " is not part of this build";
-    for (InfeasibleCase& one : infeasible_cases()) {
+    for (const InfeasibleCase& one : infeasible_cases()) {
         SCOPED_TRACE(one.name);
-        one.scene.solver.name = GetParam();
-        one.scene.solver.max_seconds = 5.0;
-        const Solution solution = solve(one.scene);
+        const Solution solution =
+            solve(one.scene.set("solver.name", GetParam()).with("solver.max_seconds = 5"));
         EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible) << solution.certificate.reason;
         EXPECT_FALSE(solution.curve);
         ASSERT_TRUE(solution.certificate.proof);
@@ -74,36 +61,24 @@ TEST(Relaxation, AppliedWithMarginMakesSceneFeasible) {
         EXPECT_FALSE(solution.relaxation.empty());
         for (const Relaxation& relaxation : solution.relaxation) {
             if (!relaxation.needed || !relaxation.key.starts_with("limits.")) continue;
-            Scene eased = one.scene;
-            for (std::optional<PeakLimit>* limit :
-                 {&eased.limits.velocity, &eased.limits.acceleration, &eased.limits.jerk}) {
-                if (*limit && (*limit)->key == relaxation.key) {
-                    **limit = normalised_limit(relaxation.key.c_str(), *relaxation.needed * (1.0 + 1e-6));
-                }
-            }
+            const auto eased = [&](double spare) {
+                return solve(one.scene.set(relaxation.key, *relaxation.needed * (1.0 + spare)));
+            };
             EXPECT_GT(*relaxation.needed, relaxation.given);
-            const Solution feasible = solve(eased);
+            const Solution feasible = eased(1e-6);
             EXPECT_TRUE(feasible.curve) << name_of(feasible.certificate.verdict) << ' ' << relaxation.key
                                         << ' ' << feasible.certificate.reason;
             ++applied;
             // A millionth less than needed must not do, or it was not the least.
-            for (std::optional<PeakLimit>* limit :
-                 {&eased.limits.velocity, &eased.limits.acceleration, &eased.limits.jerk}) {
-                if (*limit && (*limit)->key == relaxation.key) {
-                    **limit = normalised_limit(relaxation.key.c_str(), *relaxation.needed * (1.0 - 1e-6));
-                }
-            }
-            EXPECT_EQ(solve(eased).certificate.verdict, Verdict::infeasible) << relaxation.key;
+            EXPECT_EQ(eased(-1e-6).certificate.verdict, Verdict::infeasible) << relaxation.key;
         }
     }
     EXPECT_GE(applied, 8);
 }
 
 TEST(Relaxation, IsNullWhenOneLimitCannotHelp) {
-    Scene scene = paper_objective(MotionType::drd, 3, 12);
-    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    scene.limits.acceleration = normalised_limit("limits.acceleration", 3.0);
-    const Solution solution = solve(scene);
+    const Solution solution =
+        solve(scene_named("drd_cubic_12").with("limits = { velocity = 0.9, acceleration = 3 }"));
     ASSERT_EQ(solution.relaxation.size(), 2u);
     EXPECT_FALSE(solution.relaxation[0].needed);
     EXPECT_FALSE(solution.relaxation[1].needed);
@@ -111,19 +86,14 @@ TEST(Relaxation, IsNullWhenOneLimitCannotHelp) {
 
 TEST(Infeasible, BackendOptionsDoNotAffectProof) {
     if (!is_available("ipopt")) GTEST_SKIP() << "ipopt is not part of this build";
-    Scene scene = paper_objective(MotionType::drd, 3, 12);
-    scene.limits.velocity = normalised_limit("limits.velocity", 1.6);
-    scene.solver.name = "ipopt";
-    scene.solver.options["mu_strategy"] = std::string("monotone");
-    EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
-    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    EXPECT_EQ(solve(scene).certificate.verdict, Verdict::infeasible);
+    const TestScene scene = scene_named("drd_cubic_12")
+                                .with("solver = { name = 'ipopt', options = { mu_strategy = 'monotone' } }");
+    EXPECT_EQ(solve(scene.with("limits.velocity = 1.6")).certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(solve(scene.with("limits.velocity = 0.9")).certificate.verdict, Verdict::infeasible);
 }
 
 TEST(Contradiction, IsInfeasibleAndNamed) {
-    Scene scene = paper_objective(MotionType::drd, 3, 4);  // one number is free
-    scene.motion.via = {{0.25, 0.1, {}, {}}, {0.5, 0.5, {}, {}}, {0.75, 0.95, {}, {}}};
-    const Solution solution = solve(scene);
+    const Solution solution = solve(scene_named("three_points_on_four_segments"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_EQ(solution.certificate.reason, "conditions_contradict");
     ASSERT_TRUE(solution.certificate.proof);
@@ -137,19 +107,16 @@ TEST(Contradiction, FixedConditionIsFoundByEveryForm) {
     // Two quintic segments leave one control point free, whose basis function is level in the middle: y'(0.5)
     // is 1.875 whatever it is.
     for (const DesignKind kind : {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates}) {
-        Scene scene;
-        scene.spline.degree = 5;
-        scene.spline.segments = 2;
-        scene.spline.design = kind;
-        scene.objective.jerk = 1.0;
-        scene.motion.via = {{0.5, {}, 1.0, {}}};
-        const Solution solution = solve(scene);
+        const TestScene scene = scene_named("drd_jerk_only")
+                                    .with("spline = { degree = 5, segments = 2 }")
+                                    .set("spline.design", name_of(kind));
+        const Solution solution = solve(scene.with("motion.via = [{ at = 0.5, velocity = 1 }]"));
         EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible) << name_of(kind);
         EXPECT_EQ(solution.certificate.reason, "conditions_contradict") << name_of(kind);
         ASSERT_TRUE(solution.certificate.proof);
         EXPECT_GT(recomputed_bound(*solution.certificate.proof), 0.1);
-        scene.motion.via = {{0.5, {}, 1.875, {}}};  // what it is anyway
-        const Solution kept = solve(scene);
+        // What it is anyway.
+        const Solution kept = solve(scene.with("motion.via = [{ at = 0.5, velocity = 1.875 }]"));
         EXPECT_EQ(kept.certificate.verdict, Verdict::optimal) << name_of(kind);
         ASSERT_TRUE(kept.curve);
         EXPECT_NEAR(kept.curve->derivative(0.5, 1), 1.875, 1e-12);
@@ -157,10 +124,9 @@ TEST(Contradiction, FixedConditionIsFoundByEveryForm) {
 }
 
 TEST(Contradiction, RedundantSetPointsAreNamedAndHarmless) {
-    Scene scene = paper_objective(MotionType::drd, 3, 12);
-    scene.motion.symmetric = true;
-    scene.motion.via = {{0.5, 0.5, {}, {}}};
-    const Solution solution = solve(scene);
+    const Solution solution =
+        solve(scene_named("drd_cubic_12")
+                  .with("motion.symmetric = true", "motion.via = [{ at = 0.5, displacement = 0.5 }]"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_EQ(solution.notes.size(), 1u);
     EXPECT_NE(solution.notes[0].find("displacement of set point 1 = "), std::string::npos)

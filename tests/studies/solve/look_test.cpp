@@ -2,20 +2,20 @@
 // A picture before its proof: near the answer, by less work, and without a claim.
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
 namespace camopt {
 namespace look_test {
 
+using namespace testing_support;
+
 /// Not convex: max |y' y''| weighs.
-Scene torque_scene(double velocity) {
-    Scene scene = testing_support::paper_objective(MotionType::drd, 3, 12);
-    scene.objective.torque = 0.5;
-    scene.objective.velocity = velocity;
-    scene.objective.reference = {};
-    return scene;
+TestScene torque_scene(double velocity) {
+    return scene_named("drd_cubic_12")
+        .with("objective.torque = 0.5", "objective.reference = modified_sine")
+        .set("objective.velocity", velocity);
 }
 
 Solution look(const Scene& scene, KnownSolutions& known) {
@@ -39,16 +39,14 @@ TEST(LookTest, SolvesCompletelyWithoutLastMotion) {
     KnownSolutions known;
     const Solution seen = look(torque_scene(0.4), known);
     EXPECT_EQ(seen.solver.starts, default_starts);
-    Scene other = torque_scene(0.4);
-    other.spline.segments = 14;
+    const Scene other = torque_scene(0.4).with("spline.segments = 14");
     EXPECT_EQ(look(other, known).solver.starts, default_starts) << "another spline is no neighbour";
 }
 
 TEST(LookTest, ConvexSceneIsSolvedAndTied) {
     KnownSolutions known;
-    Scene scene = testing_support::paper_objective(MotionType::drd, 3, 16);
     for (const double velocity : {0.4, 0.45}) {
-        scene.objective.velocity = velocity;
+        const Scene scene = scene_named("drd_cubic_16").set("objective.velocity", velocity);
         const Solution seen = look(scene, known);
         const Solution whole = solve(scene);
         EXPECT_EQ(seen.certificate.verdict, Verdict::optimal);

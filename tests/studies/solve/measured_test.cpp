@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Measured motions: fitted by least squares in the scene's own space, with a true error.
-#include "core/errors.hpp"
 #include "core/text/text_file.hpp"
 #include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/deviation_rules.hpp"
 #include "objectives/scene_model.hpp"
@@ -14,8 +12,9 @@
 #include "studies/measured/measured_fit.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/temporary_folder.hpp"
-#include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scene_kit.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -110,8 +109,7 @@ TEST(Measured, ResidualCurveIsTableMinusFit) {
 }
 
 TEST(Measured, LobeInInchesIsReadWithoutHeader) {
-    const Scene scene =
-        input::read_scene_file(source_folder() + "/tests/support/cases/measured_lobe.toml", known_names());
+    const Scene scene = scene_named("measured_lobe");
     ASSERT_EQ(scene.measured->angle.size(), 131u);
     EXPECT_NEAR(scene.measured->angle[65], 65.0 * units::degree, 1e-12);
     EXPECT_DOUBLE_EQ(scene.measured->displacement[65], 0.393615 * units::inch);
@@ -137,7 +135,7 @@ TEST(Measured, OwnTablesGiveTheSameMotion) {
         std::ofstream(folder / name, std::ios::binary) << words;
     };
     write("s.toml", text);
-    const Solution solution = solve(input::read_scene_file(folder / "s.toml", known_names()));
+    const Solution solution = solve(load_scene(folder / "s.toml"));
     const View view(solution);
     UniformTableOptions inches;
     inches.columns = {"theta_rad", "s_in", "theta_deg", "s_mm"};
@@ -150,7 +148,7 @@ TEST(Measured, OwnTablesGiveTheSameMotion) {
           uniform_table(view, steps).text,
           profile_csv(view, profile_rows(solution, view.delivered, default_sampling(*view.delivered.cam)))}) {
         write("t.csv", table);
-        const Scene scene = input::read_scene_file(folder / "s.toml", known_names());
+        const Scene scene = load_scene(folder / "s.toml");
         const MeasuredReport report = measured_report(scene, solution.reference_peaks);
         EXPECT_GT(report.rows, 100);
         EXPECT_LT(report.largest_error, 1e-8) << table.substr(0, 60);
@@ -170,7 +168,7 @@ TEST(Measured, ExportsOfExampleScenesReadBack) {
         std::ofstream(file.parent_path() / "t.csv", std::ios::binary)
             << uniform_table(View(solution), {}).text;
         std::ofstream(file, std::ios::binary) << text << "\n[measured]\ntable = \"t.csv\"\n";
-        const Scene scene = input::read_scene_file(file, known_names());
+        const Scene scene = load_scene(file);
         const MeasuredReport report = measured_report(scene, solution.reference_peaks);
         EXPECT_GT(report.rows, 100) << name;
         EXPECT_LT(report.largest_error, 1e-8) << name;
@@ -292,14 +290,9 @@ TEST(NearestMotion, LimitsKeepItAway) {
 TEST(NearestMotion, NeedsTable) {
     Scene scene = nearest_scene(false, 0.0);
     scene.measured.reset();
-    try {
-        (void)solve(scene);
-        ADD_FAILURE() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "objective.deviation: found a weight > 0 without [measured]; allowed: 0, or a table "
-                     "[measured] to deviate from");
-    }
+    EXPECT_EQ(refusal([&] { (void)solve(scene); }),
+              "objective.deviation: found a weight > 0 without [measured]; allowed: 0, or a table "
+              "[measured] to deviate from");
 }
 
 TEST(NearestLaw, IsNamedWithItsAngles) {
@@ -318,15 +311,9 @@ TEST(NearestLaw, IsNamedWithItsAngles) {
 
 TEST(Measured, TooFewRowsAreRefused) {
     const Scene scene = measured_scene(9, cycloid, 64);
-    try {
-        (void)solve(scene);
-        ADD_FAILURE() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_STREQ(
-            error.what(),
-            "measured: found 10 rows for a spline with 61 free numbers; allowed: as many rows at least, or "
-            "fewer spline.segments");
-    }
+    EXPECT_EQ(refusal([&] { (void)solve(scene); }),
+              "measured: found 10 rows for a spline with 61 free numbers; allowed: as many rows at least, or "
+              "fewer spline.segments");
 }
 
 TEST(Measured, FaultsNameTheRow) {

@@ -4,9 +4,7 @@
 #include "objectives/motion_bounds.hpp"
 
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
-#include "studies/solve/solve.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +15,7 @@
 namespace camopt {
 namespace motion_bounds_test {
 
-Scene scene_of(const std::string& toml) {
-    return input::read_scene(toml, "s.toml", known_names(), {});
-}
+using namespace testing_support;
 
 /// The largest of sign · y^(order) on a dense grid of [from, until].
 double largest(const Motion& motion, std::size_t order, int sign, double from, double until) {
@@ -49,8 +45,8 @@ class ValveLobe : public testing::TestWithParam<Lobe> {};
 
 TEST_P(ValveLobe, MatchesTheIndependentOptimum) {
     const Lobe& lobe = GetParam();
-    Scene scene =
-        scene_of("[motion]\ntype = \"RR\"\n[objective]\narea = 1\nreference = { area = 0.5, jerk = 36.5 }\n");
+    Scene scene = TestScene(
+        "[motion]\ntype = \"RR\"\n[objective]\narea = 1\nreference = { area = 0.5, jerk = 36.5 }\n");
     scene.spline.segments = lobe.segments;
     scene.spline.by_stroke = false;
     scene.motion.within_lift = false;  // area is gained above the lift
@@ -74,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Weights, ValveLobe,
                                          Lobe{32, 9.0, 4.5, 150.0, 0.7, 0.3, 0.9760438746}));
 
 TEST(LostArea, OfEveryLawIsOneHalf) {
-    const Scene scene = scene_of("[motion]\ntype = \"DRD\"\n[objective]\narea = 1\njerk = 1\n");
+    const Scene scene = TestScene("[motion]\ntype = \"DRD\"\n[objective]\narea = 1\njerk = 1\n");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.own_terms.size(), 1U);
     EXPECT_NEAR(solution.own_terms[0].reference, 0.5, 1e-12);  // modified sine
@@ -90,7 +86,7 @@ TEST(LostArea, OfEveryLawIsOneHalf) {
 
 /// Small weights are solved scaled.
 TEST(LostArea, SmallWeightScalesTheObjective) {
-    Scene scene = scene_of("[motion]\ntype = \"DRD\"\n[objective]\narea = 1\n[limits]\njerk = 80\n");
+    Scene scene = TestScene("[motion]\ntype = \"DRD\"\n[objective]\narea = 1\n[limits]\njerk = 80\n");
     const double whole = solve(scene).certificate.objective;
     scene.objective.area = 0.01;
     const Solution small = solve(scene);
@@ -102,35 +98,14 @@ TEST(LostArea, SmallWeightScalesTheObjective) {
 /// A cost that is not convex is bounded over boxes, the area with it.
 TEST(LostArea, IsProvedWithTorqueTerm) {
     const Solution solution =
-        solve(scene_of("[motion]\ntype = \"DRD\"\n[spline]\nsegments = 6\n[objective]\narea = 0.5\ntorque = "
-                       "0.5\n[limits]\njerk = 90\n"));
+        solve(TestScene("[motion]\ntype = \"DRD\"\n[spline]\nsegments = 6\n[objective]\narea = 0.5\ntorque = "
+                        "0.5\n[limits]\njerk = 90\n"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
 }
 
 /// Bounds of all four derivatives on stretches that no breakpoint meets; the ends belong to the stretch.
 TEST(Corridor, HoldsAtEveryAngleOfItsStretch) {
-    const Scene scene = scene_of(R"(
-[motion]
-type = "DRD"
-lift_mm = 10
-rise_deg = 120
-speed_rpm = 300
-[[motion.corridor]]
-from_deg = 21
-to_deg = 41
-displacement_mm = { max = 1 }
-[[motion.corridor]]
-from_deg = 61.5
-to_deg = 83.2
-velocity_mm_s = { min = 60, max = 260 }
-acceleration_m_s2 = { max = 4 }
-[spline]
-degree = 5
-segments = 24
-[objective]
-acceleration = 0.5
-jerk = 0.5
-)");
+    const Scene scene = scene_named("corridors");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     const Motion& motion = *solution.motion;
@@ -149,7 +124,7 @@ jerk = 0.5
 }
 
 TEST(Corridor, ImpossibleOneIsProvedAndExplained) {
-    Scene scene = scene_of(
+    Scene scene = TestScene(
         "[motion]\ntype = \"DRD\"\nlift_mm = 10\nrise_deg = 100\n[[motion.corridor]]\nto_deg = 60\n"
         "displacement_mm = { max = 0.5 }\n[objective]\njerk = 1\n[limits]\nacceleration = 8\n");
     const Solution solution = solve(scene);
@@ -163,30 +138,7 @@ TEST(Corridor, ImpossibleOneIsProvedAndExplained) {
 }
 
 TEST(SidedLimit, InTimeHoldsForAProgram) {
-    const Scene scene = scene_of(R"(
-[motion]
-type = "program"
-lift_mm = 20
-speed_rpm = 200
-[[motion.segments]]
-kind = "spline"
-angle_deg = 120
-to = 1
-[[motion.segments]]
-kind = "dwell"
-angle_deg = 60
-[[motion.segments]]
-kind = "spline"
-angle_deg = 180
-[spline]
-degree = 5
-segments = 16
-[objective]
-jerk = 1
-[limits]
-acceleration_m_s2 = { min = -9, max = 14 }
-)");
-    const Solution solution = solve(scene);
+    const Solution solution = solve(scene_named("sided_program"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     EXPECT_NEAR(solution.motion->at(0.0).derivative[1], 0.0, 1e-9)
         << "the turn ends and starts at its lowest point";
@@ -198,7 +150,7 @@ acceleration_m_s2 = { min = -9, max = 14 }
 }
 
 TEST(SidedLimit, VelocityAboveZeroIsMonotone) {
-    Scene scene = scene_of(
+    Scene scene = TestScene(
         "[motion]\ntype = \"DRD\"\nvia = [{ at = 0.5, displacement = 0.2 }]\n[spline]\nsegments = 16\n"
         "[objective]\njerk = 1\n[limits]\nvelocity = { min = 0 }\n");
     const Solution solution = solve(scene);

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What must hold beside the answers of trial_cases_test.cpp: areas that nothing or only a limit bounds, the
 // seam of a relative motion, a repeated part written out.
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
-#include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -17,13 +14,7 @@
 namespace camopt {
 namespace motion_cases_test {
 
-Solution solved(const std::string& name, const std::vector<std::string>& settings = {}) {
-    return solve(load_scene(source_folder() + "/tests/cases/" + name + ".toml", settings));
-}
-
-Solution solved_text(const std::string& toml) {
-    return solve(input::read_scene(toml, "s.toml", known_names(), {}));
-}
+using namespace testing_support;
 
 void expect_optimum(const Solution& solution, double objective, double within) {
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
@@ -31,7 +22,7 @@ void expect_optimum(const Solution& solution, double objective, double within) {
 }
 
 TEST(MotionCases, UnboundedAreaIsSaid) {
-    const Solution solution = solved("area_rr_unbounded_false_optimal");
+    const Solution& solution = solved(scene_named("area_rr_unbounded_false_optimal"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
     EXPECT_EQ(solution.certificate.reason, Reason::unbounded);
     EXPECT_FALSE(solution.certificate.lower_bound.has_value());
@@ -40,13 +31,14 @@ TEST(MotionCases, UnboundedAreaIsSaid) {
 }
 
 TEST(MotionCases, LimitsBoundTheAreaWithoutStrokes) {
-    const Solution solution = solved("area_rr_unbounded_false_optimal", {"limits.velocity=2"});
+    const Solution solution =
+        solve(scene_named("area_rr_unbounded_false_optimal").with("limits.velocity = 2"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     ASSERT_NE(solution.motion, nullptr);
 }
 
 TEST(MotionCases, ObjectiveIsThatOfTheCurve) {
-    const Solution solution = solved("objective_not_of_the_curve");
+    const Solution solution = solve(scene_named("objective_not_of_the_curve"));
     EXPECT_NE(solution.certificate.verdict, Verdict::failed) << solution.certificate.reason;
     ASSERT_NE(solution.motion, nullptr);
     EXPECT_LT(solution.certificate.objective, 0.0);
@@ -58,7 +50,7 @@ TEST(MotionCases, SeamOfRelativeMotionTurns) {
         "{ kind = \"spline\", angle_deg = 151, to = 1.29 }, { kind = \"spline\", angle_deg = 209, to = 0.25 "
         "}]\n"
         "[spline]\ndegree = 5\nsegments = 9\n[objective]\njerk = 1\n";
-    const Solution solution = solved_text(text);
+    const Solution solution = solve(TestScene(text));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     ASSERT_NE(solution.motion, nullptr);
     EXPECT_NEAR(solution.motion->at(0.0, Side::right).derivative[1], 0.0, 1e-12);
@@ -73,7 +65,7 @@ TEST(MotionCases, LawAboveStrokesCountsInArea) {
             "area = {}\njerk = 0.1\nreference = {{ area = 0.5, jerk = 69 }}\n",
             lift, 1.0 * scale, 3.0 * scale, weight);
     };
-    const Solution low = solved_text(text(10, 1.0, 1.0)), high = solved_text(text(40, 0.25, 4.0));
+    const Solution low = solve(TestScene(text(10, 1.0, 1.0))), high = solve(TestScene(text(40, 0.25, 4.0)));
     EXPECT_LT(low.certificate.objective, 0.0);
     // 4 (1 − m / 4) = (1 − m) + 3, divided by the reference 0.5.
     expect_optimum(low, high.certificate.objective - 6.0, 1e-6);
@@ -83,7 +75,7 @@ TEST(MotionCases, LawAboveStrokesCountsInArea) {
 }
 
 TEST(MotionCases, RepeatedSplinesJoin) {
-    const Solution solution = solved("repeat_refused_breakpoints");
+    const Solution& solution = solved(scene_named("repeat_refused_breakpoints"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     Scene whole = solution.scene;  // written out: by convexity its optimum has the symmetry too
     whole.motion.repeat = 1;
@@ -91,8 +83,7 @@ TEST(MotionCases, RepeatedSplinesJoin) {
 }
 
 TEST(MotionCases, StopsMustBeTheStrokes) {
-    const std::string message = testing_support::refusal(
-        [] { return load_scene(source_folder() + "/tests/cases/stops_and_to.toml"); });
+    const std::string message = refusal([] { (void)scene_named("stops_and_to").read(); });
     EXPECT_NE(message.find("stops_and_to.toml:5:1: motion.stops: found 8 stops"), std::string::npos)
         << message;
 }

@@ -4,11 +4,9 @@
 #include "studies/search/plan.hpp"
 
 #include "core/errors.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,21 +18,12 @@ namespace plan_test {
 
 using namespace testing_support;
 
-Scene example(const std::string& name) {
-    return input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names());
-}
-
 /// Two strokes whose angles have ranges.
 Scene two_angles() {
-    constexpr double degree = 3.14159265358979323846 / 180.0;
-    Scene scene = paper_objective(MotionType::program, 3, 12);
+    Scene scene = program({dwell(100), spline(120, 1.0), dwell(20), spline(120, 0.0)});
     scene.motion.lift = 40e-3;
-    scene.motion.segments = {{SegmentKind::dwell, 100 * degree, "", {}},
-                             {SegmentKind::spline, 120 * degree, "", 1.0},
-                             {SegmentKind::dwell, 20 * degree, "", {}},
-                             {SegmentKind::spline, 120 * degree, "", 0.0}};
     for (const std::size_t k : {1u, 3u})
-        scene.motion.segments[k].angle_range = AngleRange{90 * degree, 150 * degree};
+        scene.motion.segments[k].angle_range = AngleRange{90 * units::degree, 150 * units::degree};
     return scene;
 }
 
@@ -81,7 +70,7 @@ TEST(Plan, NamedSolverKeepsItsDesign) {
 }
 
 TEST(Plan, NonConvexCamIsSearchedFromStarts) {
-    const Scene scene = example("cam_undercut");
+    const Scene scene = scene_named("cam_undercut");
     const SolvePlan planned = plan(scene);
     EXPECT_FALSE(planned.convex);
     EXPECT_EQ(planned.solver, is_available("ipopt") ? "ipopt" : "structured");
@@ -107,7 +96,7 @@ TEST(Plan, StartsBeginWithWhatIsKnown) {
 }
 
 TEST(Plan, FreeKnotsAreSearched) {
-    const SolvePlan planned = plan(example("drd_free_knots"));
+    const SolvePlan planned = plan(scene_named("drd_free_knots"));
     EXPECT_GT(planned.breakpoints, 0);
     EXPECT_FALSE(planned.convex);
     EXPECT_GT(planned.starts, 1);

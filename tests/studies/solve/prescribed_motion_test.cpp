@@ -2,14 +2,11 @@
 // Programs of laws and dwells: there is one motion, and only the cam may have something to choose; loads over
 // the cam angle on it.
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/search/plan.hpp"
-#include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,42 +17,14 @@
 namespace camopt {
 namespace prescribed_motion_test {
 
-Scene scene_of(const std::string& toml) {
-    return input::read_scene(toml, "s.toml", known_names(), {});
-}
+using namespace testing_support;
 
-const std::string program = R"(
-[motion]
-type = "program"
-lift_mm = 20
-speed_rpm = 300
-[[motion.segments]]
-kind = "law"
-law = "cycloidal"
-angle_deg = 90
-to_mm = 20
-[[motion.segments]]
-kind = "dwell"
-angle_deg = 60
-[[motion.segments]]
-kind = "law"
-law = "polynomial_345"
-angle_deg = 120
-to_mm = 0
-[[motion.segments]]
-kind = "dwell"
-angle_deg = 90
-)";
-const std::string roller = R"(
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = 40
-roller_radius_mm = 10
-)";
+const TestScene program = scene_named("prescribed_laws");
+constexpr const char* roller =
+    "cam = { type = 'disk', follower = 'translating_roller', base_radius_mm = 40, roller_radius_mm = 10 }";
 
 TEST(PrescribedMotion, NeedsNeitherSplineNorObjective) {
-    const Scene scene = scene_of(program);
+    const Scene scene = program;
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     EXPECT_EQ(solution.certificate.objective, 0.0);
@@ -68,24 +37,19 @@ TEST(PrescribedMotion, NeedsNeitherSplineNorObjective) {
 }
 
 TEST(PrescribedMotion, ViolatedLimitIsInfeasible) {
-    for (const char* limit : {"[limits]\nvelocity = 1.9\n", "[limits]\nacceleration_m_s2 = 20\n",
-                              "[limits]\nacceleration_m_s2 = { min = -20 }\n"}) {
+    for (const char* limit : {"limits.velocity = 1.9", "limits.acceleration_m_s2 = 20",
+                              "limits.acceleration_m_s2 = { min = -20 }"}) {
         SCOPED_TRACE(limit);
-        Scene scene = scene_of(program + limit);
-        scene.solver.explain_seconds = 0.5;
-        const Solution solution = solve(scene);
+        const Solution solution = solve(program.with(limit, "solver.explain_seconds = 0.5"));
         EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
         ASSERT_FALSE(solution.conflict.empty());
         EXPECT_TRUE(solution.conflict.front().key.starts_with("limits."));
         ASSERT_FALSE(solution.relaxation.empty());
         EXPECT_TRUE(solution.relaxation.front().needed);
     }
-    EXPECT_EQ(solve(scene_of(program + "[limits]\nvelocity = 2.1\n")).certificate.verdict, Verdict::optimal);
-    Scene jumps =
-        input::read_scene_file(source_folder() + "/tests/support/cases/flat_all_laws.toml", known_names());
-    jumps.limits.jerk = PeakLimit(80.0);
-    jumps.solver.explain_seconds = 0.1;
-    const Solution solution = solve(jumps);
+    EXPECT_EQ(solve(program.with("limits.velocity = 2.1")).certificate.verdict, Verdict::optimal);
+    const Solution solution =
+        solve(scene_named("flat_all_laws").with("limits.jerk = 80", "solver.explain_seconds = 0.1"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible)
         << "the jerk of a simple harmonic is infinite";
     EXPECT_EQ(solution.conflict.at(0).key, "limits.jerk");
@@ -94,23 +58,21 @@ TEST(PrescribedMotion, ViolatedLimitIsInfeasible) {
 // Two simple harmonics that join into a full sine have J = π³ / 2 = 15.503.
 TEST(PrescribedMotion, JerkLimitHoldsAcrossSmoothJoints) {
     const auto eccentric = [](const char* limit) {
-        return solve(scene_of(std::string("[motion]\ntype = \"program\"\nlift_mm = 30\n"
-                                          "segments = [{ kind = \"law\", law = \"simple_harmonic\", "
-                                          "angle_deg = 180, to = 1.0 }, { kind = \"law\", law = "
-                                          "\"simple_harmonic\", angle_deg = 180, to = 0.0 }]\n"
-                                          "[limits]\njerk = ") +
-                              limit));
+        return solve(program.with(
+            "motion.segments = [{ kind = 'law', law = 'simple_harmonic', angle_deg = 180, to = 1 },"
+            "{ kind = 'law', law = 'simple_harmonic', angle_deg = 180, to = 0 }]",
+            limit));
     };
-    EXPECT_EQ(eccentric("15.51").certificate.verdict, Verdict::optimal);
-    EXPECT_EQ(eccentric("15.49").certificate.verdict, Verdict::infeasible);
+    EXPECT_EQ(eccentric("limits.jerk = 15.51").certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(eccentric("limits.jerk = 15.49").certificate.verdict, Verdict::infeasible);
 }
 
 TEST(PrescribedMotion, HasACamWithItsLimits) {
-    const Solution solution = solve(scene_of(program + roller + "[limits]\npressure_angle_deg = 40\n"));
+    const Solution solution = solve(program.with(roller, "limits.pressure_angle_deg = 40"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     ASSERT_TRUE(solution.cam);
     EXPECT_GT(solution.cam->summary.pressure_angle.value, 10.0 * units::degree);
-    const Solution broken = solve(scene_of(program + roller + "[limits]\npressure_angle_deg = 10\n"));
+    const Solution broken = solve(program.with(roller, "limits.pressure_angle_deg = 10"));
     EXPECT_EQ(broken.certificate.verdict, Verdict::infeasible);
     const auto base = std::ranges::find(broken.relaxation, "cam.base_radius_mm", &Relaxation::key);
     ASSERT_NE(base, broken.relaxation.end());
@@ -119,8 +81,7 @@ TEST(PrescribedMotion, HasACamWithItsLimits) {
 
 /// The smallest flat-face cam without undercut: base = max −(s + s''), here on a dense grid.
 TEST(PrescribedMotion, SmallestBaseCircleIsFound) {
-    const Scene scene =
-        input::read_scene_file(source_folder() + "/tests/support/cases/flat_all_laws.toml", known_names());
+    const Scene scene = scene_named("flat_all_laws");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     const double angle = scene.motion.unit_angle(), lift = scene.motion.lift;
@@ -135,28 +96,26 @@ TEST(PrescribedMotion, SmallestBaseCircleIsFound) {
 }
 
 TEST(PrescribedMotion, LawsSayWhereTheyEnd) {
-    const std::string message = testing_support::refusal([] {
-        static_cast<void>(scene_of(
-            "[motion]\ntype = \"program\"\n[[motion.segments]]\nkind = \"law\"\nlaw = \"cycloidal\"\n"
-            "angle_deg = 180\nto = 1\n[[motion.segments]]\nkind = \"law\"\nlaw = \"cycloidal\"\n"
-            "angle_deg = 180\n"));
+    const std::string message = refusal([] {
+        (void)program
+            .with(
+                "motion.segments = [{ kind = 'law', law = 'cycloidal', angle_deg = 180, to = 1 },"
+                "{ kind = 'law', law = 'cycloidal', angle_deg = 180 }]")
+            .read();
     });
     EXPECT_NE(message.find("motion.segments[1].to"), std::string::npos) << message;
 }
 
-const std::string forces = R"(
-[forces]
-mass_kg = 0.8
-spring_rate_n_mm = 4
-preload_n = 120
-damping_n_s_m = 30
-contact_width_mm = 12
-)";
+TestScene with_forces(const TestScene& scene, const char* load) {
+    return scene.with(roller,
+                      "forces = { mass_kg = 0.8, spring_rate_n_mm = 4, preload_n = 120, damping_n_s_m = 30, "
+                      "contact_width_mm = 12 }",
+                      load);
+}
 
 /// By the formula of the manual, at every angle.
 TEST(ForceLoad, CountsInForceTorqueAndPressure) {
-    const Scene scene =
-        scene_of(program + roller + forces + "load_n = [[0, 0], [80, 400], [150, 100], [300, 50]]\n");
+    const Scene scene = with_forces(program, "forces.load_n = [[0, 0], [80, 400], [150, 100], [300, 50]]");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.cam && solution.cam->summary.forces);
     const double angle = scene.motion.unit_angle(), lift = scene.motion.lift, speed = *scene.motion.speed;
@@ -186,22 +145,11 @@ TEST(ForceLoad, CountsInForceTorqueAndPressure) {
 }
 
 TEST(ForceLoad, LimitsHoldWithIt) {
-    const std::string splines = R"(
-[motion]
-type = "RR"
-lift_mm = 12
-rise_deg = 110
-speed_rpm = 400
-[spline]
-degree = 5
-segments = 16
-[objective]
-acceleration = 1
-[solver]
-starts = 1
-)";
-    const std::string load = "load_n = [[0, 100], [60, -150], [150, -120], [220, 200]]\n";
-    Scene scene = scene_of(splines + roller + forces + load + "[limits]\ncontact_force_min_n = 20\n");
+    const TestScene splines(
+        "motion = { type = 'RR', lift_mm = 12, rise_deg = 110, speed_rpm = 400 }\n"
+        "spline = { degree = 5, segments = 16 }\nobjective.acceleration = 1\nsolver.starts = 1\n");
+    Scene scene = with_forces(splines, "forces.load_n = [[0, 100], [60, -150], [150, -120], [220, 200]]")
+                      .with("limits.contact_force_min_n = 20");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion) << solution.certificate.reason;
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
@@ -212,11 +160,10 @@ starts = 1
 }
 
 TEST(RoundTappet, ContactStaysOnTheChord) {
-    const std::string head =
-        "[motion]\ntype = \"RR\"\nlift_mm = 8\nrise_deg = 60\nspeed_rpm = 500\n[spline]\nsegments = 16\n"
-        "[objective]\njerk = 1\n[cam]\ntype = \"disk\"\nfollower = \"translating_flat\"\n"
-        "base_radius_mm = 30\nface_radius_mm = 15\n";
-    const Scene scene = scene_of(head + "[forces]\ncontact_width_mm = 14\npreload_n = 100\n");
+    const Scene scene = TestScene(
+        "motion = { type = 'RR', lift_mm = 8, rise_deg = 60, speed_rpm = 500 }\nspline.segments = 16\n"
+        "cam = { type = 'disk', follower = 'translating_flat', base_radius_mm = 30, face_radius_mm = 15 }\n"
+        "forces = { contact_width_mm = 14, preload_n = 100 }\nobjective.jerk = 1\n");
     EXPECT_NEAR(scene.cam->face_half_width.value(), std::sqrt(15e-3 * 15e-3 - 7e-3 * 7e-3), 1e-15);
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;

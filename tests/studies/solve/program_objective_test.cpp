@@ -7,7 +7,8 @@
 #include "solvers/certificate/certificate.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,24 +23,10 @@ namespace program_objective_test {
 
 using namespace testing_support;
 
-ProgramSegment dwell(double degrees_) {
-    return {SegmentKind::dwell, degrees_ * units::degree, "", {}};
-}
-ProgramSegment spline(double degrees_, std::optional<double> to = {}) {
-    return {SegmentKind::spline, degrees_ * units::degree, "", to};
-}
-ProgramSegment law(double degrees_, const char* key, std::optional<double> to = {}) {
-    return {SegmentKind::law, degrees_ * units::degree, key, to};
-}
-
-Scene program(std::vector<ProgramSegment> segments, bool closed = true) {
-    Scene scene;
-    scene.motion.type = MotionType::program;
-    scene.motion.lift = 20e-3;
-    scene.motion.segments = std::move(segments);
+/// Its splines have 5 segments each.
+Scene chain(std::vector<ProgramSegment> segments, bool closed = true) {
+    Scene scene = program(std::move(segments), 5);
     scene.motion.closed = closed;
-    scene.spline.segments = 5;
-    paper_weights(scene);
     return scene;
 }
 
@@ -167,13 +154,13 @@ void expect_proved(const Solution& solution) {
 TEST(ProgramObjective, IsMeasuredByTheLift) {
     // Two splines share the rise: where they part is free.
     const Solution solution =
-        solve(program({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)}));
+        solve(chain({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)}));
     expect_measured(solution);
     expect_proved(solution);
 }
 
 TEST(ProgramObjective, OpenChainScalesWithLift) {
-    const Solution solution = solve(program({spline(60), spline(80, 1.0), dwell(30)}, false));
+    const Solution solution = solve(chain({spline(60), spline(80, 1.0), dwell(30)}, false));
     expect_measured(solution);
     expect_proved(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
@@ -181,18 +168,17 @@ TEST(ProgramObjective, OpenChainScalesWithLift) {
 
 TEST(ProgramObjective, DwellBetweenSplinesScalesWithLift) {
     // Two rises of the same shape share the lift: each half of it has half the peaks.
-    const Solution solution = solve(program({spline(60), dwell(30), spline(80, 1.0), dwell(30)}, false));
+    const Solution solution = solve(chain({spline(60), dwell(30), spline(80, 1.0), dwell(30)}, false));
     expect_measured(solution);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     expect_proved(solution);
-    Scene rise = program({}, false);
-    rise.motion = {};
+    const Scene rise = paper_objective(MotionType::drd, 3, 5);
     EXPECT_NEAR(solution.certificate.objective, 0.5 * solve(rise).certificate.objective, 1e-7);
 }
 
 TEST(ProgramObjective, PeakCapsScaleWithLift) {
-    Scene scene = program({spline(60), spline(80, 1.0), dwell(30)}, false);
-    scene.limits.velocity = PeakLimit{1.3, "limits.velocity", 1.3, ""};
+    Scene scene = chain({spline(60), spline(80, 1.0), dwell(30)}, false);
+    scene.limits.velocity = normalised_limit("limits.velocity", 1.3);
     const Solution solution = solve(scene);
     expect_measured(solution);
     EXPECT_LE(measured(solution).peak[1], 1.3 * (1.0 + 1e-7));
@@ -201,7 +187,7 @@ TEST(ProgramObjective, PeakCapsScaleWithLift) {
 }
 
 TEST(ProgramObjective, ThreeFreeDisplacementsScaleWithLift) {
-    Scene scene = program({spline(50), spline(60), spline(40), spline(70, 1.0), dwell(30)}, false);
+    Scene scene = chain({spline(50), spline(60), spline(40), spline(70, 1.0), dwell(30)}, false);
     scene.spline.segments = 2;
     const Solution solution = solve(scene);
     expect_measured(solution);
@@ -210,44 +196,43 @@ TEST(ProgramObjective, ThreeFreeDisplacementsScaleWithLift) {
 
 TEST(ProgramObjective, FreeLawScalesWithLift) {
     const Solution solution =
-        solve(program({law(60, "cycloidal"), dwell(20), spline(80, 1.0), dwell(30), spline(170, 0.0)}));
+        solve(chain({law(60, "cycloidal"), dwell(20), spline(80, 1.0), dwell(30), spline(170, 0.0)}));
     expect_measured(solution);
     expect_proved(solution);
 }
 
 TEST(ProgramObjective, CamProgramScalesWithLift) {
-    Scene scene = program({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)});
+    Scene scene = chain({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)});
     scene.cam = disk_spec({});
     scene.cam->set(DimensionIndex::base_radius, 25e-3);
     scene.cam->set(DimensionIndex::roller_radius, 8e-3);
-    scene.limits.pressure_angle =
-        WrittenLimit{35.0 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
+    scene.limits.pressure_angle = degrees(35.0, "limits.pressure_angle_deg");
     const Solution solution = solve(scene);
     expect_measured(solution);
     EXPECT_LE(solution.cam->summary.pressure_angle.value, 35.0 * units::degree * (1.0 + 1e-7));
 }
 
 TEST(ProgramObjective, ACheckCountsTheFreeDisplacements) {
-    const SceneCheck one = check_scene(program({spline(60), spline(80, 1.0), dwell(30)}, false));
+    const SceneCheck one = check_scene(chain({spline(60), spline(80, 1.0), dwell(30)}, false));
     EXPECT_EQ(one.plan.displacements, 1);
     EXPECT_TRUE(one.plan.convex);
-    const SceneCheck none = check_scene(program({spline(60, 0.5), spline(80, 1.0), dwell(30)}, false));
+    const SceneCheck none = check_scene(chain({spline(60, 0.5), spline(80, 1.0), dwell(30)}, false));
     EXPECT_EQ(none.plan.displacements, 0);
     EXPECT_TRUE(none.plan.convex);
 }
 
 /// Its control points are one number; the derivatives of its pieces were the rounding of that number.
 TEST(ProgramObjective, StationarySplineIsZero) {
-    Scene scene = program({dwell(30), law(32, "polynomial_345", 0.75), spline(29),
-                           law(50, "modified_sine", 1.0), law(105, "modified_sine", 0.0), dwell(114)});
+    Scene scene = chain({dwell(30), law(32, "polynomial_345", 0.75), spline(29),
+                         law(50, "modified_sine", 1.0), law(105, "modified_sine", 0.0), dwell(114)});
     scene.spline.segments = 8;
     scene.spline.design = DesignKind::states;
     scene.objective = {};
     scene.objective.jerk = 0.72671110930080107;
     const Solution closed = solve(scene);
-    scene = program({law(81, "polynomial_345", 0.5), spline(105), law(50, "cycloidal", 0.75), spline(74),
-                     dwell(25), law(25, "modified_sine", 0.0)},
-                    false);
+    scene = chain({law(81, "polynomial_345", 0.5), spline(105), law(50, "cycloidal", 0.75), spline(74),
+                   dwell(25), law(25, "modified_sine", 0.0)},
+                  false);
     scene.spline.segments = 12;
     scene.objective = {};
     scene.objective.acceleration = 0.67;
@@ -267,18 +252,18 @@ TEST(ProgramObjective, StationarySplineIsZero) {
 /// The first spline has a least acceleration of 3, whatever follows, and only one displacement of the second
 /// needs no more: cases that hold no motion have to be proved empty, or the search ends among them.
 TEST(ProgramObjective, FindsOnlyFeasibleDisplacement) {
-    Scene scene = program({spline(85, 0.5), spline(102), law(173, "polynomial_4567", 0.0)});
+    Scene scene = chain({spline(85, 0.5), spline(102), law(173, "polynomial_4567", 0.0)});
     scene.spline.segments = 3;
     scene.objective = {};
     scene.objective.velocity = 0.3;
     scene.objective.acceleration = 0.57;
     scene.objective.jerk = 0.82;
-    scene.limits.jerk = PeakLimit{115.2, "limits.jerk", 115.2, ""};
+    scene.limits.jerk = normalised_limit("limits.jerk", 115.2);
     const Solution free = solve(scene);
     ASSERT_EQ(free.certificate.verdict, Verdict::optimal) << free.certificate.reason;
     for (const double room : {1e-7, 1e-5, 3e-4}) {
-        const double most = free.peaks.acceleration.value * (1.0 + room);
-        scene.limits.acceleration = PeakLimit{most, "limits.acceleration", most, ""};
+        scene.limits.acceleration =
+            normalised_limit("limits.acceleration", free.peaks.acceleration.value * (1.0 + room));
         const Solution capped = solve(scene);
         ASSERT_EQ(capped.certificate.verdict, Verdict::optimal) << room << " " << capped.certificate.reason;
         EXPECT_NEAR(capped.certificate.objective, free.certificate.objective, 1e-6);
@@ -288,23 +273,18 @@ TEST(ProgramObjective, FindsOnlyFeasibleDisplacement) {
 }
 
 std::string message_of(const Scene& scene) {
-    try {
-        (void)solve(scene);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal([&] { (void)solve(scene); });
 }
 
 TEST(ProgramObjective, MotionlessProgramIsRefused) {
-    const std::string free = message_of(program({spline(180), spline(180)}));
+    const std::string free = message_of(chain({spline(180), spline(180)}));
     EXPECT_NE(free.find("motion.segments[0].to"), std::string::npos) << free;
     EXPECT_NE(free.find("nothing has to move"), std::string::npos) << free;
-    const std::string zero = message_of(program({dwell(90), law(90, "cycloidal"), spline(180, 0.0)}));
+    const std::string zero = message_of(chain({dwell(90), law(90, "cycloidal"), spline(180, 0.0)}));
     EXPECT_NE(zero.find("motion.segments[1].to"), std::string::npos) << zero;
-    EXPECT_NE(message_of(program({dwell(90), spline(270)})), "");
-    EXPECT_NE(message_of(program({spline(90)}, false)), "");
-    EXPECT_EQ(message_of(program({spline(90, 1.0)}, false)), "");
+    EXPECT_NE(message_of(chain({dwell(90), spline(270)})), "no refusal");
+    EXPECT_NE(message_of(chain({spline(90)}, false)), "no refusal");
+    EXPECT_EQ(message_of(chain({spline(90, 1.0)}, false)), "no refusal");
 }
 
 /// Programs of all kinds of segments, closed and open, most `to` missing.
@@ -343,13 +323,13 @@ class RandomPrograms {
         for (const ProgramSegment& segment : segments) total += segment.angle;
         const double turn = 360.0 * units::degree * (closed ? 1.0 : 0.9);
         for (ProgramSegment& segment : segments) segment.angle *= turn / total;
-        Scene scene = program(std::move(segments), closed);
+        Scene scene = chain(std::move(segments), closed);
         scene.spline.degree = chance(0.7) ? 3 : 5;
         scene.spline.segments = static_cast<int>(uniform(2.0, 5.999));
         scene.objective.velocity = uniform(0.0, 1.0);
         scene.objective.acceleration = uniform(0.0, 1.0);
         scene.objective.jerk = uniform(0.05, 1.0);
-        if (chance(0.2)) scene.limits.velocity = PeakLimit{2.5, "limits.velocity", 2.5, ""};
+        if (chance(0.2)) scene.limits.velocity = normalised_limit("limits.velocity", 2.5);
         scene.solver.max_seconds = 20.0;
         return scene;
     }

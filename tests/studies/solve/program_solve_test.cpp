@@ -4,7 +4,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,34 +15,14 @@ namespace program_solve_test {
 
 using namespace testing_support;
 
-ProgramSegment dwell(double degrees_) {
-    return {SegmentKind::dwell, degrees_ * units::degree, "", {}};
-}
-ProgramSegment spline(double degrees_, std::optional<double> to = {}) {
-    return {SegmentKind::spline, degrees_ * units::degree, "", to};
-}
-ProgramSegment law(double degrees_, const char* key, std::optional<double> to) {
-    return {SegmentKind::law, degrees_ * units::degree, key, to};
-}
-
-Scene program(std::vector<ProgramSegment> segments) {
-    Scene scene;
-    scene.motion.type = MotionType::program;
-    scene.motion.lift = 20e-3;
-    scene.motion.segments = std::move(segments);
-    paper_weights(scene);
-    return scene;
-}
-
 double jump(const Motion& motion, double left, double right, int order) {
     return std::abs(motion.at(left, Side::left).derivative[order] -
                     motion.at(right, Side::right).derivative[order]);
 }
 
 TEST(Program, RiseBetweenDwellsMatchesSingleRise) {
-    Scene rise;
-    paper_weights(rise);
-    Scene whole = program({dwell(60), spline(100, 1.0), dwell(40), law(160, "polynomial_345", 0.0)});
+    const Scene rise = paper_objective(MotionType::drd, 3, 12);
+    const Scene whole = program({dwell(60), spline(100, 1.0), dwell(40), law(160, "polynomial_345", 0.0)});
     const Solution alone = solve(rise), within = solve(whole);
     ASSERT_EQ(within.certificate.verdict, Verdict::optimal);
     EXPECT_NEAR(within.certificate.objective, alone.certificate.objective, 1e-8);
@@ -157,7 +137,7 @@ TEST(Program, PressureAngleCoversWholeRevolution) {
     const Solution free = solve(scene);
     ASSERT_EQ(free.certificate.verdict, Verdict::optimal);
     const double limit = 0.9 * free.cam->summary.pressure_angle.value;
-    scene.limits.pressure_angle = WrittenLimit{limit, "limits.pressure_angle_deg", units::degree, "deg"};
+    scene.limits.pressure_angle = degrees(limit / units::degree, "limits.pressure_angle_deg");
     const Solution kept = solve(scene);
     ASSERT_EQ(kept.certificate.verdict, Verdict::optimal);
     EXPECT_NEAR(kept.cam->summary.pressure_angle.value, limit, 1e-7);
@@ -173,15 +153,10 @@ TEST(Program, PressureAngleCoversWholeRevolution) {
 /// Quintics of the same continuity hold every cubic. A row of the last spline before the law was one of the
 /// law, and "proved" that the jerk limit cannot be kept.
 TEST(Program, QuinticsAreNoWorseThanCubics) {
-    Scene scene;
-    scene.motion.type = MotionType::program;
-    constexpr double degree = 3.14159265358979323846 / 180.0;
-    scene.motion.segments = {{SegmentKind::spline, 97 * degree, {}, 0.75},
-                             {SegmentKind::spline, 107 * degree, {}, 0.0},
-                             {SegmentKind::law, 67 * degree, "polynomial_345", 0.5},
-                             {SegmentKind::spline, 64 * degree, {}, 0.75},
-                             {SegmentKind::spline, 25 * degree, {}, {}}};
-    scene.spline.segments = 6;
+    Scene scene = program(
+        {spline(97, 0.75), spline(107, 0.0), law(67, "polynomial_345", 0.5), spline(64, 0.75), spline(25)},
+        6);
+    scene.objective = {};
     scene.objective.jerk = 1.0;
     const Solution cubic = solve(scene);
     ASSERT_EQ(cubic.certificate.verdict, Verdict::optimal);

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Motors in place of cams: torque, its root mean square, speed, torque-speed curve, as limits and terms.
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "objectives/drive_rules.hpp"
-#include "studies/solve/solve.hpp"
+#include "tests/support/solved_scene.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,22 +13,13 @@
 namespace camopt {
 namespace servo_axis_test {
 
-Scene scene_of(const std::string& toml) {
-    return input::read_scene(toml, "s.toml", known_names(), {});
-}
+using namespace testing_support;
 
 /// A slide of 100 mm in 0.12 s of a cycle of 0.3 s.
-const std::string slide =
-    "[motion]\ntype = \"DRD\"\nlift_mm = 100\nrise_deg = 144\nspeed_rpm = 200\n[drive]\nload_mass_kg = 8\n"
-    "motor_inertia_kg_m2 = 4e-4\ntransmission_mm_per_rev = 60\nviscous_n_s_m = 40\nforce_n = 30\n";
-const std::string rms = "[objective]\nmotor_torque_rms = 1\nreference = { motor_torque_rms = 1 }\n";
-
-Solution optimum_of(const Scene& scene) {
-    Solution solution = solve(scene);
-    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
-    if (!solution.motion || !solution.drive) throw InputError("no motion, or no motor");
-    return solution;
+TestScene slide(int segments, const char* objective = "objective.motor_torque_rms = 1") {
+    return scene_named("servo_slide").set("spline.segments", segments).with(objective);
 }
+constexpr const char* jerk = "objective = { jerk = 1 }";
 
 /// At 10,000 points, beside the exact figures.
 template <class Figure>
@@ -50,21 +38,19 @@ double largest_sample(const Solution& solution, const Figure& figure) {
 // Reference numbers: least ∫ τ² over C2 cubics and C4 quintics from rest to rest (one linear system, Gauss
 // quadrature); with the limit by CVXOPT to 1e-9.
 TEST(ServoAxis, LeastRmsTorqueOfSlide) {
-    const std::string spline = "[spline]\nsegments = 24\ndegree = ";
-    const Solution cubic = optimum_of(scene_of(slide + rms + spline + "3\n"));
+    const Solution cubic = optimum_of(slide(24));
     EXPECT_NEAR(cubic.certificate.objective, 1.922352972, 1e-8);
     EXPECT_NEAR(cubic.drive->rms_torque, 1.922352972, 1e-8);
-    const Solution quintic = optimum_of(scene_of(slide + rms + spline + "5\n"));
+    const Solution quintic = optimum_of(slide(24).with("spline.degree = 5"));
     EXPECT_NEAR(quintic.certificate.objective, 1.876741727, 1e-8);
-    const Solution capped =
-        optimum_of(scene_of(slide + rms + spline + "3\n[limits]\nmotor_torque_nm = 4.2\n"));
+    const Solution capped = optimum_of(slide(24).with("limits.motor_torque_nm = 4.2"));
     EXPECT_NEAR(capped.certificate.objective, 1.973311089, 1e-8);
     EXPECT_NEAR(capped.drive->torque.value, 4.2, 1e-7);
     EXPECT_LE(largest_sample(capped, [](const DrivePoint& at) { return std::abs(at.torque); }), 4.2 + 1e-7);
 }
 
 TEST(ServoAxis, TorqueOfSlideInNumbers) {
-    const Scene scene = scene_of(slide + rms);
+    const Scene scene = scene_named("servo_slide");
     const DriveTorque torque = drive_torque(*scene.drive, scene.motion);
     EXPECT_NEAR(torque.acceleration, 0.821404685639, 1e-12);
     EXPECT_NEAR(torque.velocity, 0.318309886184, 1e-12);
@@ -72,16 +58,15 @@ TEST(ServoAxis, TorqueOfSlideInNumbers) {
 }
 
 TEST(ServoAxis, LimitOfRmsIsConvexQuadratic) {
-    const std::string jerk = "[objective]\njerk = 1\n[spline]\nsegments = 16\n";
-    const Solution free = optimum_of(scene_of(slide + jerk));
+    const Solution free = optimum_of(slide(16, jerk));
     ASSERT_GT(free.drive->rms_torque, 2.0);
-    const Solution capped = optimum_of(scene_of(slide + jerk + "[limits]\nmotor_torque_rms_nm = 2.0\n"));
+    const Solution capped = optimum_of(slide(16, jerk).with("limits.motor_torque_rms_nm = 2"));
     EXPECT_NEAR(capped.drive->rms_torque, 2.0, 2e-8);
     EXPECT_GT(capped.certificate.objective, free.certificate.objective);
     ASSERT_EQ(capped.constraints.size(), 1U);
     EXPECT_TRUE(capped.constraints.front().active);
     // No motion of this spline is below the least one.
-    const Solution none = solve(scene_of(slide + jerk + "[limits]\nmotor_torque_rms_nm = 1.85\n"));
+    const Solution none = solve(slide(16, jerk).with("limits.motor_torque_rms_nm = 1.85"));
     EXPECT_EQ(none.certificate.verdict, Verdict::infeasible);
     ASSERT_FALSE(none.conflict.empty());
     EXPECT_EQ(none.conflict.front().key, "limits.motor_torque_rms_nm");
@@ -90,21 +75,15 @@ TEST(ServoAxis, LimitOfRmsIsConvexQuadratic) {
 /// The tangent of the quadratic row is that at the solver's point: at the delivered one, a little inside, it
 /// missed the last 8e-6 of this bound.
 TEST(ServoAxis, CurvedRowIsProvedSharply) {
-    const Solution solution = optimum_of(scene_of(
-        "[motion]\ntype = \"DRD\"\nlift_deg = 60\nspeed_rpm = 62\nmonotone = true\nrise_deg = 80\n"
-        "[spline]\ndegree = 5\nsegments = 14\n[drive]\nload_inertia_kg_m2 = 0.039\n"
-        "transmission_deg_per_rev = 36\nmoment_nm = -0.1965\nfriction_nm = 0.7209\n"
-        "[objective]\njerk = 0.1\nreference = { jerk = 50 }\n[limits]\n"
-        "motor_curve = [[0, 0.6529], [510, 0.6529], [1367, 0.1959]]\nmotor_torque_rms_nm = 0.1559\n"));
+    const Solution solution = optimum_of(scene_named("servo_curved_row"));
     ASSERT_TRUE(solution.certificate.gap);
     EXPECT_LE(*solution.certificate.gap, 1e-7);
     EXPECT_NEAR(solution.drive->rms_torque, 0.1559, 1e-9);
 }
 
 TEST(ServoAxis, MotorCurveIsActiveAtCorner) {
-    const std::string curve = "[limits]\nmotor_curve = [[0, 4.4], [900, 4.4], [2100, 1.2]]\n";
     const Solution solution =
-        optimum_of(scene_of(slide + "[objective]\njerk = 1\n[spline]\nsegments = 32\n" + curve));
+        optimum_of(slide(32, jerk).with("limits.motor_curve = [[0, 4.4], [900, 4.4], [2100, 1.2]]"));
     const auto share = [&](const DrivePoint& at) {
         const double rpm = std::abs(at.speed) / units::revolution_per_minute, torque = std::abs(at.torque);
         return std::max(
@@ -115,16 +94,7 @@ TEST(ServoAxis, MotorCurveIsActiveAtCorner) {
 }
 
 TEST(ServoAxis, FrictionOpposesEveryStroke) {
-    const std::string program =
-        "[motion]\ntype = \"program\"\nlift_deg = 30\nspeed_rpm = 60\nmonotone = true\nsegments = [\n"
-        "{ kind = \"dwell\", angle_deg = 40 },\n{ kind = \"spline\", angle_deg = 120, to = 1 },\n"
-        "{ kind = \"dwell\", angle_deg = 50 },\n"
-        "{ kind = \"law\", law = \"modified_sine\", angle_deg = 150, to = 0 },\n]\n"
-        "[spline]\nsegments = 10\n[drive]\nload_inertia_kg_m2 = 0.2\nmotor_inertia_kg_m2 = 1e-4\n"
-        "transmission_deg_per_rev = 36\nviscous_nm_s_rad = 0.3\nmoment_nm = 1.5\nfriction_nm = 0.8\n"
-        "[limits]\nmotor_torque_nm = { min = -0.4, max = 0.72 }\n[objective]\njerk = 0.2\nmotor_torque_rms "
-        "= 1\n";
-    const Solution solution = optimum_of(scene_of(program));
+    const Solution solution = optimum_of(scene_named("servo_friction"));
     const double ratio = 0.1;
     const Motion& motion = *solution.motion;
     double sum = 0.0;
@@ -146,19 +116,17 @@ TEST(ServoAxis, FrictionOpposesEveryStroke) {
 }
 
 TEST(ServoAxis, TermOfPeakIsLeastPeak) {
-    const Solution solution = optimum_of(scene_of(
-        slide +
-        "[objective]\nmotor_torque = 1\nreference = { motor_torque = 1 }\n[spline]\nsegments = 16\n"));
+    const Solution solution =
+        optimum_of(slide(16, "objective = { motor_torque = 1, reference = { motor_torque = 1 } }"));
     EXPECT_NEAR(solution.drive->torque.value, solution.certificate.objective, 1e-7);
     // With the peak as a limit a little below there is none.
-    const std::string below =
-        fmt::format("[objective]\njerk = 1\n[spline]\nsegments = 16\n[limits]\nmotor_torque_nm = {}\n",
-                    0.9999 * solution.certificate.objective);
-    EXPECT_EQ(solve(scene_of(slide + below)).certificate.verdict, Verdict::infeasible);
+    const TestScene below =
+        slide(16, jerk).set("limits.motor_torque_nm", 0.9999 * solution.certificate.objective);
+    EXPECT_EQ(solve(below).certificate.verdict, Verdict::infeasible);
 }
 
 TEST(ServoAxis, SceneWithoutMotorHasNoRule) {
-    const Solution solution = solve(scene_of("[motion]\ntype = \"DRD\"\n[objective]\njerk = 1\n"));
+    const Solution solution = solve(TestScene("motion.type = 'DRD'\nobjective.jerk = 1\n"));
     EXPECT_FALSE(solution.drive);
     EXPECT_TRUE(solution.constraints.empty());
     EXPECT_TRUE(solution.own_terms.empty());

@@ -8,6 +8,7 @@
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,16 +23,11 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 
 /// 10 mm in 120 deg at 300 rpm; from 40 to 70 deg at 180 mm/s: 1.2 of the mean velocity 150 mm/s.
 Scene region_scene(int spline_degree, DesignKind design) {
-    Scene scene = paper_objective(MotionType::drd, spline_degree, 24);
-    scene.motion.lift = 10e-3;
-    scene.motion.rise = 120 * degree;
-    scene.motion.speed = 10 * 3.14159265358979323846;
-    scene.spline.design = design;
-    SetPoint region{.at = 1.0 / 3.0, .velocity = 1.2, .until = 7.0 / 12.0};
-    region.units.place = "deg";
-    region.units.velocity = "mm/s";
-    scene.motion.via = {region};
-    return scene;
+    return scene_named("drd_cubic_12")
+        .with("motion.lift_mm = 10", "motion.rise_deg = 120", "motion.speed_rpm = 300",
+              "spline.segments = 24", "motion.via = [{ from_deg = 40, to_deg = 70, velocity_mm_s = 180 }]")
+        .set("spline.degree", spline_degree)
+        .set("spline.design", name_of(design));
 }
 
 double farthest_from(const Motion& motion, double velocity, double begin, double end) {
@@ -133,14 +129,8 @@ TEST(Region, RiseAndReturnMayFallAndRest) {
 }
 
 TEST(Region, ProgramRegionsCountFromSegmentStart) {
-    Scene scene = paper_objective(MotionType::program, 3, 16);
-    scene.motion.lift = 20e-3;
-    const auto spline = [](double degrees, std::optional<double> to) {
-        return ProgramSegment{SegmentKind::spline, degrees * degree, "", to};
-    };
     // A region that begins where two splines meet, and a point in the other.
-    scene.motion.segments = {
-        {SegmentKind::dwell, 60 * degree, "", {}}, spline(100, 0.6), spline(80, 1.0), spline(120, 0.0)};
+    Scene scene = program({dwell(60), spline(100, 0.6), spline(80, 1.0), spline(120, 0.0)}, 16);
     scene.motion.segments[1].via = {{.at = 0.5, .displacement = 0.2}};
     scene.motion.segments[2].via = {{.at = 0.0, .velocity = 0.9, .until = 0.25}};
     const Solution solution = solve(scene);

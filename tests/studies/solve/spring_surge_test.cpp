@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Harmonics of the lift that excite the return spring: as figures, and as a limit.
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
-#include "studies/solve/solve.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -22,35 +20,11 @@
 namespace camopt {
 namespace spring_surge_test {
 
+using namespace testing_support;
+
 constexpr double pi = std::numbers::pi;
 
-Scene scene_of(const std::string& toml) {
-    return input::read_scene(toml, "s.toml", known_names(), {});
-}
-
-const std::string cam_and_spring =
-    "[cam]\ntype = \"disk\"\nfollower = \"translating_flat\"\nbase_radius_mm = 30\n[forces]\nmass_kg = 0.1\n"
-    "spring_rate_n_mm = 30\npreload_n = 250\n";
-/// The spring is 8 times as fast as the cam.
-const std::string valve =
-    "[motion]\ntype = \"RR\"\nlift_mm = 9\nrise_deg = 65\nspeed_rpm = 3000\n[spline]\nsegments = 16\n"
-    "[objective]\nacceleration = 0.8\njerk = 0.2\n" +
-    cam_and_spring + "spring_frequency_hz = 400\n";
-/// A law, dwells and a spline; 4 times as fast.
-const std::string program =
-    "[motion]\ntype = \"program\"\nlift_mm = 10\nspeed_rpm = 600\nsegments = [\n"
-    "{ kind = \"law\", law = \"cycloidal\", angle_deg = 90, to = 1 },\n{ kind = \"dwell\", angle_deg = 60 "
-    "},\n"
-    "{ kind = \"spline\", angle_deg = 120, to = 0 },\n{ kind = \"dwell\", angle_deg = 90 },\n]\n"
-    "[spline]\nsegments = 12\n[objective]\njerk = 1\n" +
-    cam_and_spring + "spring_frequency_hz = 40\n";
-
-Solution optimum_of(const std::string& toml) {
-    Solution solution = solve(scene_of(toml));
-    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
-    if (!solution.motion || !solution.surge) throw InputError("no motion, or no spring");
-    return solution;
-}
+const TestScene valve = scene_named("surge_valve"), program = scene_named("surge_program");
 
 /// m, by the trapezoidal rule over the revolution: exact up to harmonics around the number of samples.
 double sampled_amplitude(const Solution& solution, int order) {
@@ -75,11 +49,7 @@ void expect_sampled_amplitudes(const Solution& solution) {
 // A cycloidal rise over half a revolution and its mirror image: c_k = 16 / (π² k² |4 − k²|) for odd k, else
 // 0.
 TEST(SpringSurge, CycloidalLawHasKnownHarmonics) {
-    const Solution solution = optimum_of(
-        "[motion]\ntype = \"program\"\nlift_mm = 10\nspeed_rpm = 600\nsegments = [\n"
-        "{ kind = \"law\", law = \"cycloidal\", angle_deg = 180, to = 1 },\n"
-        "{ kind = \"law\", law = \"cycloidal\", angle_deg = 180, to = 0 },\n]\n" +
-        cam_and_spring + "spring_frequency_hz = 72\n");
+    const Solution solution = optimum_of(scene_named("surge_cycloids"));
     const SurgeReport& surge = *solution.surge;
     EXPECT_NEAR(surge.frequency_ratio, 7.2, 1e-12);
     ASSERT_EQ(surge.harmonics.size(), 20U);
@@ -103,7 +73,7 @@ TEST(SpringSurge, LimitIsActiveAndProved) {
     const Solution free = optimum_of(valve);
     EXPECT_NEAR(free.certificate.objective, 0.790388172, 1e-8);
     EXPECT_GT(free.surge->harmonics[6].amplitude, 61e-6);
-    const Solution limited = optimum_of(valve + "[limits]\nspring_harmonic_um = 60\n");
+    const Solution limited = optimum_of(valve.with("limits.spring_harmonic_um = 60"));
     EXPECT_NEAR(limited.certificate.objective, 0.87434991, 1e-7);
     ASSERT_EQ(limited.constraints.size(), 1U);
     const ConstraintReport& reached = limited.constraints.front();
@@ -122,15 +92,15 @@ TEST(SpringSurge, LimitIsActiveAndProved) {
 TEST(SpringSurge, LimitIncludesLawAndDwells) {
     const Solution free = optimum_of(program);
     EXPECT_GT(free.surge->harmonics[2].amplitude, 1.01e-3);
-    const Solution limited = optimum_of(program + "[limits]\nspring_harmonic_mm = 1\n");
+    const Solution limited = optimum_of(program.with("limits.spring_harmonic_mm = 1"));
     EXPECT_NEAR(limited.certificate.objective, 0.8015956976, 1e-6);
     EXPECT_NEAR(sampled_amplitude(limited, 3), 1e-3, 1e-9);
     expect_sampled_amplitudes(limited);
 }
 
 TEST(SpringSurge, ImpossibleLimitIsProvedInfeasible) {
-    const Solution none = solve(scene_of(valve + "[limits]\nspring_harmonics = 1\nspring_harmonic_um = 10\n"
-                                                 "[solver]\nexplain_seconds = 0\n"));
+    const Solution none = solve(valve.with("limits = { spring_harmonics = 1, spring_harmonic_um = 10 }",
+                                           "solver.explain_seconds = 0"));
     EXPECT_EQ(none.certificate.verdict, Verdict::infeasible);
     EXPECT_FALSE(none.surge);
     EXPECT_TRUE(std::ranges::any_of(none.conflict, [](const ConflictReport& one) {
@@ -139,24 +109,24 @@ TEST(SpringSurge, ImpossibleLimitIsProvedInfeasible) {
 }
 
 TEST(SpringSurge, PrescribedMotionIsHeldAgainstLimit) {
-    const std::string laws =
-        "[motion]\ntype = \"program\"\nlift_mm = 10\nspeed_rpm = 600\nsegments = [\n"
-        "{ kind = \"law\", law = \"cycloidal\", angle_deg = 180, to = 1 },\n"
-        "{ kind = \"law\", law = \"cycloidal\", angle_deg = 180, to = 0 },\n]\n" +
-        cam_and_spring + "spring_frequency_hz = 50\n[limits]\nspring_harmonics = { min = 5, max = 6 }\n";
+    const TestScene laws =
+        scene_named("surge_cycloids")
+            .with("forces.spring_frequency_hz = 50", "limits.spring_harmonics = { min = 5, max = 6 }");
+    const auto verdict = [&](int limit) {
+        return solve(laws.set("limits.spring_harmonic_um", limit)).certificate.verdict;
+    };
     // c_5 = 16 / (525 π²) of 10 mm: 30.878 µm.
-    EXPECT_EQ(solve(scene_of(laws + "spring_harmonic_um = 31\n")).certificate.verdict, Verdict::optimal);
-    EXPECT_EQ(solve(scene_of(laws + "spring_harmonic_um = 30\n")).certificate.verdict, Verdict::infeasible);
+    EXPECT_EQ(verdict(31), Verdict::optimal);
+    EXPECT_EQ(verdict(30), Verdict::infeasible);
 }
 
 TEST(SpringSurge, OneRuleForEveryLimitedHarmonic) {
-    const auto model_of = [](const std::string& toml) {
-        const Scene scene = scene_of(toml);
+    const auto model_of = [](const Scene& scene) {
         return scene_model(scene, DesignKind::states, reference_peaks(scene));
     };
     const std::size_t free = model_of(program).rules.size();
-    const CamModel model =
-        model_of(program + "[limits]\nspring_harmonic_um = 900\nspring_harmonics = { min = 2, max = 6 }\n");
+    const CamModel model = model_of(
+        program.with("limits = { spring_harmonic_um = 900, spring_harmonics = { min = 2, max = 6 } }"));
     ASSERT_EQ(model.rules.size(), free + 5);
     // Its row in the direction of a motion is what the motion gives.
     const CamProblem problem(model);
@@ -171,11 +141,11 @@ TEST(SpringSurge, OneRuleForEveryLimitedHarmonic) {
         EXPECT_NEAR(value, place.where.value, 1e-12) << rule.remark(place.setting);
     }
     EXPECT_EQ(model_of(valve).rules.size() + 3,
-              model_of(valve + "[limits]\nspring_harmonic_in = 0.002\n").rules.size());
+              model_of(valve.with("limits.spring_harmonic_in = 0.002")).rules.size());
 }
 
 TEST(SpringSurge, AppearsInEveryOutput) {
-    const Solution solution = optimum_of(valve + "[limits]\nspring_harmonic_um = 60\n");
+    const Solution solution = optimum_of(valve.with("limits.spring_harmonic_um = 60"));
     const auto json = nlohmann::json::parse(result_json(solution))["surge"];
     EXPECT_NEAR(json["spring_frequency_hz"].get<double>(), 400.0, 1e-9);
     EXPECT_NEAR(json["frequency_ratio"].get<double>(), 8.0, 1e-12);
@@ -194,9 +164,8 @@ TEST(SpringSurge, AppearsInEveryOutput) {
 }
 
 TEST(SpringSurge, SceneWithoutFrequencyHasNone) {
-    std::string toml = valve;
-    toml.erase(toml.find("spring_frequency_hz"));
-    const Solution solution = solve(scene_of(toml));
+    const Solution solution =
+        solve(valve.with("forces = { mass_kg = 0.1, spring_rate_n_mm = 30, preload_n = 250 }"));
     EXPECT_FALSE(solution.surge);
     EXPECT_EQ(result_json(solution).find("\"surge\""), std::string::npos);
     EXPECT_EQ(report_markdown(solution).find("Spring surge"), std::string::npos);

@@ -10,6 +10,7 @@
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/search/cost_scale.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -54,10 +55,6 @@ INSTANTIATE_TEST_SUITE_P(Table, StabilityGroup,
                                          Group{"claims", claim_cases}, Group{"stiff_trains", train_cases}),
                          [](const auto& group) { return std::string(group.param.name); });
 
-Solution solved_twelve() {
-    return solve(study_scene(MotionType::drd, 3, 12));
-}
-
 /// The solution with one number of its motion changed.
 Solution with_bent_piece(Solution solution, int power, double by) {
     Eigen::MatrixXd pieces = solution.curve->pieces();
@@ -67,7 +64,7 @@ Solution with_bent_piece(Solution solution, int power, double by) {
 }
 
 TEST(MotionAudit, FindsWhatTheLibraryReports) {
-    const Solution solution = solved_twelve();
+    const Solution solution = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
     const MotionAudit report = audit(solution);
     EXPECT_NEAR(static_cast<double>(report.velocity), 12.0 / 7, 1e-8);
     EXPECT_NEAR(static_cast<double>(report.acceleration), 36.0 / 7, 1e-8);
@@ -77,16 +74,16 @@ TEST(MotionAudit, FindsWhatTheLibraryReports) {
 }
 
 TEST(MotionAudit, SeesAJumpOfEveryOrder) {
-    const Solution solution = solved_twelve();
+    const Solution solution = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
     for (int power = 0; power <= 2; ++power)
         EXPECT_GT(audit(with_bent_piece(solution, power, 1e-6)).violation, 1e-8L) << power;
 }
 
 TEST(MotionAudit, FindsViolatedConditions) {
-    Solution capped = solved_twelve();
+    Solution capped = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
     capped.scene.limits.velocity = PeakLimit{1.5, "limits.velocity", 1.5, ""};
     EXPECT_NEAR(static_cast<double>(audit(capped).violation), 12.0 / 7 / 1.5 - 1.0, 1e-8);
-    Solution missed = solved_twelve();
+    Solution missed = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
     missed.scene.motion.via = {{0.25, 0.9, {}, {}}};
     EXPECT_GT(audit(missed).violation, 0.1L);
     EXPECT_THROW(static_cast<void>(audit(Solution{})), InputError);
@@ -135,7 +132,10 @@ TEST(ConditionNumber, GrowsSlowestForStates) {
 
 TEST(CostScale, LeavesScenesNearOneAlone) {
     const Scene scene = study_scene(MotionType::drd, 3, 12);
-    EXPECT_TRUE(CostScale(scene, solved_twelve().reference_peaks).is_idle());
+    EXPECT_TRUE(
+        CostScale(scene,
+                  testing_support::solved(testing_support::scene_named("drd_cubic_12")).reference_peaks)
+            .is_idle());
 }
 
 /// A rise in five segments: two of length b, the cruise, two of length b, that may be no faster than 1 / (1 −
@@ -219,7 +219,7 @@ TEST(CostScale, ProofRefersToScene) {
 }
 
 TEST(DeliveredAudit, JumpIsNamedFailure) {
-    Solution solution = solved_twelve();
+    Solution solution = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
     audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     Solution bent = with_bent_piece(solution, 1, 1e-4);

@@ -6,7 +6,7 @@
 #include "objectives/scene_model.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,21 +14,15 @@ namespace camopt {
 namespace start_search_test {
 
 using namespace testing_support;
-using enum DimensionIndex;
 
 constexpr int starts = 8;
 constexpr unsigned seed = 1;
 
 /// Its cam may be no sharper than 5 mm: a rule that is not convex, and bites.
 Scene sharp_cam(int segments) {
-    Scene scene = pressure_angle_scene(29.0, segments);
-    scene.motion.lift = 10e-3;
-    scene.motion.rise = 45 * units::degree;
-    scene.cam->set(base_radius, 20e-3);
-    scene.cam->set(roller_radius, 9e-3);
-    scene.limits.pressure_angle = degrees(30, "limits.pressure_angle_deg");
-    scene.limits.cam_radius_min = millimetres(5, "limits.cam_radius_min_mm");
-    return scene;
+    return pressure_angle_scene(30, segments)
+        .with("motion.lift_mm = 10", "motion.rise_deg = 45", "cam.roller_radius_mm = 9",
+              "limits.cam_radius_min_mm = 5");
 }
 
 struct Searched {

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Time limits, iteration limits and Ctrl-C: the best feasible point so far is kept and labelled.
-#include "profiles/disk/disk_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
 namespace camopt {
 namespace stopping_test {
 
-using testing_support::is_available;
-using testing_support::normalised_limit;
-using testing_support::paper_objective;
+using namespace testing_support;
 
 class Stopping : public testing::TestWithParam<std::string> {
  protected:
     void SetUp() override {
         if (!is_available(GetParam())) GTEST_SKIP() << GetParam() << " is not part of this build";
     }
-    Scene scene() const {
-        Scene scene = paper_objective(MotionType::drd, 5, 24);
-        scene.solver.name = GetParam();
-        return scene;
+    [[nodiscard]] static TestScene scene() {
+        return scene_named("drd_quintic_12").with("spline.segments = 24").set("solver.name", GetParam());
     }
 };
 
@@ -37,20 +33,16 @@ TEST_P(Stopping, AStopRequestDeliversAFeasibleCurve) {
 }
 
 TEST_P(Stopping, ATimeLimitDeliversAFeasibleCurve) {
-    Scene hurried = scene();
-    hurried.solver.max_seconds = 1e-6;
-    const Solution solution = solve(hurried);
+    const Solution solution = solve(scene().with("solver.max_seconds = 1e-6"));
     EXPECT_EQ(solution.certificate.reason, "time_limit");
     EXPECT_EQ(solution.certificate.verdict, Verdict::feasible);
     ASSERT_TRUE(solution.curve);
 }
 
 TEST_P(Stopping, StopWithoutFeasiblePointIsReported) {
-    Scene capped = scene();
-    capped.limits.velocity = normalised_limit("limits.velocity", 1.3);
     SolveControl control;
     control.stop_requested = [] { return true; };
-    const Solution solution = solve(capped, control);
+    const Solution solution = solve(scene().with("limits.velocity = 1.3"), control);
     EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
     EXPECT_EQ(solution.certificate.reason, "interrupted");
     EXPECT_FALSE(solution.curve);
@@ -67,22 +59,18 @@ TEST_P(Stopping, EarlyStopDeliversNoMotion) {
 }
 
 /// Of a cam whose limits are not convex: several starts.
-Scene searched_scene() {
-    Scene scene = paper_objective(MotionType::drd, 5, 16);
-    scene.motion.lift = 0.02;
-    scene.motion.rise = 1.6;
-    scene.cam = disk_spec({});
-    scene.cam->set(DimensionIndex::base_radius, 0.03);
-    scene.cam->set(DimensionIndex::roller_radius, 0.01);
-    scene.limits.cam_radius_min = WrittenLimit(0.012);
-    scene.limits.concave_radius_min = WrittenLimit(0.05);
-    return scene;
+TestScene searched_scene() {
+    return scene_named("drd_quintic_12")
+        .with("motion.lift_mm = 20", "motion.rise_rad = 1.6", "spline.segments = 16",
+              "cam = { type = 'disk', follower = 'translating_roller', base_radius_mm = 30, roller_radius_mm "
+              "= 10 }",
+              "limits = { cam_radius_min_mm = 12, concave_radius_min_mm = 50 }");
 }
 
 TEST(StoppingASearch, ImmediatelyDeliversNoMotion) {
     for (const bool free_knots : {false, true}) {
-        Scene scene = free_knots ? paper_objective(MotionType::drd, 3, 6) : searched_scene();
-        scene.spline.free_knots = free_knots;
+        const TestScene scene =
+            free_knots ? scene_named("drd_cubic_6").with("spline.knots = free") : searched_scene();
         SolveControl control;
         control.stop_requested = [] { return true; };
         const Solution solution = solve(scene, control);

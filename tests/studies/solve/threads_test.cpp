@@ -2,9 +2,8 @@
 // What docs/embedding.md promises to programs with several threads: solves at once are the same as solves one
 // after another, and what they share is not written to while it is evaluated. The preset tsan looks on.
 #include "objectives/scene_model.hpp"
-#include "profiles/remote/remote_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,39 +26,16 @@ void at_once(const std::function<void(int)>& work) {
 }
 
 Scene plain_scene() {
-    Scene scene;
-    scene.spline.segments = 8;
-    paper_weights(scene);
-    return scene;
+    return scene_named("drd_cubic_8");
 }
 
 Scene roller_scene() {
-    Scene scene = pressure_angle_scene(60.0, 8);
-    scene.solver.starts = 1;
-    return scene;
+    return pressure_angle_scene(60.0, 8).with("solver.starts = 1");
 }
 
-/// A lever that a coupler joins to a slider: its formulas are shared by all copies of the scene.
+/// Its formulas are shared by all copies of the scene.
 Scene linkage_scene() {
-    Scene scene = plain_scene();
-    scene.motion.lift = 30 * units::millimetre;
-    scene.motion.rise = 120 * units::degree;
-    scene.solver.starts = 1;
-    scene.limits.pressure_angle = degrees(45.0, "limits.pressure_angle_deg");
-    CamSpec spec = remote_spec(RemoteLinkage::lever_coupler_slider);
-    spec.choices["lever_branch"] = "right";
-    const std::pair<RemoteDimension, double> millimetres[] = {
-        {RemoteDimension::roller_radius, 15},   {RemoteDimension::roller_arm, 100},
-        {RemoteDimension::lever_pivot_x, -100}, {RemoteDimension::lever_pivot_y, 50},
-        {RemoteDimension::lever_arm, 150},      {RemoteDimension::coupler, 200},
-        {RemoteDimension::slider_x, 45},        {RemoteDimension::slider_y, 245}};
-    for (const auto& [which, value] : millimetres)
-        spec.dimensions[static_cast<std::size_t>(which)].value = Dimension(value * units::millimetre);
-    spec.dimensions[static_cast<std::size_t>(RemoteDimension::slider_angle)].value =
-        Dimension(90 * units::degree);
-    scene.cam = spec;
-    scene.cam->make = remote_mechanism;
-    return scene;
+    return scene_named("lever_coupler_slider").with("solver.starts = 1", "limits.pressure_angle_deg = 45");
 }
 
 void expect_the_same(const Solution& one, const Solution& other) {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // solver.max_seconds is the time of everything: search, proof, tie-break, explanation.
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/counting_clock.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +16,7 @@
 namespace camopt {
 namespace time_limit_test {
 
-using testing_support::CountingClock;
-using testing_support::is_available;
+using namespace testing_support;
 
 struct Case {
     std::string name, scene;
@@ -29,11 +26,7 @@ struct Case {
 };
 
 Scene scene_of(const Case& one) {
-    std::vector<std::string> settings = one.settings;
-    settings.push_back("solver.name=\"" + one.solver + "\"");
-    Scene scene =
-        input::read_scene_file(source_folder() + "/scenes/" + one.scene + ".toml", known_names(), settings);
-    return scene;
+    return scene_named(one.scene).with_all(one.settings).set("solver.name", one.solver);
 }
 
 bool tells_of_the_time(const Solution& solution) {
@@ -116,14 +109,9 @@ TEST(TimeLimit, IncludesExplanation) {
 
 /// What the clock ended before anything was found was no search in vain.
 TEST(TimeLimit, TimeoutIsNotInfeasibilityOfDisplacements) {
-    Scene scene;
-    scene.motion.type = MotionType::program;
+    Scene scene = program({spline(60, 1.0), spline(60), spline(60, 0.25)}, 40);
     scene.motion.closed = false;
-    constexpr double degree = 3.14159265358979323846 / 180.0;
-    scene.motion.segments = {{SegmentKind::spline, 60 * degree, {}, 1.0},
-                             {SegmentKind::spline, 60 * degree, {}, {}},
-                             {SegmentKind::spline, 60 * degree, {}, 0.25}};
-    scene.spline.segments = 40;
+    scene.objective = {};
     scene.objective.velocity = scene.objective.jerk = 1.0;
     scene.solver.max_seconds = 1e-3;
     const Solution solution = solve(scene);

@@ -3,6 +3,7 @@
 #include "objectives/scene_model.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/counting_clock.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,25 +12,24 @@
 namespace camopt {
 namespace torque_test {
 
+using namespace testing_support;
+
 // Of the modified sine, MATH: 5.4578; no motion from rest to rest has less than 9/4, where y'² grows linearly
 // to the middle: y' = √(2 Q x), y(½) = ½.
 constexpr double modified_sine_torque = 5.4578;
 constexpr double least_torque = 2.25;
 
-// Readings of the clock: the search takes a few hundred, the others go into bounds that do not meet it.
-constexpr double most_readings = 2000.0;
-
-Scene torque_scene(MotionType type, int segments) {
-    Scene scene;
-    scene.motion.type = type;
-    scene.spline.segments = segments;
-    scene.objective.torque = 1.0;
-    scene.solver.max_seconds = most_readings;
-    return scene;
+// Seconds are readings of the clock: the search takes a few hundred, the others go into bounds that do not
+// meet it.
+TestScene torque_scene(const char* objective, int segments, const char* type = "DRD") {
+    return scene_named("drd_torque")
+        .with(std::string("objective = ") + objective, "solver.max_seconds = 2000")
+        .set("motion.type", type)
+        .set("spline.segments", segments);
 }
 
-Solution solved(const Scene& scene) {
-    testing_support::CountingClock clock;
+Solution counted(const Scene& scene) {
+    CountingClock clock;
     return solve(scene, clock.control());
 }
 
@@ -55,7 +55,7 @@ void expect_searched(const Solution& solution, double end) {
 TEST(Torque, AloneStaysBelowModifiedSine) {
     double before = modified_sine_torque;
     for (const int segments : {8, 16}) {
-        const Solution solution = solved(torque_scene(MotionType::drd, segments));
+        const Solution solution = counted(torque_scene("{ torque = 1 }", segments));
         expect_searched(solution, 1.0);
         EXPECT_LT(solution.peaks.torque.value, before);
         EXPECT_GT(solution.peaks.torque.value, least_torque);
@@ -66,12 +66,10 @@ TEST(Torque, AloneStaysBelowModifiedSine) {
 }
 
 TEST(Torque, WithOtherPeaksBeatsModifiedSine) {
-    Scene scene = torque_scene(MotionType::drd, 16);
-    scene.objective.torque = 0.5;
-    scene.objective.velocity = 0.1;
-    scene.objective.acceleration = scene.objective.jerk = 0.2;
-    scene.solver.max_seconds = 1e6;  // the bound meets it
-    const Solution solution = solved(scene);
+    const TestScene scene =  // the bound meets it
+        torque_scene("{ velocity = 0.1, acceleration = 0.2, jerk = 0.2, torque = 0.5 }", 16)
+            .with("solver.max_seconds = 1e6");
+    const Solution solution = counted(scene);
     expect_searched(solution, 1.0);
     EXPECT_LT(solution.peaks.torque.value, modified_sine_torque);
     EXPECT_LT(solution.certificate.objective, 1.0) << "what the modified sine itself has";
@@ -80,24 +78,20 @@ TEST(Torque, WithOtherPeaksBeatsModifiedSine) {
     EXPECT_LE(*solution.certificate.lower_bound, solution.certificate.objective);
     EXPECT_FALSE(solution.any_curve_limit) << "it knows no torque";
     // With the torque out of the objective its peak is larger: the term does what it is for.
-    scene.objective.torque = 0.0;
-    EXPECT_GT(solved(scene).peaks.torque.value, solution.peaks.torque.value + 1e-3);
+    EXPECT_GT(counted(scene.with("objective.torque = 0")).peaks.torque.value,
+              solution.peaks.torque.value + 1e-3);
 }
 
 TEST(Torque, OfARiseAndReturn) {
-    Scene scene = torque_scene(MotionType::rr, 16);
-    scene.objective.jerk = 0.2;
-    const Solution solution = solved(scene);
+    const TestScene scene = torque_scene("{ torque = 1, jerk = 0.2 }", 16, "RR");
+    const Solution solution = counted(scene);
     expect_searched(solution, 2.0);
-    scene.objective.torque = 0.0;
-    EXPECT_GT(solved(scene).peaks.torque.value, solution.peaks.torque.value + 1e-3);
+    EXPECT_GT(counted(scene.with("objective.torque = 0")).peaks.torque.value,
+              solution.peaks.torque.value + 1e-3);
 }
 
 TEST(Torque, DividesByItsOwnReference) {
-    Scene scene = torque_scene(MotionType::drd, 8);
-    scene.objective.reference.numeric = true;
-    scene.objective.reference.torque = 2.0;
-    const Solution solution = solved(scene);
+    const Solution solution = counted(torque_scene("{ torque = 1, reference = { torque = 2 } }", 8));
     ASSERT_TRUE(solution.motion);
     EXPECT_NEAR(solution.certificate.objective, solution.peaks.torque.value / 2.0, 1e-9);
     EXPECT_EQ(solution.reference_peaks.torque.value, 2.0);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Scenes of tests/cases that earlier versions answered wrongly, with answers from independent programs.
-#include "input/loading/load_scene.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +13,7 @@
 namespace camopt {
 namespace trial_cases_test {
 
-Scene case_of(const std::string& name) {
-    return load_scene(source_folder() + "/tests/cases/" + name + ".toml");
-}
+using namespace testing_support;
 
 struct Answer {
     const char* scene;
@@ -30,7 +27,7 @@ void PrintTo(const Answer& answer, std::ostream* stream) {
 class TrialCases : public testing::TestWithParam<Answer> {};
 
 TEST_P(TrialCases, HaveTheRightOptimum) {
-    const Solution solution = solve(case_of(GetParam().scene));
+    const Solution& solution = solved(scene_named(GetParam().scene));
     const Certificate& certificate = solution.certificate;
     ASSERT_EQ(certificate.verdict, Verdict::optimal) << name_of(certificate.reason);
     EXPECT_NEAR(certificate.objective, GetParam().objective, GetParam().tolerance);
@@ -45,15 +42,14 @@ INSTANTIATE_TEST_SUITE_P(Reversal, TrialCases,
                          testing::Values(Answer{"turning_point_with_via", 0.73506731, 2e-8}));
 
 TEST(TrialCases, AreaMayNotDecreaseWithoutBound) {
-    const Solution solution = solve(case_of("area_rr_unbounded_false_optimal"));
+    const Solution solution = solve(scene_named("area_rr_unbounded_false_optimal"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
     EXPECT_EQ(solution.certificate.reason, Reason::unbounded) << name_of(solution.certificate.reason);
     EXPECT_FALSE(solution.certificate.lower_bound);
 }
 
 TEST(TrialCases, AreaIsThatOfTheMotion) {
-    const Scene scene = case_of("area_below_zero_false_optimal");
-    const Solution solution = solve(scene);
+    const Solution& solution = solved(scene_named("area_below_zero_false_optimal"));
     // From the delivered motion alone: 1 − its mean, by the midpoint rule on fine steps.
     constexpr int steps = 200000;
     const MotionChain& motion = *solution.motion;
@@ -65,22 +61,19 @@ TEST(TrialCases, AreaIsThatOfTheMotion) {
 }
 
 TEST(TrialCases, RepeatedSplinesJoin) {
-    const Scene scene = case_of("repeat_refused_breakpoints");
-    const Solution solution = solve(scene);
+    const Solution& solution = solved(scene_named("repeat_refused_breakpoints"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
-    EXPECT_EQ(solution.segments.size(), scene.motion.segments.size());
+    EXPECT_EQ(solution.segments.size(), solution.scene.motion.segments.size());
 }
 
 TEST(TrialCases, SetPointAtLimitIsProved) {
-    EXPECT_EQ(solve(case_of("set_point_at_the_limit")).certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(solve(scene_named("set_point_at_the_limit")).certificate.verdict, Verdict::optimal);
 }
 
 TEST(TrialCases, VerdictsOfOneMotionAgree) {
-    Scene scene = case_of("contradicting_verdicts");
-    scene.limits.jerk.reset();
-    scene.objective = {};
-    scene.objective.jerk = 1.0;
-    const Solution solution = solve(scene);
+    const Solution solution = solve(scene_named("contradicting_verdicts")
+                                        .with("limits = { velocity = 2.053130027444412 }",
+                                              "objective = { jerk = 1 }", "solver.max_seconds = 60"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     EXPECT_GE(solution.peaks.jerk.value, 38.696);
 }
@@ -105,7 +98,7 @@ double hertz_at(const Solution& solution, double speed) {
 }
 
 TEST(TrialCases, HertzPressureHoldsFromRest) {
-    Scene scene = case_of("hertz_at_speed");
+    Scene scene = scene_named("hertz_at_speed");
     const double speed = *scene.motion.speed;
     // At this speed alone the lobe has 568 MPa, and 932 MPa near rest.
     scene.forces->speed_range = {speed, speed};

@@ -2,12 +2,9 @@
 // The example scenes with two sides: every limit, looked at again at many cam angles on either side by the
 // points alone, and what is reported beside it.
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/solve/solve.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,10 +18,8 @@ namespace two_sided_cams_test {
 
 /// From two starts and with a loose bound: what is looked at holds for any motion that is delivered.
 Solution solved(const std::string& name) {
-    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names());
-    scene.solver.starts = 2;
-    scene.solver.gap = 1e-2;
-    return solve(scene);
+    return testing_support::solved(
+        testing_support::scene_named(name).with("solver.starts = 2", "solver.gap = 1e-2"));
 }
 
 /// Largest and least figures of one side, from its points and the roller alone.

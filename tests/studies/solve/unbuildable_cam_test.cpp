@@ -3,7 +3,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/search/planned_solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,34 +12,8 @@
 namespace camopt {
 namespace unbuildable_cam_test {
 
-using testing_support::pressure_angle_scene;
+using namespace testing_support;
 using enum DimensionIndex;
-
-/// The least cost of base circle and centre distance is an arm longer than both together.
-Scene arm_too_long() {
-    Scene scene;
-    scene.motion.lift_is_angle = true;
-    scene.motion.lift = 0.26938895457040668;
-    scene.motion.rise = 139.3020527593446 * units::degree;
-    scene.spline.degree = 5;
-    scene.spline.segments = 6;
-    scene.objective.velocity = 0.21202963797666124;
-    scene.objective.acceleration = 0.38359018138971257;
-    scene.objective.dimensions[static_cast<std::size_t>(base_radius)] = 0.024490334214622812;
-    scene.objective.dimensions[static_cast<std::size_t>(center_distance)] = 0.28051354531770495;
-    DiskSpec cam;
-    cam.follower = FollowerType::oscillating_roller;
-    cam[center_distance] = Dimension(0.051345198818442156, 0.10696161028767007);
-    cam[base_radius] = Dimension(24.71066742037014e-3, 30.466071074961253e-3);
-    cam[roller_radius] = Dimension(3.5521661892715626e-3, 7.3066012090840848e-3);
-    cam[arm_length] = 0.08163069663055654;
-    scene.cam = disk_spec(cam);
-    scene.limits.pressure_angle =
-        testing_support::degrees(0.60172141662463197 / units::degree, "limits.pressure_angle_deg");
-    scene.solver.starts = 2;
-    scene.solver.max_seconds = 20.0;
-    return scene;
-}
 
 /// What is wrong with the delivered cam; empty where it can be built.
 std::string fault_of(const Solution& solution) {
@@ -60,7 +34,7 @@ bool stands(const Certificate& certificate) {
 }
 
 TEST(UnbuildableCam, IsNoOptimum) {
-    const Solution solution = solve_without_explaining(arm_too_long(), {});
+    const Solution solution = solve_without_explaining(scene_named("arm_too_long"), {});
     ASSERT_TRUE(stands(solution.certificate)) << solution.certificate.reason;
     ASSERT_TRUE(solution.cam);
     EXPECT_EQ(fault_of(solution), "");

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // motion.within_lift and motion.monotone: a stroke stays between its ends, at no cost; strokes of very
 // unequal angles are proved; a free displacement is measured by the lift.
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/studies/cam_scenes.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,12 +17,6 @@ namespace camopt {
 namespace within_lift_test {
 
 using namespace testing_support;
-
-Scene scene_of(const std::string& name) {
-    Scene scene =
-        input::read_scene_file(source_folder() + "/tests/support/cases/" + name + ".toml", known_names());
-    return scene;
-}
 
 /// The least and the largest y, or y', on a dense grid.
 std::array<double, 2> range_of(const Motion& motion, double begin, double end, std::size_t order = 0) {
@@ -53,12 +44,11 @@ void expect_within(const Solution& solution, double least = 0.0, double most = 1
 TEST(WithinLift, SlowReturnStaysAboveStart) {
     for (const char* name : {"very_slow_return", "unequal_return_with_cam"}) {
         SCOPED_TRACE(name);
-        Scene scene = scene_of(name);
+        const TestScene scene = scene_named(name);
         const Solution within = solve(scene);
         EXPECT_EQ(within.certificate.verdict, Verdict::optimal) << within.certificate.reason;
         expect_within(within);
-        scene.motion.within_lift = false;
-        const Solution free = solve(scene);
+        const Solution free = solve(scene.with("motion.within_lift = false"));
         EXPECT_EQ(free.certificate.verdict, Verdict::optimal);
         EXPECT_LT(range_of(free)[0], -0.1);
         EXPECT_LE(free.certificate.objective, within.certificate.objective * (1.0 + 1e-9));
@@ -67,7 +57,7 @@ TEST(WithinLift, SlowReturnStaysAboveStart) {
 
 /// Twelve uniform segments leave a rise of 30 deg before a return of 300 deg one: no motion stays within.
 TEST(WithinLift, CoarseSplineIsReported) {
-    Scene scene = scene_of("very_slow_return");
+    Scene scene = scene_named("very_slow_return");
     scene.spline.by_stroke = false;
     const Solution solution = solve(scene);
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
@@ -89,19 +79,9 @@ TEST(WithinLift, CostsNothing) {
          {Known{3.0, 24, {0.4, 0.4, 0.2}, 0.87043393}, Known{3.0, 48, {0.4, 0.4, 0.2}, 0.85614438},
           Known{2.0, 36, {0.3, 0.3, 0.4}, 0.75379687}, Known{1.375, 38, {0.4, 0.4, 0.2}, 0.85555644},
           Known{3.0, 32, {0.0, 0.5, 0.5}, 0.67828436}}) {
-        Scene scene;
-        scene.motion.type = MotionType::rr;
+        Scene scene = with_weights(paper_objective(MotionType::rr, 3, known.segments), known.weights);
         scene.motion.rise = 1.0;
         scene.motion.return_angle = known.back;
-        scene.spline.segments = known.segments;
-        scene.objective.velocity = known.weights[0];
-        scene.objective.acceleration = known.weights[1];
-        scene.objective.jerk = known.weights[2];
-        scene.objective.reference = {};
-        scene.objective.reference.numeric = true;
-        scene.objective.reference.velocity = 1.76;
-        scene.objective.reference.acceleration = 5.53;
-        scene.objective.reference.jerk = 69.0;
         const Solution solution = solve(scene);
         EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
         EXPECT_NEAR(solution.certificate.objective, known.objective, 1e-8);
@@ -110,17 +90,15 @@ TEST(WithinLift, CostsNothing) {
 }
 
 TEST(WithinLift, SetPointsOutsideWidenTheRange) {
-    Scene scene;
-    paper_weights(scene);
-    scene.motion.via.push_back({0.6, 1.2, 0.0});
-    const Solution solution = solve(scene);
+    const Solution solution = solve(
+        scene_named("drd_cubic_12").with("motion.via = [{ at = 0.6, displacement = 1.2, velocity = 0 }]"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     expect_within(solution, 0.0, 1.2);
     EXPECT_NEAR(range_of(solution)[1], 1.2, 1e-8);
 }
 
 TEST(WithinLift, ProgramReversalsAreTurningPoints) {
-    const Solution solution = solve(scene_of("reversals_open"));
+    const Solution solution = solve(scene_named("reversals_open"));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_EQ(solution.segments.size(), 4U);
     for (const SegmentReport& segment : solution.segments) {
@@ -135,14 +113,10 @@ TEST(WithinLift, RingTurnsBackWhereItStarts) {
     for (const char* const design : {"coefficients", "states"}) {
         std::array<double, 2> objectives{};
         for (const bool reversed : {false, true}) {
-            const Solution solution = solve(input::read_scene(
-                fmt::format(
-                    "[motion]\ntype = \"program\"\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = {}\n"
-                    "to = 0.25\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = {}\nto = 0\n[spline]\n"
-                    "degree = 3\nsegments = 4\ndesign = \"{}\"\n[objective]\nacceleration = 0.1\njerk = "
-                    "0.5\n",
-                    reversed ? 275 : 85, reversed ? 85 : 275, design),
-                "ring.toml", known_names()));
+            const Solution solution = solve(scene_named("ring_of_two_splines")
+                                                .set("spline.design", design)
+                                                .set("motion.segments[0].angle_deg", reversed ? 275 : 85)
+                                                .set("motion.segments[1].angle_deg", reversed ? 85 : 275));
             ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << design << ' ' << reversed;
             EXPECT_NEAR(solution.motion->at(0.0, Side::right).derivative[1], 0.0, 1e-12);
             expect_within(solution, 0.0, 0.25);
@@ -154,25 +128,16 @@ TEST(WithinLift, RingTurnsBackWhereItStarts) {
 
 /// Between a law that rises at its end and one that falls there has to be an overshoot.
 TEST(WithinLift, IsOpenNextToOutwardMotion) {
-    Scene scene;
-    paper_weights(scene);
-    scene.motion.type = MotionType::program;
-    const auto segment = [](SegmentKind kind, double degrees_, const char* law, double to) {
-        return ProgramSegment{kind, degrees_ * units::degree, law, to};
-    };
-    scene.motion.segments = {
-        segment(SegmentKind::spline, 60, "", 0.2), segment(SegmentKind::law, 100, "constant_velocity", 0.8),
-        segment(SegmentKind::spline, 40, "", 0.8), segment(SegmentKind::law, 100, "constant_velocity", 0.2),
-        segment(SegmentKind::spline, 60, "", 0.0)};
-    const Solution solution = solve(scene);
+    const Solution solution =
+        solve(program({spline(60, 0.2), law(100, "constant_velocity", 0.8), spline(40, 0.8),
+                       law(100, "constant_velocity", 0.2), spline(60, 0.0)}));
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     EXPECT_GT(range_of(solution)[1], 0.8 + 1e-3);
 }
 
 TEST(Monotone, AReturnOnlyFalls) {
-    Scene scene = scene_of("very_slow_return");
-    scene.objective.velocity = 0.5;
-    scene.motion.monotone = true;
+    const Scene scene =
+        scene_named("very_slow_return").with("objective.velocity = 0.5", "motion.monotone = true");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
@@ -184,7 +149,7 @@ TEST(Monotone, AReturnOnlyFalls) {
 
 /// Strokes of 0 mm were measured by themselves and "proved" best, with a dip below the start.
 TEST(FreeDisplacement, VanishingStrokeIsNotCalledOptimal) {
-    Scene scene = scene_of("lifter_free_velocity");
+    Scene scene = scene_named("lifter_free_velocity");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     expect_within(solution);
@@ -213,17 +178,7 @@ TEST(FreeDisplacement, VanishingStrokeIsNotCalledOptimal) {
 /// A stroke from 0.25 that falls and one to 1 that falls after it contradict each other: no case has that
 /// motion.
 TEST(FreeDisplacement, CasesExcludeTheOtherDirection) {
-    const Solution solution =
-        solve(input::read_scene("[motion]\ntype = \"program\"\n[[motion.segments]]\nkind = \"law\"\nlaw = "
-                                "\"cycloidal\"\nangle_deg = 63\nto = "
-                                "0.25\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = "
-                                "58\n[[motion.segments]]\nkind = \"spline\"\n"
-                                "angle_deg = 96\nto = 1\n[[motion.segments]]\nkind = \"spline\"\nangle_deg = "
-                                "77\nto = 0\n[[motion.segments]]\n"
-                                "kind = \"dwell\"\nangle_deg = 66\n[spline]\ndegree = 3\nbreakpoints = [0, "
-                                "0.166, 0.315, 0.685, 0.87, 0.906, 1]\n"
-                                "[objective]\nvelocity = 0.3\nacceleration = 0.85\n",
-                                "cases.toml", known_names()));
+    const Solution solution = solve(scene_named("strokes_of_either_direction"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     ASSERT_EQ(solution.certificate.cases.size(), 3U);
     EXPECT_TRUE(std::ranges::any_of(solution.certificate.cases, &CaseProof::infeasible));
@@ -233,9 +188,8 @@ TEST(FreeDisplacement, CasesExcludeTheOtherDirection) {
 
 TEST(UnequalStrokes, AreProvedWhereTheyFailed) {
     const auto anywhere = [](const char* name) {
-        Scene scene = scene_of(name);
-        scene.motion.within_lift = false;  // as the numbers were found
-        return solve(scene);
+        // As the numbers were found.
+        return solve(scene_named(name).with("motion.within_lift = false"));
     };
     const Solution quintic = anywhere("unequal_quintic");
     EXPECT_EQ(quintic.certificate.verdict, Verdict::optimal) << quintic.certificate.reason;
@@ -250,7 +204,7 @@ TEST(UnequalStrokes, AreProvedWhereTheyFailed) {
 
 /// Where the structured solver ends without a proof, the next backend is tried.
 TEST(UnequalStrokes, NextBackendProvesWhereOneFails) {
-    const Solution within = solve(scene_of("unequal_quintic"));
+    const Solution within = solve(scene_named("unequal_quintic"));
     EXPECT_EQ(within.certificate.verdict, Verdict::optimal) << within.certificate.reason;
     expect_within(within);
 }
@@ -274,7 +228,7 @@ class RandomStrokes {
         std::array<double, 3> weights{};
         for (double& weight : weights) weight = uniform(0.0, 1.0);
         weights[2] += 0.05;
-        weigh(scene, weights);
+        const Scene forwards = with_weights(scene, weights);
         Scene back = scene;
         back.motion.rise = 0.5 * ratio;
         back.motion.return_angle = 0.5;
@@ -283,8 +237,7 @@ class RandomStrokes {
                 (1.0 + ratio - scene.spline.breakpoints[scene.spline.breakpoints.size() - 1 - i]) / ratio;
         // V, A and J of the reversed motion count by its own rise, ratio times as long.
         for (std::size_t k = 0; k < 3; ++k) weights[k] /= std::pow(ratio, static_cast<double>(k) + 1.0);
-        weigh(back, weights);
-        return {scene, back};
+        return {forwards, with_weights(back, weights)};
     }
 
  private:
@@ -292,11 +245,6 @@ class RandomStrokes {
 
     double uniform(double low, double high) {
         return low + (high - low) * static_cast<double>(engine_()) / 4294967295.0;
-    }
-    static void weigh(Scene& scene, const std::array<double, 3>& weights) {
-        scene.objective.velocity = weights[0];
-        scene.objective.acceleration = weights[1];
-        scene.objective.jerk = weights[2];
     }
 };
 
@@ -321,7 +269,7 @@ int expect_reversible(unsigned seed, int count) {
 
 /// The motion turns back at a set point above the lift: y' = 0 there is a condition.
 TEST(WithinLift, EdgePointIsTurningPoint) {
-    Scene scene = input::read_scene(R"(
+    Scene scene = TestScene(R"(
 [motion]
 type = "DRD"
 via = [{ at = 0.82610645028707419, displacement = 1.0077769397509302 }]
@@ -332,8 +280,7 @@ segments = 17
 velocity = 0.97
 acceleration = 0.32
 jerk = 0.066
-)",
-                                    "scene.toml", known_names());
+)");
     double objective = 0.0;
     for (const DesignKind kind : {DesignKind::states, DesignKind::ordinates}) {
         scene.spline.design = kind;

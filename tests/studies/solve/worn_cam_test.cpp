@@ -3,7 +3,6 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/view/tables.hpp"
 #include "profiles/disk/disk_cam.hpp"
@@ -92,10 +91,8 @@ std::string points_text(unsigned seed) {
 }
 
 Scene worn_scene(unsigned seed, const std::string& measured) {
-    return input::read_scene(head + "[limits]\nacceleration = 7\n" + cam + "[measured]\n" +
-                                 points_text(seed) +
-                                 "register = [\"angle\", \"radius\"]\nuse = \"nearest\"\n" + measured,
-                             "worn.toml", known_names());
+    return scene_of_toml(head + "[limits]\nacceleration = 7\n" + cam + "[measured]\n" + points_text(seed) +
+                         "register = [\"angle\", \"radius\"]\nuse = \"nearest\"\n" + measured);
 }
 
 std::vector<int> outlying_rows(const MeasuredMotion& measured) {
@@ -148,9 +145,8 @@ TEST(WornCam, LiftsAreFoundByAngleAlone) {
         lifts += fmt::format("{}{:.4f}", i > 0 ? ", " : "",
                              (lobe_at((i - 200) * degree, *law).s + scatter(i)) / mm);
     const auto read = [&](const std::string& motion, const std::string& measured) {
-        return input::read_scene(
-            motion + "[objective]\njerk = 1\n[measured]\ns_mm = [" + lifts + "]\nstep_deg = 1\n" + measured,
-            "s.toml", known_names());
+        return scene_of_toml(motion + "[objective]\njerk = 1\n[measured]\ns_mm = [" + lifts +
+                             "]\nstep_deg = 1\n" + measured);
     };
     const MeasuredMotion measured = *read(head, "register = [\"angle\"]\n").measured;
     ASSERT_TRUE(measured.place);

@@ -2,13 +2,11 @@
 // Optimised scenes with barrel and cylindrical cams, rebuilt from the delivered motion alone: pressure angle
 // by the short formulas of each mechanism, undercut by the distance of the flank from the roller's sweep.
 #include "benchmarks/papers/spatial_methods.hpp"
-#include "input/loading/load_scene.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 #include "tests/profiles/spatial/reference_cams.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,13 +22,10 @@ using test::millimetre;
 
 constexpr int fine = 20000;
 
+/// One start finds what all find; and it may take the time it takes.
 Solution solved(const std::string& name) {
-    const std::string path = source_folder() + "/scenes/" + name + ".toml";
-    Scene scene = load_scene(path);
-    // One start finds what all find; and it may take the time it takes.
-    scene.solver.starts = 1;
-    scene.solver.max_seconds = 600.0;
-    return solve(scene);
+    return testing_support::solved(
+        testing_support::scene_named(name).with("solver.starts = 1", "solver.max_seconds = 600"));
 }
 
 /// Written down once more, from numbers only: MECHANISMS' tan φ of a barrel cam and of a rotating follower.

@@ -2,30 +2,22 @@
 // What varies in a sweep: lattice weights, weight files, --vary.
 #include "studies/sweep/sweep_axis.hpp"
 
-#include "core/errors.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
 namespace camopt {
 namespace sweep_axis_test {
 
+using testing_support::refusal;
+
 std::vector<double> point(const SweepAxis& axis, int index) {
     const auto values = axis.point(index);
     return {values.begin(), values.end()};
-}
-
-std::string error_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 TEST(SimplexWeights, AreAllLatticePointsOnce) {
@@ -61,7 +53,7 @@ TEST(SimplexWeights, StepMovesUnitBetweenWeights) {
 
 TEST(SimplexWeights, RefuseWhatIsNoLattice) {
     for (const int n : {-3, 0, 1413, 2'000'000'000})
-        EXPECT_NE(error_of([&] { (void)simplex_weights(n); }).find("allowed: at least 1"), std::string::npos)
+        EXPECT_NE(refusal([&] { (void)simplex_weights(n); }).find("allowed: at least 1"), std::string::npos)
             << n;
     EXPECT_EQ(simplex_weights(1412).points(), 1413 * 1414 / 2);
 }
@@ -96,9 +88,9 @@ TEST(WeightFile, ErrorsNameLineAndAllowedValues) {
         {"velocity,jerk\n1,\n", "w.csv:2: found \"\""},
     };
     for (const Case& one : cases)
-        EXPECT_NE(error_of([&] { (void)weights_of_csv(one.text, "w.csv"); }).find(one.words),
+        EXPECT_NE(refusal([&] { (void)weights_of_csv(one.text, "w.csv"); }).find(one.words),
                   std::string::npos)
-            << one.words << "\nsaid: " << error_of([&] { (void)weights_of_csv(one.text, "w.csv"); });
+            << one.words << "\nsaid: " << refusal([&] { (void)weights_of_csv(one.text, "w.csv"); });
 }
 
 TEST(VariedKey, SpacesEvenlyGeometricallyOrAsListed) {
@@ -134,8 +126,8 @@ TEST(VariedKey, RefusesInvalidRangesAndLists) {
         {"a.b=true,false", "found \"true\""},
     };
     for (const Case& one : cases)
-        EXPECT_NE(error_of([&] { (void)varied_key(one.text); }).find(one.words), std::string::npos)
-            << one.words << "\nsaid: " << error_of([&] { (void)varied_key(one.text); });
+        EXPECT_NE(refusal([&] { (void)varied_key(one.text); }).find(one.words), std::string::npos)
+            << one.words << "\nsaid: " << refusal([&] { (void)varied_key(one.text); });
 }
 
 TEST(WeightKey, ContainsOnlyObjectiveWeights) {

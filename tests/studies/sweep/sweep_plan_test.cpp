@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "input/loading/load_scene.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,13 +68,8 @@ TEST(SweepGrid, IsCompleteAndAxesMoveSeparately) {
 }
 
 TEST(SweepGrid, RefusesEmptyDuplicateAndExcessiveKeys) {
-    const auto said = [](const std::vector<SweepAxis>& axes) -> std::string {
-        try {
-            (void)sweep_grid(axes);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "no error";
+    const auto said = [](const std::vector<SweepAxis>& axes) {
+        return testing_support::refusal([&] { (void)sweep_grid(axes); });
     };
     EXPECT_NE(said({}).find("allowed: --weights, --vary"), std::string::npos);
     EXPECT_NE(said({varied_key("a=1,2"), SweepAxis{{"b"}, {}}}).find("an axis without points"),
@@ -84,7 +80,7 @@ TEST(SweepGrid, RefusesEmptyDuplicateAndExcessiveKeys) {
         std::string::npos);
     EXPECT_NE(said({varied_key("a=1:2:2000"), varied_key("b=1:2:2000")}).find("at most 1000000"),
               std::string::npos);
-    EXPECT_EQ(said({varied_key("a=1:2:1000"), varied_key("b=1:2:1000")}), "no error");
+    EXPECT_EQ(said({varied_key("a=1:2:1000"), varied_key("b=1:2:1000")}), "no refusal");
 }
 
 TEST(SweepGrid, FingerprintDistinguishesPlans) {
@@ -130,16 +126,11 @@ TEST(SweepScenes, WeightsAreReadOnce) {
 }
 
 TEST(SweepScenes, NamesInvalidRowWithItsValues) {
-    const auto said = [](const std::vector<SweepAxis>& axes, const char* text = plain_scene) -> std::string {
+    const auto said = [](const std::vector<SweepAxis>& axes, const char* text = plain_scene) {
         Reader reader(text);
         const SweepPlan plan = sweep_grid(axes);
         SweepScenes scenes(plan, reader.reading());
-        try {
-            (void)check_rows(scenes);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "no error";
+        return testing_support::refusal([&] { (void)check_rows(scenes); });
     };
     EXPECT_EQ(said({varied_key("spline.segments=4:9:3")}),
               "row 1 (spline.segments=6.5): --set spline.segments=6.5: spline.segments: found 6.5; allowed: "
@@ -158,7 +149,7 @@ TEST(SweepScenes, NamesInvalidRowWithItsValues) {
     EXPECT_NE(said({weights_of_csv("velocity,jerk\n1,0\n0.5,0.5\n", "w")}, parabolic.c_str())
                   .find("row 1 (objective.velocity=0.5, objective.jerk=0.5): "),
               std::string::npos);
-    EXPECT_EQ(said({weights_of_csv("velocity,jerk\n1,0\n0.5,0\n", "w")}, parabolic.c_str()), "no error");
+    EXPECT_EQ(said({weights_of_csv("velocity,jerk\n1,0\n0.5,0\n", "w")}, parabolic.c_str()), "no refusal");
     EXPECT_NE(said({varied_key("limits.velocity=1.8,0")}).find("row 1 (limits.velocity=0): "),
               std::string::npos);
 }

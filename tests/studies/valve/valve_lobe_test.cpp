@@ -2,13 +2,10 @@
 // Valve lobes: duration met exactly, events and areas against sums, proof, explanation, two lobes of one
 // shaft.
 #include "core/units.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "scene/written_limits.hpp"
-#include "studies/solve/solve.hpp"
 #include "studies/valve/valve_report.hpp"
+#include "tests/support/solved_scene.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,30 +15,18 @@
 namespace camopt {
 namespace valve_lobe_test {
 
+using namespace testing_support;
 using units::degree;
 using units::millimetre;
 
-const std::string lobe =
-    "[motion]\ntype = \"valve\"\nlift_mm = 9.5\nlash_mm = 0.2\nduration_crank_deg = 248\n"
-    "checking_height_mm = 0.15\nopening_ramp = { height_mm = 0.30, velocity_mm_deg = 0.012 }\n"
-    "closing_ramp = { height_mm = 0.30, velocity_mm_deg = 0.010 }\nengine_speed_rpm = 6500\n";
-const std::string rest =
-    "[spline]\nsegments = 16\n[objective]\narea = 1\n[limits]\n"
-    "acceleration_mm_deg2 = { min = -0.0085, max = 0.020 }\njerk_mm_deg3 = 0.005\n";
-
-Scene scene_of(const std::string& toml) {
-    return input::read_scene(toml, "s.toml", known_names(), {});
-}
-
-Solution optimum_of(const std::string& toml) {
-    Solution solution = solve(scene_of(toml));
-    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << name_of(solution.certificate.reason);
-    if (!solution.motion) throw InputError("no motion");
-    return solution;
+/// Solved once for all that look at it.
+const Solution& lobe() {
+    return solved(scene_named("valve_lobe"));
 }
 
 TEST(ValveLobe, DurationIsMetExactly) {
-    const ValveReport report = valve_report(optimum_of(lobe + rest));
+    EXPECT_EQ(lobe().certificate.verdict, Verdict::optimal) << name_of(lobe().certificate.reason);
+    const ValveReport report = valve_report(lobe());
     ASSERT_EQ(report.events.size(), 5U);
     const ValveEvent& checking = report.at(0.15 * millimetre);
     EXPECT_NEAR(checking.duration() / degree, 248.0, 1e-9);
@@ -49,7 +34,7 @@ TEST(ValveLobe, DurationIsMetExactly) {
 }
 
 TEST(ValveLobe, RampsHaveTheirHeightsAndVelocities) {
-    const Solution solution = optimum_of(lobe + rest);
+    const Solution& solution = lobe();
     const ValveSpec& valve = *solution.scene.motion.valve;
     const MotionSpec& motion = solution.scene.motion;
     // Lash is taken up on the ramps: 0.2 of 0.3 mm.
@@ -66,16 +51,14 @@ TEST(ValveLobe, RampsHaveTheirHeightsAndVelocities) {
 }
 
 TEST(ValveLobe, CheckingPointMayLieOnRamp) {
-    std::string text = lobe + rest;
-    text.replace(text.find("lash_mm = 0.2"), 13, "lash_mm = 0.0");
-    text.replace(text.find("duration_crank_deg = 248"), 24, "duration_crank_deg = 290");
-    const Solution solution = optimum_of(text);
+    const Solution solution =
+        optimum_of(scene_named("valve_lobe").with("motion.lash_mm = 0", "motion.duration_crank_deg = 290"));
     EXPECT_TRUE(solution.scene.motion.segments[2].via.empty());
     EXPECT_NEAR(valve_report(solution).at(0.15 * millimetre).duration() / degree, 290.0, 1e-9);
 }
 
 TEST(ValveLobe, AreaIsThatOfMidpoints) {
-    const Solution solution = optimum_of(lobe + rest);
+    const Solution& solution = lobe();
     for (const ValveEvent& event : valve_report(solution).events) {
         constexpr int steps = 200000;
         double sum = 0.0;
@@ -88,7 +71,7 @@ TEST(ValveLobe, AreaIsThatOfMidpoints) {
 }
 
 TEST(ValveLobe, AccelerationsStayWithinTheirSides) {
-    const ValveReport report = valve_report(optimum_of(lobe + rest));
+    const ValveReport report = valve_report(lobe());
     const double unit = millimetre / (degree * degree);
     EXPECT_NEAR(report.opening_acceleration / unit, 0.020, 1e-8);
     EXPECT_NEAR(report.nose_acceleration / unit, -0.0085, 1e-8);
@@ -97,56 +80,53 @@ TEST(ValveLobe, AccelerationsStayWithinTheirSides) {
 
 TEST(ValveLobe, LimitsByAngleAndInTime) {
     // 3250 rpm of the cam: 19500 deg/s.
-    const Solution by_angle = optimum_of(lobe + rest);
     const Solution in_time =
-        optimum_of(lobe +
-                   "[spline]\nsegments = 16\n[objective]\narea = 1\n[limits]\n"
-                   "acceleration_mm_s2 = { min = -3232125, max = 7605000 }\njerk_mm_s3 = 37074375000\n");
-    EXPECT_NEAR(by_angle.certificate.objective, in_time.certificate.objective, 1e-9);
+        optimum_of(scene_named("valve_lobe")
+                       .with("limits.acceleration_mm_s2 = { min = -3232125, max = 7605000 }",
+                             "limits.jerk_mm_s3 = 37074375000"));
+    EXPECT_NEAR(lobe().certificate.objective, in_time.certificate.objective, 1e-9);
 }
 
 TEST(ValveLobe, RockerRatioScalesTheFollower) {
-    std::string text = lobe + rest;
-    text.insert(text.find("lash_mm"), "rocker_ratio = 1.6\n");
-    const Solution solution = optimum_of(text);
+    const Solution solution = optimum_of(scene_named("valve_lobe").with("motion.rocker_ratio = 1.6"));
     EXPECT_NEAR(solution.scene.motion.lift, 9.7 * millimetre / 1.6, 1e-15);
     EXPECT_NEAR(valve_report(solution).at(0.15 * millimetre).duration() / degree, 248.0, 1e-9);
 }
 
 TEST(ValveLobe, FingerFollowerSwings) {
     const Solution solution = optimum_of(
-        "[motion]\ntype = \"valve\"\nlift_mm = 9.5\nvalve_arm_mm = 40\nduration_crank_deg = 248\n"
-        "checking_height_mm = 1\nopening_ramp = { height_deg = 0.4, velocity_deg_deg = 0.02 }\n"
-        "[spline]\nsegments = 12\n[objective]\nacceleration = 1\n"
-        "[cam]\ntype = \"disk\"\nfollower = \"oscillating_roller\"\nbase_radius_mm = 18\nroller_radius_mm = "
-        "9\n"
-        "arm_length_mm = 32\ncenter_distance_mm = 44\n");
+        scene_named("valve_lobe")
+            .with("motion = { type = 'valve', lift_mm = 9.5, valve_arm_mm = 40, duration_crank_deg = 248, "
+                  "checking_height_mm = 1, opening_ramp = { height_deg = 0.4, velocity_deg_deg = 0.02 } }",
+                  "cam = { type = 'disk', follower = 'oscillating_roller', base_radius_mm = 18, "
+                  "roller_radius_mm = 9, "
+                  "arm_length_mm = 32, center_distance_mm = 44 }",
+                  "spline.segments = 12", "objective = { acceleration = 1 }", "limits = {}"));
     EXPECT_TRUE(solution.scene.motion.lift_is_angle);
     EXPECT_NEAR(solution.scene.motion.lift, 9.5 / 40.0, 1e-15);
     EXPECT_NEAR(valve_report(solution).at(millimetre).duration() / degree, 248.0, 1e-9);
 }
 
 TEST(ValveLobe, WithoutMotionExplanationNamesDuration) {
-    std::string text = lobe + rest;
-    text.replace(text.find("max = 0.020"), 11, "max = 0.006");
-    text += "[solver]\nexplain_seconds = 20\nexplain_changes = 10\n";
-    const Solution solution = solve(scene_of(text));
+    const TestScene scene = scene_named("valve_lobe")
+                                .with("limits.acceleration_mm_deg2 = { min = -0.0085, max = 0.006 }",
+                                      "solver = { explain_seconds = 20, explain_changes = 10 }");
+    const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const auto longer = std::ranges::find(solution.relaxation, "motion.duration_crank_deg", &Relaxation::key);
     ASSERT_NE(longer, solution.relaxation.end());
     ASSERT_TRUE(longer->solved);
-    const auto number = fmt::format("duration_crank_deg = {}", *longer->solved);
-    text.replace(text.find("duration_crank_deg = 248"), 24, number);
-    EXPECT_EQ(solve(scene_of(text)).certificate.verdict, Verdict::optimal) << number;
+    EXPECT_EQ(solve(scene.set(longer->key, *longer->solved)).certificate.verdict, Verdict::optimal)
+        << *longer->solved;
     for (const Relaxation& change : solution.relaxation)
         EXPECT_EQ(change.key.find("segments["), std::string::npos) << change.key;
 }
 
 TEST(ValveLobe, LiftOffSpeedLeavesNoForce) {
-    const Solution solution = optimum_of(lobe + rest +
-                                         "[cam]\ntype = \"disk\"\nfollower = \"translating_flat\"\n"
-                                         "base_radius_mm = 17\n[forces]\nmass_kg = 0.11\n"
-                                         "spring_rate_n_mm = 28\npreload_n = 260\n");
+    const Solution solution =
+        optimum_of(scene_named("valve_lobe")
+                       .with("cam = { type = 'disk', follower = 'translating_flat', base_radius_mm = 17 }",
+                             "forces = { mass_kg = 0.11, spring_rate_n_mm = 28, preload_n = 260 }"));
     const ValveReport report = valve_report(solution);
     ASSERT_EQ(report.margins.size(), 5U);
     for (std::size_t i = 1; i < report.margins.size(); ++i)
@@ -200,26 +180,26 @@ TEST(ValveLobe, LiftOffSpeedLeavesNoForce) {
 TEST(ValveLobe, StructuredSolverNeedsNoSuccessor) {
     // Rows of the limits meet in nearly dependent places: a direction must be more accurate than its length
     // asks.
-    const std::string limits =
-        "[limits]\nacceleration_mm_deg2 = { min = -0.012, max = 0.020 }\njerk_mm_deg3 = 0.005\n"
-        "contact_force_min_n = 60\ncam_radius_min_mm = 2\n"
-        "[cam]\ntype = \"disk\"\nfollower = \"translating_flat\"\nbase_radius_mm = 18\nface_radius_mm = 16\n"
-        "[forces]\nmass_kg = 0.11\nspring_rate_n_mm = 28\npreload_n = 260\ncontact_width_mm = 13\n";
+    const TestScene scene =
+        scene_named("valve_lobe")
+            .with(
+                "limits = { acceleration_mm_deg2 = { min = -0.012, max = 0.020 }, jerk_mm_deg3 = 0.005, "
+                "contact_force_min_n = 60, cam_radius_min_mm = 2 }",
+                "cam = { type = 'disk', follower = 'translating_flat', base_radius_mm = 18, face_radius_mm = "
+                "16 }",
+                "forces = { mass_kg = 0.11, spring_rate_n_mm = 28, preload_n = 260, contact_width_mm = 13 }",
+                "solver.name = structured");
     for (const int segments : {20, 24, 28, 32}) {
-        const Solution solution =
-            optimum_of(lobe + fmt::format("[spline]\nsegments = {}\n[objective]\narea = 1\n", segments) +
-                       limits + "[solver]\nname = \"structured\"\n");
+        const Solution solution = optimum_of(scene.set("spline.segments", segments));
         EXPECT_LE(*solution.certificate.gap, 2e-7) << segments;
     }
 }
 
 TEST(ValveLobe, OverlapOfIntakeAndExhaust) {
-    const auto with_centerline = [](const std::string& number) {
-        std::string text = lobe + rest;
-        text.insert(text.find("lash_mm"), "centerline_crank_deg = " + number + "\n");
-        return optimum_of(text);
+    const auto with_centerline = [](int number) {
+        return optimum_of(scene_named("valve_lobe").set("motion.centerline_crank_deg", number));
     };
-    const Solution intake = with_centerline("108"), exhaust = with_centerline("-112");
+    const Solution intake = with_centerline(108), exhaust = with_centerline(-112);
     const ValvePair pair = valve_pair(intake, exhaust, ValveGap{4.0 * millimetre, 30.0 * degree});
     EXPECT_NEAR(pair.lobe_separation / degree, 110.0, 1e-9);
     const auto checking = std::ranges::find_if(
@@ -235,7 +215,7 @@ TEST(ValveLobe, OverlapOfIntakeAndExhaust) {
     ASSERT_TRUE(pair.clearance);
     const double both = 2.0 * pair.common_lift * std::sin(15.0 * degree);
     EXPECT_NEAR(*pair.clearance, 4.0 * millimetre - both, 0.1 * millimetre);
-    EXPECT_THROW(static_cast<void>(valve_pair(intake, optimum_of(lobe + rest))), InputError);
+    EXPECT_THROW(static_cast<void>(valve_pair(intake, lobe())), InputError);
 }
 
 TEST(ValveLobe, IsWrittenInCppToo) {
@@ -254,7 +234,7 @@ TEST(ValveLobe, IsWrittenInCppToo) {
     scene.limits.acceleration_min = millimetres_per_degree_squared(-0.0085);
     scene.limits.acceleration_max = millimetres_per_degree_squared(0.020);
     scene.limits.jerk = millimetres_per_degree_cubed(0.005);
-    EXPECT_NEAR(solve(scene).certificate.objective, optimum_of(lobe + rest).certificate.objective, 1e-9);
+    EXPECT_NEAR(solve(scene).certificate.objective, lobe().certificate.objective, 1e-9);
     valve.checking_height = 0.0;
     EXPECT_THROW(make_valve_lobe(scene.motion, valve), InputError);
 }
