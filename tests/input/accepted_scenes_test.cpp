@@ -262,7 +262,7 @@ INSTANTIATE_TEST_SUITE_P(Files, AcceptedScenes,
                          testing::ValuesIn(case_files(source_folder() + "/tests/input/accepted")),
                          [](const auto& info) { return info.param.stem().string(); });
 
-TEST(SceneReader, PointsOfACamArriveInEveryUnit) {
+TEST(SceneReader, CamPointsArriveInEveryUnit) {
     const KnownNames names = reaching();
     for (const CamPointKey& one : cam_point_keys()) {
         SCOPED_TRACE(one.key);

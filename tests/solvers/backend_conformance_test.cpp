@@ -269,7 +269,7 @@ TEST_P(Backend, DoesNotCallAnUnboundedProblemSolved) {
 /// Searches only within bounds, and makes them up where there are none.
 class BoxedBackend : public Backend {};
 
-TEST_P(BoxedBackend, DoesNotReportBoxEdgeAsOptimum) {
+TEST_P(BoxedBackend, BoxEdgeIsNotReportedOptimal) {
     const KnownProblem problem = unbounded_lp();
     const BackendResult result = minimize(*problem.nlp, problem.start);
     EXPECT_EQ(result.termination, Termination::unbounded) << result.native_status;
