@@ -40,6 +40,10 @@ class Documents:
         path = os.pathsep.join([str(self.program.parent), os.environ["PATH"]])
         found = f"{self.options.prefix}/{self.options.libdir}/pkgconfig"
         self.surroundings = dict(os.environ, PATH=path, PKG_CONFIG_PATH=found, LC_ALL="C.UTF-8")
+        # What a clone has compiled another one, or the next run, finds in the compiler cache.
+        self.launcher = ["ccache"] if shutil.which("ccache") else []
+        for name, value in (("CCACHE_BASEDIR", str(self.root)), ("CCACHE_NOHASHDIR", "1")):
+            self.surroundings.setdefault(name, value)
         # scripts/packages.txt has no make, which is CMake's default.
         self.surroundings.setdefault("CMAKE_GENERATOR", "Ninja")
         self.whole_program = None
@@ -125,7 +129,8 @@ class Documents:
         around = ([], []) if any(FUNCTION.match(line) for line in lines) else (["void block() {"], ["}"])
         source = self.file_for(block, "part.cpp")
         source.write_text("\n".join(top + around[0] + rest + around[1]) + "\n", encoding="utf-8")
-        return "parts of C++ compiled", self.run([self.options.compiler, "-std=c++20", "-fsyntax-only", *self.flags(), source])
+        return "parts of C++ compiled", self.run([*self.launcher, self.options.compiler, "-std=c++20", "-O0", "-c", *self.flags(),
+                                                  source, "-o", source.with_suffix(".o")])
 
     def c(self, block):
         text = block.text
@@ -159,7 +164,8 @@ class Documents:
             project.with_name("camopt").symlink_to(self.root)
         build = project.with_name("build")
         fault = self.run(["cmake", "-S", project.parent, "-B", build, f"-DCMAKE_PREFIX_PATH={self.options.prefix}",
-                          f"-DCMAKE_CXX_COMPILER={self.options.compiler}", f"-DCMAKE_CXX_FLAGS={self.options.flags}"])
+                          f"-DCMAKE_CXX_COMPILER={self.options.compiler}", f"-DCMAKE_CXX_FLAGS={self.options.flags}",
+                          f"-DCMAKE_CXX_COMPILER_LAUNCHER={';'.join(self.launcher)}"])
         if fault or language == "C" or self.counts["C++ programs built and run"]:
             return "blocks of CMake configured", fault
         fault = self.run(["cmake", "--build", build]) or self.run([build / "program"])
