@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""tiers.py ROOT BUILD: every test of a build has one tier, and no case of its last run
-(BUILD/tests.xml, written by scripts/test) exceeds that tier.
+"""tiers.py ROOT BUILD: every test of a build has one tier, no case of its last run
+(BUILD/tests.xml, written by scripts/test) exceeds that tier, and every skip in it is accepted by name (tests/skips.txt).
 
 A case above twice the seconds of its tier runs once more, alone. Still above, it is named; above four times it is a fault: the
 processors of CI differ by a factor of two. Exit status 1 where there is a fault."""
@@ -15,6 +15,8 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree
+
+import skips
 
 # Seconds of one case, and of a tier as a whole on two cores (docs/verification.md).
 LIMIT = {"unit": 0.5, "solve": 3.0, "product": 60.0, "python": 60.0}
@@ -88,7 +90,7 @@ def main():
     labels, times = labels_of_build(arguments.build), times_of_run(arguments.build / "tests.xml")
     if not times:
         sys.exit("tiers: the run holds no test")
-    faults = [*untiered(labels), *stale_patterns(arguments.root, labels)]
+    faults = [*untiered(labels), *stale_patterns(arguments.root, labels), *skips.faults(arguments.root, arguments.build / "tests.xml")]
     for is_fault, words in too_slow(arguments.build, labels, times):
         if is_fault:
             faults.append(words)
