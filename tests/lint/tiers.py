@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""tiers.py ROOT BUILD: every test of a build has one tier, and no case of its last run
-(BUILD/tests.xml, written by scripts/test) exceeds that tier, nor all of them the tier's budget.
+"""tiers.py ROOT BUILD: every test of a build has one tier, no case of its last run (BUILD/tests.xml, written by scripts/test)
+exceeds that tier, nor all of them the tier's budget, and every skip in it is accepted by name (tests/skips.txt).
 
 A case above twice the seconds of its tier (processors of CI differ that much) runs once more, alone; still above, it is named.
-Exit status: 1 where a test has no tier or tests/tiers.txt a pattern without a case; 78 where tests are slow and nothing else is
+Exit status: 1 where a test has no tier, a pattern of tests/tiers.txt no case, or a skip is not accepted; 78 where tests are slow and nothing else is
 wrong; 0."""
 
 import argparse
@@ -16,6 +16,8 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree
+
+import skips
 
 # Seconds of one case, and of a tier as a whole on two cores (docs/verification.md).
 LIMIT = {"unit": 0.5, "solve": 3.0, "product": 60.0, "python": 60.0}
@@ -97,7 +99,7 @@ def main():
     labels, times = labels_of_build(arguments.build), times_of_run(arguments.build / "tests.xml")
     if not times:
         sys.exit("tiers: the run holds no test")
-    faults = [*untiered(labels), *stale_patterns(arguments.root, labels)]
+    faults = [*untiered(labels), *stale_patterns(arguments.root, labels), *skips.faults(arguments.root, arguments.build / "tests.xml")]
     slow = list(too_slow(arguments.build, labels, times))
     print("\n".join(faults + [f"finding: {words}" for words in slow]))
     print(f"tiers: {len(faults)} faults and {len(slow)} findings in {len(times)} tests")

@@ -241,14 +241,22 @@ Scene pressed_flat_arm() {
 }
 
 TEST(DeliveredAudit, VerdictAllowsNoViolation) {
-    testing_support::CountingClock clock;
-    const Solution solution = solve(pressed_flat_arm(), clock.control());
-    const Verdict verdict = solution.certificate.verdict;
-    const bool stands =
-        verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
-    if (!stands) return;
+    const auto stands = [](const Solution& solution) {
+        const Verdict verdict = solution.certificate.verdict;
+        return verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
+    };
+    Scene scene = pressed_flat_arm();
+    testing_support::CountingClock clock, another;
+    const Solution none = solve(scene, clock.control());  // every motion that is found has a cusp
+    EXPECT_FALSE(stands(none)) << name_of(none.certificate.verdict);
+    EXPECT_FALSE(none.motion);
+    scene.cam->set(DimensionIndex::base_radius, 0.07);
+    const Solution solution = solve(scene, another.control());
+    EXPECT_TRUE(stands(solution)) << name_of(solution.certificate.verdict);
     ASSERT_EQ(solution.constraints.size(), 1u);
-    EXPECT_LE(solution.constraints[0].worst, solution.constraints[0].limit * (1.0 + 1e-8));
+    const double limit = solution.constraints[0].limit;
+    EXPECT_LE(solution.constraints[0].worst, limit * (1.0 + 1e-8));
+    EXPECT_GT(solution.constraints[0].worst, 0.999 * limit);
 }
 
 /// A cost is never negative. Numerically hard scenes have dual bounds far below: none is shown.

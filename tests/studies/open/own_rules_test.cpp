@@ -83,6 +83,7 @@ TEST(OwnTerm, AConvexOneIsProved) {
     const double least = expected.certificate.objective;
     EXPECT_NEAR(found.certificate.objective, least + least * least, 1e-6);
     EXPECT_LE(*found.certificate.lower_bound, found.certificate.objective + 1e-9);
+    EXPECT_GE(*found.certificate.lower_bound, found.certificate.objective - 1e-4);
 }
 
 TEST(OwnTerm, SteepTermIsProvedByRefinement) {

@@ -72,6 +72,7 @@ TEST(MotionCases, LawAboveStrokesCountsInArea) {
     ASSERT_TRUE(low.certificate.lower_bound && high.certificate.lower_bound);
     EXPECT_LE(*low.certificate.lower_bound, low.certificate.objective);
     EXPECT_LE(*low.certificate.lower_bound, high.certificate.objective - 6.0 + 1e-6);
+    EXPECT_GE(*low.certificate.lower_bound, low.certificate.objective - 1e-6);
 }
 
 TEST(MotionCases, RepeatedSplinesJoin) {

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -128,8 +129,9 @@ TEST(Plan, StrokesAreHeldOnlyIfNeeded) {
 
 TEST(Plan, CostFarFromOneIsScaled) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
+    EXPECT_EQ(plan(scene).cost_scale, 1.0);
     scene.objective.velocity = scene.objective.acceleration = scene.objective.jerk = 1e-6;
-    EXPECT_LT(plan(scene).cost_scale, 1e-5);
+    EXPECT_EQ(plan(scene).cost_scale, std::exp2(-18.0)) << "a power of two near 3e-6";
 }
 
 TEST(Plan, ExplanationFollowsOnRequest) {

@@ -128,6 +128,7 @@ void expect_measured(const Solution& solution) {
     EXPECT_NEAR(solution.peaks.acceleration.value, own.peak[2], 1e-6 * own.peak[2] + 1e-8);
     EXPECT_NEAR(solution.peaks.jerk.value, own.peak[3], 1e-6 * own.peak[3] + 1e-8);
     if (solution.certificate.lower_bound) {
+        EXPECT_TRUE(std::isfinite(*solution.certificate.lower_bound));
         EXPECT_LE(*solution.certificate.lower_bound,
                   solution.certificate.objective + 1e-8 * std::max(1.0, own.objective));
     }

@@ -70,6 +70,7 @@ TEST_P(TimeLimit, HoldsAtEveryStage) {
             EXPECT_FALSE(certificate.gap);
         }
         if (hurried.motion && certificate.lower_bound) {
+            EXPECT_TRUE(std::isfinite(*certificate.lower_bound)) << part;
             EXPECT_LE(*certificate.lower_bound, certificate.objective * (1.0 + 1e-7)) << part;
         }
     }

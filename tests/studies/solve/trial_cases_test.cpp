@@ -32,6 +32,7 @@ TEST_P(TrialCases, HaveTheRightOptimum) {
     ASSERT_EQ(certificate.verdict, Verdict::optimal) << name_of(certificate.reason);
     EXPECT_NEAR(certificate.objective, GetParam().objective, GetParam().tolerance);
     EXPECT_LE(*certificate.lower_bound, certificate.objective + 1e-9);
+    EXPECT_GE(*certificate.lower_bound, certificate.objective - 1e-4 * std::max(1.0, certificate.objective));
 }
 
 INSTANTIATE_TEST_SUITE_P(Area, TrialCases,
