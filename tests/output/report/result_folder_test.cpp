@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/report/result_folder.hpp"
+#include "output/report/result_folder_reader.hpp"
 
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
