@@ -280,8 +280,9 @@ void add_more_commands(Commands& commands) {
     commands.add_hidden("__manual", [](const CLI::App& program, auto) { return manual_page(program); });
     // scripts/offline_page
     commands.add_hidden("__offline_page", [](const CLI::App&, std::span<const char* const> words) {
-        if (words.size() != 2) throw InputError("__offline_page: allowed: a template and the solver's module");
-        return make_offline_page(read_text_file(words[0]), words[1],
+        if (words.size() != 3)
+            throw InputError("__offline_page: allowed: a page, its licences and the solver's module");
+        return make_offline_page(read_text_file(words[0]), read_text_file(words[1]), words[2],
                                  [](const std::string& why) { print_error("no example: " + why + "\n"); });
     });
 }

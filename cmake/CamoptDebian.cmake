@@ -8,18 +8,19 @@ if(BUILD_SHARED_LIBS OR NOT CAMOPT_C OR NOT CAMOPT_HAVE_PYTHON OR NOT TARGET cam
   message(FATAL_ERROR "camopt: CAMOPT_DEBIAN=ON needs the program, the C library, the Python package and static libraries (preset debian)")
 endif()
 set(CAMOPT_DEBIAN_MAINTAINER "The camopt authors <maintainers@camopt.example>" CACHE STRING "Maintainer of the Debian packages")
-set(CAMOPT_OFFLINE_PAGE "" CACHE FILEPATH "Page of scripts/offline_page; the package camopt installs it as share/camopt/camopt.html")
+set(CAMOPT_OFFLINE_PAGE "" CACHE FILEPATH "Page of scripts/offline_page, camopt.html; the package camopt installs it in share/camopt")
 
-if(CAMOPT_OFFLINE_PAGE)
-  install(FILES ${CAMOPT_OFFLINE_PAGE} RENAME camopt.html DESTINATION ${CMAKE_INSTALL_DATADIR}/camopt COMPONENT camopt_program)
+if(NOT EXISTS "${CAMOPT_OFFLINE_PAGE}")
+  message(FATAL_ERROR "camopt: CAMOPT_DEBIAN=ON needs CAMOPT_OFFLINE_PAGE (scripts/offline_page): the package camopt contains the page")
 endif()
+install(FILES ${CAMOPT_OFFLINE_PAGE} DESTINATION ${CMAKE_INSTALL_DATADIR}/camopt COMPONENT camopt_program)
 
-# camopt_debian_documents(<component> <package> <parts>): the licence of camopt and of what is compiled in, and the changelog.
+# camopt_debian_documents(<component> <package>): the licence of camopt and of what is compiled in, and the changelog.
 string(TIMESTAMP camopt_debian_date "%a, %d %b %Y %H:%M:%S +0000" UTC)  # of SOURCE_DATE_EPOCH, if set
 function(camopt_debian_documents component package)
   set(folder ${PROJECT_BINARY_DIR}/debian/${package})
   file(MAKE_DIRECTORY ${folder})
-  execute_process(COMMAND ${Python_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/scripts/license_texts ${ARGN}
+  execute_process(COMMAND ${Python_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/scripts/license_texts ${package}
     OUTPUT_FILE ${folder}/copyright COMMAND_ERROR_IS_FATAL ANY)
   file(WRITE ${folder}/changelog "${package} (${PROJECT_VERSION}) bookworm; urgency=medium\n\n"
     "  * Release ${PROJECT_VERSION}. CHANGELOG.md of the source lists the changes.\n\n"
@@ -27,10 +28,9 @@ function(camopt_debian_documents component package)
   execute_process(COMMAND gzip -9nf ${folder}/changelog COMMAND_ERROR_IS_FATAL ANY)
   install(FILES ${folder}/copyright ${folder}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
 endfunction()
-set(camopt_compiled_in eigen fmt toml++ nlohmann-json uplot three.js)
-camopt_debian_documents(camopt_program camopt ${camopt_compiled_in} cli11)
-camopt_debian_documents(camopt_static libcamopt-dev ${camopt_compiled_in})
-camopt_debian_documents(camopt_python python3-camopt ${camopt_compiled_in} pybind11)
+camopt_debian_documents(camopt_program camopt)
+camopt_debian_documents(camopt_static libcamopt-dev)
+camopt_debian_documents(camopt_python python3-camopt)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

@@ -128,7 +128,8 @@ std::string without_times(std::string answer) {
 
 }  // namespace
 
-std::string make_offline_page(std::string_view engine, const std::filesystem::path& scenes,
+std::string make_offline_page(std::string_view engine, std::string_view licenses,
+                              const std::filesystem::path& scenes,
                               const std::function<void(const std::string&)>& left_out) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
@@ -155,6 +156,7 @@ std::string make_offline_page(std::string_view engine, const std::filesystem::pa
     for (const char* const name : {"offline.js", "wasi.js"})
         html.scripts.emplace(html.scripts.begin(), studio_asset(name));
     html.blocks = {{"opening-scene", "null"}, {"examples", Json(examples).dump()}};
+    html.licenses = licenses;
     html.engine = base64(engine);
     return page_html(html);
 }

@@ -51,9 +51,10 @@ struct StudioStart {
 
 /// camopt.html: the studio's page, the engine and the scenes of a folder that it can solve as examples, in
 /// one document that needs no server. `engine`: apps/studio/offline/engine.cpp, compiled for WebAssembly,
-/// gzip. The same input gives the same bytes. Throws InputError for a folder without scenes; `left_out` is
-/// told of each scene that is no example, and why.
-[[nodiscard]] std::string make_offline_page(std::string_view engine, const std::filesystem::path& scenes,
+/// gzip; `licenses`: of all that it contains. The same input gives the same bytes. Throws InputError for a
+/// folder without scenes; `left_out` is told of each scene that is no example, and why.
+[[nodiscard]] std::string make_offline_page(std::string_view engine, std::string_view licenses,
+                                            const std::filesystem::path& scenes,
                                             const std::function<void(const std::string&)>& left_out);
 
 // Files of a scene, made in memory: a request names one of a list, never a path.

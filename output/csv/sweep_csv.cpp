@@ -20,7 +20,7 @@ constexpr std::string_view solved_word = "solved", proved_from_row = "proved fro
 const ShownUnit without_unit{"", 1.0}, newton_metres{"N m", 1.0};
 
 // Of sweeps of different cams, with a follower train, with a motor, of machines.
-constexpr std::array<SweepCamColumn, 3> cam_columns = {
+constexpr std::array<SweepCamColumn, 3> swept_cam_columns = {
     {{"pressure_angle_deg", "largest pressure angle", &SweepCam::pressure_angle, &degrees_shown},
      {"convex_radius_mm", "least convex radius of the cam", &SweepCam::convex_radius, &millimetres_shown},
      {"concave_radius_mm", "least concave radius of the cam", &SweepCam::concave_radius,
@@ -40,7 +40,7 @@ constexpr std::array<SweepPartColumn<SweepMachine>, 2> machine_columns = {
 /// visit(columns of a part, the part of a row) for each that the sweep has, in their order.
 template <class Row, class Visit>
 void for_each_part(const SweepColumns& columns, Row&& row, const Visit& visit) {
-    if (columns.cam()) visit(cam_columns, row.cam);
+    if (columns.cam()) visit(swept_cam_columns, row.cam);
     if (columns.train) visit(train_columns, row.train);
     if (columns.drive) visit(drive_columns, row.drive);
     if (columns.machine) visit(machine_columns, row.machine);
@@ -257,7 +257,7 @@ void add_row(CsvLine& line, const SweepRow& row, const std::vector<DimensionInde
 }  // namespace
 
 std::span<const SweepCamColumn> sweep_cam_columns() {
-    return cam_columns;
+    return swept_cam_columns;
 }
 
 std::span<const SweepDriveColumn> sweep_drive_columns() {

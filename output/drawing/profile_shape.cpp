@@ -8,7 +8,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double from_inside = 1e-9;  // of a piece's length: its ends are looked at from this far inside
-constexpr double same_place = 1e-9;   // of the base radius: two points of the cam are one
+constexpr double same_end = 1e-9;     // of the base radius: two points of the cam are one
 constexpr int rim_samples = 1440;
 constexpr int cusp_samples = 720;    // angles searched for sign changes of the regularity
 constexpr int cusp_bisections = 60;  // down to neighbouring numbers
@@ -73,8 +73,7 @@ ProfileShape profile_shape(const std::shared_ptr<const CamPoints>& points) {
     shape.at = points_of(0);
     if (shape.formulas().stations() > 1) shape.other = points_of(1);
     const Vector2d gap = in_plane(shape.at(shape.end()).contact - shape.at(shape.begin()).contact);
-    shape.closed =
-        is_whole_turn(shape.end() - shape.begin()) && gap.norm() < same_place * shape.base_radius();
+    shape.closed = is_whole_turn(shape.end() - shape.begin()) && gap.norm() < same_end * shape.base_radius();
     return shape;
 }
 

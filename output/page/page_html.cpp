@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/page/page_html.hpp"
 
+#include "core/errors.hpp"
 #include "core/text/printable.hpp"
 #include "output/page/page_parts.hpp"
 #include "studies/search/planned_solve.hpp"
@@ -38,9 +39,12 @@ std::string script(std::string_view text, const std::string& nonce) {
 }
 
 /// The licences of what the page carries, for who reads its text.
-std::string licences(bool solids) {
-    std::string text = "uPlot\n" + std::string(page_asset("vendor/uPlot.LICENSE"));
-    if (solids) text += "\nthree.js\n" + std::string(page_asset("vendor/three.LICENSE"));
+std::string licences(const PageHtml& page) {
+    std::string text = page.licenses;
+    if (text.find("</script") != std::string::npos || text.find("<!--") != std::string::npos)
+        throw InputError("licences: found </script or <!--, which a page cannot carry as text");
+    text += "uPlot\n" + std::string(page_asset("vendor/uPlot.LICENSE"));
+    if (page.solids) text += "\nthree.js\n" + std::string(page_asset("vendor/three.LICENSE"));
     return fmt::format("<script type=\"text/plain\" id=\"licences\">\n{}</script>\n", text);
 }
 
@@ -83,7 +87,7 @@ std::string page_html(const PageHtml& page) {
     std::string styles = style(page_asset("vendor/uPlot.min.css")) + style(page_asset("assets/page.css"));
     for (const std::string& text : page.styles) styles += style(text);
     // The base comes before the charts' library, which asks once how many dots a pixel has.
-    std::string scripts = licences(page.solids) + script(page_asset("assets/base.js"), page.nonce) +
+    std::string scripts = licences(page) + script(page_asset("assets/base.js"), page.nonce) +
                           script(page_asset("vendor/uPlot.iife.min.js"), page.nonce);
     if (page.solids) scripts += script(page_asset("vendor/three.min.js"), page.nonce);
     for (const char* const name : page_scripts) scripts += script(page_asset(name), page.nonce);

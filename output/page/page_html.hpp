@@ -106,6 +106,8 @@ struct PageHtml {
     /// Of the scripts, for a policy that a server sends; empty: none.
     std::string nonce = {};
     std::vector<PageBlock> blocks = {};
+    /// Texts of what the engine contains, before those of the page's scripts in the element `licences`.
+    std::string licenses = {};
     /// A WebAssembly module for a Worker, gzip, base64: the last element of the page. Empty: none may run.
     std::string engine = {};
 };

@@ -13,11 +13,9 @@ namespace camopt {
 
 namespace {
 
-using enum CamView;
-
 constexpr const char* drawing_name = "profile.dxf";
 constexpr const char* check_name = "profile.check.json";
-const CamFile force_file = {diagram, "forces.svg", "Force, torque and pressure", ""};
+const CamFile force_file = {CamView::diagram, "forces.svg", "Force, torque and pressure", ""};
 
 /// The files of a kind and what makes them.
 struct KindFiles {
@@ -28,6 +26,7 @@ struct KindFiles {
 
 /// The first that fits.
 const std::array<KindFiles, 4>& kinds() {
+    using enum CamView;
     static const std::array<KindFiles, 4> all = {{
         {[](const CamMechanism& cam) { return cam.is_direct() && cam.stations() > 1; },
          {{table, "profile.csv", "", ""},
@@ -102,15 +101,15 @@ std::vector<CamFile> cam_files(const View& view, const CamFileOptions& options) 
     if (options.drawing) {
         ProfileDxf drawn = cam_dxf(view, options.dxf_tolerance);
         const bool has_pitch = drawn.pitch_arcs > 0;
-        files.push_back({drawing, drawing_name, "", std::move(drawn.text)});
+        files.push_back({CamView::drawing, drawing_name, "", std::move(drawn.text)});
         files.push_back(
-            {drawing, check_name, "", drawing_claims(solution, options.dxf_tolerance, has_pitch)});
+            {CamView::drawing, check_name, "", drawing_claims(solution, options.dxf_tolerance, has_pitch)});
     }
     return files;
 }
 
 std::string cam_view(const View& view, CamView shown, CamFileOptions options) {
-    options.drawing = shown == drawing;
+    options.drawing = shown == CamView::drawing;
     const std::vector<CamFile> files = cam_files(view, options);
     const auto found = std::ranges::find(files, shown, &CamFile::view);
     if (found == files.end())

@@ -59,7 +59,7 @@ double millimetres(double metres) {
     return metres / units::millimetre;
 }
 
-constexpr CamColumn cam_columns[] = {
+constexpr CamColumn plane_cam_columns[] = {
     {"pressure_angle_deg", "pressure angle in deg", ColumnNeed::plane_cam,
      [](const auto& cam, const auto&) { return cam.pressure_angle / units::degree; }},
     {"cam_radius_mm", "radius of curvature of the cam in mm, > 0 convex", ColumnNeed::plane_cam,
@@ -124,7 +124,7 @@ std::vector<TableColumn> all_columns() {
                     [](const auto&, const TableRow& row) { return row.drive.torque; }});
     rows.push_back({"motor_speed_rpm", "speed of the motor in rpm", ColumnNeed::drive, 0,
                     [](const auto&, const TableRow& row) { return rpm_shown.of(row.drive.speed); }});
-    for (const CamColumn& cam : cam_columns)
+    for (const CamColumn& cam : plane_cam_columns)
         rows.push_back({cam.key, cam.meaning, cam.need, 0,
                         [&cam](const auto&, const TableRow& row) { return cam.value(*row.cam, row.loads); }});
     return rows;

@@ -14,7 +14,7 @@ namespace camopt {
 namespace {
 
 constexpr std::size_t most_points = 2000;  // in pictures and pages
-constexpr double same_place = 1e-9;        // x: a row beyond the end by less is rounding of an angle
+constexpr double beyond_end = 1e-9;        // x: a row beyond the end by less is rounding of an angle
 constexpr std::array<const char*, 4> titles = {"Displacement", "Velocity", "Acceleration", "Jerk"};
 
 /// Limits of one side and corridors.
@@ -102,7 +102,7 @@ std::vector<std::array<double, 2>> table_points(const View& view) {
     std::vector<std::array<double, 2>> points;
     for (std::size_t k = 0; k < scene.measured->angle.size(); ++k) {
         const double x = scene.measured->angle[k] / turn;
-        if (x < fit.begin() - same_place || x > fit.end() + same_place) continue;
+        if (x < fit.begin() - beyond_end || x > fit.end() + beyond_end) continue;
         points.push_back(
             {view.degrees(x), unit.per_normalised * scene.measured->displacement[k] / scene.motion.lift});
     }

@@ -15,8 +15,8 @@ using Eigen::Vector2d;
 
 constexpr int most_between = 64;   // places looked at between two points, however small the roller
 constexpr int section_steps = 34;  // golden sections: to 1e-7 of a distance, of whose square the lift depends
-constexpr int bisections = 60;     // down to neighbouring numbers
-constexpr int search_whole = 16;   // every so many angles the whole curve is searched without need
+constexpr int root_bisections = 60;  // down to neighbouring numbers
+constexpr int search_whole = 16;     // every so many angles the whole curve is searched without need
 constexpr double suspicious = 1e-6;  // relative: a deviation that has the whole curve searched
 
 /// The cam in the fixed frame at one cam angle.
@@ -179,7 +179,7 @@ class Simulation {
                 const auto still_before = [&](double parameter) {
                     return (across(curve_.at(parameter)) > 0.0) == (*before > 0.0);
                 };
-                const double last = bisected(still_before, {parameters_[i - 1], end}, bisections).with;
+                const double last = bisected(still_before, {parameters_[i - 1], end}, root_bisections).with;
                 contact.lift = std::max(contact.lift, turn(curve_.at(last)).y());
             }
             before = now;

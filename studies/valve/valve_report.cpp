@@ -9,7 +9,7 @@
 namespace camopt {
 namespace {
 
-constexpr int bisections = 60;
+constexpr int search_steps = 60;
 constexpr std::array shares_of_speed = {0.5, 0.75, 1.0, 1.1, 1.25};
 constexpr double same_height = 1e-9;  // m
 constexpr int pair_places = 7200;     // over the cycle of 720 crank degrees, then refined
@@ -42,7 +42,7 @@ double place_of_lift(const Solution& solution, double height, int sense) {
     const auto above = [&](double x) { return valve_lift_at(solution, x) >= height; };
     for (std::size_t i = 1; i < pieces.size(); ++i)
         if (!above(pieces[i])) {
-            const Border border = bisected(above, {pieces[i - 1], pieces[i]}, bisections);
+            const Border border = bisected(above, {pieces[i - 1], pieces[i]}, search_steps);
             return 0.5 * (border.with + border.without);
         }
     return pieces.back();
@@ -164,7 +164,7 @@ Extremum largest_over_cycle(const std::function<double(double crank)>& figure) {
         places.push_back(2.0 * units::turn * (static_cast<double>(i) / pair_places - 0.5));
     const double step = places[1] - places[0];
     const double best = *std::ranges::max_element(places, {}, figure);
-    const GoldenSection section = golden_maximum(figure, best - step, best + step, bisections);
+    const GoldenSection section = golden_maximum(figure, best - step, best + step, search_steps);
     return {section.value(), section.place()};
 }
 

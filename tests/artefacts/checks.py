@@ -11,6 +11,7 @@ import tarfile
 import zipfile
 
 import debian_chroot
+import licenses
 
 SCENE, SCENE_OBJECTIVE = "drd_cubic_12.toml", "objective 0.940489"
 # Twelve cubic segments against the modified sine's own peaks (README.md), in Python and tests/package/consumer/solve.cpp.
@@ -54,6 +55,15 @@ def demand_no_path(folder, forbidden):
     demand("no file names the build folder", not found, found)
 
 
+def demand_licenses(file, text, work):
+    found = list(licenses.faults(file, text, licenses.packages_of(licenses.headers_read(work / "tree", file))))
+    demand(f"{file} carries the licences of what it contains", not found, found)
+
+
+def joined(paths):
+    return "\n".join(path.read_text(encoding="utf-8") for path in sorted(paths))
+
+
 def fresh(work, name):
     folder = work / name
     shutil.rmtree(folder, ignore_errors=True)
@@ -72,6 +82,9 @@ def check_debian(files, version, root, work):
     for path in files.values():
         run("dpkg-deb", "-x", path, folder)
     demand_no_path(folder, work.parent)
+    for name in files:
+        demand_licenses(name, (folder / "usr/share/doc" / name / "copyright").read_text(encoding="utf-8"), work)
+    demand("camopt has the page", (folder / "usr/share/camopt/camopt.html").exists())
     check_library(folder / "usr", version, root, work)
     check_in_chroot(files, version, root, work)
 
@@ -135,7 +148,7 @@ def check_wheel(files, version, root, work):
         archive.extractall(folder / "content")
     demand("stubs", {"camopt/_camopt.pyi", "camopt/py.typed"} <= names, names)
     info = f"camopt-{version}.dist-info"
-    demand("licences", {f"{info}/LICENSE.{part}.txt" for part in ("camopt", "fmt", "toml++", "eigen", "MPL-2.0")} <= names, names)
+    demand_licenses("wheel", joined((folder / "content" / info).glob("LICENSE*")), work)
     needs = re.findall(r"^Requires-Dist: (.*)$", (folder / "content" / info / "METADATA").read_text(), re.MULTILINE)
     demand("NumPy is the only requirement", [need for need in needs if "extra ==" not in need] == ["numpy"], needs)
     demand_no_path(folder / "content", work.parent)
@@ -170,15 +183,14 @@ def check_windows(files, version, root, work, program):
     folder = fresh(work, "unpacked")
     with zipfile.ZipFile(next(path for path in files if path.suffix == ".zip")) as archive:
         archive.extractall(folder)
-    demand("licences", (folder / "licenses/LICENSE.gcc-mingw.txt").exists())
+    demand_licenses("windows", joined((folder / "licenses").glob("*.txt")), work)
+    demand("the page", (folder / "camopt.html").exists())
     demand_no_path(folder, work.parent)
-    setup = [word for path in files if path.name.endswith("-setup.exe") for word in ("--setup", path)]
-    if not setup:
-        print("*** no installer: it was built without the page")
+    setup = next(path for path in files if path.name.endswith("-setup.exe"))
     tests = root / "build/release/tests/apps/apps_test"
     if not tests.exists():
         print(f"*** the command-line tests do NOT run under Wine: {tests} is not built")
-    see("/usr/bin/python3", "-B", root / "tests/artefacts/windows_checks.py", folder / "camopt.exe", program(), work / "wine", *setup,
+    see("/usr/bin/python3", "-B", root / "tests/artefacts/windows_checks.py", folder / "camopt.exe", program(), work / "wine", "--setup", setup,
         *(["--tests", tests] if tests.exists() else []))
 
 
@@ -190,6 +202,7 @@ def check_page(files, version, root, work, program):
     demand("an HTML document", text.lstrip()[:15].lower() == "<!doctype html>", text[:60])
     outside = re.findall(r"<(?:script|img|iframe|link)\b[^>]*\b(?:src|href)\s*=\s*[\"']?(?!data:|blob:|#)[^\"'> ]+", text)
     demand("nothing is fetched", not outside, outside[:3])
+    demand_licenses("page", re.search(r'<script type="text/plain" id="licences">(.*?)</script>', text, re.DOTALL)[1], work)
     see("/usr/bin/python3", "-B", root / "scripts/check_offline_page", page, program())
 
 
@@ -204,6 +217,8 @@ def check_source(files, version, root, work):
     tracked = set(run("git", "ls-tree", "-r", "--name-only", "-z", "HEAD", cwd=root).split("\0")) - {""}
     found = {path.relative_to(top).as_posix() for path in top.rglob("*") if path.is_file() or path.is_symlink()}
     demand("the files of the commit", tracked == found, sorted(tracked ^ found)[:5])
+    lacking = list(licenses.faults("source", joined([top / "LICENSE", *top.glob("output/page/vendor/*.LICENSE")]), {}))
+    demand("source carries the licences of what it contains", not lacking, lacking)
     run("cmake", "--preset", "minimal", "-DCAMOPT_BUILD_TESTS=OFF", "-DCAMOPT_BUILD_BENCHMARKS=OFF", cwd=top)
     demand("CMake configures them", True)
     run("cmake", "--build", "--preset", "minimal", "--target", "camopt_core", cwd=top)

@@ -186,6 +186,7 @@ def check_installer(wine, setup, faults):
     found = wine.run("reg", "query", registry, "/v", "Path").stdout
     faults.demand("the folder leads the user's Path, which keeps the rest", r"Programs\camopt;C:\before;%TEMP%" in found, found)
     folder = installed[0].parent
+    faults.demand("page and licences are installed", (folder / "camopt.html").exists() and (folder / "licenses/LICENSES.txt").exists())
     run = wine.run(installed[0], "solve", folder / "scenes/drd_cubic_12.toml")
     faults.demand("the installed program solves an installed scene", run.returncode == 0, run.stderr)
     wine.run(folder / "uninstall.exe", "/S")

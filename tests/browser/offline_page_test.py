@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 """camopt.html from disk in a headless browser: first curve, sliders, examples, dropped files, downloads; no network.
 
-usage: offline_page_test.py CAMOPT SCENES [FOLDER for screenshots]
-The page is CAMOPT_OFFLINE_PAGE, else build/artefacts/camopt.html; skipped where neither is there."""
+usage: offline_page_test.py CAMOPT SCENES PAGE [FOLDER for screenshots]; scripts/offline_page calls it."""
 import contextlib
 import json
 import os
@@ -16,13 +15,13 @@ import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from browser import SKIPPED, browser_of, wait_for  # noqa: E402
+from browser import browser_of, wait_for  # noqa: E402
 from studio import StudioPage  # noqa: E402
 
 PROGRAM, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
-PICTURES = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
+PICTURES = pathlib.Path(sys.argv[4]) if len(sys.argv) > 4 else None
 StudioPage.pictures = PICTURES
-PAGE = pathlib.Path(os.environ.get("CAMOPT_OFFLINE_PAGE", SCENES.parent / "build/artefacts/camopt.html")).resolve()
+PAGE = pathlib.Path(sys.argv[3]).resolve()
 CAM = SCENES / "cam_roller.toml"
 OPENING = '<script type="application/json" id="opening-scene">null</script>'
 DROP = """
@@ -169,7 +168,4 @@ class Offline(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not PAGE.exists():
-        print(f"SKIPPED: {PAGE.name} was not made (scripts/offline_page)")
-        sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -4,8 +4,11 @@ licences, marks of scripts/packages.txt with scripts/setup, steps of scripts/nig
 
 import importlib.machinery
 import importlib.util
+import os
 import pathlib
 import re
+import signal
+import subprocess
 import sys
 
 sys.dont_write_bytecode = True
@@ -27,9 +30,62 @@ def faults_of_release(root):
             yield f"scripts/release: no build_{name}"
         if not hasattr(checks, f"check_{name}"):
             yield f"tests/artefacts/checks.py: no check_{name}"
-        for part in texts.OF_ARTEFACT.get(name, ["OF_ARTEFACT"]):
+
+
+    for file, parts in texts.CONTENTS.items():
+        for part in parts:
             if part not in texts.PARTS:
-                yield f"scripts/license_texts: {name}: no {part}"
+                yield f"scripts/license_texts: {file}: no {part}"
+
+
+# `ninja -t deps` of three objects, of which one is out of date.
+DEPS = """apps/main.o: #deps 2, deps mtime 1 (VALID)
+    ../../core/a.hpp
+    /usr/include/CLI/CLI.hpp
+bindings/b.o: #deps 1, deps mtime 1 (VALID)
+    /usr/include/pybind11/pybind11.h
+old.o: #deps 1, deps mtime 1 (STALE)
+    /usr/include/fmt/format.h
+"""
+
+
+def faults_of_licenses(root):
+    """The check of finished files (tests/artefacts/licenses.py) finds what it must."""
+    sys.path.insert(0, str(root / "tests/artefacts"))
+    licenses = module(root / "tests/artefacts/licenses.py")
+    found = {path.as_posix() for path in licenses.headers_in(DEPS, root, ["bindings/"])}
+    if found != {"/usr/include/CLI/CLI.hpp"}:
+        yield f"tests/artefacts/licenses.py: headers_in finds {found}"
+    text = (root / "LICENSE").read_text() + "".join(map(licenses.license_texts().text_of, ["uplot", "three.js"]))
+    for what, given, packages, words in (("nothing", text, {"libc6-dev": "h"}, None), ("a part", text, {"libfmt-dev": "h"}, "contains fmt"),
+                                         ("an unknown part", text, {"other-dev": "h"}, "contains other-dev"),
+                                         ("camopt's text", text[100:], {}, "the licence of camopt"),
+                                         ("the last text", text[:-100], {}, "the licence of three.js")):
+        faults = list(licenses.faults("source", given, packages))
+        if (faults and not words) or (words and not any(words in fault for fault in faults)):
+            yield f"tests/artefacts/licenses.py: where {what} is missing it finds {faults}"
+
+
+BEGIN_A_CHILD = """
+import importlib.machinery, importlib.util, signal, subprocess, sys
+sys.dont_write_bytecode = True
+loader = importlib.machinery.SourceFileLoader("release", sys.argv[1])
+release = importlib.util.module_from_spec(importlib.util.spec_from_loader("release", loader))
+loader.exec_module(release)
+signal.signal(signal.SIGTERM, release.end_with_children)
+subprocess.run(["bash", "-c", "sleep 100 & echo $!; wait"])
+"""
+
+
+def faults_of_signals(root):
+    process = subprocess.Popen([sys.executable, "-c", BEGIN_A_CHILD, str(root / "scripts/release")], stdout=subprocess.PIPE, text=True)
+    grandchild = int(process.stdout.readline())
+    process.terminate()
+    if process.wait(30) != 128 + signal.SIGTERM:
+        yield f"scripts/release: SIGTERM ends it with {process.returncode}"
+    if module(root / "scripts/release").is_running(grandchild):
+        os.kill(grandchild, signal.SIGKILL)
+        yield "scripts/release: SIGTERM leaves what its builds began"
 
 
 def faults_of_packages(root):
@@ -55,7 +111,7 @@ def faults_of_steps(root):
 
 
 def main(root):
-    faults = [*faults_of_release(root), *faults_of_packages(root), *faults_of_steps(root)]
+    faults = [*faults_of_release(root), *faults_of_licenses(root), *faults_of_signals(root), *faults_of_packages(root), *faults_of_steps(root)]
     for fault in faults:
         print(fault)
     print(f"release_test: {len(faults)} faults")

@@ -21,7 +21,7 @@ class OfflinePage : public testing::Test {
         std::ofstream(folder_ / name) << text;
     }
     std::string page(const std::string& engine = "any carnal pleas") {
-        return make_offline_page(engine, folder_,
+        return make_offline_page(engine, "Licence of the engine\n", folder_,
                                  [this](const std::string& why) { left_out_.push_back(why); });
     }
     static Json block(const std::string& page, const std::string& id) {
@@ -74,6 +74,11 @@ TEST_F(OfflinePage, HoldsEngineExamplesAndFirstAnswer) {
     EXPECT_EQ(examples[1]["curve"].back(), 100);
     EXPECT_EQ(block(made, "page-data")["studio"]["stage"], "rest");
     EXPECT_TRUE(left_out_.empty());
+}
+
+TEST_F(OfflinePage, CarriesTheLicencesOfItsEngine) {
+    write("rise.toml", rise);
+    EXPECT_NE(page().find("id=\"licences\">\nLicence of the engine\nuPlot\n"), std::string::npos);
 }
 
 TEST_F(OfflinePage, LeavesOutMachinesAndNamedTables) {
