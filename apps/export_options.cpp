@@ -99,18 +99,6 @@ void add_nc(CLI::App& command, ExportRequest& request) {
 
 }  // namespace
 
-void add_settings(CLI::App& command, std::vector<std::string>& settings) {
-    add_option(command, "--set", settings, "KEY=VALUE",
-               "Replace one key of the scene: KEY=VALUE, for example spline.segments=24");
-}
-
-void add_units(CLI::App& command, std::string& units) {
-    add_option(command, "--units", units, "UNIT",
-               "Lengths in reports: mm or in; default: as the scene is written. Data files keep "
-               "the units in their columns")
-        ->check(one_of({name_of(LengthUnit::millimetre), name_of(LengthUnit::inch)}));
-}
-
 CLI::App& add_export(CLI::App& program, ExportRequest& request) {
     CLI::App& command = *program.add_subcommand("export",
                                                 "Write the cam of a scene, which is solved, or of a result "

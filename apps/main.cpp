@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The camopt program.
-#include "apps/command_line.hpp"
-#include "core/platform/console.hpp"
+// The program with all of camopt.
+#include "apps/program_parts.hpp"
+#include "apps/run_program.hpp"
+#include "output/page/result_page.hpp"
+#include "profiles/factory/cam_formulas.hpp"
+#include "studies/checked/checked_cam.hpp"
+
+const camopt::apps::ProgramParts& camopt::apps::program_parts() {
+    static const ProgramParts parts = {
+        {add_first_commands, add_more_commands}, cam_formulas, add_forward_check, result_extras, ""};
+    return parts;
+}
 
 int main(int count, char** words) {
-    const std::vector<std::string> texts = camopt::program_words(count, words);
-    std::vector<const char*> pointers;
-    pointers.reserve(texts.size());
-    for (const std::string& text : texts) pointers.push_back(text.c_str());
-    return camopt::apps::run_command_line(static_cast<int>(pointers.size()), pointers.data());
+    return camopt::apps::run_program(count, words);
 }

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "apps/scene_loading.hpp"
 
-#include "apps/terminal.hpp"
+#include "apps/program_parts.hpp"
 #include "core/text/text_file.hpp"
-#include "input/loading/load_scene.hpp"
-#include "output/report/result_folder.hpp"
-#include "studies/solve/solve.hpp"
-
-#include <fmt/format.h>
-
-#include <system_error>
+#include "input/loading/known_scene.hpp"
 
 namespace camopt::apps {
 
@@ -28,7 +22,7 @@ std::vector<std::string> with_solver(std::vector<std::string> settings, const st
 }
 
 Scene load_scene(const std::string& file, const std::vector<std::string>& settings) {
-    return camopt::load_scene(std::filesystem::path(file), settings);
+    return load_scene(SceneText{file, input::scene_file_text(file)}, settings);
 }
 
 LoadedScene load_scene_and_text(const std::string& file, const std::vector<std::string>& settings) {
@@ -63,29 +57,10 @@ SceneText read_scene_text(const std::string& file) {
 }
 
 Scene load_scene(const SceneText& scene, std::span<const std::string> settings) {
-    return scene_of_toml(scene.text, settings, scene.name, folder_of(scene.name));
-}
-
-Solution solved_or_read(const std::string& what, const std::vector<std::string>& settings,
-                        const std::function<void(const Scene&)>& check) {
-    std::error_code ignored;
-    const bool folder = std::filesystem::is_directory(what, ignored);
-    if (folder && !settings.empty())
-        throw InputError(
-            fmt::format("{}: {}: found with a result folder, which is used unchanged; allowed: with a scene",
-                        what, settings.front().starts_with("solver.name=\"") ? "--solver" : "--set"));
-    if (folder) {
-        Solution solution = read_result_folder(what, [](const std::string& text, const std::string& name) {
-                                return load_scene(SceneText{name, text}, {});
-                            }).solution;
-        check(solution.scene);
-        return solution;
-    }
-    const Scene scene = load_scene(what, settings);
-    check(scene);
-    Solution solution = solve(scene, {InterruptWatch::interrupted, terminal_progress()});
-    end_progress();
-    return solution;
+    input::KnownNames known = names_of_laws_and_solvers();
+    known.cam_formulas = program_parts().cam_formulas;
+    known.folder = folder_of(scene.name);
+    return known_scene(scene.text, scene.name, known, settings);
 }
 
 }  // namespace camopt::apps

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // camopt solve: optimise a scene, print the result, write its folder.
 #include "apps/commands.hpp"
+#include "apps/program_parts.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/word_of.hpp"
-#include "output/page/page_html.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/words/plan_text.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/study_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/check/scene_check.hpp"
-#include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
@@ -57,10 +57,10 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
                                                  Solution& solution) {
     if (request.out.empty()) return {};
     // Who pressed Ctrl-C waits for the files, not for a follower that runs over the finished cam.
-    if (!InterruptWatch::interrupted()) add_forward_check(solution);
+    if (!InterruptWatch::interrupted()) program_parts().add_forward_check(solution);
     const View view(solution);
     return write_result_folder(request.out, view, origin,
-                               {request.points, request.dxf, result_extras(view, origin)});
+                               {request.points, request.dxf, program_parts().result_extras(view, origin)});
 }
 
 // camopt check: is the scene right, can its problem be built, are its derivatives right? No solve.
@@ -102,22 +102,6 @@ ExitCode solve_command(const SolveRequest& request) {
     const std::string text = request.json ? result_json(solution, origin) : summary_text(solution, written);
     print(text);
     return exit_code_of(solution.certificate.verdict);
-}
-
-// camopt report: report.md and report.html of a result folder, written again; nothing is solved.
-ExitCode report_command(const ReportRequest& request) {
-    const auto load = [](const std::string& text, const std::string& name) {
-        return load_scene(SceneText{name, text}, {});
-    };
-    const ResultFolder result = read_result_folder(request.folder, load);
-    const InterruptWatch watch;
-    FolderUpdate folder(request.folder);
-    folder.write("report.html", report_html(result.solution, result.origin));
-    folder.write("report.md", report_markdown(result.solution, result.origin));
-    std::string text;
-    for (const auto& path : folder.finish()) text += fmt::format("  wrote {}\n", path.string());
-    print(text);
-    return success;
 }
 
 ExitCode check_command(const CheckRequest& request) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// camopt table, compare, dynamics, inspect, valves, machine: studies beside a solve.
+// camopt compare, dynamics, inspect, valves, machine: studies beside a solve; report.
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
@@ -13,9 +13,10 @@
 #include "output/json/valve_json.hpp"
 #include "output/machine/machine_folder.hpp"
 #include "output/machine/machine_output.hpp"
+#include "output/page/result_page.hpp"
 #include "output/page/study_html.hpp"
 #include "output/plc/plc_export.hpp"
-#include "output/report/result_folder.hpp"
+#include "output/report/result_folder_reader.hpp"
 #include "output/view/valve_tables.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
@@ -77,24 +78,6 @@ MachineSolution solve_with_progress(const MachineRequest& request, const Machine
 }
 
 }  // namespace
-
-ExitCode table_command(const TableRequest& request) {
-    if (!request.out.empty()) prepare_folder(request.out);
-    const auto table = interruptible_run("the table", "solved ", spline_versus_modified_sine);
-    if (!table) return failure;
-    const PaperReport report = paper_004_report(*table);
-    const std::string json = reference_table_json(*table);
-    if (!request.out.empty()) {
-        const InterruptWatch watch;
-        FolderUpdate folder(request.out);
-        folder.write("table.json", json);
-        for (const auto& [name, text] : paper_report_files(report)) folder.write(name, text);
-        folder.finish();
-    }
-    print(request.json ? json : paper_report_text(report));
-    // Success only where every row is proved: an incomplete table must not pass as a whole one.
-    return report.faults.empty() ? success : failure;
-}
 
 ExitCode compare_command(const CompareRequest& request) {
     LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
@@ -205,6 +188,22 @@ ExitCode machine_command(const MachineRequest& request) {
     if (!request.out.empty() && !request.json) text += "wrote " + request.out + "\n";
     print(text);
     return exit_code_of(solution.certificate.verdict);
+}
+
+// camopt report: report.md and report.html of a result folder, written again; nothing is solved.
+ExitCode report_command(const ReportRequest& request) {
+    const auto load = [](const std::string& text, const std::string& name) {
+        return load_scene(SceneText{name, text}, {});
+    };
+    const ResultFolder result = read_result_folder(request.folder, load);
+    const InterruptWatch watch;
+    FolderUpdate folder(request.folder);
+    folder.write("report.html", report_html(result.solution, result.origin));
+    folder.write("report.md", report_markdown(result.solution, result.origin));
+    std::string text;
+    for (const auto& path : folder.finish()) text += fmt::format("  wrote {}\n", path.string());
+    print(text);
+    return success;
 }
 
 }  // namespace camopt::apps

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/polynomial.hpp"
 #include "dynamics/linear_train.hpp"
+#include "dynamics/matrix_exponential.hpp"
 #include "scene/scene.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <fmt/format.h>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <deque>
 
@@ -213,7 +213,7 @@ TrainAtSpeed::Step LinearTrainAtSpeed::step(double width, int degree) const {
     for (Eigen::Index block = 0; block < 2; ++block)
         for (Eigen::Index j = 0; j + 1 < powers; ++j)
             whole(n + block * powers + j, n + block * powers + j + 1) = 1.0;
-    const MatrixXd exponential = whole.exp();
+    const MatrixXd exponential = exponential_of(std::move(whole));
     Step result{exponential.topLeftCorner(n, n), MatrixXd::Zero(n, powers)};
     double factorial = 1.0;
     for (Eigen::Index k = 0; k < powers; ++k) {

@@ -5,9 +5,8 @@
 #include "benchmarks/papers/paper_json.hpp"
 #include "benchmarks/papers/papers.hpp"
 #include "core/errors.hpp"
-#include "output/chart/studies/study_svg.hpp"
+#include "output/papers/paper_output.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/words/study_text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/ranges.h>

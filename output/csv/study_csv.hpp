@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Studies beside a solve for spreadsheets: elastic follower trains, comparisons, papers.
+// Studies beside a solve for spreadsheets: elastic follower trains, comparisons.
 #pragma once
 
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/paper_report.hpp"
 #include "studies/response/train_study.hpp"
 
 namespace camopt {
@@ -18,10 +17,5 @@ namespace camopt {
 // Peaks are normalised. One column a limit holds what the motion reaches, in the unit of its key. Numbers
 // read back as the same double; what is infinite or absent is an empty cell. Nothing throws.
 [[nodiscard]] std::string comparison_csv(const Comparison& comparison);
-
-// A paper's tables and figures as CSV (RFC 4180, line feed). A table has its columns' keys as header; a
-// figure has series,x,y.
-[[nodiscard]] std::string paper_table_csv(const PaperTable& table);
-[[nodiscard]] std::string paper_figure_csv(const PaperFigure& figure);
 
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include "output/disk/disk_solid.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/json_text.hpp"
-#include "output/page/page_html.hpp"
+#include "output/page/result_page.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/sheet/sheet_files.hpp"

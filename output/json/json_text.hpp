@@ -43,6 +43,9 @@ using Json = nlohmann::ordered_json;
 
 // "dynamics" of result.json.
 
+/// In Hz.
+[[nodiscard]] Json frequencies_json(const std::vector<double>& frequencies);
+
 /// null where the scene has no train, or there is no motion.
 [[nodiscard]] Json train_json(const Solution& solution);
 /// What an engine builder asks of a valve lobe; the solution has a motion.

@@ -10,12 +10,6 @@ namespace camopt {
 
 namespace {
 
-Json frequencies_json(const std::vector<double>& frequencies) {
-    Json list = Json::array();
-    for (const double one : frequencies) list.push_back(number_json(hertz_shown.of(one)));
-    return list;
-}
-
 const char* force_name(const Scene& scene) {
     return scene.motion.lift_is_angle ? "least_force_nm" : "least_force_n";
 }
@@ -59,13 +53,6 @@ Json steady_json(const TrainStudy& study) {
                         {"peak_acceleration", number_json(row.peak_acceleration)},
                         {force_name(study.scene), number_json(row.least_force)}});
     return list;
-}
-
-Json worst_json(const Scene& scene, const char* name, const std::optional<ResponseReport>& worst) {
-    if (!worst) return nullptr;
-    return {{name, number_json(worst->value)},
-            {"speed_rpm", number_json(rpm_shown.of(worst->speed))},
-            {"at_deg", number_json(worst->at * file_units(scene).degrees_per_x)}};
 }
 
 Json limits_json(const ComparisonRow& row, double degrees_per_x) {
@@ -123,90 +110,6 @@ Json dimensions_json(const Comparison& comparison) {
     return json;
 }
 
-Json figures_json(const std::optional<PeakFigures>& figures, bool with_objective = true) {
-    if (!figures) return nullptr;
-    Json json = {{"velocity", number_json(figures->velocity)},
-                 {"acceleration", number_json(figures->acceleration)},
-                 {"jerk", number_json(figures->jerk)}};
-    if (with_objective) json["objective"] = number_json(figures->objective);
-    return json;
-}
-
-Json limit_json(const LimitCurve& limit) {
-    return {{"objective", number_json(limit.objective)},
-            {"velocity", number_json(limit.velocity)},
-            {"acceleration", number_json(limit.acceleration)},
-            {"jerk", number_json(limit.jerk)}};
-}
-
-Json solution_json(const Solution& solution) {
-    const Certificate& certificate = solution.certificate;
-    Json json;
-    add_verdict(json, certificate);
-    json["peaks"] = nullptr;
-    if (solution.curve) {
-        json["peaks"] = {{"velocity", extremum_json(solution.peaks.velocity)},
-                         {"acceleration", extremum_json(solution.peaks.acceleration)},
-                         {"jerk", extremum_json(solution.peaks.jerk)},
-                         {"torque", extremum_json(solution.peaks.torque)}};
-    }
-    json["solver"] = {{"name", solution.solver.name},
-                      {"termination", name_of(solution.solver.termination)},
-                      {"iterations", solution.solver.iterations},
-                      {"exchange_rounds", solution.solver.exchange_rounds}};
-    json["seconds"] = number_json(solution.seconds_total);
-    return json;
-}
-
-Json convergence_json(const ReferenceTable& table) {
-    Json rows = Json::array();
-    for (const ConvergenceRow& row : table.convergence) {
-        Json json;
-        json["segments"] = row.segments;
-        json["printed"] = figures_json(row.printed);
-        json["printed_points"] =
-            row.printed_points.empty() ? Json(nullptr) : numbers_json(row.printed_points);
-        json["points_exact"] = figures_json(row.points_exact);
-        json["points_end_acceleration"] = number_json(row.points_end_acceleration);
-        json["corrected_exact"] = figures_json(row.corrected_exact);
-        json["optimum"] = solution_json(row.optimum);
-        json["optimum_points"] =
-            row.optimum_points.empty() ? Json(nullptr) : numbers_json(row.optimum_points);
-        json["note"] = row.note;
-        rows.push_back(std::move(json));
-    }
-    return rows;
-}
-
-Json laws_json(const ReferenceTable& table) {
-    Json rows = Json::array();
-    for (const LawComparisonRow& row : table.laws) {
-        rows.push_back({{"name", row.name},
-                        {"key", words_json(row.key)},
-                        {"printed", figures_json(row.printed, false)},
-                        {"exact", figures_json(row.exact)},
-                        {"loss_percent", number_json(row.loss_percent)}});
-    }
-    return rows;
-}
-
-Json weights_json(const ReferenceTable& table) {
-    Json rows = Json::array();
-    for (const WeightEffectRow& row : table.weights) {
-        Json json;
-        json["weights"] = {{"velocity", number_json(row.velocity)},
-                           {"acceleration", number_json(row.acceleration)},
-                           {"jerk", number_json(row.jerk)}};
-        json["printed_fourth_ordinate"] = number_json(row.printed_fourth_ordinate);
-        json["printed_objective"] = number_json(row.printed_objective);
-        json["fourth_ordinate"] = row.optimum.curve ? number_json(row.fourth_ordinate) : Json(nullptr);
-        json["optimum"] = solution_json(row.optimum);
-        json["limit"] = limit_json(row.limit);
-        rows.push_back(std::move(json));
-    }
-    return rows;
-}
-
 }  // namespace
 
 std::string dynamics_json(const TrainStudy& study) {
@@ -219,62 +122,6 @@ std::string dynamics_json(const TrainStudy& study) {
     for (const TrainRow& row : study.rows) json["rows"].push_back(train_row_json(study.scene, row));
     json["steady_state"] = steady_json(study);
     return json_text(json);
-}
-
-Json train_json(const Solution& solution) {
-    if (!solution.train) return nullptr;
-    const Scene& scene = solution.scene;
-    const TrainReport& train = *solution.train;
-    Json json;
-    json["natural_frequencies_hz"] = frequencies_json(train.natural_frequencies);
-    json["frequency_ratio"] = number_json(train.frequency_ratio);
-    json["speed_range_rpm"] = {number_json(rpm_shown.of(train.speeds[0])),
-                               number_json(rpm_shown.of(train.speeds[1]))};
-    json["residual"] = worst_json(scene, "lifts", train.residual);
-    json["acceleration"] = worst_json(scene, "normalised", train.acceleration);
-    json["contact_force"] =
-        worst_json(scene, scene.motion.lift_is_angle ? "least_nm" : "least_n", train.least_force);
-    json["terms"] = Json::array();
-    for (const ResponseTermReport& term : train.terms)
-        json["terms"].push_back({{"name", term.name},
-                                 {"weight", number_json(term.weight)},
-                                 {"reference", number_json(term.reference)},
-                                 {"value", number_json(term.worst.value)}});
-    return json;
-}
-
-Json drive_json(const Scene& scene, const DriveFigures& drive) {
-    const double degrees_per_x = file_units(scene).degrees_per_x;
-    const auto at = [&](const Extremum& one) { return number_json(one.at * degrees_per_x); };
-    Json json = {{"peak_torque_nm", number_json(drive.torque.value)},
-                 {"peak_torque_at_deg", at(drive.torque)},
-                 {"rms_torque_nm", number_json(drive.rms_torque)},
-                 {"peak_speed_rpm", number_json(rpm_shown.of(drive.speed.value))},
-                 {"peak_speed_at_deg", at(drive.speed)},
-                 {"peak_power_w", number_json(drive.power.value)},
-                 {"peak_power_at_deg", at(drive.power)},
-                 {"inertia_ratio", number_json(scene.drive->inertia_ratio())}};
-    if (!scene.limits.motor_curve.empty()) {
-        json["share_of_curve"] = number_json(drive.share_of_curve.value);
-        json["share_of_curve_at_deg"] = at(drive.share_of_curve);
-    }
-    return json;
-}
-
-Json surge_json(const Solution& solution) {
-    const Scene& scene = solution.scene;
-    const bool angle = scene.motion.lift_is_angle;
-    const ShownUnit& unit = angle ? degrees_shown : millimetres_shown;
-    Json harmonics = Json::array();
-    for (const SurgeReport::Harmonic& one : solution.surge->harmonics)
-        harmonics.push_back({{"order", one.order},
-                             {angle ? "amplitude_deg" : "amplitude_mm", number_json(unit.of(one.amplitude))},
-                             {"resonant_speed_rpm", number_json(rpm_shown.of(one.resonant_speed))},
-                             {"near", one.near},
-                             {"limited", one.limited}});
-    return {{"spring_frequency_hz", number_json(hertz_shown.of(*scene.forces->spring_frequency))},
-            {"frequency_ratio", number_json(solution.surge->frequency_ratio)},
-            {"harmonics", std::move(harmonics)}};
 }
 
 std::string comparison_json(const Comparison& comparison, const RunOrigin& origin) {
@@ -292,21 +139,6 @@ std::string comparison_json(const Comparison& comparison, const RunOrigin& origi
     json["best_law"] = best ? Json(best->key) : Json(nullptr);
     json["rows"] = Json::array();
     for (const ComparisonRow& row : comparison.rows) json["rows"].push_back(row_json(solution.scene, row));
-    return json_text(json);
-}
-
-std::string reference_table_json(const ReferenceTable& table) {
-    Json json;
-    json["camopt"] = version();
-    json["study"] = "spline-vs-modified-sine";
-    json["all_optimal"] = unproved_rows(table).empty();
-    json["unproved"] = unproved_rows(table);
-    json["limit"] = limit_json(table.limit);
-    json["modified_sine_exact"] = figures_json(table.modified_sine_exact);
-    json["convergence"] = convergence_json(table);
-    json["laws"] = laws_json(table);
-    json["weights"] = weights_json(table);
-    json["notes"] = table.notes;
     return json_text(json);
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Studies beside a solve as JSON: elastic follower trains, comparisons, the reference table.
+// Studies beside a solve as JSON: elastic follower trains, comparisons.
 #pragma once
 
 #include "output/json/result_json.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/reference_table.hpp"
 #include "studies/response/train_study.hpp"
 
 namespace camopt {
@@ -18,11 +17,5 @@ namespace camopt {
 // A comparison for programs: one object a row. What is infinite or absent is null, never NaN; numbers read
 // back as the same double. Nothing throws.
 [[nodiscard]] std::string comparison_json(const Comparison& comparison, const RunOrigin& origin = {});
-
-// The reference table for programs: everything in it, as one JSON document.
-//
-// Numbers read back as the same double; what is infinite or absent is null, never NaN. "all_optimal" is true
-// where every solve is proved; every solve carries its own verdict. Peaks are normalised. Nothing throws.
-[[nodiscard]] std::string reference_table_json(const ReferenceTable& table);
 
 }  // namespace camopt

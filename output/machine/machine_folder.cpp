@@ -6,7 +6,7 @@
 #include "output/json/certificate_json.hpp"
 #include "output/machine/machine_output.hpp"
 #include "output/machine/machine_view.hpp"
-#include "output/page/page_html.hpp"
+#include "output/page/result_page.hpp"
 #include "output/plc/plc_export.hpp"
 
 #include <fmt/format.h>

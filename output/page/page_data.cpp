@@ -2,10 +2,8 @@
 #include "core/version.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/page/page_parts.hpp"
-#include "output/spatial/cam_export.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/words/solution_text.hpp"
-#include "studies/spatial/spatial_forward_check.hpp"
 
 namespace camopt {
 
@@ -114,11 +112,8 @@ Json rounded_json(double value, int digits) {
     return rounded;
 }
 
-bool page_needs_solids(const Solution& solution) {
-    return solution.motion && solution.cam && has_flanks(solution);
-}
-
-std::string page_data(const View& view, const RunOrigin& origin, const PageDataOptions& options) {
+std::string page_data_with(const SolidParts* solids, const View& view, const RunOrigin& origin,
+                           const PageDataOptions& options) {
     const Solution& solution = view.solution;
     Json page = Json::object();
     page["page"] = "report";
@@ -134,7 +129,7 @@ std::string page_data(const View& view, const RunOrigin& origin, const PageDataO
     page["breakpoints"] = numbers(view.breakpoints);
     page["motor"] = solution.drive ? Json(torque_over_speed_svg(view)) : Json(nullptr);
     page["drawing"] = plane_drawing(view);
-    page["solid"] = options.solid ? solid_drawing(view) : Json(nullptr);
+    page["solid"] = options.solid && solids != nullptr ? Json::parse(solids->drawing(view)) : Json(nullptr);
     page["tables"] = options.proof ? tables_part(solution) : Json::array();
     page["remarks"] = options.proof && solution.cam ? Json(cam_remarks(solution)) : Json::array();
     page["notes"] = solution.notes;
@@ -170,19 +165,6 @@ std::string curve_page_html(const CurvePage& page, const RunOrigin& origin) {
     html.title = page.title;
     html.data = data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     return page_html(html);
-}
-
-std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin) {
-    const Solution& solution = view.solution;
-    std::vector<FolderFile> files = {{"report.html", report_html(view, origin)}};
-    if (!solution.cam || !has_flanks(solution)) return files;
-    const CamFlanks cam = solved_flanks(solution);
-    const MotionChain turn = whole_turn(solution);
-    const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
-    const Drum drum{solution, cam, motion};
-    files.push_back({drum_picture, drum_svg(drum)});
-    files.push_back({developed_picture, developed_svg(drum)});
-    return files;
 }
 
 std::string page_laws(const View& view, std::span<const std::string> keys) {

@@ -4,9 +4,7 @@
 #include "core/word_of.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "output/page/page_parts.hpp"
-#include "output/spatial/flank_surfaces.hpp"
 #include "output/view/cam_words.hpp"
-#include "studies/spatial/spatial_forward_check.hpp"
 
 #include <Eigen/Geometry>
 
@@ -17,20 +15,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double drawn_steps = 1e4;   // of a shown unit: a pixel is larger
 constexpr double still = 1e-9;        // m: a part that moves less does not move
 constexpr double face_beyond = 0.12;  // of the cam's length: a face reaches so far beyond the contact
 constexpr int outline_points = 720;
-
-/// To a ten-thousandth of the unit; ten thousand steps a unit keep the text short: 12.3,
-/// not 12.299999999999999.
-void append(Json& list, const ShownUnit& unit, const Eigen::Ref<const Eigen::VectorXd>& point) {
-    for (const double coordinate : point) {
-        const double shown = unit.of(coordinate);
-        list.push_back(std::isfinite(shown) ? Json(std::round(shown * drawn_steps) / drawn_steps)
-                                            : Json(nullptr));
-    }
-}
 
 /// The plane mechanism by rows.
 struct PlaneCourse {
@@ -154,18 +141,16 @@ Json circles_of(const PlaneCourse& course) {
     return all;
 }
 
-Json mesh_json(const CamScene::Part& part, const ShownUnit& length) {
-    Json vertices = Json::array(), triangles = Json::array();
-    for (const Vector3d& vertex : part.mesh.vertices) append(vertices, length, vertex);
-    for (const std::array<int, 3>& triangle : part.mesh.triangles)
-        for (const int corner : triangle) triangles.push_back(corner);
-    return {{"name", part.name},
-            {"closed", part.closed},
-            {"vertices", std::move(vertices)},
-            {"triangles", std::move(triangles)}};
-}
-
 }  // namespace
+
+void append(Json& list, const ShownUnit& unit, const Eigen::Ref<const Eigen::VectorXd>& point) {
+    constexpr double drawn_steps = 1e4;  // of a shown unit: a pixel is larger
+    for (const double coordinate : point) {
+        const double shown = unit.of(coordinate);
+        list.push_back(std::isfinite(shown) ? Json(std::round(shown * drawn_steps) / drawn_steps)
+                                            : Json(nullptr));
+    }
+}
 
 Json plane_drawing(const View& view) {
     const Solution& solution = view.solution;
@@ -192,40 +177,6 @@ Json plane_drawing(const View& view) {
             {"turned", std::move(turned)},
             {"contact", std::move(contact)},
             {"parts", parts_of(course)}};
-}
-
-Json solid_drawing(const View& view) {
-    const Solution& solution = view.solution;
-    if (!page_needs_solids(solution)) return nullptr;
-    const MotionScale& scale = view.delivered.scale;
-    std::vector<double> angles;
-    for (const DeliveredRow& row : view.delivered.rows) angles.push_back(scale.unit_angle * row.x);
-    const CamScene scene =
-        cam_scene(solved_flanks(solution), follower_motion(*view.delivered.whole, scale), angles);
-    const ShownUnit& length = view.units.length;
-    Json parts = Json::array(), rollers = Json::array();
-    for (const CamScene::Part& part : scene.parts) parts.push_back(mesh_json(part, length));
-    for (const std::vector<RollerPlace>& roller : scene.rollers) {
-        Json poses = Json::array();
-        for (const RollerPlace& pose : roller) {
-            append(poses, length, pose.foot);
-            for (const double part : pose.direction) poses.push_back(rounded_json(part));
-        }
-        rollers.push_back(std::move(poses));
-    }
-    Json pivot = nullptr;
-    if (scene.pivot) {
-        pivot = Json::array();
-        append(pivot, length, *scene.pivot);
-    }
-    return {{"unit", length.name},
-            {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
-            {"parts", std::move(parts)},
-            {"roller",
-             {{"radius", rounded_json(length.of(scene.roller_radius))},
-              {"length", rounded_json(length.of(scene.roller_length))}}},
-            {"rollers", std::move(rollers)},
-            {"pivot", std::move(pivot)}};
 }
 
 }  // namespace camopt

@@ -104,17 +104,17 @@ std::string page_html(const PageHtml& page) {
                                                    {"@SCRIPTS@", blocks + scripts}});
 }
 
-std::string report_html(const View& view, const RunOrigin& origin) {
+std::string report_html_with(const SolidParts* solids, const View& view, const RunOrigin& origin) {
     if (!view.solution.motion) {
         const SolveControl timed = SolveControl{}.sooner(view.solution.scene.solver.explain_seconds);
         if (Solution nearest = view.solution; show_nearest(nearest, timed))
-            return report_html(View(nearest), origin);
+            return report_html_with(solids, View(nearest), origin);
     }
     const Solution& solution = view.solution;
     PageHtml page;
     page.title = solution.scene.title.empty() ? "Motion" : solution.scene.title;
-    page.data = page_data(view, origin);
-    page.solids = page_needs_solids(solution);
+    page.data = page_data_with(solids, view, origin);
+    page.solids = solids != nullptr && solids->needed(solution);
     return page_html(page);
 }
 

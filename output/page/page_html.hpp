@@ -61,18 +61,17 @@ struct PageDataOptions {
     bool proof = true;
 };
 
-/// Ends in a line feed. Any text of the scene stands in it as a JSON string and nowhere else.
-[[nodiscard]] std::string page_data(const View& view, const RunOrigin& origin = {},
-                                    const PageDataOptions& options = {});
+/// What a page and a folder show of a three-dimensional cam: result_page.hpp gives it. Plane cams need none.
+struct SolidParts {
+    bool (*needed)(const Solution&);
+    std::string (*drawing)(const View&);  ///< "solid" of page_data as JSON
+};
 
-/// The page of the solution needs a library for three dimensions.
-[[nodiscard]] bool page_needs_solids(const Solution& solution);
-
-// What a result folder holds beside the files of every result: the page for a browser, the pictures of a
-// drum.
-
-/// For WriteOptions::also: report.html, and of a three-dimensional cam drum.svg and developed.svg.
-[[nodiscard]] std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin = {});
+/// result_page.hpp for programs whose cams are plane: without `solids` the page has none.
+[[nodiscard]] std::string page_data_with(const SolidParts* solids, const View& view,
+                                         const RunOrigin& origin = {}, const PageDataOptions& options = {});
+[[nodiscard]] std::string report_html_with(const SolidParts* solids, const View& view,
+                                           const RunOrigin& origin = {});
 
 // Laws of the catalogue in the place of a solution's motion, for the curves of its page.
 //
@@ -114,9 +113,6 @@ struct PageHtml {
 };
 
 [[nodiscard]] std::string page_html(const PageHtml& page);
-
-/// report.html: the report of a solution.
-[[nodiscard]] std::string report_html(const View& view, const RunOrigin& origin = {});
 
 // A page of curves over one revolution and of tables, without a scene: the same page and cursor.
 

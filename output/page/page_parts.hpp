@@ -12,8 +12,10 @@ namespace camopt {
 
 /// null where there is no plane cam.
 [[nodiscard]] Json plane_drawing(const View& view);
-/// null where there is no three-dimensional cam.
-[[nodiscard]] Json solid_drawing(const View& view);
+
+/// To a ten-thousandth of the unit; ten thousand steps a unit keep the text short: 12.3,
+/// not 12.299999999999999.
+void append(Json& list, const ShownUnit& unit, const Eigen::Ref<const Eigen::VectorXd>& point);
 
 [[nodiscard]] Json verdict_part(const Solution& solution);
 /// Of a picture before its proof.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The result folder: result.json, certificate.json, report.md and, where the scene was a text, scene.toml;
 // with a motion motion.csv and motion.svg; with a cam profile.csv, profile.svg, profile_diagrams.svg and,
-// where asked for, profile.dxf. read_result_folder reads it back.
+// where asked for, profile.dxf. result_folder_reader.hpp reads it back.
 #pragma once
 
 #include "output/json/result_json.hpp"
@@ -19,7 +19,7 @@ struct FolderFile {
 struct WriteOptions {
     std::optional<int> points = {};     ///< of profile.csv, evenly by cam angle; none: by chord tolerance
     bool dxf = false;                   ///< profile.dxf too
-    std::vector<FolderFile> also = {};  ///< written with them: report.html (output/page/page_html.hpp)
+    std::vector<FolderFile> also = {};  ///< written with them: report.html (output/page/result_page.hpp)
     bool for_programs = false;          ///< result.json, certificate.json and scene.toml alone
 };
 
@@ -33,24 +33,6 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
 
 /// Creates the folder; throws InputError where it cannot. For commands that want to know before a long run.
 void prepare_folder(const std::filesystem::path& folder);
-
-// A result folder read back: the very motion, cam and verdict that were delivered, without solving.
-//
-// scene.toml gives the scene, result.json the motion and the dimensions bit for bit, certificate.json the
-// verdict and its proof. All else is made from these, and what result.json says of it must be that: a file
-// that was changed by hand, or belongs to another scene, is refused with the first number that is not its
-// own.
-struct ResultFolder {
-    Solution solution;
-    RunOrigin origin;
-};
-
-/// What makes a scene of its text (the name is for messages), with the formulas of its mechanism.
-using SceneLoader = std::function<Scene(const std::string& text, const std::string& name)>;
-
-/// Throws InputError for a folder that is no result folder, is not complete, holds no motion (infeasible,
-/// failed), is of another version of camopt, or whose files say different things.
-[[nodiscard]] ResultFolder read_result_folder(const std::filesystem::path& folder, const SceneLoader& load);
 
 // report.md: the result for a cam engineer, in words, tables and the picture motion.svg beside it.
 

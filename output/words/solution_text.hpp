@@ -2,7 +2,7 @@
 // A solution in words: for the terminal, the picture and the report.
 #pragma once
 
-#include "studies/response/train_study.hpp"
+#include "studies/delivered/solution.hpp"
 
 #include <filesystem>
 
@@ -77,10 +77,10 @@ namespace camopt {
 /// sentence or two each, of what there is to say about this kind. For a solution with a cam.
 [[nodiscard]] std::vector<std::string> cam_remarks(const Solution& solution);
 
-// An elastic follower train in words and tables for people.
+// An elastic follower train in words for people.
 
-/// What the command prints: the train, every motion at the scene's speed, where it lifts off.
-[[nodiscard]] std::string dynamics_text(const TrainStudy& study);
+/// Of the output at this speed of the camshaft, from lifts by x².
+[[nodiscard]] double acceleration_at(const Scene& scene, double normalised, double speed);
 /// A sentence a figure: of result reports.
 [[nodiscard]] std::vector<std::string> train_sentences(const Solution& solution);
 /// What the motion asks of the motor; empty without one.

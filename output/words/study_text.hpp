@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Sweeps, papers, comparisons and plans for people.
+// Sweeps, comparisons and elastic follower trains over speed, for people.
 #pragma once
 
 #include "output/view/number_text.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/paper_report.hpp"
-#include "studies/search/plan.hpp"
+#include "studies/response/train_study.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
 namespace camopt {
@@ -15,13 +14,6 @@ namespace camopt {
 /// scene: that of any row, to name the peaks of the best row in time where it has a speed; null: they are not
 /// named.
 [[nodiscard]] std::string sweep_text(const SweepTable& table, const Scene* scene = nullptr);
-
-// A paper's report for people: on the terminal, or as a Markdown page. Figures are named by their titles;
-// their pictures are study_svg.hpp.
-[[nodiscard]] std::string paper_report_text(const PaperReport& report);
-
-/// Names the figures' files: <key>.svg beside the page.
-[[nodiscard]] std::string paper_report_markdown(const PaperReport& report);
 
 // A comparison for a terminal: one line a law, sorted by the objective. Infinite is "∞". Nothing throws.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison);
@@ -70,9 +62,9 @@ struct PhysicalPeak {
 /// "0.4 V/1.76 + 0.4 A/5.528 + 0.2 J/69.47".
 [[nodiscard]] std::string objective_words(const Comparison& comparison);
 
-// The plan of a solve in words, for `camopt check`.
+// An elastic follower train over speed.
 
-/// One line each: "Searched: …", "Solved: by …", …; what the plan does not contain is left out.
-[[nodiscard]] std::vector<std::string> plan_lines(const SolvePlan& plan);
+/// What the command prints: the train, every motion at the scene's speed, where it lifts off.
+[[nodiscard]] std::string dynamics_text(const TrainStudy& study);
 
 }  // namespace camopt

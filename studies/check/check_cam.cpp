@@ -3,6 +3,8 @@
 
 #include "studies/check/point_curve.hpp"
 
+#include <fmt/format.h>
+
 namespace camopt {
 
 namespace {
@@ -104,6 +106,15 @@ ForwardCheckReport two_sided_check(const DrivenMechanism& mechanism, const Motio
     if (filling[1].follower.from_inside)
         report.play->least_groove_width = least_width(filling[0], filling[1]);
     return report;
+}
+
+void add_forward_check(Solution& solution, ForwardCheckReport (*check)(const Solution&, std::optional<int>)) {
+    if (!solution.cam) return;
+    try {
+        solution.cam->forward_check = check(solution, {});
+    } catch (const InputError& error) {
+        solution.notes.push_back(fmt::format("the forward check could not run: {}", error.what()));
+    }
 }
 
 }  // namespace camopt

@@ -13,6 +13,11 @@ namespace camopt {
 /// lever runs on, and where its points cannot be checked at all.
 [[nodiscard]] ForwardCheckReport check_cam(const Solution& solution, std::optional<int> points = {});
 
+/// Puts what `check` finds into the report of the cam; where it cannot run, a note says why. Nothing to do
+/// without a cam.
+void add_forward_check(Solution& solution,
+                       ForwardCheckReport (*check)(const Solution& solution, std::optional<int> points));
+
 // The finished cam that drives both ways, turned under its follower: does either side by itself move it as
 // designed, and does the follower fit between the two all round?
 //

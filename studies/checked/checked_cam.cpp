@@ -5,8 +5,6 @@
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
-#include <fmt/format.h>
-
 namespace camopt {
 
 ForwardCheckReport checked_cam(const Solution& solution, std::optional<int> points) {
@@ -17,12 +15,7 @@ ForwardCheckReport checked_cam(const Solution& solution, std::optional<int> poin
 }
 
 void add_forward_check(Solution& solution) {
-    if (!solution.cam) return;
-    try {
-        solution.cam->forward_check = checked_cam(solution);
-    } catch (const InputError& error) {
-        solution.notes.push_back(fmt::format("the forward check could not run: {}", error.what()));
-    }
+    add_forward_check(solution, checked_cam);
 }
 
 }  // namespace camopt

@@ -31,8 +31,8 @@ scripts/soak --seed 1   # a comment
 
 class Calls(unittest.TestCase):
     def test_the_demo_ends_with_the_path_of_the_readme(self):
-        for page, line in (("README.md", r'export PATH="$PWD/build/release/apps:$PATH"'),
-                           ("scripts/demo", r'export PATH="$root/build/release/apps:\$PATH"')):
+        for page, line in (("README.md", r'export PATH="$PWD/build/release/apps:$PWD/build/release/first:$PATH"'),
+                           ("scripts/demo", r'export PATH="$root/build/release/apps:$root/build/release/first:\$PATH"')):
             self.assertIn(line, (ROOT / page).read_text())
 
     def test_a_path_to_the_program_is_no_call(self):

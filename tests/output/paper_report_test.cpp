@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A paper's report as text, Markdown, JSON, CSV and picture, against a small one made by hand.
 #include "benchmarks/papers/paper_json.hpp"
-#include "output/chart/studies/study_svg.hpp"
-#include "output/csv/study_csv.hpp"
-#include "output/words/study_text.hpp"
+#include "output/papers/paper_output.hpp"
 #include "tests/output/well_formed.hpp"
 
 #include <gtest/gtest.h>

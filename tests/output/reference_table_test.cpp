@@ -3,10 +3,7 @@
 // failed, one infinite jerk.
 #include "studies/papers/reference_table.hpp"
 
-#include "output/chart/studies/study_svg.hpp"
-#include "output/csv/study_csv.hpp"
-#include "output/json/study_json.hpp"
-#include "output/words/study_text.hpp"
+#include "output/papers/paper_output.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What was found: the class Solution of Python.
 #include "bindings/python/source/parts.hpp"
-#include "output/page/page_html.hpp"
+#include "output/page/result_page.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/shown_units.hpp"
 

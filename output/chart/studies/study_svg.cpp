@@ -2,7 +2,7 @@
 #include "output/chart/studies/study_svg.hpp"
 
 #include "output/chart/chart.hpp"
-#include "output/csv/study_csv.hpp"
+#include "output/papers/paper_output.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
@@ -140,32 +140,6 @@ std::array<ChartPanel, 2> tables_of(const Comparison& comparison) {
 }
 
 }  // namespace
-
-std::string paper_figure_svg(const PaperFigure& figure) {
-    ChartPanel panel{.width = 752, .height = 436, .equal_scales = figure.equal_scales};
-    panel.frame.horizontal_title = figure.x_title;
-    panel.frame.vertical_title = figure.y_title;
-    panel.frame.horizontal.logarithmic = panel.frame.vertical.logarithmic = figure.logarithmic;
-    for (const PaperSeries& series : figure.series) {
-        const Look look = series.markers ? Look::dot : Look::line;
-        ChartSeries drawn{look, palette_class(look, panel.series.size()), {}, 3.2, series.title};
-        for (std::size_t i = 0; i < series.x.size() && i < series.y.size(); ++i)
-            drawn.points.push_back({series.x[i], series.y[i]});
-        panel.series.push_back(std::move(drawn));
-    }
-    return chart_svg({figure.title, {}, {std::move(panel)}});
-}
-
-std::vector<std::pair<std::string, std::string>> paper_report_files(const PaperReport& report) {
-    std::vector<std::pair<std::string, std::string>> files = {{"report.md", paper_report_markdown(report)}};
-    for (const PaperTable& table : report.tables)
-        files.emplace_back(table.key + ".csv", paper_table_csv(table));
-    for (const PaperFigure& figure : report.figures) {
-        files.emplace_back(figure.key + ".csv", paper_figure_csv(figure));
-        files.emplace_back(figure.key + ".svg", paper_figure_svg(figure));
-    }
-    return files;
-}
 
 std::vector<std::pair<std::string, std::string>> dynamics_pictures(const TrainStudy& study) {
     const MotionSpec& motion = study.scene.motion;

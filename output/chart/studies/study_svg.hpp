@@ -3,17 +3,10 @@
 #pragma once
 
 #include "studies/compare/comparison.hpp"
-#include "studies/papers/paper_report.hpp"
 #include "studies/pareto/pareto_front.hpp"
 #include "studies/response/train_study.hpp"
 
 namespace camopt {
-
-/// A figure of a paper's report: curves or points over two axes, with a legend.
-[[nodiscard]] std::string paper_figure_svg(const PaperFigure& figure);
-
-/// The files of a report by their names: report.md, a CSV for each table, CSV and SVG for each figure.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> paper_report_files(const PaperReport& report);
 
 /// An elastic follower train: the response over the speed, and what happens over time at one speed. File
 /// names and pictures: residual and acceleration over the speed, deflection and force over the cam angle.

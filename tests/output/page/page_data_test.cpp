@@ -3,7 +3,7 @@
 // the follower.
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/page/page_html.hpp"
+#include "output/page/result_page.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/view/shown_units.hpp"
 #include "profiles/disk/disk_cam.hpp"

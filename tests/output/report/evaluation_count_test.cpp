@@ -2,8 +2,8 @@
 // Writing a result folder evaluates each point of the cam once.
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
-#include "output/page/page_html.hpp"
-#include "output/report/result_folder.hpp"
+#include "output/page/result_page.hpp"
+#include "output/report/result_folder_reader.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "scene/cam_flanks.hpp"
 #include "studies/solve/solve.hpp"

@@ -7,7 +7,7 @@
 #include "input/scene_reader.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
-#include "output/report/result_folder.hpp"
+#include "output/report/result_folder_reader.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/temporary_folder.hpp"

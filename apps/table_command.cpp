@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// camopt table: a published table computed again, every optimum proved.
+#include "apps/commands.hpp"
+#include "apps/terminal.hpp"
+#include "output/papers/paper_output.hpp"
+#include "output/report/result_folder.hpp"
+
+namespace camopt::apps {
+
+ExitCode table_command(const TableRequest& request) {
+    if (!request.out.empty()) prepare_folder(request.out);
+    const auto table = interruptible_run("the table", "solved ", spline_versus_modified_sine);
+    if (!table) return failure;
+    const PaperReport report = paper_004_report(*table);
+    const std::string json = reference_table_json(*table);
+    if (!request.out.empty()) {
+        const InterruptWatch watch;
+        FolderUpdate folder(request.out);
+        folder.write("table.json", json);
+        for (const auto& [name, text] : paper_report_files(report)) folder.write(name, text);
+        folder.finish();
+    }
+    print(request.json ? json : paper_report_text(report));
+    // Success only where every row is proved: an incomplete table must not pass as a whole one.
+    return report.faults.empty() ? success : failure;
+}
+
+}  // namespace camopt::apps

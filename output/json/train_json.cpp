@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "output/json/json_text.hpp"
+#include "output/view/shown_units.hpp"
+
+namespace camopt {
+
+namespace {
+
+Json worst_json(const Scene& scene, const char* name, const std::optional<ResponseReport>& worst) {
+    if (!worst) return nullptr;
+    return {{name, number_json(worst->value)},
+            {"speed_rpm", number_json(rpm_shown.of(worst->speed))},
+            {"at_deg", number_json(worst->at * file_units(scene).degrees_per_x)}};
+}
+
+}  // namespace
+
+Json frequencies_json(const std::vector<double>& frequencies) {
+    Json list = Json::array();
+    for (const double one : frequencies) list.push_back(number_json(hertz_shown.of(one)));
+    return list;
+}
+
+Json train_json(const Solution& solution) {
+    if (!solution.train) return nullptr;
+    const Scene& scene = solution.scene;
+    const TrainReport& train = *solution.train;
+    Json json;
+    json["natural_frequencies_hz"] = frequencies_json(train.natural_frequencies);
+    json["frequency_ratio"] = number_json(train.frequency_ratio);
+    json["speed_range_rpm"] = {number_json(rpm_shown.of(train.speeds[0])),
+                               number_json(rpm_shown.of(train.speeds[1]))};
+    json["residual"] = worst_json(scene, "lifts", train.residual);
+    json["acceleration"] = worst_json(scene, "normalised", train.acceleration);
+    json["contact_force"] =
+        worst_json(scene, scene.motion.lift_is_angle ? "least_nm" : "least_n", train.least_force);
+    json["terms"] = Json::array();
+    for (const ResponseTermReport& term : train.terms)
+        json["terms"].push_back({{"name", term.name},
+                                 {"weight", number_json(term.weight)},
+                                 {"reference", number_json(term.reference)},
+                                 {"value", number_json(term.worst.value)}});
+    return json;
+}
+
+Json drive_json(const Scene& scene, const DriveFigures& drive) {
+    const double degrees_per_x = file_units(scene).degrees_per_x;
+    const auto at = [&](const Extremum& one) { return number_json(one.at * degrees_per_x); };
+    Json json = {{"peak_torque_nm", number_json(drive.torque.value)},
+                 {"peak_torque_at_deg", at(drive.torque)},
+                 {"rms_torque_nm", number_json(drive.rms_torque)},
+                 {"peak_speed_rpm", number_json(rpm_shown.of(drive.speed.value))},
+                 {"peak_speed_at_deg", at(drive.speed)},
+                 {"peak_power_w", number_json(drive.power.value)},
+                 {"peak_power_at_deg", at(drive.power)},
+                 {"inertia_ratio", number_json(scene.drive->inertia_ratio())}};
+    if (!scene.limits.motor_curve.empty()) {
+        json["share_of_curve"] = number_json(drive.share_of_curve.value);
+        json["share_of_curve_at_deg"] = at(drive.share_of_curve);
+    }
+    return json;
+}
+
+Json surge_json(const Solution& solution) {
+    const Scene& scene = solution.scene;
+    const bool angle = scene.motion.lift_is_angle;
+    const ShownUnit& unit = angle ? degrees_shown : millimetres_shown;
+    Json harmonics = Json::array();
+    for (const SurgeReport::Harmonic& one : solution.surge->harmonics)
+        harmonics.push_back({{"order", one.order},
+                             {angle ? "amplitude_deg" : "amplitude_mm", number_json(unit.of(one.amplitude))},
+                             {"resonant_speed_rpm", number_json(rpm_shown.of(one.resonant_speed))},
+                             {"near", one.near},
+                             {"limited", one.limited}});
+    return {{"spring_frequency_hz", number_json(hertz_shown.of(*scene.forces->spring_frequency))},
+            {"frequency_ratio", number_json(solution.surge->frequency_ratio)},
+            {"harmonics", std::move(harmonics)}};
+}
+
+}  // namespace camopt
