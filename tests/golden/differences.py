@@ -15,13 +15,15 @@ ROUND_OFF = 1e-7
 SHORT = 4
 
 
-def last_digit(text):
-    """The size of the last digit printed, 0 of a number with too few digits."""
-    mantissa, _, exponent = text.lstrip("+-−").lower().partition("e")
-    digits = mantissa.replace(".", "").lstrip("0")
-    if "." not in mantissa or len(digits) < SHORT:
-        return 0.0
-    return 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+def last_digit(one, other):
+    """The size of the last digit that either shows, 0 where both show too few digits; trailing zeros are not printed."""
+    size, shown = 1.0, 0
+    for text in (one, other):
+        mantissa, _, exponent = text.lstrip("+-−").lower().partition("e")
+        whole, _, decimals = mantissa.partition(".")
+        shown = max(shown, len((whole + decimals).lstrip("0")) if decimals else 0)
+        size = min(size, 10.0 ** (int(exponent or 0) - len(decimals)))
+    return size if shown >= SHORT else 0.0
 
 
 def columns_of(lines):
@@ -42,9 +44,11 @@ def same_numbers(expected, found, sizes):
         if one == other:
             continue
         apart = abs(value_of(one) - value_of(other))
+        if apart == 0.0:
+            continue
         if re.fullmatch(r"[-+−]?\d+", one) and re.fullmatch(r"[-+−]?\d+", other) and abs(value_of(one)) < 1e6:
             return False
-        if apart > max(RELATIVE * max(size, abs(value_of(one))), ROUND_OFF, 1.01 * max(last_digit(one), last_digit(other))):
+        if apart > max(RELATIVE * max(size, abs(value_of(one))), ROUND_OFF, 1.01 * last_digit(one, other)):
             return False
     return True
 

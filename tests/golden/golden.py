@@ -3,7 +3,8 @@
 
 A case is a file of cases/: comments and commands. Each command runs in an empty folder with links to scenes/ and tests/ and to the
 files/ of this folder. Of "$ WORDS" the exit code, the console and every file written are held; of "% WORDS" the exit code, the
-console and report.md. expected/CASE.txt holds them as lines (views.py); words are compared literally, numbers by their size
+console, report.md and the names of the other files. "& NAME" runs the program of --texts, which writes the texts of solutions made by
+hand (texts.cpp) into the folder NAME. expected/CASE.txt holds them as lines (views.py); words are compared literally, numbers by their size
 (differences.py). --update writes it again and prints what changed."""
 
 import argparse
@@ -28,8 +29,8 @@ NEEDED = {"step": "Open CASCADE", "pdf": "cairo"}  # what writes it; left out by
 def commands_of(case):
     for line in (HERE / "cases" / f"{case}.txt").read_text(encoding="utf-8").splitlines():
         if line and not line.startswith("#"):
-            assert line[:2] in ("$ ", "% "), f"cases/{case}.txt: found '{line}'"
-            yield line[0] == "$", line[2:]
+            assert line[:2].strip() in ("$", "%", "&"), f"cases/{case}.txt: found '{line}'"
+            yield line[0], line[2:]
 
 
 def files_of(folder):
@@ -37,26 +38,32 @@ def files_of(folder):
             and path.relative_to(folder).parts[0] not in ("scenes", "tests", "files")}
 
 
-def run_case(program, root, case):
-    """The sections of a case: (title, lines)."""
+def run_case(programs, root, case):
+    """The sections of a case: (title, lines). `programs`: by the letter of a command."""
     seen, styles = {}, set()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name).resolve()
         for link, target in (("scenes", root / "scenes"), ("tests", root / "tests"), ("files", HERE / "files")):
             (folder / link).symlink_to(target)
         before = {}
-        for everything, words in commands_of(case):
-            done = subprocess.run([program, *shlex.split(words)], cwd=folder, capture_output=True, timeout=120, check=False,
+        for letter, words in commands_of(case):
+            done = subprocess.run([programs[letter], *shlex.split(words)], cwd=folder, capture_output=True, timeout=120, check=False,
                                   stdin=subprocess.DEVNULL, env={**os.environ, "COLUMNS": "100", "LC_ALL": "C.UTF-8"})
             yield f"$ camopt {words}", [f"exit code {done.returncode}"]
             texts = {"standard output": ("x.json" if done.stdout.startswith((b"{", b"[")) else "", done.stdout),
                      "standard error": ("", done.stderr)}
-            now = files_of(folder)
+            names, now = [], files_of(folder)
             changed = {path: (place.stat().st_mtime_ns, place.stat().st_size) for path, place in now.items()}
             for path, place in now.items():
-                if before.get(path) != changed[path] and (everything or path.endswith("report.md")) and "chunks/" not in path:
-                    texts[path] = (path, place.read_bytes())
+                if before.get(path) != changed[path] and "chunks/" not in path:
+                    if letter != "%" or path.endswith("report.md"):
+                        texts[path] = (path, place.read_bytes())
+                    else:
+                        names.append(path)
+            names += [f"removed: {path}" for path in before if path not in now]
             before = changed
+            if names:
+                yield "other files", names
             for title, (kind, data) in texts.items():
                 if not data:
                     continue
@@ -133,19 +140,21 @@ def main():
     parser.add_argument("program")
     parser.add_argument("root", type=lambda path: pathlib.Path(path).resolve())
     parser.add_argument("cases", nargs="*", default=sorted(path.stem for path in (HERE / "cases").glob("*.txt")))
+    parser.add_argument("--texts", help="the program of texts.cpp", default="")
     parser.add_argument("--update", action="store_true", help="write the expectation again, and print what changed")
     parser.add_argument("--all", action="store_true", help="print every difference")
     arguments = parser.parse_args()
     version = subprocess.run([arguments.program, "--version"], capture_output=True, text=True, check=True).stdout
     absent = tuple(end for end, library in NEEDED.items() if library not in version)
     program = str(pathlib.Path(arguments.program).resolve())
+    programs = {"$": program, "%": program, "&": str(pathlib.Path(arguments.texts).resolve())}
     if absent and arguments.update:
         sys.exit(f"golden: found a program without {' and '.join(NEEDED[end] for end in absent)}; a complete one is needed to --update")
     failed = 0
 
     def run(case):
         begin = time.monotonic()
-        return case, list(run_case(program, arguments.root, case)), time.monotonic() - begin
+        return case, list(run_case(programs, arguments.root, case)), time.monotonic() - begin
 
     with concurrent.futures.ThreadPoolExecutor(2 if len(arguments.cases) > 1 else 1) as pool:
         for case, sections, seconds in pool.map(run, arguments.cases):

@@ -26,10 +26,11 @@ RULES = [(name, re.compile(pattern), instead) for name, pattern, instead in (
     ("seconds", r"(exchange rounds:? \d+\)?|starts:? \d+\)?|iterations:? \d+\)?|solving:|speeds tried|prescribed|not used)([,;]?) "
                 r"[\d.e-]+ s\b", r"\1\2 <seconds> s"),
     ("seconds", r'("[a-z_]*seconds": )[\d.e+-]+', r"\1<seconds>"),
-    ("effort", r"((?<!, )\biterations|exchange rounds|evaluations|starts|speeds tried|bound passes|nodes)(:?) \d+", r"\1\2 <n>"),
+    ("effort", r"(\b(?:iterations|exchange rounds|evaluations|starts|speeds tried|bound passes|nodes))(:?) \d+", r"\1\2 <n>"),
     ("effort", r"\b\d+ (speeds tried|solves)", r"<n> \1"),
     ("effort", r'("(iterations|exchange_rounds|rounds|passes|nodes|starts_run|[a-z_]*evaluations|profile_points|[a-z_]*_calls)": )\d+',
      r"\1<n>"),
+    ("solvers", r'("auto", "structured")(, "[a-z._]+")+', r"\1, <solvers>"),
     ("multipliers", r'("multipliers?": ).*?(,?)$', r"\1<multipliers>\2"),
     ("round-off", r'("(gap|stationarity|worst_violation|relative|primal|dual|complementarity)": )-?(\d\.?\d*e-(0[7-9]|[1-9]\d)|0\.0)',
      r"\1~0"),
@@ -61,7 +62,7 @@ def words_of(line):
 
 def alike(line):
     """What lines with the same words have in common, however many numbers stand in a list."""
-    return re.sub(r"#( #)+", "#", words_of(line))
+    return re.sub(r"#( #)+|#-(?=\")|#[0-9a-f]{6}\b", "#", words_of(re.sub(r"#[0-9a-f]{6}\b", "#", line)))
 
 
 def kept_places(count):
@@ -91,19 +92,22 @@ def is_number(value):
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-def of_json(value, key="", indent=""):
-    """A line for each scalar and each list of numbers; of lists of alike tables some."""
+def of_json(value, key="", indent="", kinds=False):
+    """A line for each scalar and each list of numbers; of lists of alike tables some. With `kinds` of such lists one table of each
+    kind, without its numbers, in alphabetical order."""
     head = indent + (json.dumps(key, ensure_ascii=False) + ": " if key else "")
     short = json.dumps(value, ensure_ascii=False) if key or not indent else ""
     if len(head + short) <= SHORT_LINE and short:
         return [head + short]
     inner = indent + " "
     if isinstance(value, dict):
-        return [head + "{", *(line for name, item in value.items() for line in of_json(item, name, inner)), indent + "}"]
+        return [head + "{", *(line for name, item in value.items() for line in of_json(item, name, inner, kinds)), indent + "}"]
     if isinstance(value, list):
         if value and all(is_number(item) or item is None for item in value):
             return [head + number_list(["null" if item is None else item for item in value])]
-        blocks = ["\n".join(of_json(item, "", inner)) for item in value]
+        blocks = ["\n".join(of_json(item, "", inner, kinds)) for item in value]
+        if kinds and len(value) > FEW:
+            return [head + "[", *(line for block in sorted({alike(block) for block in blocks}) for line in block.split("\n")), indent + "]"]
         return [head + f"[{len(value)}", *(line for block in thinned(blocks) for line in block.split("\n")), indent + "]"]
     return [head + json.dumps(value, ensure_ascii=False)]
 
@@ -149,10 +153,15 @@ def of_dxf(text):
     lines = text.splitlines()
     entities = []
     for code, value in zip(lines[::2], lines[1::2]):
+        if code.strip() in HANDLES:
+            continue
         if code.strip() in ("0", "9") or not entities:
             entities.append("")
         entities[-1] += f" {code.strip()}={value.strip()}"
     return thinned([entity.strip() for entity in entities])
+
+
+HANDLES = ("5", "105", "330", "340", "360", "390")  # numbers of entities of DXF
 
 
 def of_step(text):
@@ -211,8 +220,8 @@ def lines_of(name, data):
         lines = of_pdf(data)
     else:
         text = data.decode("utf-8").replace("\r\n", "\n")
-        if end == "json":
-            lines = of_json(json.loads(text))
+        if end == "json":  # rows of proofs: scripts/verify-certificate holds their numbers
+            lines = of_json(json.loads(text), kinds=name.endswith(("certificate.json", "impossible.json")))
         elif end in ("svg", "xml", "l5x"):
             lines = of_xml(text)
         elif end == "html":
