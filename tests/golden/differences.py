@@ -59,7 +59,9 @@ def differences(expected, found):
         return
     sizes = columns_of(expected)
     one, other = [words_of(line) for line in expected], [words_of(line) for line in found]
-    for kind, i, i_end, j, j_end in difflib.SequenceMatcher(None, one, other, autojunk=False).get_opcodes():
+    steps = ([("equal", 0, len(one), 0, len(other))] if one == other else
+             difflib.SequenceMatcher(None, one, other, autojunk=False).get_opcodes())
+    for kind, i, i_end, j, j_end in steps:
         if kind == "equal":
             for line, words, now in zip(expected[i:i_end], one[i:i_end], found[j:j_end]):
                 if not same_numbers(line, now, sizes[words]):

@@ -3,8 +3,6 @@
 // reaches in a moment: for tests/golden.
 #include "benchmarks/papers/paper_json.hpp"
 #include "core/text/text_file.hpp"
-#include "input/loading/load_scene.hpp"
-#include "motions/laws/law_catalogue.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/chart/studies/study_svg.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
@@ -16,13 +14,12 @@
 #include "output/report/result_folder.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
-#include "output/view/view.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
 #include "studies/papers/reference_table.hpp"
-#include "studies/solve/solve.hpp"
 #include "tests/output/sample_solution.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -39,10 +36,13 @@ void write(const std::string& name, const std::string& text) {
 }
 
 std::string all_words(const Solution& solution) {
-    std::string text = summary_text(solution, {}) + "\n" + dimensions_text(solution) + "\n";
-    for (const auto& sentences : {cam_remarks(solution), infeasible_remarks(solution), scene_lines(solution.scene)})
-        for (const std::string& sentence : sentences) text += "- " + sentence + "\n";
-    return text + "solver: " + solver_words(solution) + "\nconflict: " + conflict_sentence(solution) + "\n";
+    std::string text =
+        summary_text(solution, {}) + "\n" + (solution.scene.cam ? dimensions_text(solution) + "\n" : "");
+    std::vector<std::string> sentences = scene_lines(solution.scene);
+    if (solution.cam) sentences = cam_remarks(solution);
+    if (!solution.motion) sentences = infeasible_remarks(solution);
+    for (const std::string& sentence : sentences) text += "- " + sentence + "\n";
+    return text + "solver: " + solver_words(solution) + "\n";
 }
 
 void write_solution(const std::string& name, const Solution& solution) {
@@ -61,7 +61,11 @@ void write_changed_cams() {
     const auto say = [&](const char* title, const auto& change) {
         Solution solution = test::cam_solution();
         change(solution);
-        text += std::string("## ") + title + "\n" + all_words(solution) + "\n";
+        text += std::string("## ") + title + "\n" + verdict_sentence(solution) + "\n" +
+                objective_line(solution) + "\n";
+        if (solution.motion)
+            for (const std::string& remark : cam_remarks(solution)) text += "- " + remark + "\n";
+        text += "solver: " + solver_words(solution) + "\n\n";
     };
     say("active limit, base radius at its least", [](Solution& s) {
         s.constraints.back().active = true;
@@ -84,21 +88,38 @@ void write_changed_cams() {
             ChainPart part = s.motion->parts().front();
             part.y0 += lifts;
             s.motion = std::make_shared<const MotionChain>(std::vector<ChainPart>{part});
+            text += summary_text(s, {});
         });
     for (const Verdict verdict : {Verdict::local, Verdict::feasible, Verdict::optimal, Verdict::failed})
         say("general", [&](Solution& s) {
             s.solver.convex = false;
             s.solver.starts = 8;
             s.certificate.verdict = verdict;
-            s.certificate.reason = verdict == Verdict::failed ? Reason::no_feasible_point : Reason::time_limit;
+            s.certificate.reason =
+                verdict == Verdict::failed ? Reason::no_feasible_point : Reason::time_limit;
             if (verdict == Verdict::failed) s.motion.reset();
+            text += summary_text(s, {});
         });
     say("another solver was planned", [](Solution& s) {
         SolvePlan plan;
         plan.solver = "ipopt";
         s.plan = std::make_shared<const SolvePlan>(plan);
     });
-    write("changed_cams.txt", text);
+    Solution local = test::cam_solution();
+    local.solver.convex = false;
+    local.certificate.verdict = Verdict::local;
+    write("changed_cams.txt", text + report_markdown(local));
+    for (const char* const law : {"parabolic", "simple_harmonic", "mcv_50"}) {
+        Solution impulses = test::sample_solution();
+        impulses.scene.objective.jerk = 0.0;
+        impulses.scene.objective.reference.law = law;
+        write(std::string("impulses_of_") + law + ".svg", motion_svg(impulses));
+    }
+    Solution program = test::program_solution();
+    program.scene.limits.velocity = PeakLimit{2.5, "limits.velocity", 2.5, ""};
+    write("limit_by_segment.svg", motion_svg(program));
+    program.scene.limits.velocity = PeakLimit{4.0, "limits.velocity_mm_s", 800.0, "mm/s"};
+    write("limit_in_time.svg", motion_svg(program));
 }
 
 /// Scenes without a motion, otherwise than they are.
@@ -106,7 +127,8 @@ void write_changed_conflicts() {
     std::string text;
     const auto say = [&](const char* title, Solution solution, const auto& change) {
         change(solution);
-        text += std::string("## ") + title + "\n" + conflict_sentence(solution) + "\n";
+        text += std::string("## ") + title + "\n" + verdict_sentence(solution) + "\n" +
+                conflict_sentence(solution) + "\n";
         for (const std::string& remark : infeasible_remarks(solution)) text += "- " + remark + "\n";
         text += "\n";
     };
@@ -123,7 +145,8 @@ void write_changed_conflicts() {
     say("each alone", cam, [](Solution& s) {
         s.explanation.emplace().alone = {"limits.pressure_angle_deg", "limits.cam_radius_min_mm"};
     });
-    for (const ExplanationEnd end : {ExplanationEnd::time_limit, ExplanationEnd::interrupted, ExplanationEnd::enough})
+    for (const ExplanationEnd end :
+         {ExplanationEnd::time_limit, ExplanationEnd::interrupted, ExplanationEnd::enough})
         for (const bool own_limit : {false, true})
             say("ended early", cam, [&](Solution& s) {
                 Explanation& explanation = s.explanation.emplace();
@@ -149,7 +172,22 @@ void write_changed_conflicts() {
         law.angle = s.scene.motion.unit_angle();
         s.scene.motion.type = MotionType::program;
         s.scene.motion.segments = {law};
+        SolvePlan plan;
+        plan.dimensions = 1;
+        s.plan = std::make_shared<const SolvePlan>(plan);
     });
+    Solution free = cam;
+    free.scene.cam->set(DimensionIndex::base_radius, Dimension(0.02, 0.06));
+    text += all_words(free);
+    for (const Verdict verdict : {Verdict::infeasible, Verdict::failed}) {
+        Solution sure = cam;
+        sure.certificate.verdict = verdict;
+        sure.explanation.emplace().any_motion = {"limits.pressure_angle_deg"};
+        SolvePlan plan;
+        plan.convex = true;
+        sure.plan = std::make_shared<const SolvePlan>(plan);
+        text += report_markdown(sure);
+    }
     Solution excursion = test::program_solution();
     excursion.segments[1].to = 0.9;
     text += summary_text(excursion, {});
@@ -170,13 +208,14 @@ void write_words() {
             text += verdict_sentence(certificate) + " | " + gap_words(certificate) + "\n";
         }
     for (const char* const key :
-         {"limits.pressure_angle_deg", "limits.acceleration_mm_s2", "limits.contact_moment_min_nm", "limits.velocity",
-          "cam.base_radius_mm", "cam.base_radius_mm.max", "motion.via[0].velocity_mm_deg",
+         {"limits.pressure_angle_deg", "limits.acceleration_mm_s2", "limits.contact_moment_min_nm",
+          "limits.velocity", "cam.base_radius_mm", "cam.base_radius_mm.max", "motion.via[0].velocity_mm_deg",
           "motion.segments[2].via[1].acceleration_m_s2", "motion.segments[2].angle_deg",
           "motion.segments[2].end.velocity", "motion.via[1].to_deg", "motion.segments[2].via[0]",
           "motion.segments[2].to"}) {
         const KeyWords words = key_words(key, "a remark");
-        text += std::string(key) + ": " + words.words + " | " + words.unit + (words.limit ? " | limit\n" : "\n");
+        text +=
+            std::string(key) + ": " + words.words + " | " + words.unit + (words.limit ? " | limit\n" : "\n");
     }
     const std::vector<Relaxation> changes = {
         {"cam.base_radius_mm", 30.0, 31.41231},
@@ -191,7 +230,12 @@ void write_words() {
         {"cam.roller_radius_mm", 30.0, std::nullopt},
         {"motion.via[1].displacement_mm", 0.35, 0.18},
         {"motion.speed_rpm", 300.0, 280.0},
-        {"motion.segments[2].angle_deg", 50.0, 54.0, 54.0, false, {{"motion.segments[3].angle_deg", 40.0, 36.0}}},
+        {"motion.segments[2].angle_deg",
+         50.0,
+         54.0,
+         54.0,
+         false,
+         {{"motion.segments[3].angle_deg", 40.0, 36.0}}},
         {"motion.rise_deg", 75.0, 95.0, 95.0, false, {{"motion.return_deg", 75.0, 95.0}}}};
     for (const Relaxation& change : changes) text += change.key + ": " + change_words(change) + "\n";
     text += sufficient_changes(changes) + "\n" + hopeless_changes(changes) + "\n";
@@ -218,7 +262,8 @@ ComparisonRow row(const char* key, double jerk, double objective, double worst) 
     return made;
 }
 
-/// An optimum, a law that keeps its limit, one that breaks it, one whose cam is undercut, one that does not fit.
+/// An optimum, a law that keeps its limit, one that breaks it, one whose cam is undercut, one that does not
+/// fit.
 void write_comparison() {
     Comparison comparison;
     Solution& solution = comparison.optimum;
@@ -227,8 +272,11 @@ void write_comparison() {
     solution.reference_peaks.jerk.value = 69.0;
     solution.certificate.verdict = Verdict::optimal;
     solution.certificate.objective = 1.0 / 3.0;
-    comparison.rows = {row("", 40.0, 1.0 / 3.0, 30.0), row("good", 50.0, 0.5, 28.0), row("bad", infinity, infinity, 33.5),
-                       row("undercut", 30.0, 0.1, infinity), {}};
+    comparison.rows = {row("", 40.0, 1.0 / 3.0, 30.0),
+                       row("good", 50.0, 0.5, 28.0),
+                       row("bad", infinity, infinity, 33.5),
+                       row("undercut", 30.0, 0.1, infinity),
+                       {}};
     comparison.rows[0].loss_percent = 0.0;
     comparison.rows[1].loss_percent = 50.0;
     comparison.rows[2].base = NeededBase{std::nullopt, "limits.velocity"};
@@ -299,7 +347,11 @@ void write_papers() {
     table.convergence[0].note = "as printed, \"rounded\"";
     table.convergence[1].segments = 6;
     table.convergence[1].optimum = failed;
-    table.laws = {{"Parabolic", "parabolic", PeakFigures{2.0, 4.0, infinity, 0.0}, PeakFigures{2.0, 4.0, infinity, infinity}, {}},
+    table.laws = {{"Parabolic",
+                   "parabolic",
+                   PeakFigures{2.0, 4.0, infinity, 0.0},
+                   PeakFigures{2.0, 4.0, infinity, infinity},
+                   {}},
                   {"Modified cycloidal", "", PeakFigures{1.76, 5.89, 67.0, 0.0}, {}, {}}};
     table.modified_sine_exact = {1.76, 5.53, 69.5, 1.0};
     table.limit = {0.9371963699, 1.7455851, 5.2837114, 54.609086};
@@ -348,6 +400,9 @@ void write_sweeps() {
     lines.rows[3].reason = "worker died: signal 11 <&>";
     write("sweep_lines.svg", sweep_svg({lines, scene}));
     write("sweep_lines.csv", sweep_csv(lines));
+    lines.rows[2].verdict = Verdict::failed;
+    lines.rows[2].reason = lines.rows[3].reason;
+    lines.rows[2].objective.reset();
     write("sweep_lines.txt", sweep_text(lines, &scene));
     lines.columns.length_unit = LengthUnit::inch;
     lines.columns.keys = {"cam.base_radius_mm", "limits.pressure_angle_deg"};
@@ -357,11 +412,16 @@ void write_sweeps() {
     weights.columns.keys = {"objective.velocity", "objective.acceleration", "objective.jerk"};
     for (int i = 0; i <= 4; ++i)
         for (int j = 0; i + j <= 4; ++j)
-            weights.rows.push_back(sweep_row(static_cast<int>(weights.rows.size()), {i / 4.0, j / 4.0, (4 - i - j) / 4.0},
-                                             1.0 + i * 0.1 + j * 0.2));
+            weights.rows.push_back(sweep_row(static_cast<int>(weights.rows.size()),
+                                             {i / 4.0, j / 4.0, (4 - i - j) / 4.0}, 1.0 + i * 0.1 + j * 0.2));
     LawLosses losses;
     losses.reference = {1.76, 5.53, 69.0};
-    losses.laws.push_back({"near", "Near <law>", {1.7, 5.6, 55.0}, true, 4.0, ClosestApproach{{0.2, 0.3, 0.5}, 2.5, true},
+    losses.laws.push_back({"near",
+                           "Near <law>",
+                           {1.7, 5.6, 55.0},
+                           true,
+                           4.0,
+                           ClosestApproach{{0.2, 0.3, 0.5}, 2.5, true},
                            {1.6, 5.5, 40.0}});
     losses.laws.push_back({"far", "Far law", {1.6, 6.0, 500.0}, false, std::nullopt, std::nullopt, {}});
     losses.complete = true;

@@ -3,15 +3,17 @@
 
 Of lines with the same words, numbers apart, the first, the last and each N-th stay (KEPT of them), with how many there are."""
 
+import csv
 import html
+import io
 import json
 import re
 import struct
 import xml.etree.ElementTree
 import zlib
 
-KEPT = 5  # of lines with the same words, and of the items of a list
-FEW = 8  # up to so many are kept all
+KEPT = 4  # of lines with the same words, and of the items of a list
+FEW = 6  # up to so many are kept all
 WIDE = 12  # numbers in a line that are kept all
 DIGITS = 10  # of a number, significant
 SHORT_LINE = 130  # letters of a table that stands in one line
@@ -26,6 +28,8 @@ RULES = [(name, re.compile(pattern), instead) for name, pattern, instead in (
     ("seconds", r"(exchange rounds:? \d+\)?|starts:? \d+\)?|iterations:? \d+\)?|solving:|speeds tried|prescribed|not used)([,;]?) "
                 r"[\d.e-]+ s\b", r"\1\2 <seconds> s"),
     ("seconds", r'("[a-z_]*seconds": )[\d.e+-]+', r"\1<seconds>"),
+    ("seconds", r"(search for changes [a-z ]+) [\d.e-]+ s\b( of [\d.]+ s)?", r"\1 <seconds> s"),
+    ("seconds", r"[\d.e-]+ s in all\b", "<seconds> s in all"),
     ("effort", r"(\b(?:iterations|exchange rounds|evaluations|starts|speeds tried|bound passes|nodes))(:?) \d+", r"\1\2 <n>"),
     ("effort", r"\b\d+ (speeds tried|solves)", r"<n> \1"),
     ("effort", r'("(iterations|exchange_rounds|rounds|passes|nodes|starts_run|[a-z_]*evaluations|profile_points|[a-z_]*_calls)": )\d+',
@@ -88,8 +92,29 @@ def number_list(numbers):
     return f"[#{len(numbers)}] " + " ".join(kept)
 
 
+def without_effort(text):
+    """A table without the numbers of its columns of seconds and of effort."""
+    rows = list(csv.reader(io.StringIO(text)))
+    left_out = {i for i, name in enumerate(rows[0] if rows else []) if EFFORT.search(name)}
+    if not left_out:
+        return text.splitlines()
+    return [",".join("<n>" if i in left_out and row is not rows[0] and cell else f'"{cell}"' if "," in cell else cell
+                     for i, cell in enumerate(row)) for row in rows]
+
+
+EFFORT = re.compile(r"^seconds|_seconds$|^iterations$|^exchange_rounds$|_evaluations$|^profile_points$")
+
+
 def is_number(value):
     return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def timeless(value):
+    """Without the seconds of the parts of a solve."""
+    if isinstance(value, dict):
+        return {key: dict.fromkeys(item, "<seconds>") if key == "seconds" and isinstance(item, dict) else timeless(item)
+                for key, item in value.items()}
+    return [timeless(item) for item in value] if isinstance(value, list) else value
 
 
 def of_json(value, key="", indent="", kinds=False):
@@ -109,6 +134,9 @@ def of_json(value, key="", indent="", kinds=False):
         if kinds and len(value) > FEW:
             return [head + "[", *(line for block in sorted({alike(block) for block in blocks}) for line in block.split("\n")), indent + "]"]
         return [head + f"[{len(value)}", *(line for block in thinned(blocks) for line in block.split("\n")), indent + "]"]
+    if isinstance(value, str) and value.startswith("<svg"):  # written as a file too
+        value = [word for word in re.findall(r">([^<>\n]+)</text>", value) if not NUMBER.fullmatch(word)]
+        return [head + "the picture's words:", *(inner + word for word in thinned(value))]
     return [head + json.dumps(value, ensure_ascii=False)]
 
 
@@ -176,7 +204,7 @@ def of_step(text):
     points = [point for point in points if len(point) == 3]
     ends = [f"{name} {round(least(p[axis] for p in points), 6)}" for axis in range(3) for name, least in
             ((f"{'xyz'[axis]} from", min), (f"{'xyz'[axis]} to", max))] if points else []
-    return [*(word for word in words if "Open CASCADE" not in word), *(f"{kind} {count}" for kind, count in sorted(kinds.items())
+    return [text.partition("\n")[0], *(word for word in words if "Open CASCADE" not in word), *(f"{kind} {count}" for kind, count in sorted(kinds.items())
                                                                       if kind in KINDS_OF_STEP), *ends]
 
 
@@ -221,7 +249,7 @@ def lines_of(name, data):
     else:
         text = data.decode("utf-8").replace("\r\n", "\n")
         if end == "json":  # rows of proofs: scripts/verify-certificate holds their numbers
-            lines = of_json(json.loads(text), kinds=name.endswith(("certificate.json", "impossible.json")))
+            lines = of_json(timeless(json.loads(text)), kinds=name.endswith(("certificate.json", "impossible.json")))
         elif end in ("svg", "xml", "l5x"):
             lines = of_xml(text)
         elif end == "html":
@@ -230,8 +258,9 @@ def lines_of(name, data):
             lines = of_dxf(text)
         elif end in ("step", "stp"):
             lines = of_step(text)
-        elif end in ("", "md", "toml"):
-            lines = text.splitlines()
+        elif end in ("", "md", "toml", "txt"):  # a paragraph whose breaks depend on seconds in one line
+            lines = re.sub(r"The search for changes[^\n]*(?:\n  (?:[a-z0-9]|Not )[^\n]*)*", lambda found: " ".join(found[0].split()),
+                           text).splitlines()
         else:
-            lines = thinned(text.splitlines())
+            lines = thinned(without_effort(text) if end == "csv" else text.splitlines())
     return [cleaned(part) for line in lines for part in line.split("\n")]
