@@ -15,7 +15,7 @@ import zlib
 KEPT = 4  # of lines with the same words, and of the items of a list
 FEW = 6  # up to so many are kept all
 WIDE = 12  # numbers in a line that are kept all
-DIGITS = 10  # of a number, significant
+DIGITS = 8  # of a number, significant
 SHORT_LINE = 130  # letters of a table that stands in one line
 
 NUMBER = re.compile(r"(?<![a-zàµµ_\d.])[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?|~0")

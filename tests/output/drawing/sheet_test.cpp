@@ -196,5 +196,32 @@ TEST(Sheet, WordsThatDoNotFitAreCut) {
     EXPECT_EQ(fitted_words("ÄÄÄÄ", 2.5e-3, 1e-3), "…");
 }
 
+TEST(Sheet, OneDescriptionBecomesSvgAndDxf) {
+    Sheet sheet;
+    sheet.title = "a <b>";
+    sheet.view = {{0.125, 0.125}, 0.5};
+    sheet.line("CAM", SheetPen::thick, {0.0, 0.0}, {0.02, 0.0});
+    sheet.arc("CAM", SheetPen::thick, {"", SheetPen::thick, {0.0, 0.0}, 0.02}, 0.0, 1.5 * pi);
+    sheet.texts.push_back({"NOTES", {0.25, 0.125}, 2e-3, "⌀ 5 °", TextAnchor::end});
+    SheetDimension dimension;
+    dimension.kind = SheetDimension::Kind::diameter;
+    dimension.second = {0.02, 0.0};
+    dimension.place = {0.13, 0.12};
+    sheet.dimensions.push_back(dimension);
+    const std::string svg = sheet_svg(sheet);
+    EXPECT_NE(svg.find("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\""), std::string::npos);
+    EXPECT_NE(svg.find("a &lt;b&gt;"), std::string::npos);
+    EXPECT_NE(svg.find("M125 85L135 85"), std::string::npos);  // half size, y downwards
+    EXPECT_NE(svg.find("A10 10 0 0 0 "), std::string::npos);   // two arcs of 135°
+    EXPECT_NE(svg.find(">⌀40<"), std::string::npos);
+    const std::string dxf = sheet_dxf(sheet);
+    for (const char* words : {"AcDbDiametricDimension", "\n*D1\n", "\nCAMOPT\n", "\\U+2300 5 \\U+00B0"})
+        EXPECT_NE(dxf.find(words), std::string::npos) << words;
+    EXPECT_NE(dxf.find("\n 42\n40.0\n"), std::string::npos);
+    EXPECT_NE(dxf.find("\n 11\n20.0\n 21\n0.0\n"), std::string::npos);   // true size
+    EXPECT_NE(dxf.find("\n 11\n250.0\n 21\n0.0\n"), std::string::npos);  // words: paper / scale
+    EXPECT_EQ(dxf_text("ü\n€𝄞"), "\\U+00FC \\U+20AC?");
+}
+
 }  // namespace sheet_test
 }  // namespace camopt
