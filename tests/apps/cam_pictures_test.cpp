@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -80,17 +79,6 @@ TEST(ProfileDxf, FaceWidthMatchesScene) {
         if (layer == "FACE" && tag.code == 11) end = std::stod(tag.value);
     }
     EXPECT_NEAR(std::abs(end - begin), 29.0, 1e-6);
-}
-
-TEST(ProfileSvg, MissingFaceWidthIsReported) {
-    const test::TemporaryFolder folder;
-    const std::string scene = folder.path() + "/open_face.toml";
-    std::string text = read_text_file(source_folder() + "/scenes/cam_flat.toml");
-    text.replace(text.find("face_half_width_mm"), 1, "# f");
-    write_text_file(scene, text);
-    const std::string svg = file_of(scene, folder.path(), "profile.svg");
-    EXPECT_EQ(svg.find("face half width"), std::string::npos);
-    EXPECT_NE(svg.find("no width given"), std::string::npos);
 }
 
 /// The angles after ` at ` of every mark, as they are printed.

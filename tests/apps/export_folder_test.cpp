@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt export of a result folder: the very cam that was delivered, without solving again.
 #include "core/text/text_file.hpp"
+#include "output/surface/step/step_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 
@@ -87,20 +88,17 @@ TEST(ExportOfAFolder, SolvesNothing) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() + "/out/profile.dxf"));
 }
 
-TEST(ExportOfAFolder, RefusesUnusableFolders) {
+TEST(ExportCommand, StepOrWhatToInstall) {
     const test::TemporaryFolder folder;
-    const std::string result = folder.path() + "/result", out = " --out " + folder.path() + "/out";
-    const auto refused = [](const std::string& arguments, const std::string& reason) {
-        const ProgramRun run = run_camopt("export " + arguments);
-        EXPECT_EQ(run.exit_code, 2) << arguments;
-        EXPECT_NE(run.errors.find(reason), std::string::npos) << arguments << run.errors;
-    };
-    refused(folder.path() + out, "found no result.json");
-    ASSERT_EQ(run_camopt("solve " + test::scene("drd_cubic_12") + " --out " + result).exit_code, 0);
-    refused(result + out + " --nc", "the rest is for cams, and this scene has none");
-    refused(result + out + " --set motion.lift_mm=2", "found with a result folder");
-    refused(result + out + " --solver structured", "--solver: found with a result folder");
-    ASSERT_EQ(run_camopt("solve " + test::scene("cam_drdrd") + quick + " --out " + result).exit_code, 0);
+    const ProgramRun run = run_camopt("export " + test::scene("barrel_paper_cup") + " --out " +
+                                      folder.path() + quick + " --step");
+    if (step_available()) {
+        EXPECT_EQ(run.exit_code, 0) << run.errors;
+        EXPECT_TRUE(std::filesystem::exists(folder.path() + "/flanks.step"));
+    } else {
+        EXPECT_EQ(run.exit_code, 2);
+        EXPECT_NE(run.errors.find("libocct-data-exchange-dev"), std::string::npos) << run.errors;
+    }
 }
 
 }  // namespace export_folder_test

@@ -3,11 +3,9 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/chart/svg_canvas.hpp"
-#include "output/report/result_folder.hpp"
 #include "output/view/number_text.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/view.hpp"
-#include "output/words/solution_text.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -16,85 +14,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <string>
 #include <vector>
 
 namespace camopt {
 namespace motion_svg_test {
 
 using testing_support::refusal;
-
-int count_of(const std::string& text, const std::string& part) {
-    int count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-    return count;
-}
-
-/// Every tag is closed in order, and no bare & or < stands in the text: enough for XML as we write it.
-bool well_formed(const std::string& text) {
-    std::vector<std::string> open;
-    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
-        const std::size_t end = text.find('>', at);
-        if (end == std::string::npos) return false;
-        const std::string tag = text.substr(at + 1, end - at - 1);
-        if (tag.find('<') != std::string::npos) return false;
-        if (tag.front() == '?' || tag.back() == '/') continue;
-        if (tag.front() != '/') {
-            open.push_back(tag.substr(0, tag.find(' ')));
-        } else {
-            if (open.empty() || open.back() != tag.substr(1)) return false;
-            open.pop_back();
-        }
-    }
-    return open.empty() && count_of(text, "&") == count_of(text, "&amp;") + count_of(text, "&lt;") +
-                                                      count_of(text, "&gt;") + count_of(text, "&quot;");
-}
-
-TEST(MotionSvg, IsWellFormedAndComplete) {
-    const std::string svg = motion_svg(test::sample_solution());
-    EXPECT_TRUE(well_formed(svg));
-    EXPECT_EQ(count_of(svg, "<path"), 8);  // four panels, optimum and reference
-    EXPECT_NE(svg.find("Four segments &amp; &lt;one&gt; title"), std::string::npos);
-    EXPECT_NE(svg.find(">400 mm/s at "), std::string::npos);
-    EXPECT_NE(svg.find(">V = 2 · modified sine V = 1.7596"), std::string::npos);
-    EXPECT_NE(svg.find(">Velocity (v)<"), std::string::npos);
-    EXPECT_NE(svg.find(">m/s²<"), std::string::npos);
-    EXPECT_EQ(svg.find(">mm/rad<"), std::string::npos);
-    EXPECT_NE(svg.find("limit 500 mm/s"), std::string::npos);
-    EXPECT_EQ(svg.find("nan"), std::string::npos);
-    EXPECT_EQ(svg.find("inf"), std::string::npos);
-}
-
-TEST(MotionSvg, LawImpulsesAreOmitted) {
-    Solution solution = test::sample_solution();
-    solution.scene.objective.jerk = 0.0;
-    for (const char* law : {"parabolic", "simple_harmonic", "mcv_50"}) {
-        solution.scene.objective.reference.law = law;
-        const std::string svg = motion_svg(solution);
-        EXPECT_TRUE(well_formed(svg)) << law;
-        EXPECT_EQ(svg.find("inf "), std::string::npos) << law;
-        EXPECT_EQ(svg.find("nan"), std::string::npos) << law;
-    }
-}
-
-TEST(MotionSvg, ProgramShowsSegmentsAndLaw) {
-    Solution solution = test::program_solution();
-    solution.scene.limits.velocity = PeakLimit{2.5, "limits.velocity", 2.5, ""};
-    const std::string svg = motion_svg(solution);
-    EXPECT_TRUE(well_formed(svg));
-    EXPECT_EQ(count_of(svg, "<path"), 8);                      // four panels, optimum and reference
-    EXPECT_EQ(count_of(svg, "class=\"segment\""), 4 * 3 + 1);  // three boundaries a panel, one in the legend
-    for (const char* part :
-         {">dwell<", ">spline<", "modified sine V = 1.7596", "V = 2 of the spline segments",
-          "limit 2.5 by the segment", "angle of the first spline segment"})
-        EXPECT_NE(svg.find(part), std::string::npos) << part;
-}
-
-TEST(MotionSvg, TimeLimitCoversWholeProgram) {
-    Solution solution = test::program_solution();
-    solution.scene.limits.velocity = PeakLimit{4.0, "limits.velocity_mm_s", 800.0, "mm/s"};
-    EXPECT_NE(motion_svg(solution).find(">limit 800 mm/s<"), std::string::npos);
-}
 
 TEST(ReferenceMotion, ProgramSceneHasNoCurve) {
     const ReferenceMotion reference = reference_motion(test::program_solution().scene);
@@ -194,39 +119,6 @@ TEST(NumberText, RoundTripsAndOmitsInfinity) {
     EXPECT_EQ(change_text(0.974, 1.0), "−2.6 %");
     EXPECT_EQ(change_text(1.0, 1.0), "±0.0 %");
     EXPECT_EQ(change_text(1.0, infinity), "–");
-}
-
-TEST(Report, AnswersCamEngineersQuestions) {
-    const std::string text = report_markdown(test::sample_solution(), {"a.toml", "camopt solve a.toml"});
-    for (const char* part :
-         {"Proved optimal", "| velocity V | 400 mm/s | 12.7324 mm/rad | 2 |", "modified sine",
-          "curve of least objective", "limits.velocity_mm_s", "![Displacement", "how_to_check",
-          "camopt solve a.toml", "via point 1 follows from symmetry", "0.08333333333333333"})
-        EXPECT_NE(text.find(part), std::string::npos) << part;
-    const std::string infeasible = report_markdown(test::infeasible_solution());
-    EXPECT_NE(infeasible.find("raise the velocity limit to 312.5 mm/s"), std::string::npos);
-    EXPECT_EQ(infeasible.find("motion.svg"), std::string::npos);
-}
-
-TEST(SolutionText, HasASentenceForEveryVerdict) {
-    Certificate certificate;
-    certificate.reason = Reason::time_limit;
-    const auto sentence = [&](Verdict verdict) {
-        certificate.verdict = verdict;
-        return verdict_sentence(certificate);
-    };
-    EXPECT_TRUE(sentence(Verdict::optimal).starts_with("Proved optimal"));
-    EXPECT_TRUE(sentence(Verdict::local).starts_with("Local optimum"));
-    certificate.gap = 6.7e-7;
-    EXPECT_NE(sentence(Verdict::local).find("at most 0.00007 % from the optimum"), std::string::npos);
-    EXPECT_EQ(
-        sentence(Verdict::feasible),
-        "Feasible: every limit is satisfied; proved to be at most 0.00007 % from the optimum (time limit).");
-    certificate.gap.reset();
-    EXPECT_EQ(sentence(Verdict::feasible),
-              "Feasible: every limit is satisfied; optimality is not proved (time limit).");
-    EXPECT_TRUE(sentence(Verdict::infeasible).starts_with("Proved infeasible"));
-    EXPECT_EQ(sentence(Verdict::failed), "Failed: neither a curve nor a proof was found (time limit).");
 }
 
 }  // namespace motion_svg_test

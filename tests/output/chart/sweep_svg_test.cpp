@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <regex>
 #include <set>
 
@@ -107,26 +106,6 @@ TEST(XmlFault, FindsFaults) {
     EXPECT_NE(xml_fault("<a x=\"></a>"), "");
 }
 
-TEST(SweepSvg, TriangleContainsEveryWeightRow) {
-    const SweepTable table = weight_table();
-    const LawLosses losses = some_losses();
-    Scene scene;
-    scene.title = "Weights <of> all & sundry";
-    const std::string svg = sweep_svg({table, scene, &losses});
-    expect_sound(svg);
-    EXPECT_EQ(count_of(svg, "class=\"cell c"), 4 * 15);
-    for (const SweepRow& row : table.rows) {
-        const std::string mark = "r" + std::to_string(row.number) + "\"";
-        EXPECT_EQ(count_of(svg, " " + mark), 4 + 3) << row.number;  // triangles and planes
-    }
-    EXPECT_EQ(count_of(svg, "class=\"dot "), 3 * 8);        // front rows
-    EXPECT_EQ(count_of(svg, "class=\"off-front "), 3 * 7);  // the others
-    EXPECT_EQ(count_of(svg, "Near &lt;law&gt;"), 1);
-    EXPECT_EQ(count_of(svg, "outside: laws 2"), 2);  // of the planes with J
-    EXPECT_NE(svg.find("0.20 / 0.30 / 0.50"), std::string::npos);
-    EXPECT_EQ(svg, sweep_svg({table, scene, &losses}));
-}
-
 TEST(SweepSvg, PeakWeightGrowsTowardsCorner) {
     SweepTable table = weight_table();
     table.rows = {row_of(0, {1, 0, 0}, 1.0), row_of(1, {0, 1, 0}, 2.0), row_of(2, {0, 0, 5}, 3.0),
@@ -146,24 +125,6 @@ TEST(SweepSvg, PeakWeightGrowsTowardsCorner) {
     EXPECT_LT(x[2], x[1]);
     EXPECT_LT(y[2], y[0]);
     EXPECT_EQ(y[0], y[1]);
-}
-
-TEST(SweepSvg, LinesMarkInfeasibleAndFailedRows) {
-    const SweepTable table = key_table();
-    const std::string svg = sweep_svg({table, Scene{}});
-    expect_sound(svg);
-    EXPECT_EQ(marked_rows(svg), (std::set<int>{0, 1, 2, 3, 4, 5}));
-    const int panels = 5;  // objective, V, A, J, base radius
-    EXPECT_EQ(count_of(svg, "class=\"shut r0\""), panels);
-    EXPECT_EQ(count_of(svg, "class=\"failed r3\""), panels);
-    EXPECT_EQ(count_of(svg, "class=\"cross\""), panels);
-    EXPECT_EQ(count_of(svg, "class=\"limit-line\""), 1);
-    // Row 3 is missing: the line is broken there.
-    const std::regex line("<path d=\"(M[^\"]*)\" class=\"row-line\"");
-    std::smatch first;
-    ASSERT_TRUE(std::regex_search(svg, first, line));
-    EXPECT_EQ(count_of(first[1].str(), "M"), 2);
-    EXPECT_NE(svg.find("base radius (mm)"), std::string::npos);
 }
 
 TEST(SweepSvg, CamPropertiesHavePanels) {
@@ -229,28 +190,6 @@ class ParetoOutput : public testing::Test {
     Scene scene;
     ParetoFront front;
 };
-
-TEST_F(ParetoOutput, CsvHasOneLinePerPoint) {
-    const std::string csv = pareto_csv(front);
-    EXPECT_EQ(count_of(csv, "\n"), 1 + 5);
-    EXPECT_TRUE(csv.starts_with("point,solve,end,velocity,acceleration,arc,minimized,cap,verdict"));
-    EXPECT_EQ(count_of(csv, ",attained,"), 2);
-    EXPECT_EQ(count_of(csv, ",optimal,"), 5);
-    EXPECT_EQ(csv.find("nan"), std::string::npos);
-    front.complete = false;
-    EXPECT_EQ(count_of(pareto_csv(front), "\n"), 1 + static_cast<int>(front.points.size()));
-}
-
-TEST_F(ParetoOutput, PictureHoldsEveryPoint) {
-    const Comparison laws = compare(scene);
-    const ParetoPicture picture{front, scene, &laws};
-    const std::string svg = pareto_svg(picture);
-    expect_sound(svg);
-    EXPECT_EQ(marked_rows(svg).size(), 5U);
-    EXPECT_NE(svg.find("limit-line"), std::string::npos);
-    EXPECT_NE(svg.find("Cycloidal"), std::string::npos);
-    EXPECT_NE(pareto_text(picture).find("5 points of"), std::string::npos);
-}
 
 /// The limit no curve passes lies below the front: at the same acceleration its velocity is less.
 TEST_F(ParetoOutput, TheLimitLiesBelowTheFront) {

@@ -137,18 +137,6 @@ TEST(SweepCsv, KeepsFiguresOfTheMotor) {
     EXPECT_EQ(sweep_csv(read), text);
 }
 
-TEST(SweepCsv, NamesItsColumnsWithUnits) {
-    EXPECT_TRUE(
-        sweep_csv(random_table())
-            .starts_with("row,objective.velocity,motion.segments[1].to,verdict,reason,pareto_front,"
-                         "objective,lower_bound,gap,any_curve_limit,velocity,acceleration,jerk,torque,"
-                         "rms_acceleration,rms_jerk,base_radius_mm,offset_mm,pressure_angle_deg,"
-                         "convex_radius_mm,concave_radius_mm,active_limits,proof,iterations,"
-                         "exchange_rounds,cost_evaluations,gradient_evaluations,"
-                         "constraint_evaluations,jacobian_evaluations,hessian_evaluations,"
-                         "profile_points,seconds_solve,seconds_total\n0,"));
-}
-
 /// Only where the cam differs from row to row; each figure is that of the row's own solve.
 TEST(SweepCsv, CamPropertiesEqualSingleSolves) {
     const std::string text =

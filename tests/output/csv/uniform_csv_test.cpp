@@ -77,14 +77,6 @@ TEST(UniformTable, ColumnUnitsDescribeSameMotion) {
     EXPECT_NEAR(number(cells[9]), 45.0 / 360.0 / 5.0, 1e-15);
 }
 
-TEST(UniformTable, UsualColumnsMatchReport) {
-    EXPECT_EQ(records_of(uniform_table(test::sample_solution(), {}))[0].cells,
-              (std::vector<std::string>{"theta_deg", "s_mm", "v_mm_s", "a_m_s2", "j_m_s3"}));
-    const UniformTable cam = uniform_table(test::cam_solution(), {.rows = 19});
-    EXPECT_EQ(records_of(cam)[0].cells.back(), "pressure_angle_deg");
-    EXPECT_LT(number(records_of(cam)[10].cells.back()), 90.0);
-}
-
 // At the top, 10 mm up and at rest in all derivatives but the jerk, the spring of 10 N/mm and its 60 N press.
 TEST(UniformTable, ForcesAddLoadColumns) {
     const UniformTable table = uniform_table(

@@ -68,21 +68,6 @@ TEST(Exports, EveryNameGivesAFile) {
         EXPECT_GT(std::filesystem::file_size(file), 100U) << file;
 }
 
-TEST(Exports, FilesAreWhatTheirNamesSay) {
-    const Solution solution = disk();
-    EXPECT_NE(exported_file(solution, "report.html").find("Lever cam"), std::string::npos);
-    EXPECT_NE(exported_file(solution, "drawing.dxf").find("\nEOF"), std::string::npos);
-    EXPECT_NE(exported_file(solution, "cam.nc").find("G1"), std::string::npos);
-    EXPECT_EQ(exported_file(solution, "codesys.st"),
-              plc_export(solution, {"codesys"}, {}).files.front().text);
-    if (step_available()) {
-        EXPECT_TRUE(exported_file(solution, "cam.step").starts_with("ISO-10303-21;"));
-    }
-    if (pdf_available()) {
-        EXPECT_TRUE(exported_file(solution, "drawing.pdf").starts_with("%PDF"));
-    }
-}
-
 TEST(Exports, OptionsReachTheFiles) {
     const Solution solution = disk();
     ExportOptions options;

@@ -167,18 +167,5 @@ TEST(SweepFolder, IgnoresRemainsOfKilledRuns) {
     EXPECT_EQ(files, 2);  // sweep.json and chunk 0
 }
 
-TEST(SweepText, FailedRowsShowReasons) {
-    SweepTable table{sample_sweep().identity.columns, rows(0, 4)};
-    table.rows[1].verdict = table.rows[2].verdict = Verdict::failed;
-    table.rows[1].reason = table.rows[2].reason = "worker died: signal 11";
-    table.rows[1].objective.reset();
-    table.rows[2].objective.reset();
-    table.rows[3].verdict = Verdict::infeasible;
-    const std::string text = sweep_text(table);
-    EXPECT_NE(text.find("rows: 4 (1 optimal, 1 infeasible, 2 failed)"), std::string::npos) << text;
-    EXPECT_NE(text.find("failed, worker died: signal 11: 2 rows, the first is 1"), std::string::npos) << text;
-    EXPECT_EQ(text.find("Pareto"), std::string::npos) << text;  // nothing is marked
-}
-
 }  // namespace sweep_folder_test
 }  // namespace camopt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files and words of cams that drive both ways: tables of both sides, layers, remarks, what is refused.
+// Files of cams that drive both ways: tables of both sides, pieces, what is refused.
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/motion_csv.hpp"
@@ -7,7 +7,6 @@
 #include "output/disk/disk_solid.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/sheet/cam_sheet.hpp"
-#include "output/words/solution_text.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
@@ -55,11 +54,6 @@ class TwoSidedFiles : public testing::Test {
             if (one.name == name) return one.text;
         return {};
     }
-    static std::string remarks(const Solution& solution) {
-        std::string all;
-        for (const std::string& remark : cam_remarks(solution)) all += remark + "\n";
-        return all;
-    }
 };
 
 std::vector<std::vector<double>> rows_of(const std::string& csv) {
@@ -103,46 +97,6 @@ TEST_F(TwoSidedFiles, UniformTableUsesFirstSide) {
         least = std::min(least, row[5]);
     }
     EXPECT_LT(least, -1.0);
-}
-
-TEST_F(TwoSidedFiles, FiguresShowBothSides) {
-    for (const char* layer : {"INNER_FLANK", "OUTER_FLANK", "RIM", "PITCH"})
-        EXPECT_NE(file(grooved(), "profile.dxf").find(layer), std::string::npos) << layer;
-    for (const char* layer : {"SECOND_CAM", "SECOND_PITCH", "SECOND_ROLLER"})
-        EXPECT_NE(file(conjugate(), "profile.dxf").find(layer), std::string::npos) << layer;
-    EXPECT_EQ(file(grooved(), "profile.dxf").find("SECOND_"), std::string::npos);
-    for (const char* words : {"groove clearance", "0.05 mm", "form: grooved"})
-        EXPECT_NE(file(grooved(), "profile.svg").find(words), std::string::npos) << words;
-    for (const char* words : {"second disk", "arm angle", "90 deg"})
-        EXPECT_NE(file(conjugate(), "profile.svg").find(words), std::string::npos) << words;
-    for (const char* words : {", inner flank (κ)", ", outer flank (κ)"})
-        EXPECT_NE(file(grooved(), "profile_diagrams.svg").find(words), std::string::npos) << words;
-    for (const char* words : {"Pressure angle, first disk (φ)", "Pressure angle, second disk (φ)"})
-        EXPECT_NE(file(conjugate(), "profile_diagrams.svg").find(words), std::string::npos) << words;
-}
-
-TEST_F(TwoSidedFiles, WordsNameTheSide) {
-    const std::string groove = summary_text(grooved(), {}), pair = summary_text(conjugate(), {});
-    for (const char* words : {"translating roller in a groove", "inner flank: least convex radius",
-                              "outer flank: largest Hertz pressure", "groove clearance 0.05 mm"})
-        EXPECT_NE(groove.find(words), std::string::npos) << words;
-    for (const char* words : {"oscillating roller on conjugate disks", "first disk: largest pressure angle",
-                              "second disk: least convex radius"})
-        EXPECT_NE(pair.find(words), std::string::npos) << words;
-    EXPECT_NE(remarks(grooved()).find("The load changes between inner flank and outer flank"),
-              std::string::npos);
-    EXPECT_NE(remarks(grooved()).find(
-                  "The groove is 20.05 mm wide where it is narrowest, the roller 20 mm: it fits everywhere."),
-              std::string::npos)
-        << remarks(grooved());
-    EXPECT_NE(remarks(conjugate()).find("Both rollers at once: the sum of the gaps at both disks is"),
-              std::string::npos);
-    EXPECT_EQ(remarks(grooved()).find("LIFTS OFF"), std::string::npos);
-    // Worst on one side: the row says on which.
-    bool named = false;
-    for (const ConstraintReport& row : grooved().constraints)
-        if (row.name == "hertz_pressure_max") named = row.side == "inner flank" || row.side == "outer flank";
-    EXPECT_TRUE(named);
 }
 
 TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {

@@ -2,7 +2,6 @@
 // What is said of scenes without a motion, and of limits of any curve, held against solves: every sentence is
 // a claim.
 #include "core/units.hpp"
-#include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "scene/motion/set_points.hpp"
@@ -245,17 +244,6 @@ TEST(SmallestCam, TheReturnCountsToo) {
     for (const std::string& remark : cam_remarks(solution)) text += remark + "\n";
     EXPECT_TRUE(says(text, "on the return")) << text;
     EXPECT_FALSE(says(text, "on this rise")) << text;
-}
-
-TEST(LimitOfAnyCurve, ReportsOmittedCam) {
-    const Solution solution = solve(roller_scene(16, 30));
-    ASSERT_TRUE(solution.motion && solution.any_curve_limit);
-    const std::string text = summary_text(solution, {}), report = report_markdown(solution);
-    EXPECT_TRUE(says(text, "limit of any curve (limits of the cam left out)")) << text;
-    EXPECT_TRUE(says(report, "limits of the cam left out")) << report;
-    // A column of peaks must not look like bounds of single peaks: V alone can be less.
-    EXPECT_FALSE(says(report, "best of any curve")) << report;
-    EXPECT_TRUE(says(report, "no bound of a single peak")) << report;
 }
 
 }  // namespace claims_test
