@@ -3,6 +3,8 @@
 
 namespace camopt {
 
-std::string source_folder() { return CAMOPT_SOURCE_DIR; }
+std::string source_folder() {
+    return CAMOPT_SOURCE_DIR;
+}
 
 }  // namespace camopt

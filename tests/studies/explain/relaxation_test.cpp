@@ -157,7 +157,7 @@ TEST(JointRelaxation, IsTheLeastCommonPart) {
 TEST(JointRelaxation, ScalesLowerLimitsEqually) {
     const Solution solution = solve(pressure_angle_scene(30, 12).with(
         "limits = { pressure_angle_deg = 15, concave_radius_min_mm = 300, velocity = 0.9 }",
-        "solver.explain_seconds = 30"));
+        "solver.explain_seconds = 120"));
     ASSERT_TRUE(solution.explanation);
     std::map<std::string, double> factors;
     for (const Relaxation& row : solution.explanation->together)

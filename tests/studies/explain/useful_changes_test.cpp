@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.name; });
 
 TEST(UsefulChange, ServoProgramChangesAngleAndDwell) {
-    const Solution& solution = solved(servo);
+    const Solution solution = solve(servo.with("solver.explain_seconds = 60"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const Relaxation& first = solution.relaxation.front();
     EXPECT_EQ(first.key, "motion.segments[2].angle_deg");
