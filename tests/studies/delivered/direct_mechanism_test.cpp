@@ -143,12 +143,12 @@ TEST(DirectMechanism, EveryKindIsChecked) {
         const MotionScale scale{loaded_scene(cam.formulas->swings()).motion.lift, 1.0};
         const DrivenMechanism other = foreign(cam);
         if (cam.formulas->stations() > 1) {
-            const ForwardCheckReport found = two_sided_check(other, motion, scale, 200);
-            EXPECT_EQ(found.deviation, two_sided_check(cam, motion, scale, 200).deviation);
+            const ForwardCheckReport found = two_sided_check(other, motion, scale, 500);
+            EXPECT_EQ(found.deviation, two_sided_check(cam, motion, scale, 500).deviation);
             EXPECT_LT(found.relative, 1e-6);
         } else {
-            const ForwardCheckResult found = forward_check(forward_check_input(other, motion, scale, 200));
-            EXPECT_EQ(found.deviation, forward_check(forward_check_input(cam, motion, scale, 200)).deviation);
+            const ForwardCheckResult found = forward_check(forward_check_input(other, motion, scale, 500));
+            EXPECT_EQ(found.deviation, forward_check(forward_check_input(cam, motion, scale, 500)).deviation);
             EXPECT_LT(found.relative, 1e-6);
         }
     }

@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.name; });
 
 TEST(UsefulChange, ServoProgramChangesAngleAndDwell) {
-    const Solution& solution = solved(servo);
+    const Solution solution = solve(servo.with("solver.explain_seconds = 60"));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const Relaxation& first = solution.relaxation.front();
     EXPECT_EQ(first.key, "motion.segments[2].angle_deg");
@@ -142,7 +142,7 @@ TEST(UsefulChange, NamesSetPointContradictedByRamp) {
 TEST(UsefulChange, DeterminedSetPointIsItsValue) {
     const TestScene inside = lobe.with("motion.via[0].from_deg = 20", "motion.via[0].to_deg = 40",
                                        "motion.via[0].displacement_mm = 0.5", "motion.via[1].at_deg = 30",
-                                       "limits.acceleration_mm_s2 = 6000000");
+                                       "limits.acceleration_mm_s2 = 6000000", "solver.explain_seconds = 60");
     const Solution solution = solve(inside);
     ASSERT_EQ(solution.certificate.reason, Reason::conditions_contradict);
     const auto row =

