@@ -60,7 +60,8 @@ std::string left_out(std::string_view before, std::string_view after) {
 
 void describe(CLI::App& program, const Commands& commands) {
     program.set_version_flag("--version", version_text());
-    program.footer(fmt::format("Examples:\n{}\n{}{}", commands.examples(), exit_codes, left_out("Note: ", ".\n")));
+    program.footer(
+        fmt::format("Examples:\n{}\n{}{}", commands.examples(), exit_codes, left_out("Note: ", ".\n")));
     program.allow_windows_style_options(
         false);  // words are the same on every system; a path may begin with /
     program.require_subcommand(1);

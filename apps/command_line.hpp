@@ -31,17 +31,20 @@ class Commands {
         CLI::App& command = describe(inside != nullptr ? *inside : program_, *request);
         // The inner command is asked first: the outer one counts as given with it.
         commands_.insert(commands_.begin(), {&command, [this, request, run] {
-            if constexpr (requires { request->settings; }) find_scene(*request);
-            if constexpr (requires { request->command; }) request->command = line_;
-            return run(*request);
-        }});
+                                                 if constexpr (requires { request->settings; })
+                                                     find_scene(*request);
+                                                 if constexpr (requires { request->command; })
+                                                     request->command = line_;
+                                                 return run(*request);
+                                             }});
         return command;
     }
     /// Lines of the examples in the help: "  camopt check scene.toml   validate the scene; no solve".
     void add_examples(std::string_view lines) { examples_ += lines; }
-    /// A word in the place of a command that is not for people: it prints what `text` makes of the words behind
-    /// it. A shell asks what could stand where the cursor is, the build what is in the manual.
-    using HiddenText = std::function<std::string(const CLI::App& program, std::span<const char* const> words)>;
+    /// A word in the place of a command that is not for people: it prints what `text` makes of the words
+    /// behind it. A shell asks what could stand where the cursor is, the build what is in the manual.
+    using HiddenText =
+        std::function<std::string(const CLI::App& program, std::span<const char* const> words)>;
     void add_hidden(std::string_view word, HiddenText text) { hidden_.emplace(word, std::move(text)); }
 
     [[nodiscard]] const std::string& examples() const { return examples_; }

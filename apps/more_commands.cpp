@@ -263,18 +263,22 @@ void add_more_commands(Commands& commands) {
     commands.add(add_sweep_merge, sweep_merge_command, &sweep);
     commands.add_examples(
         "  camopt compare scene.toml                    every classical law compared with the optimum\n"
-        "  camopt dynamics scene.toml --speeds 100:600:101  the elastic follower over speed, optimum and laws\n"
+        "  camopt dynamics scene.toml --speeds 100:600:101  the elastic follower over speed, optimum and "
+        "laws\n"
         "  camopt sweep scene.toml --weights simplex:20 --out map    all weights of velocity, acceleration, "
         "jerk\n"
         "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
         "  camopt machine cartoner.toml --out machine   the largest speed of several axes, with its proof\n"
         "  camopt export drum.toml --out cam --stl --nc    surfaces, solids and the checked NC program\n"
         "  camopt export result --out cam --nc          the same from a result folder, without a solve\n"
-        "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform table\n"
+        "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform "
+        "table\n"
         "  camopt export result --out cam --plc codesys,siemens  electronic cams with their stated loss\n"
         "  camopt inspect result measured.csv --tolerance-um 20    a measured cam against its nominal one\n"
-        "  camopt studio scene.toml                     the scene in a browser, solved again for each slider\n"
-        "  camopt report result                         report.html and report.md again, from the result folder\n"
+        "  camopt studio scene.toml                     the scene in a browser, solved again for each "
+        "slider\n"
+        "  camopt report result                         report.html and report.md again, from the result "
+        "folder\n"
         "  camopt list laws                             the classical laws with their peaks\n");
     commands.add_hidden("__complete", completion_text);
     commands.add_hidden("__manual", [](const CLI::App& program, auto) { return manual_page(program); });

@@ -11,8 +11,9 @@ namespace camopt {
 
 namespace {
 
-// Scaling and squaring with the Padé approximant of degree 13: N. J. Higham, SIAM J. Matrix Anal. Appl. 26 (2005), 1179-1193.
-// Up to this 1-norm the approximant is the exponential of a matrix that differs by less than 2^-53 (his table 2.3).
+// Scaling and squaring with the Padé approximant of degree 13: N. J. Higham, SIAM J. Matrix Anal. Appl. 26
+// (2005), 1179-1193. Up to this 1-norm the approximant is the exponential of a matrix that differs by less
+// than 2^-53 (his table 2.3).
 constexpr double largest_norm = 5.371920351148152;
 /// Of the numerator p(A), lowest power first; the denominator is p(-A).
 constexpr std::array<double, 14> pade = {64764752532480000.0,
@@ -38,7 +39,8 @@ Eigen::MatrixXd exponential_of(Eigen::MatrixXd matrix) {
     if (n == 0) return matrix;
     const double norm = matrix.cwiseAbs().colwise().sum().maxCoeff();
     if (!std::isfinite(norm)) return MatrixXd::Constant(n, n, std::numeric_limits<double>::quiet_NaN());
-    const int squarings = norm > largest_norm ? static_cast<int>(std::ceil(std::log2(norm / largest_norm))) : 0;
+    const int squarings =
+        norm > largest_norm ? static_cast<int>(std::ceil(std::log2(norm / largest_norm))) : 0;
     matrix *= std::ldexp(1.0, -squarings);
     const MatrixXd one = MatrixXd::Identity(n, n);
     const MatrixXd second = matrix * matrix, fourth = second * second, sixth = fourth * second;

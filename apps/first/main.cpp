@@ -16,8 +16,9 @@ using namespace camopt;
 
 std::shared_ptr<const CamMechanism> formulas(const CamSpec& spec) {
     if (spec.type == disk_type) return disk_formulas(spec);
-    throw SceneError({"cam.type", fmt::format("\"{}\"", spec.type),
-                      fmt::format("\"{}\" in this program; `scripts/build release` builds one with all", disk_type)});
+    throw SceneError(
+        {"cam.type", fmt::format("\"{}\"", spec.type),
+         fmt::format("\"{}\" in this program; `scripts/build release` builds one with all", disk_type)});
 }
 
 void check_forward(Solution& solution) {

@@ -26,8 +26,8 @@ namespace camopt {
     return known;
 }
 
-/// Reads a scene that can be solved: with the formulas of its train. Throws InputError "FILE:LINE:COLUMN: key:
-/// found …; allowed: …"; `settings` as of load_scene (input/loading/load_scene.hpp).
+/// Reads a scene that can be solved: with the formulas of its train. Throws InputError "FILE:LINE:COLUMN:
+/// key: found …; allowed: …"; `settings` as of load_scene (input/loading/load_scene.hpp).
 [[nodiscard]] Scene known_scene(std::string_view toml, std::string_view name, const input::KnownNames& known,
                                 std::span<const std::string> settings);
 

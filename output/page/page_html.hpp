@@ -68,8 +68,8 @@ struct SolidParts {
 };
 
 /// result_page.hpp for programs whose cams are plane: without `solids` the page has none.
-[[nodiscard]] std::string page_data_with(const SolidParts* solids, const View& view, const RunOrigin& origin = {},
-                                         const PageDataOptions& options = {});
+[[nodiscard]] std::string page_data_with(const SolidParts* solids, const View& view,
+                                         const RunOrigin& origin = {}, const PageDataOptions& options = {});
 [[nodiscard]] std::string report_html_with(const SolidParts* solids, const View& view,
                                            const RunOrigin& origin = {});
 

@@ -49,13 +49,13 @@ std::string solid_drawing(const View& view) {
         append(pivot, length, *scene.pivot);
     }
     const Json drawing = {{"unit", length.name},
-            {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
-            {"parts", std::move(parts)},
-            {"roller",
-             {{"radius", rounded_json(length.of(scene.roller_radius))},
-              {"length", rounded_json(length.of(scene.roller_length))}}},
-            {"rollers", std::move(rollers)},
-            {"pivot", std::move(pivot)}};
+                          {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
+                          {"parts", std::move(parts)},
+                          {"roller",
+                           {{"radius", rounded_json(length.of(scene.roller_radius))},
+                            {"length", rounded_json(length.of(scene.roller_length))}}},
+                          {"rollers", std::move(rollers)},
+                          {"pivot", std::move(pivot)}};
     return drawing.dump();
 }
 

@@ -62,12 +62,15 @@ TextTable stroke_table(const TrainStudy& study, std::size_t stroke) {
 std::string dynamics_text(const TrainStudy& study) {
     std::string text = study.scene.title.empty() ? std::string() : study.scene.title + "\n";
     text += "Natural frequencies with the cam held:";
-    for (const double one : study.natural_frequencies) text += fmt::format(" {} Hz", short_text(hertz_shown.of(one)));
+    for (const double one : study.natural_frequencies)
+        text += fmt::format(" {} Hz", short_text(hertz_shown.of(one)));
     text += fmt::format("; each stroke from rest, {} speeds from {} to {} rpm.\n", study.speeds.size(),
-                        short_text(rpm_shown.of(study.speeds.front())), short_text(rpm_shown.of(study.speeds.back())));
+                        short_text(rpm_shown.of(study.speeds.front())),
+                        short_text(rpm_shown.of(study.speeds.back())));
     if (study.motions.empty()) return text;
     const std::size_t nearest = nearest_speed(study), rows = study.motions.size() * study.speeds.size();
-    text += fmt::format("At {} rpm, the nearest to the scene's speed:\n", short_text(rpm_shown.of(study.speeds[nearest])));
+    text += fmt::format("At {} rpm, the nearest to the scene's speed:\n",
+                        short_text(rpm_shown.of(study.speeds[nearest])));
     const MotionSpec& motion = study.scene.motion;
     for (std::size_t stroke = 0; stroke < study.strokes.size(); ++stroke) {
         const std::vector<MotionStretch>& moving = study.strokes[stroke].moving;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page around the data: nothing of a scene ends it early, nothing is loaded from anywhere.
 #include "output/page/result_page.hpp"
-
 #include "tests/output/page/page_reading.hpp"
 #include "tests/output/sample_solution.hpp"
 

@@ -164,8 +164,8 @@ std::vector<std::string> quick(const std::string& name) {
 
 TEST(ResultFolder, EvaluatesEachCamPointOnce) {
     for (const std::string name : {"cam_roller", "cam_grooved", "inverse_feeder"}) {
-        Solution solution = solve(input::read_scene_file(
-            source_folder() + "/scenes/" + name + ".toml", known_names(), quick(name)));
+        Solution solution = solve(input::read_scene_file(source_folder() + "/scenes/" + name + ".toml",
+                                                         known_names(), quick(name)));
         ASSERT_TRUE(solution.cam) << name;
         const auto counting = std::make_shared<CountingCam>(solution.cam->cam.formulas);
         solution.cam->cam.formulas = counting;
