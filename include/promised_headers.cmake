@@ -185,6 +185,7 @@ Motion, cam and mechanism as SVG text, to scale where they show a machine.]]
   output/drawing/cam_svg.hpp)
 camopt_promise(reference_table [[
 The published spline-versus-modified-sine tables beside what is true. Peaks without units.]]
+  output/papers/paper_output.hpp
   studies/papers/reference_table.hpp)
 camopt_promise(remote_cam [[
 Disk cams whose roller lever moves the output through a linkage: positions, pressure angle and radii by
@@ -194,12 +195,12 @@ camopt_promise(result_folder [[
 A solution as files (report, table of the motion, proof, pictures, profile), and read back without solving
 (read_result_folder). Files of an earlier run are replaced together. Display units (mm, degrees). Errors:
 InputError naming the folder or file, and what does not fit.]]
-  output/report/result_folder.hpp)
+  output/report/result_folder_reader.hpp)
 camopt_promise(result_json [[
 result.json, and certificate.json with the recipe by which anybody can recompute the bound, also read back
 (read_certificate). Display units in result.json; the certificate is in the units of its problem. Errors:
 InputError for a file that is not a certificate.]]
-  output/json/certificate_json.hpp
+  output/json/certificate_reader.hpp
   output/json/result_json.hpp)
 camopt_promise(scene [[
 A scene: what must move, what counts, which limits hold, how fine the spline may be, and the cam. Plain
@@ -304,6 +305,7 @@ The version of this camopt, "MAJOR.MINOR.PATCH".]]
 camopt_promise(words [[
 A solution and a comparison in words: the verdict in a sentence, limits, what would help. UTF-8, display
 units. Nothing throws.]]
+  output/words/plan_text.hpp
   output/words/solution_text.hpp
   output/words/study_text.hpp)
 camopt_promise(camopt [[

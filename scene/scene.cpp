@@ -9,6 +9,13 @@
 
 namespace camopt {
 
+Scene::Scene() = default;
+Scene::Scene(const Scene& other) = default;
+Scene::Scene(Scene&& other) noexcept = default;
+Scene& Scene::operator=(const Scene& other) = default;
+Scene& Scene::operator=(Scene&& other) noexcept = default;
+Scene::~Scene() = default;
+
 const char* name_of(SegmentKind value) {
     return word_of<SegmentKind::spline>(value, {"dwell", "law", "spline"});
 }

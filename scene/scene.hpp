@@ -338,6 +338,14 @@ struct SolverSpec {
 };
 
 struct Scene {
+    // Compiled once, in the source of this header: copies of so many members take a compiler long.
+    Scene();
+    Scene(const Scene& other);
+    Scene(Scene&& other) noexcept;
+    Scene& operator=(const Scene& other);
+    Scene& operator=(Scene&& other) noexcept;
+    ~Scene();
+
     std::string title;
     /// In which its lengths are shown to people. Of a scene file: as its lift is written; where that is an
     /// angle, as the first length of its cam.

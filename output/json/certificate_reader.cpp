@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "output/json/certificate_reader.hpp"
+
 #include "core/text/text_file.hpp"
-#include "output/json/certificate_json.hpp"
 #include "output/json/json_text.hpp"
 #include "solvers/certificate/box_proof.hpp"
 

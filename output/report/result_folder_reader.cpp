@@ -6,7 +6,7 @@
 #include "core/text/text_file.hpp"
 #include "input/result/json_source.hpp"
 #include "input/result/result_reader.hpp"
-#include "output/json/certificate_json.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "output/json/json_text.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/restored/restored_solution.hpp"

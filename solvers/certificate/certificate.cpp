@@ -48,6 +48,13 @@ constexpr std::array named_reasons = {
 
 }  // namespace
 
+Certificate::Certificate() = default;
+Certificate::Certificate(const Certificate& other) = default;
+Certificate::Certificate(Certificate&& other) noexcept = default;
+Certificate& Certificate::operator=(const Certificate& other) = default;
+Certificate& Certificate::operator=(Certificate&& other) noexcept = default;
+Certificate::~Certificate() = default;
+
 const char* name_of(Verdict value) {
     return word_of<Verdict::failed>(value, {"optimal", "local", "feasible", "infeasible", "failed"});
 }

@@ -123,6 +123,14 @@ struct CaseProof {
 struct BoxProof;  // solvers/certificate/box_proof.hpp
 
 struct Certificate {
+    // Compiled once, in the source of this header: copies of so many members take a compiler long.
+    Certificate();
+    Certificate(const Certificate& other);
+    Certificate(Certificate&& other) noexcept;
+    Certificate& operator=(const Certificate& other);
+    Certificate& operator=(Certificate&& other) noexcept;
+    ~Certificate();
+
     Verdict verdict = Verdict::failed;
     Reason reason = Reason::none;       ///< why it is not better
     double objective = infinity;        ///< true objective of the delivered curve

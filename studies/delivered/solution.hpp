@@ -254,6 +254,14 @@ class MotionFamily;  // splines/motion_family.hpp
 struct SolvePlan;    // studies/search/plan.hpp
 
 struct Solution {
+    // Compiled once, in the source of this header: copies of so many members take a compiler long.
+    Solution();
+    Solution(const Solution& other);
+    Solution(Solution&& other) noexcept;
+    Solution& operator=(const Solution& other);
+    Solution& operator=(Solution&& other) noexcept;
+    ~Solution();
+
     Scene scene;
     std::shared_ptr<const SolvePlan>
         plan;  ///< what was executed; of a result that was read: what this build would execute

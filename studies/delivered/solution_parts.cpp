@@ -61,6 +61,13 @@ double weighted_dimensions(const Solution& solution) {
 
 }  // namespace
 
+Solution::Solution() = default;
+Solution::Solution(const Solution& other) = default;
+Solution::Solution(Solution&& other) noexcept = default;
+Solution& Solution::operator=(const Solution& other) = default;
+Solution& Solution::operator=(Solution&& other) noexcept = default;
+Solution::~Solution() = default;
+
 std::shared_ptr<const MotionFamily> family_of(const Solution& solution) {
     if (solution.family) return solution.family;
     return std::make_shared<const MotionFamily>(scene_family(solution.scene, DesignKind::states));

@@ -3,7 +3,7 @@
 #include "program.hpp"
 
 #include "core/text/text_file.hpp"
-#include "output/json/certificate_json.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "tests/output/temporary_folder.hpp"
 #include "tests/support/source_folder.hpp"
 

@@ -44,7 +44,7 @@ TEST(MatrixExponential, TurnsByTheAngle) {
 }
 
 /// The series ends: 1/k! above the diagonal.
-TEST(MatrixExponential, OfANilpotentMatrixIsItsSeries) {
+TEST(MatrixExponential, EndsWhereTheSeriesEnds) {
     constexpr Eigen::Index n = 12;
     const MatrixXd found = exponential_of(
         MatrixXd::NullaryExpr(n, n, [](Eigen::Index r, Eigen::Index c) { return c == r + 1 ? 1.0 : 0.0; }));

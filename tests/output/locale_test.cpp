@@ -8,7 +8,7 @@
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/json/certificate_json.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "output/nc/post_processor.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/result_folder.hpp"

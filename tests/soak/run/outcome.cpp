@@ -2,7 +2,7 @@
 #include "tests/soak/run/outcome.hpp"
 
 #include "input/loading/load_scene.hpp"
-#include "output/json/certificate_json.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "output/json/result_json.hpp"
 #include "studies/solve/solve.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/json/certificate_json.hpp"
+#include "output/json/certificate_reader.hpp"
 
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
