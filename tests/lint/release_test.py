@@ -66,6 +66,27 @@ def faults_of_licenses(root):
             yield f"tests/artefacts/licenses.py: where {what} is missing it finds {faults}"
 
 
+def faults_of_agreement(root):
+    """Which results of two platforms agree (tests/artefacts/agreement.py)."""
+    judged = module(root / "tests/artefacts/agreement.py").judged
+
+    def result(verdict, objective, lower, solver="structured", reason="converged"):
+        bound = None if lower is None else {"lower": lower, "gap": (objective or 0.0) - lower}
+        return {"verdict": verdict, "objective": objective, "bound": bound, "reason": reason, "solver": {"name": solver}, "plan": {"convex": True}}
+
+    proved = result("optimal", 1.0912, 1.0911, "ipopt")
+    for what, here, there, agree in (
+            ("the same", result("optimal", 1.0, 1.0), result("optimal", 1.0, 1.0), True),
+            ("another optimum", result("optimal", 1.0, 1.0), result("optimal", 1.00001, 1.0), False),
+            ("another verdict", result("local", 1.0912, 0.96), proved, False),
+            ("out of time", result("local", 1.0912, 0.96, reason="time_limit"), proved, True),
+            ("out of time, worse bound than possible", result("local", 1.2, 1.1, reason="time_limit"), proved, False),
+            ("the program out of time", result("optimal", 1.0912, 1.0911), result("local", 1.0912, 0.96, "ipopt", "time_limit"), True),
+            ("infeasible in one", result("infeasible", None, None), proved, False)):
+        if judged(here, there)[2].startswith("FAILED") == agree:
+            yield f"tests/artefacts/agreement.py: {what}: {judged(here, there)}"
+
+
 BEGIN_A_CHILD = """
 import importlib.machinery, importlib.util, signal, subprocess, sys
 sys.dont_write_bytecode = True
@@ -127,8 +148,9 @@ def faults_of_steps(root):
 
 
 def main(root):
-    faults = [*faults_of_release(root), *faults_of_licenses(root), *faults_of_signals(root), *faults_of_table(root), *faults_of_packages(root),
-              *faults_of_steps(root)]
+    faults = [fault for part in (faults_of_release, faults_of_licenses, faults_of_agreement, faults_of_signals, faults_of_table, faults_of_packages,
+                                      faults_of_steps)
+              for fault in part(root)]
     for fault in faults:
         print(fault)
     print(f"release_test: {len(faults)} faults")
