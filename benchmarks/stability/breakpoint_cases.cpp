@@ -13,11 +13,12 @@ namespace {
 constexpr double any_curve = any_curve_limit_of_study;
 constexpr MotionType drd = MotionType::drd;
 
-Scene with_breakpoints(int degree, std::vector<double> breakpoints, const std::string& backend) {
-    Scene scene = study_scene(drd, degree, 12);
-    scene.spline.breakpoints = std::move(breakpoints);
-    scene.solver.name = backend;
-    scene.solver.max_seconds = 10.0;
+SceneText with_breakpoints(int degree, const std::vector<double>& breakpoints, const std::string& backend) {
+    SceneText scene = study_scene(drd, degree, 12);
+    scene.at("spline").erase("segments");
+    scene.at("spline").set("breakpoints", soak::list_text(breakpoints));
+    set_solver(scene, backend);
+    scene.at("solver").set("max_seconds", 10.0);
     return scene;
 }
 

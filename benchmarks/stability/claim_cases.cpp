@@ -38,7 +38,7 @@ class Claims {
 };
 
 StabilityRow first_scene() {
-    const Scene scene = scene_of_text(
+    const SceneText scene = SceneText::parse(
         "[motion]\ntype = \"DRD\"\nlift_mm = 10\nrise_deg = 120\n[spline]\ndegree = 3\nsegments = 12\n"
         "[objective]\nvelocity = 0.4\nacceleration = 0.4\njerk = 0.2\n");
     return solved_row(scene, printed(0.93951, 1e-5, "README.md: 0.93951, optimal"));
@@ -47,14 +47,14 @@ StabilityRow first_scene() {
 StabilityRow file_row(const std::string& file, double objective, double last, Verdict verdict) {
     Expectation expected = printed(objective, last, "docs: " + file);
     expected.verdicts = {verdict};
-    return solved_row(scene_of_file(file), expected);
+    return solved_row(SceneText::parse(text_of_file(file)), expected);
 }
 
 /// The scene at the loosest and the tightest tolerance it may ask for.
 StabilityRow with_tolerance(double tolerance, double gap) {
-    Scene scene = study_scene(MotionType::drd, 3, 12);
-    scene.solver.tolerance = tolerance;
-    scene.solver.gap = gap;
+    SceneText scene = study_scene(MotionType::drd, 3, 12);
+    scene.at("solver").set("tolerance", tolerance);
+    scene.at("solver").set("gap", gap);
     Expectation expected = exactly(study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7), "fraction");
     expected.honest_gap = true;
     expected.accuracy = std::max(1e-9, tolerance);
@@ -94,8 +94,8 @@ StabilityRow needed(const std::string& key, double value, double last) {
 }
 
 StabilityRow unlimited_drdrd() {
-    Scene scene = scene_of_file("cam_drdrd.toml");
-    scene.limits = {};
+    SceneText scene = SceneText::parse(text_of_file("cam_drdrd.toml"));
+    scene.erase("limits");
     return solved_row(scene, printed(0.93877, 1e-5, "docs/programs.md"));
 }
 

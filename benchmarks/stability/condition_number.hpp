@@ -6,7 +6,7 @@
 // null space. Every admissible motion is x_0 + Z z. Let M_r map x to y^{(r)} at the breakpoints and at the
 // middles of the segments, r = 2, 3. The condition number of order r is the ratio of the largest to the least
 // singular value of M_r Z: the factor by which a relative error of z may grow on its way to the accelerations
-// (jerks) that the peaks are made of. Dense singular values: O(n³).
+// (jerks) that the peaks are made of. O(n³).
 #pragma once
 
 #include "scene/scene.hpp"

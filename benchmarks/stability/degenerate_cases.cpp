@@ -13,23 +13,32 @@ namespace {
 
 constexpr MotionType drd = MotionType::drd;
 
-Scene with_weights(int degree, int segments, double velocity, double acceleration, double jerk) {
-    Scene scene = study_scene(drd, degree, segments);
-    scene.objective.velocity = velocity;
-    scene.objective.acceleration = acceleration;
-    scene.objective.jerk = jerk;
+SceneText with_weights(int degree, int segments, double velocity, double acceleration, double jerk) {
+    SceneText scene = study_scene(drd, degree, segments);
+    set_weights(scene, {velocity, acceleration, jerk});
+    return scene;
+}
+
+/// A mean square alone, in units of its own.
+SceneText with_mean_square(int degree, int segments, const char* term) {
+    SceneText scene = with_weights(degree, segments, 0, 0, 0);
+    soak::SceneTable& objective = scene.at("objective");
+    objective.set(term, 1.0);
+    soak::SceneTable reference = soak::inline_table(*objective.find("reference"));
+    reference.set(term, 1.0);
+    objective.set("reference", inline_text(reference));
     return scene;
 }
 
 class Cases {
  public:
     /// The same scene on every backend that takes it.
-    void add(const std::string& name, const Scene& scene, const Expectation& expected,
+    void add(const std::string& name, const SceneText& scene, const Expectation& expected,
              bool own_only = false) {
         for (const char* backend : {"structured", "ipopt", "nlopt.slsqp"}) {
             if (own_only && std::string(backend) != "structured") continue;
-            Scene on = scene;
-            on.solver.name = backend;
+            SceneText on = scene;
+            set_solver(on, backend);
             list.push_back(
                 make_case("degenerate", name, true, [on, expected] { return solved_row(on, expected); }));
         }
@@ -77,40 +86,35 @@ void add_single_motions(Cases& cases) {
 /// Mirror images are equally good; weights of 0 leave peaks free; ties are broken or not.
 void add_twins(Cases& cases) {
     for (const int n : {12, 13}) {
-        const Scene scene = study_scene(drd, 3, n);
+        const SceneText scene = study_scene(drd, 3, n);
         const Expectation expected = known_optimum(drd, 3, n);
         for (const bool symmetric : {false, true})
             for (const TieBreak ties : {TieBreak::none, TieBreak::rms_jerk}) {
-                Scene one = scene;
-                one.motion.symmetric = symmetric;
-                one.objective.tie_break = ties;
+                SceneText one = scene;
+                if (symmetric) one.at("motion").set("symmetric", "true");
+                set_tie_break(one, ties);
                 cases.add(
                     fmt::format("cubic, n = {}, symmetric {}, tie_break {}", n, symmetric, name_of(ties)),
                     one, expected);
             }
     }
-    Scene capped = with_weights(3, 12, 0, 0, 1);
-    capped.limits.velocity = PeakLimit{2.0, "limits.velocity", 2.0, ""};
-    capped.limits.acceleration = PeakLimit{8.0, "limits.acceleration", 8.0, ""};
+    SceneText capped = with_weights(3, 12, 0, 0, 1);
+    capped.at("limits").set("velocity", 2.0);
+    capped.at("limits").set("acceleration", 8.0);
     cases.add("jerk alone, V and A capped at their value", capped,
               exactly(32.0 / 69.0, "J = 32 has V = 2, A = 8"));
 }
 
 /// Peaks of weight 0 and mean squares: the least ∫ y'''² of all splines is the polynomial spline itself.
 void add_mean_squares(Cases& cases) {
-    Scene scene = with_weights(5, 8, 0, 0, 0);
-    scene.objective.rms_jerk = 1.0;
-    scene.objective.reference.rms_jerk = 1.0;
     // Least ∫ y'''² with y, y', y'' given at both ends: the quintic 3-4-5, ∫ (60 − 360x + 360x²)² dx = 720.
-    cases.add("quintic, mean square jerk alone", scene,
+    cases.add("quintic, mean square jerk alone", with_mean_square(5, 8, "rms_jerk"),
               exactly(std::sqrt(720.0), "the polynomial 3-4-5: √720"), true);
-    Scene acceleration = with_weights(3, 12, 0, 0, 0);
-    acceleration.objective.rms_acceleration = 1.0;
-    acceleration.objective.reference.rms_acceleration = 1.0;
     Expectation expected;
     expected.least = std::sqrt(12.0);
     expected.source = "√12 of the parabola with free y'' at the ends; the proof";
-    cases.add("cubic, mean square acceleration alone", acceleration, expected, true);
+    cases.add("cubic, mean square acceleration alone", with_mean_square(3, 12, "rms_acceleration"), expected,
+              true);
 }
 
 }  // namespace

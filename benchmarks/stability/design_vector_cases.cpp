@@ -19,11 +19,11 @@ struct DesignCase {
 };
 
 StabilityRow run(const DesignCase& one) {
-    Scene scene = study_scene(drd, one.degree, one.segments);
-    scene.spline.design = one.kind;
-    scene.solver.name = one.backend;
-    scene.objective.tie_break = TieBreak::none;
-    scene.solver.max_seconds = 20.0;
+    SceneText scene = study_scene(drd, one.degree, one.segments);
+    scene.at("spline").set("design", soak::quoted(name_of(one.kind)));
+    set_solver(scene, one.backend);
+    set_tie_break(scene, TieBreak::none);
+    scene.at("solver").set("max_seconds", 20.0);
     Expectation expected = known_optimum(drd, one.degree, one.segments);
     expected.honest_gap = true;
     const bool promised = one.segments <= 64 || (one.kind == DesignKind::states && one.degree == 3);
@@ -31,8 +31,8 @@ StabilityRow run(const DesignCase& one) {
     StabilityRow row = solved_row(scene, expected);
     constexpr int most_for_singular_values = 256;
     if (one.segments <= most_for_singular_values && row.judgement != Judgement::absent) {
-        row.condition_acceleration = condition_number(scene, one.kind, 2);
-        row.condition_jerk = condition_number(scene, one.kind, 3);
+        row.condition_acceleration = condition_number(scene_of(scene), one.kind, 2);
+        row.condition_jerk = condition_number(scene_of(scene), one.kind, 3);
     }
     return row;
 }
@@ -61,25 +61,21 @@ std::vector<StabilityCase> design_vector_cases() {
 
 std::vector<StabilityCase> many_segment_cases() {
     std::vector<StabilityCase> cases;
-    for (const int segments : {512, 1024, 2048, 4096, 16384})
-        cases.push_back(make_case("many segments", fmt::format("cubic n = {}", segments), false, [segments] {
-            Scene scene = study_scene(drd, 3, segments);
-            scene.objective.tie_break = TieBreak::none;
-            scene.solver.max_seconds = 120.0;
-            Expectation expected = known_optimum(drd, 3, segments);
-            expected.accuracy = 1e-9;
-            return solved_row(scene, expected);
-        }));
-    for (const int segments : {512, 1024})
-        cases.push_back(
-            make_case("many segments", fmt::format("quintic n = {}", segments), false, [segments] {
-                Scene scene = study_scene(drd, 5, segments);
-                scene.objective.tie_break = TieBreak::none;
-                scene.solver.max_seconds = 120.0;
-                Expectation expected = known_optimum(drd, 5, segments);
-                expected.may_give_up = true;
-                return solved_row(scene, expected);
-            }));
+    const auto add_splines = [&](int degree, const std::vector<int>& counts) {
+        for (const int segments : counts)
+            cases.push_back(make_case("many segments",
+                                      fmt::format("{} n = {}", degree == 3 ? "cubic" : "quintic", segments),
+                                      false, [degree, segments] {
+                                          SceneText scene = study_scene(drd, degree, segments);
+                                          set_tie_break(scene, TieBreak::none);
+                                          scene.at("solver").set("max_seconds", 120.0);
+                                          Expectation expected = known_optimum(drd, degree, segments);
+                                          expected.may_give_up = degree == 5;
+                                          return solved_row(scene, expected);
+                                      }));
+    };
+    add_splines(3, {512, 1024, 2048, 4096, 16384});
+    add_splines(5, {512, 1024});
     return cases;
 }
 

@@ -22,12 +22,29 @@ Expectation twelve(double accuracy) {
 const std::vector<Verdict> either = {Verdict::optimal, Verdict::local, Verdict::feasible, Verdict::infeasible,
                                      Verdict::failed};
 
+/// Points that the motion passes with a displacement, or a slope as well.
+struct Point {
+    double at = 0.0, displacement = 0.0;
+    std::optional<double> velocity = {};
+};
+
+void set_points(SceneText& scene, const std::vector<Point>& points) {
+    std::vector<soak::SceneTable> tables;
+    for (const Point& point : points) {
+        soak::SceneTable& table = tables.emplace_back();
+        table.set("at", point.at);
+        table.set("displacement", point.displacement);
+        if (point.velocity) table.set("velocity", *point.velocity);
+    }
+    scene.at("motion").set("via", inline_text(tables));
+}
+
 /// The antisymmetric optimum passes (1/2, 1/2); the point says so again, wrong by `error`.
 StabilityRow follows_from_symmetry(double error, const std::string& backend) {
-    Scene scene = study_scene(drd, 3, 12);
-    scene.motion.symmetric = true;
-    scene.motion.via = {{0.5, 0.5 + error, {}, {}}};
-    scene.solver.name = backend;
+    SceneText scene = study_scene(drd, 3, 12);
+    scene.at("motion").set("symmetric", "true");
+    set_points(scene, {{0.5, 0.5 + error}});
+    set_solver(scene, backend);
     Expectation expected = twelve(1e-9);
     expected.source = "follows from symmetry; " + expected.source;
     if (error > 2e-9) {
@@ -43,11 +60,12 @@ StabilityRow follows_from_symmetry(double error, const std::string& backend) {
 
 /// Two points of the optimum itself, a little apart.
 StabilityRow twin_points(double distance, int degree, const std::string& backend) {
-    Scene scene = study_scene(drd, degree, 12);
-    const Solution free = solve_without_explaining(scene, {});
-    for (const double x : {0.37, 0.37 + distance})
-        scene.motion.via.push_back({x, free.curve->at(x).derivative[0], {}, {}});
-    scene.solver.name = backend;
+    SceneText scene = study_scene(drd, degree, 12);
+    const Solution free = solve_without_explaining(scene_of(scene), {});
+    std::vector<Point> points;
+    for (const double x : {0.37, 0.37 + distance}) points.push_back({x, free.curve->at(x).derivative[0]});
+    set_points(scene, points);
+    set_solver(scene, backend);
     Expectation expected = known_optimum(drd, degree, 12);
     // The pair fixes y' to rounding / distance: so well is the optimum of the scene as written known.
     expected.digits += 1e-15 / distance;
@@ -59,18 +77,18 @@ StabilityRow twin_points(double distance, int degree, const std::string& backend
 
 /// y(x) and y(x + d) = y + v d say y' = v, up to y'' d / 2 and rounding / d.
 StabilityRow points_that_say_a_slope(double distance, const std::string& backend) {
-    Scene slope = study_scene(drd, 3, 12);
-    slope.motion.via = {{0.5, 0.5, 1.5, {}}};
+    SceneText slope = study_scene(drd, 3, 12);
+    set_points(slope, {{0.5, 0.5, 1.5}});
     Expectation expected =
         proved_optimum(slope, "an exact velocity in the place of the second point, proved");
     expected.accuracy = 1e-9 + 10.0 * distance + 1e-15 / distance;
-    Scene scene = study_scene(drd, 3, 12);
-    scene.motion.via = {{0.5, 0.5, {}, {}}, {0.5 + distance, 0.5 + 1.5 * distance, {}, {}}};
-    scene.solver.name = backend;
+    SceneText scene = study_scene(drd, 3, 12);
+    set_points(scene, {{0.5, 0.5}, {0.5 + distance, 0.5 + 1.5 * distance}});
+    set_solver(scene, backend);
     // Nearer than the tolerance of a displacement the two may count as one point: both are met to 1e-9 all
     // the same.
     if (distance < 1e-9) expected.least = study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7);
-    expected.may_give_up = scene.solver.name != "structured";
+    expected.may_give_up = backend != "structured";
     return solved_row(scene, expected);
 }
 
@@ -81,11 +99,13 @@ double polynomial_345(double x) {
 /// Three points leave a quintic of four segments no freedom; five more lie on the same polynomial, the last
 /// one wrong by `error`.
 StabilityRow more_points_than_freedom(double error, const std::string& backend) {
-    Scene scene = study_scene(drd, 5, 4);
+    SceneText scene = study_scene(drd, 5, 4);
+    std::vector<Point> points;
     for (const double x : {0.25, 0.5, 0.75, 0.1, 0.33, 0.6, 0.9, 0.95})
-        scene.motion.via.push_back({x, polynomial_345(x), {}, {}});
-    scene.motion.via.back().displacement = polynomial_345(0.95) + error;
-    scene.solver.name = backend;
+        points.push_back({x, polynomial_345(x)});
+    points.back().displacement += error;
+    set_points(scene, points);
+    set_solver(scene, backend);
     if (error > 1e-7) {
         Expectation contradiction;
         contradiction.verdicts = {Verdict::infeasible};

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability/stability_cases.hpp"
 #include "benchmarks/stability/stability_scenes.hpp"
-#include "core/errors.hpp"
 #include "core/units.hpp"
-#include "profiles/disk/disk_cam.hpp"
-#include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <map>
-#include <memory>
 
 namespace camopt::stability {
 
@@ -46,15 +41,6 @@ double beside(const Edge& edge, double relative) {
 enum class Peak { velocity, acceleration, jerk };
 constexpr std::array<const char*, 3> peak_names = {"velocity", "acceleration", "jerk"};
 
-PeakLimit cap(Peak peak, double value) {
-    return {value, std::string("limits.") + peak_names[static_cast<int>(peak)], value, ""};
-}
-
-std::optional<PeakLimit>& limit_of(Scene& scene, Peak peak) {
-    if (peak == Peak::velocity) return scene.limits.velocity;
-    return peak == Peak::acceleration ? scene.limits.acceleration : scene.limits.jerk;
-}
-
 /// The least peak alone: in closed form, else minimized and proved.
 Edge least_peak(Peak peak, int degree, int segments) {
     if (degree == 3 && peak == Peak::acceleration) {
@@ -62,40 +48,39 @@ Edge least_peak(Peak peak, int degree, int segments) {
         return {least, least, "A >= 4n/(n − 2)"};
     }
     if (degree == 3 && peak == Peak::jerk) return {32.0, 32.0, "J >= 32"};
-    Scene scene = study_scene(drd, degree, segments);
-    scene.objective.velocity = peak == Peak::velocity ? 1.0 : 0.0;
-    scene.objective.acceleration = peak == Peak::acceleration ? 1.0 : 0.0;
-    scene.objective.jerk = peak == Peak::jerk ? 1.0 : 0.0;
-    scene.objective.reference = numeric_reference(1.0, 1.0, 1.0);
+    SceneText scene = study_scene(drd, degree, segments);
+    set_weights(scene, {});
+    scene.at("objective").set(peak_names[static_cast<int>(peak)], 1.0);
+    set_reference(scene, {1.0, 1.0, 1.0});
     const Expectation optimum = proved_optimum(scene, "the least peak alone, proved");
     return {*optimum.least, *optimum.most, optimum.source};
 }
 
 StabilityRow capped(Peak peak, int degree, double relative, const std::string& backend) {
     const Edge edge = least_peak(peak, degree, 12);
-    Scene scene = study_scene(drd, degree, 12);
-    limit_of(scene, peak) = cap(peak, beside(edge, relative));
-    scene.solver.name = backend;
+    SceneText scene = study_scene(drd, degree, 12);
+    scene.at("limits").set(peak_names[static_cast<int>(peak)], beside(edge, relative));
+    set_solver(scene, backend);
     return solved_row(scene, at_edge(relative, edge.source));
 }
 
-Scene small_cam(int segments) {
-    Scene scene = study_scene(drd, 3, segments);
-    scene.motion.lift = 20e-3;
-    scene.motion.rise = 60.0 * units::degree;
-    scene.cam = disk_spec({});
-    scene.cam->set(DimensionIndex::roller_radius, 10e-3);
-    scene.limits.pressure_angle =
-        WrittenLimit{30.0 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
+SceneText small_cam(int segments) {
+    SceneText scene = study_scene(drd, 3, segments);
+    scene.at("motion").set("lift_m", 20e-3);
+    scene.at("motion").set("rise_rad", 60.0 * units::degree);
+    scene.at("cam").set("type", soak::quoted("disk"));
+    scene.at("cam").set("follower", soak::quoted("translating_roller"));
+    scene.at("cam").set("roller_radius_m", 10e-3);
+    scene.at("limits").set("pressure_angle_rad", 30.0 * units::degree);
     return scene;
 }
 
 /// The least base radius of a pressure angle of 30°, m.
-Scene smallest_cam(int segments) {
-    Scene scene = small_cam(segments);
-    scene.objective.velocity = scene.objective.acceleration = scene.objective.jerk = 0.0;
-    scene.objective.dimensions[static_cast<int>(DimensionIndex::base_radius)] = 1.0;
-    scene.cam->set(DimensionIndex::base_radius, Dimension(1e-3, 0.2));
+SceneText smallest_cam(int segments) {
+    SceneText scene = small_cam(segments);
+    set_weights(scene, {});
+    scene.at("objective").set("base_radius", 1.0);
+    scene.at("cam").set("base_radius_m", "{ min = 1e-3, max = 0.2 }");
     return scene;
 }
 
@@ -106,21 +91,21 @@ Edge least_base(int segments) {
 
 StabilityRow base_radius(double relative, const std::string& backend) {
     const Edge edge = least_base(24);
-    Scene scene = small_cam(24);
-    scene.cam->set(DimensionIndex::base_radius, beside(edge, relative));
-    scene.solver.name = backend;
+    SceneText scene = small_cam(24);
+    scene.at("cam").set("base_radius_m", beside(edge, relative));
+    set_solver(scene, backend);
     return solved_row(scene, at_edge(relative, edge.source));
 }
 
 /// On the smallest cam for 30° the least pressure angle is 30°.
 StabilityRow pressure_angle(double relative, const std::string& backend) {
     const Edge edge = least_base(24);
-    Scene scene = small_cam(24);
+    SceneText scene = small_cam(24);
     // The edge of the angle moves with the base radius: take the end of the interval that keeps the claim
     // true.
-    scene.cam->set(DimensionIndex::base_radius, relative < 0.0 ? edge.least : edge.most);
-    scene.limits.pressure_angle->value = 30.0 * units::degree * (1.0 + relative);
-    scene.solver.name = backend;
+    scene.at("cam").set("base_radius_m", relative < 0.0 ? edge.least : edge.most);
+    scene.at("limits").set("pressure_angle_rad", 30.0 * units::degree * (1.0 + relative));
+    set_solver(scene, backend);
     return solved_row(scene, at_edge(relative, "30° on the smallest cam for 30°"));
 }
 

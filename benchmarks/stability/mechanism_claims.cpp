@@ -5,11 +5,11 @@
 #include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/drawing/profile_shape.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
+#include "tests/soak/scenes/scene_numbers.hpp"
 
 #include <cmath>
 
@@ -58,17 +58,17 @@ StabilityRow guide_on_points() {
 
 /// The slide's pressure angle is a cap on its velocity: the same optimum, by a scene without a cam.
 StabilityRow slide_as_a_cap() {
-    const Scene scene = mechanism_scene("cylinder_slide.toml");
-    const auto number = [&](SpatialNumber which) {
-        return scene.cam->dimensions[static_cast<std::size_t>(which)].value.low;
-    };
-    Scene capped = scene;
-    capped.cam.reset();
-    capped.limits = {};
-    const double radius = number(SpatialNumber::center_distance) - number(SpatialNumber::roller_length);
-    const double slope = radius * std::tan(scene.limits.pressure_angle->value);
-    const double cap = slope * scene.motion.unit_angle() / scene.motion.lift;
-    capped.limits.velocity = PeakLimit{cap, "limits.velocity", cap, ""};
+    SceneText scene = SceneText::parse(text_of_file("cylinder_slide.toml"));
+    scene.at("solver").set("starts", "1");
+    const soak::SceneNumbers numbers = soak::numbers_of(scene);
+    const double radius =
+        (scene.number("cam", "cylinder_radius_mm", 0.0) - scene.number("cam", "roller_length_mm", 0.0)) *
+        millimetre;
+    const double slope = radius * std::tan(numbers.limits.at("pressure_angle"));
+    SceneText capped = scene;
+    capped.erase("cam");
+    capped.erase("limits");
+    capped.at("limits").set("velocity", slope * numbers.rise / numbers.lift);
     Expectation expected = proved_optimum(capped, "the scene with a cap on the velocity instead, proved");
     expected.accuracy = 1e-7;
     return solved_row(scene, expected);

@@ -99,9 +99,9 @@ StabilityRow sampled(const Motion& motion, int order, double exact, double claim
 }
 
 StabilityRow sampled_quintic() {
-    Scene scene = study_scene(MotionType::drd, 5, 12);
-    scene.objective.tie_break = TieBreak::none;
-    const Solution solution = solve(scene);
+    SceneText scene = study_scene(MotionType::drd, 5, 12);
+    set_tie_break(scene, TieBreak::none);
+    const Solution solution = solve(scene_of(scene));
     return sampled(*solution.curve, 3, solution.peaks.jerk.value, 0.08);
 }
 

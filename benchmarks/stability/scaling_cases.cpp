@@ -107,7 +107,7 @@ struct ScaledCam {
 };
 
 StabilityRow against_scale_one(const ScaledCam& cam, double factor, const std::string& backend) {
-    const Scene one = scene_of_text(cam.text(1.0) + solver_text("structured"));
+    const SceneText one = SceneText::parse(cam.text(1.0) + solver_text("structured"));
     Expectation expected;
     if (cam.convex) {
         expected = proved_optimum(one, "the same scene at scale 1, proved");
@@ -117,14 +117,14 @@ StabilityRow against_scale_one(const ScaledCam& cam, double factor, const std::s
         expected.verdicts = {Verdict::local, Verdict::optimal};
     }
     expected.honest_gap = cam.convex;
-    return solved_row(scene_of_text(cam.text(factor) + solver_text(backend)), expected);
+    return solved_row(SceneText::parse(cam.text(factor) + solver_text(backend)), expected);
 }
 
 void add_plain(std::vector<StabilityCase>& cases) {
     const auto add = [&](const std::string& name, double lift, double rise) {
         for (const char* backend : {"structured", "ipopt", "nlopt.slsqp"})
             cases.push_back(make_case("scaling", name, true, [lift, rise, backend] {
-                return solved_row(scene_of_text(plain_motion(lift, rise) + solver_text(backend)),
+                return solved_row(SceneText::parse(plain_motion(lift, rise) + solver_text(backend)),
                                   exactly(study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7), "fraction"));
             }));
     };
@@ -142,10 +142,10 @@ void add_timed(std::vector<StabilityCase>& cases) {
             cases.push_back(make_case(
                 "scaling", fmt::format("limits in time, length × {}, time × {}", length, time), true,
                 [length, time] {
-                    const Scene one = scene_of_text(timed_motion(1.0, 1.0));
+                    const SceneText one = SceneText::parse(timed_motion(1.0, 1.0));
                     Expectation expected = proved_optimum(one, "the same scene at scale 1, proved");
-                    return solved_row(scene_of_text(timed_motion(length, time) + solver_text("structured")),
-                                      expected);
+                    return solved_row(
+                        SceneText::parse(timed_motion(length, time) + solver_text("structured")), expected);
                 }));
 }
 
@@ -173,8 +173,8 @@ StabilityRow huge_cam() {
     const double rise = 60 * shrink * std::numbers::pi / 180;
     const double prime_mm = 40.0 / shrink;
     const double cap = std::tan(28 * std::numbers::pi / 180) * prime_mm * rise / 20.0;
-    Scene capped = study_scene(MotionType::drd, 3, 24);
-    capped.limits.velocity = PeakLimit{cap, "limits.velocity", cap, ""};
+    SceneText capped = study_scene(MotionType::drd, 3, 24);
+    capped.at("limits").set("velocity", cap);
     Expectation expected = proved_optimum(capped, "a cap on V of tan φm s0 β/h: the limit of a large cam");
     expected.digits = 1e-8;
     const std::string text = fmt::format(
@@ -183,7 +183,7 @@ StabilityRow huge_cam() {
         "follower = \"translating_roller\"\nbase_radius_mm = {}\nroller_radius_mm = 10\n[limits]\n"
         "pressure_angle_deg = 28\n",
         60 * shrink, prime_mm - 10.0);
-    return solved_row(scene_of_text(text + study_objective_text + solver_text("structured")), expected);
+    return solved_row(SceneText::parse(text + study_objective_text + solver_text("structured")), expected);
 }
 
 /// Each stroke is normalised by its own angle, so a quick one costs what a slow one does.
@@ -197,7 +197,7 @@ StabilityRow tiny_stroke(double angle_deg) {
         200.0 - angle_deg, angle_deg);
     Expectation expected = exactly(study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7), "fraction");
     expected.may_give_up = angle_deg < 1e-5;
-    return solved_row(scene_of_text(text + study_objective_text + solver_text("structured")), expected);
+    return solved_row(SceneText::parse(text + study_objective_text + solver_text("structured")), expected);
 }
 
 }  // namespace

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability/stability_row.hpp"
 
-#include "benchmarks/stability/motion_audit.hpp"
 #include "core/errors.hpp"
 #include "solvers/registry.hpp"
-#include "studies/delivered/delivered_audit.hpp"
-#include "studies/search/planned_solve.hpp"
+#include "tests/soak/relations/relation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 
@@ -30,54 +27,43 @@ bool is_finite(double value) {
     return std::isfinite(value);
 }
 
-/// The proof's own numbers must give the bound, and the bound must not pass the truth.
-void judge_proof(StabilityRow& row, const Certificate& certificate) {
-    if (!certificate.lower_bound) return;
-    const double bound = *certificate.lower_bound;
-    if (!is_finite(bound)) fail(row, "the bound is not finite");
-    if (certificate.proof && certificate.proof->statement == "objective" &&
-        recomputed_bound(*certificate.proof) < bound - 1e-13 * std::abs(bound))
-        fail(row, "the stored proof gives less than its bound");
+/// The bound must not pass the truth.
+void judge_bound(StabilityRow& row, const soak::Outcome& outcome) {
     const auto& most = row.expected.most;
     // A motion may use its tolerance; the truth of limits that are kept exactly is no lower.
-    if (most && bound > *most + std::abs(*most) * (row.expected.digits + 1e-9))
-        fail(row, fmt::format("the proved bound {} passes the truth", bound));
+    if (outcome.lower && most && *outcome.lower > *most + std::abs(*most) * (row.expected.digits + 1e-9))
+        fail(row, fmt::format("the proved bound {} passes the truth", *outcome.lower));
 }
 
-void judge_motion(StabilityRow& row, const Solution& solution) {
-    const MotionAudit report = audit(solution);
-    const Certificate& certificate = solution.certificate;
-    row.found = static_cast<double>(report.objective);
-    row.violation = static_cast<double>(report.violation);
-    row.jerk_jump = static_cast<double>(report.jerk_jump);
+void judge_motion(StabilityRow& row, const soak::Solved& solved) {
+    row.found = static_cast<double>(objective_of(solved.numbers, solved.figures, solved.dimensions));
+    soak::Miss worst = missed_conditions(solved);
+    worst.note(largest_jump(solved, 0, 2));
+    worst.note(passed_caps(solved));
+    worst.note(passed_follower_limits(solved));
+    row.violation = static_cast<double>(worst.amount);
+    row.jerk_jump = static_cast<double>(largest_jump(solved, 3, 3).amount);
     if (!is_finite(*row.found)) return fail(row, "the objective is not finite");
-    const double difference = std::abs(certificate.objective - *row.found);
-    if (!(difference <= same_number * std::abs(*row.found) + row.expected.rounding))
-        fail(row, fmt::format("reported objective {} is not that of the motion", certificate.objective));
+    const double reported = solved.outcome.objective.value_or(HUGE_VAL);
+    if (!(std::abs(reported - *row.found) <= same_number * std::abs(*row.found) + row.expected.rounding))
+        fail(row, fmt::format("reported objective {} is not that of the motion", reported));
     if (!(*row.violation <= row.expected.violation))
-        fail(row, fmt::format("violated by {:.2g}: {}", *row.violation, report.worst));
-    if (!(*row.jerk_jump <= largest_joint_jump))
-        fail(row, fmt::format("y''' jumps by {:.2g}", *row.jerk_jump));
-    if (certificate.gap && certificate.verdict == Verdict::optimal &&
-        !(*certificate.gap <= solution.scene.solver.wanted_gap(solution.solver.convex)))
-        fail(row, "called optimal with a larger gap than asked for");
+        fail(row, fmt::format("violated by {:.2g}: {}", *row.violation, worst.what));
 }
 
-void judge_verdict(StabilityRow& row, const Certificate& certificate) {
-    row.verdict = name_of(certificate.verdict);
-    row.reason = name_of(certificate.reason);
-    row.gap = certificate.gap;
-    if (std::ranges::find(row.expected.verdicts, certificate.verdict) != row.expected.verdicts.end()) return;
-    const bool weaker = certificate.verdict == Verdict::local || certificate.verdict == Verdict::feasible ||
-                        certificate.verdict == Verdict::failed;
-    if (!weaker || certificate.reason == Reason::none)
+void judge_verdict(StabilityRow& row, const soak::Outcome& outcome) {
+    row.verdict = outcome.verdict;
+    row.reason = outcome.reason;
+    row.gap = outcome.gap;
+    if (std::ranges::any_of(row.expected.verdicts,
+                            [&](Verdict verdict) { return outcome.verdict == name_of(verdict); }))
+        return;
+    const bool weaker =
+        outcome.verdict == "local" || outcome.verdict == "feasible" || outcome.verdict == "failed";
+    if (!weaker || outcome.reason.empty())
         return fail(row, fmt::format("verdict {} {}", row.verdict, row.reason));
     row.judgement = Judgement::unsolved;
     row.why = row.reason;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 }  // namespace
@@ -138,26 +124,30 @@ void judge_objective(StabilityRow& row, double gap_asked) {
     }
 }
 
-StabilityRow solved_row(const Scene& scene, const Expectation& expected) {
+StabilityRow solved_row(const SceneText& scene, const Expectation& expected) {
     StabilityRow row;
-    row.backend = scene.solver.name;
+    row.backend = scene.word("solver", "name", "auto");
     row.expected = expected;
-    if (!is_available(scene.solver.name)) {
+    if (!is_available(row.backend)) {
         row.judgement = Judgement::absent;
         row.why = "not in this build";
         return row;
     }
-    const auto begin = std::chrono::steady_clock::now();
     try {
-        const Solution& solution = row.solution.emplace(solve_without_explaining(scene, {}));
-        row.seconds = seconds_since(begin);
-        judge_verdict(row, solution.certificate);
+        const soak::Solved solved = soak::solved_from(scene, soak::Scope::memory);
+        const soak::Outcome& outcome = solved.outcome;
+        row.scene = scene.text();
+        row.solution = outcome.solution;
+        row.seconds = outcome.wall_seconds;
+        if (outcome.refusal.empty()) judge_verdict(row, outcome);
         // `failed` claims nothing about the motion beside it.
-        if (solution.motion && solution.certificate.verdict != Verdict::failed) judge_motion(row, solution);
-        judge_objective(row, scene.solver.wanted_gap());
-        judge_proof(row, solution.certificate);
+        if (solved.motion && outcome.verdict != "failed") judge_motion(row, solved);
+        judge_objective(row, solved.numbers.gap.value_or(1e-7));
+        judge_bound(row, outcome);
+        for (const soak::Check& check : soak::checks())
+            if (const soak::Finding found = check.of(solved); found && !found->empty())
+                fail(row, fmt::format("{}: {}", check.name, *found));
     } catch (const std::exception& error) {
-        row.seconds = seconds_since(begin);
         fail(row, error.what());
     }
     return row;

@@ -3,15 +3,22 @@
 // on the verdict.
 #pragma once
 
-#include "scene/scene.hpp"
-#include "studies/delivered/solution.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "tests/soak/scenes/scene_text.hpp"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+namespace camopt {
+struct Solution;
+}
+
 namespace camopt::stability {
+
+using soak::SceneText;
 
 /// What a row promises. The objective lies in [least, most], each known to `digits`; the delivered one may
 /// lie beyond by `accuracy` (both relative).
@@ -49,8 +56,10 @@ struct StabilityRow {
     std::optional<double> condition_acceleration, condition_jerk;
     double seconds = 0.0;
     Judgement judgement = Judgement::ok;
-    std::string why;                        ///< where it is wrong or absent
-    std::optional<Solution> solution = {};  ///< what was judged, where that was the solve of a scene
+    std::string why;  ///< where it is wrong or absent
+    // Of the solve of a scene.
+    std::string scene = {};
+    std::shared_ptr<const Solution> solution = {};
 };
 
 struct StabilityCase {
@@ -59,8 +68,9 @@ struct StabilityCase {
     std::function<StabilityRow()> run;
 };
 
-/// Solves the scene and judges what comes out, whatever happens: an exception is a wrong row.
-[[nodiscard]] StabilityRow solved_row(const Scene& scene, const Expectation& expected);
+/// Solves the scene and judges what comes out, whatever happens, by the checks of the random trials
+/// (tests/soak/relations) and by what is expected: an exception is a wrong row.
+[[nodiscard]] StabilityRow solved_row(const SceneText& scene, const Expectation& expected);
 
 /// A figure that is no verdict.
 [[nodiscard]] StabilityRow figure_row(std::string quantity, double found, const Expectation& expected);

@@ -2,8 +2,8 @@
 #include "benchmarks/stability/stability_scenes.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
@@ -67,27 +67,43 @@ std::optional<Expectation> linear_program(MotionType type, int degree, int segme
 
 }  // namespace
 
-Reference numeric_reference(double velocity, double acceleration, double jerk) {
-    Reference reference;
-    reference.law.clear();
-    reference.velocity = velocity;
-    reference.acceleration = acceleration;
-    reference.jerk = jerk;
-    reference.numeric = true;
-    return reference;
+namespace {
+
+void set_peaks(soak::SceneTable& table, const PeakNumbers& peaks) {
+    table.set("velocity", peaks.velocity);
+    table.set("acceleration", peaks.acceleration);
+    table.set("jerk", peaks.jerk);
 }
 
-Scene study_scene(MotionType type, int degree, int segments) {
-    Scene scene;
-    scene.motion.type = type;
-    scene.motion.rise = 2.0;  // any angle that leaves room for the return
-    scene.spline.degree = degree;
-    scene.spline.segments = segments;
-    scene.spline.design = DesignKind::states;
-    scene.objective.velocity = scene.objective.acceleration = 0.4;
-    scene.objective.jerk = 0.2;
-    scene.objective.reference = numeric_reference(1.76, 5.53, 69.0);
-    scene.solver.name = "structured";
+}  // namespace
+
+void set_weights(SceneText& scene, const PeakNumbers& weights) {
+    set_peaks(scene.at("objective"), weights);
+}
+
+void set_reference(SceneText& scene, const PeakNumbers& peaks) {
+    soak::SceneTable reference;
+    set_peaks(reference, peaks);
+    scene.at("objective").set("reference", inline_text(reference));
+}
+
+void set_solver(SceneText& scene, std::string_view name) {
+    scene.at("solver").set("name", soak::quoted(name));
+}
+
+void set_tie_break(SceneText& scene, TieBreak ties) {
+    scene.at("objective").set("tie_break", soak::quoted(name_of(ties)));
+}
+
+SceneText study_scene(MotionType type, int degree, int segments) {
+    // Any rise that leaves room for the return.
+    SceneText scene = SceneText::parse(
+        fmt::format("[motion]\ntype = \"{}\"\nrise_rad = 2.0\n[spline]\ndegree = {}\nsegments = {}\ndesign = "
+                    "\"states\"\n",
+                    name_of(type), degree, segments));
+    set_weights(scene, {0.4, 0.4, 0.2});
+    set_reference(scene, {1.76, 5.53, 69.0});
+    set_solver(scene, "structured");
     return scene;
 }
 
@@ -96,11 +112,11 @@ double study_objective(double velocity, double acceleration, double jerk) {
 }
 
 Scene scene_of_text(const std::string& toml) {
-    return input::read_scene(toml, "stability", known_names());
+    return scene_of_toml(toml, {}, "stability");
 }
 
-Scene scene_of_file(const std::string& name) {
-    return input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name, known_names());
+std::string text_of_file(const std::string& name) {
+    return read_text_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name);
 }
 
 Expectation known_optimum(MotionType type, int degree, int segments) {
@@ -116,11 +132,11 @@ Expectation known_optimum(MotionType type, int degree, int segments) {
     return proved_optimum(study_scene(type, degree, segments), "structured, states, proved");
 }
 
-Expectation proved_optimum(Scene scene, std::string source) {
-    scene.solver.name = "structured";
-    scene.solver.tolerance = 1e-11;
-    scene.objective.tie_break = TieBreak::none;
-    const Certificate certificate = solve_without_explaining(scene, {}).certificate;
+Expectation proved_optimum(SceneText scene, std::string source) {
+    set_solver(scene, "structured");
+    scene.at("solver").set("tolerance", 1e-11);
+    set_tie_break(scene, TieBreak::none);
+    const Certificate certificate = solve_without_explaining(scene_of(scene), {}).certificate;
     constexpr double worst_gap = 1e-8;
     if (certificate.verdict != Verdict::optimal || !(*certificate.gap <= worst_gap))
         throw ModelError(fmt::format("{}: no reference, {} {}, gap {}", source, name_of(certificate.verdict),

@@ -59,13 +59,11 @@ double usual_lag(double ratio) {
     return 5.5 / (radians * radians);
 }
 
-Scene train_scene(double ratio, double damping, const std::string& rest) {
-    Scene scene = scene_of_text(fmt::format(
+SceneText train_scene(double ratio, double damping, const std::string& rest) {
+    return SceneText::parse(fmt::format(
         "[motion]\ntype = \"DRD\"\nlift_mm = 24\nrise_deg = 90\nspeed_rpm = 300\n[spline]\ndegree = 5\n"
         "segments = 14\n[dynamics]\nmass_kg = 2.5\nnatural_frequency_hz = {}\ndamping_ratio = {}\n{}",
         std::sqrt(ratio) / rise_seconds, damping, rest));
-    complete_dynamics(scene);
-    return scene;
 }
 
 Expectation true_verdict() {

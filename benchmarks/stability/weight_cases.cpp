@@ -18,12 +18,10 @@ struct Space {
     int degree, segments;
 };
 
-Scene weighted_scene(const Space& space, const Weights& weights, const std::string& backend) {
-    Scene scene = study_scene(space.type, space.degree, space.segments);
-    scene.objective.velocity = weights[0];
-    scene.objective.acceleration = weights[1];
-    scene.objective.jerk = weights[2];
-    scene.solver.name = backend;
+SceneText weighted_scene(const Space& space, const Weights& weights, const std::string& backend) {
+    SceneText scene = study_scene(space.type, space.degree, space.segments);
+    set_weights(scene, {weights[0], weights[1], weights[2]});
+    set_solver(scene, backend);
     return scene;
 }
 
@@ -79,9 +77,8 @@ void add_multiples(std::vector<StabilityCase>& cases) {
                 }));
     for (const double factor : {1e-9, 1e9})
         cases.push_back(make_case("weights", fmt::format("cubic 12, reference × {}", factor), true, [=] {
-            Scene scene = weighted_scene(space, {0.4, 0.4, 0.2}, "structured");
-            Reference& reference = scene.objective.reference;
-            reference = numeric_reference(1.76 * factor, 5.53 * factor, 69.0 * factor);
+            SceneText scene = weighted_scene(space, {0.4, 0.4, 0.2}, "structured");
+            set_reference(scene, {1.76 * factor, 5.53 * factor, 69.0 * factor});
             const double optimum = study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7) / factor;
             return solved_row(scene, exactly(optimum, "fraction"));
         }));

@@ -5,7 +5,6 @@
 // FOLDER/results/NUMBER: tests/certificates/stability_rows.py has them judged.
 #include "benchmarks/parts/machine.hpp"
 #include "benchmarks/stability/stability_cases.hpp"
-#include "benchmarks/stability/table/scene_text.hpp"
 #include "benchmarks/stability/table/stability_report.hpp"
 #include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
@@ -31,11 +30,10 @@ struct Request {
     bool results = false;
 };
 
-/// The result folder of what the row solved, with its scene where that can be written, and its name.
+/// The result folder of what the row solved, with its scene, and its name.
 void write_results(const std::filesystem::path& folder, const StabilityRow& row) {
-    const Scene& scene = row.solution->scene;
     RunOrigin origin;
-    origin.scene_text = scene_text(scene).value_or("");
+    origin.scene_text = row.scene;
     write_result_folder(folder, *row.solution, origin);
     write_text_file(folder / "row.txt", row.group + ": " + row.name + " " + row.backend + "\n");
 }

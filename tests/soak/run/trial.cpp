@@ -121,16 +121,17 @@ class RunningTrial : public Trial {
 
 }  // namespace
 
-Solved solved_from(const SceneText& text) {
+Solved solved_from(const SceneText& text, Scope scope) {
     Solved solved;
     solved.text = text;
     solved.numbers = numbers_of(text);
-    solved.outcome = solve_text(text.text());
+    solved.outcome = solve_text(text.text(), scope);
     for (const auto& [name, millimetres] : solved.outcome.dimensions)
         if (name.ends_with("_mm")) solved.dimensions[name.substr(0, name.size() - 3)] = 1e-3 * millimetres;
     if (!solved.outcome.has_motion()) return solved;
     solved.motion = delivered_motion(solved.numbers, solved.outcome);
     solved.figures = figures_of(*solved.motion);
+    if (solved.numbers.train) solved.figures.train = train_figures(solved.numbers, *solved.motion);
     return solved;
 }
 

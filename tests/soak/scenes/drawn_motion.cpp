@@ -11,10 +11,6 @@ namespace camopt::soak {
 
 namespace {
 
-std::string quoted(const std::string& word) {
-    return '"' + word + '"';
-}
-
 /// Near the 3-4-5 polynomial, so that most scenes have a motion.
 void draw_via(Draw& draw, SceneText& scene) {
     const bool returns = scene.word("motion", "type", "") == "RR";

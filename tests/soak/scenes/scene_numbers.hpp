@@ -32,6 +32,11 @@ struct ViaPoint {
     std::array<std::optional<double>, 3> value;  ///< y, y', y''
 };
 
+/// An elastic follower: one mass on its spring and damper, SI.
+struct Train {
+    double mass = 0.0, stiffness = 0.0, damping = 0.0, preload = 0.0;
+};
+
 /// A cap on a peak: on the normalised one, or in time (SI).
 struct Cap {
     double value = 0.0;
@@ -60,10 +65,11 @@ struct SceneNumbers {
     double sense = 1.0;    ///< +1 counterclockwise
     std::map<std::string, Range> dimensions;
     std::optional<double> face_half_width;
+    std::optional<Train> train;
     std::map<std::string, double> forces;  ///< mass, spring_rate, preload, contact_width, compliance
 
     std::array<std::optional<Cap>, 4> caps;  ///< by order of derivative
-    std::map<std::string, double> limits;    ///< those of the cam
+    std::map<std::string, double> limits;    ///< those of the cam and of the train
     double tolerance = 1e-9, max_seconds = 60.0;
     std::optional<double> gap;  ///< as written
 
