@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The quick rows of the stability table, group by group, and the judge of the table itself: it must see what
 // is wrong.
-#include "benchmarks/stability/condition_number.hpp"
-#include "benchmarks/stability/stability_cases.hpp"
-#include "benchmarks/stability/stability_scenes.hpp"
 #include "tests/soak/relations/relation.hpp"
+#include "tests/soak/stability/condition_number.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,8 +55,7 @@ Solved solved_twelve() {
 /// With one number of its motion changed.
 Solved with_bent_piece(Solved solved, std::size_t power, double by) {
     solved.outcome.spline->pieces.at(4).at(power) += by;
-    solved.motion = soak::delivered_motion(solved.numbers, solved.outcome);
-    solved.figures = soak::figures_of(*solved.motion);
+    read_motion(solved);
     return solved;
 }
 
@@ -72,7 +71,7 @@ TEST(MotionInMemory, HasWhatTheLibraryReports) {
     EXPECT_LE(largest_jump(solved, 0, 2).amount, 1e-12L);
 }
 
-TEST(MotionInMemory, JumpOfEveryOrderIsSeen) {
+TEST(MotionInMemory, EveryJumpIsSeen) {
     const Solved solved = solved_twelve();
     for (const std::size_t power : {0, 1, 2})
         EXPECT_GT(largest_jump(with_bent_piece(solved, power, 1e-6), 0, 2).amount, 1e-8L) << power;
@@ -101,7 +100,7 @@ TEST(MotionInMemory, ViolatedPressureAngleIsMeasured) {
     EXPECT_GT(passed_follower_limits(solved).amount, 5e-3L);
 }
 
-TEST(MotionInMemory, ViolatedLimitsOfTrainAreMeasured) {
+TEST(MotionInMemory, ViolatedTrainLimitsAreMeasured) {
     Solved solved =
         soak::solved_from(SceneText::parse("[motion]\ntype = \"DRD\"\nlift_mm = 24\nrise_deg = 90\n"
                                            "speed_rpm = 300\n[spline]\ndegree = 5\nsegments = 8\n"

@@ -27,11 +27,10 @@ long double energy(const Polynomial& polynomial, long double width) {
 void add_law(const Piece& piece, MotionFigures& figures) {
     if (piece.begin > piece.law_begin) return;  // once a stretch
     const std::map<std::string, double> law = law_figures(piece.law);
-    const char* const names[] = {"", "velocity", "acceleration", "jerk"};
     long double factor = std::abs(piece.law_to - piece.law_from);
     for (std::size_t order = 1; order <= 3; ++order) {
         factor /= piece.law_end - piece.law_begin;
-        figures.by_x[static_cast<std::size_t>(piece.stretch)][order] = factor * law.at(names[order]);
+        figures.by_x[static_cast<std::size_t>(piece.stretch)][order] = factor * law.at(peak_names[order]);
     }
 }
 

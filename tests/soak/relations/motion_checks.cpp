@@ -19,8 +19,6 @@ constexpr double condition_digits = 1e-8;
 constexpr double joint_digits = 1e-6;
 constexpr double cap_digits = 1e-7;
 
-const char* const peak_names[] = {"", "velocity", "acceleration", "jerk"};
-
 Finding beyond(const Miss& miss, double allowed, const Solved& solved) {
     if (miss.amount <= allowed) return holds;
     return fmt::format("{}: off by {:.3g} ({})", miss.what, static_cast<double>(miss.amount),

@@ -31,6 +31,9 @@ struct Solved {
 /// Solves it and reads what was published, or what is in memory.
 [[nodiscard]] Solved solved_from(const SceneText& text, Scope scope = Scope::published);
 
+/// The motion and its figures, from what was published.
+void read_motion(Solved& solved);
+
 /// By how much a delivered motion misses what its scene demands, relative to the scale of each demand: the
 /// worst of many.
 struct Miss {

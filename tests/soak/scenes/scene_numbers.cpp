@@ -176,10 +176,9 @@ void read_train(const SceneText& text, SceneNumbers& numbers) {
 void read_limits(const SceneText& text, SceneNumbers& numbers) {
     const SceneTable* limits = text.find("limits");
     if (!limits) return;
-    const char* const peaks[] = {"", "velocity", "acceleration", "jerk"};
     for (std::size_t order = 1; order <= 3; ++order)
-        if (const auto value = quantity_of(limits, peaks[order]))
-            numbers.caps[order] = Cap{*value, spelled(*limits, peaks[order]) != peaks[order]};
+        if (const auto value = quantity_of(limits, peak_names[order]))
+            numbers.caps[order] = Cap{*value, spelled(*limits, peak_names[order]) != peak_names[order]};
     for (const char* name :
          {"pressure_angle", "rise_pressure_angle", "return_pressure_angle", "cam_radius_min",
           "concave_radius_min", "undercut_margin", "contact_force_min", "contact_moment_min", "torque_max",

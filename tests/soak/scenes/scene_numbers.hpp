@@ -15,6 +15,9 @@ namespace camopt::soak {
 
 enum class Kind { motion, cam };
 
+/// Keys of the peaks, by order of derivative.
+inline constexpr const char* peak_names[] = {"", "velocity", "acceleration", "jerk"};
+
 struct Range {
     double low = 0.0, high = 0.0;
     [[nodiscard]] bool is_variable() const { return high > low; }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Scenes whose cost is far from one, and the audit of what is delivered.
-#include "benchmarks/stability/stability_scenes.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/search/cost_scale.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/condition_number.hpp"
-#include "benchmarks/stability/stability_cases.hpp"
-#include "benchmarks/stability/stability_scenes.hpp"
+#include "tests/soak/stability/condition_number.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/table/stability_report.hpp"
+#include "tests/soak/stability/table/stability_report.hpp"
 
 #include "output/csv/csv_line.hpp"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/stability_cases.hpp"
-#include "benchmarks/stability/stability_scenes.hpp"
 #include "core/units.hpp"
+#include "tests/soak/scenes/scene_numbers.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <fmt/format.h>
 
@@ -38,28 +39,25 @@ double beside(const Edge& edge, double relative) {
     return (relative < 0.0 ? edge.least : edge.most) * (1.0 + relative);
 }
 
-enum class Peak { velocity, acceleration, jerk };
-constexpr std::array<const char*, 3> peak_names = {"velocity", "acceleration", "jerk"};
-
 /// The least peak alone: in closed form, else minimized and proved.
-Edge least_peak(Peak peak, int degree, int segments) {
-    if (degree == 3 && peak == Peak::acceleration) {
+Edge least_peak(int order, int degree, int segments) {
+    if (degree == 3 && order == 2) {
         const double least = 4.0 * segments / (segments - 2.0);
         return {least, least, "A >= 4n/(n − 2)"};
     }
-    if (degree == 3 && peak == Peak::jerk) return {32.0, 32.0, "J >= 32"};
+    if (degree == 3 && order == 3) return {32.0, 32.0, "J >= 32"};
     SceneText scene = study_scene(drd, degree, segments);
     set_weights(scene, {});
-    scene.at("objective").set(peak_names[static_cast<int>(peak)], 1.0);
+    scene.at("objective").set(soak::peak_names[order], 1.0);
     set_reference(scene, {1.0, 1.0, 1.0});
     const Expectation optimum = proved_optimum(scene, "the least peak alone, proved");
     return {*optimum.least, *optimum.most, optimum.source};
 }
 
-StabilityRow capped(Peak peak, int degree, double relative, const std::string& backend) {
-    const Edge edge = least_peak(peak, degree, 12);
+StabilityRow capped(int order, int degree, double relative, const std::string& backend) {
+    const Edge edge = least_peak(order, degree, 12);
     SceneText scene = study_scene(drd, degree, 12);
-    scene.at("limits").set(peak_names[static_cast<int>(peak)], beside(edge, relative));
+    scene.at("limits").set(soak::peak_names[order], beside(edge, relative));
     set_solver(scene, backend);
     return solved_row(scene, at_edge(relative, edge.source));
 }
@@ -126,13 +124,13 @@ std::vector<StabilityCase> limit_cases() {
         const bool own = std::string(backend) == "structured";
         for (const double step : steps) {
             for (const int degree : {3, 5})
-                for (const Peak peak : {Peak::velocity, Peak::acceleration, Peak::jerk}) {
+                for (const int order : {1, 2, 3}) {
                     if (degree == 5 && !own) continue;
-                    cases.push_back(make_case("limits",
-                                              fmt::format("{}, {} cap at the least possible {:+g}",
-                                                          degree == 3 ? "cubic" : "quintic",
-                                                          peak_names[static_cast<int>(peak)], step),
-                                              own, [=] { return capped(peak, degree, step, backend); }));
+                    cases.push_back(make_case(
+                        "limits",
+                        fmt::format("{}, {} cap at the least possible {:+g}",
+                                    degree == 3 ? "cubic" : "quintic", soak::peak_names[order], step),
+                        own, [=] { return capped(order, degree, step, backend); }));
                 }
             cases.push_back(make_case("limits", fmt::format("base radius at the least possible {:+g}", step),
                                       own, [=] { return base_radius(step, backend); }));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/profile_claims.hpp"
+#include "tests/soak/stability/profile_claims.hpp"
 
-#include "benchmarks/stability/stability_scenes.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
@@ -10,6 +9,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <fmt/format.h>
 

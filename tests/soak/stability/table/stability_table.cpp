@@ -4,10 +4,10 @@
 // where a row is wrong. With --results the result folder of each row that solved a scene is written too, as
 // FOLDER/results/NUMBER: tests/certificates/stability_rows.py has them judged.
 #include "benchmarks/parts/machine.hpp"
-#include "benchmarks/stability/stability_cases.hpp"
-#include "benchmarks/stability/table/stability_report.hpp"
 #include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
+#include "tests/soak/stability/table/stability_report.hpp"
 
 #include <cstdio>
 #include <exception>

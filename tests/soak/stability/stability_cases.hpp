@@ -2,7 +2,7 @@
 // Every row of the stability table, by group.
 #pragma once
 
-#include "benchmarks/stability/stability_row.hpp"
+#include "tests/soak/stability/stability_row.hpp"
 
 namespace camopt::stability {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/stability_row.hpp"
+#include "tests/soak/stability/stability_row.hpp"
 
 #include "core/errors.hpp"
 #include "solvers/registry.hpp"

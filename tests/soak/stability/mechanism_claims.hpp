@@ -2,7 +2,7 @@
 // What the manual says about remote, barrel, cylindrical and inverse cams: drawings, forward checks, optima.
 #pragma once
 
-#include "benchmarks/stability/stability_row.hpp"
+#include "tests/soak/stability/stability_row.hpp"
 
 namespace camopt::stability {
 

@@ -3,7 +3,7 @@
 // as a picture (attained error against what the row allows; condition numbers).
 #pragma once
 
-#include "benchmarks/stability/stability_row.hpp"
+#include "tests/soak/stability/stability_row.hpp"
 
 #include <span>
 #include <string>

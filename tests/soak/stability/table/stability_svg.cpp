@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/table/stability_report.hpp"
 #include "core/text/parsing.hpp"
 #include "output/chart/svg_canvas.hpp"
+#include "tests/soak/stability/table/stability_report.hpp"
 
 #include <fmt/format.h>
 

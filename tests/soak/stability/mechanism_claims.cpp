@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/mechanism_claims.hpp"
+#include "tests/soak/stability/mechanism_claims.hpp"
 
-#include "benchmarks/stability/stability_scenes.hpp"
 #include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/drawing/profile_shape.hpp"
@@ -10,6 +9,7 @@
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 #include "tests/soak/scenes/scene_numbers.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <cmath>
 

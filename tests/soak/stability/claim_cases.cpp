@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/mechanism_claims.hpp"
-#include "benchmarks/stability/profile_claims.hpp"
-#include "benchmarks/stability/stability_cases.hpp"
-#include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
@@ -11,6 +7,10 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/soak/stability/mechanism_claims.hpp"
+#include "tests/soak/stability/profile_claims.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <fmt/format.h>
 
@@ -100,14 +100,12 @@ StabilityRow unlimited_drdrd() {
 }
 
 Scene compared_scene() {
-    return scene_of_text(
-        "[motion]\ntype = \"DRD\"\nlift_mm = 20\nrise_deg = 60\n[spline]\nsegments = "
-        "24\n[objective]\nvelocity = "
-        "0.4\nacceleration = 0.4\njerk = 0.2\nreference = { velocity = 1.76, acceleration = 5.53, jerk = 69 "
-        "}\n"
-        "[cam]\ntype = \"disk\"\nfollower = \"translating_roller\"\nbase_radius_mm = 30\nroller_radius_mm = "
+    return scene_of(study_scene(
+        "[motion]\ntype = \"DRD\"\nlift_mm = 20\nrise_deg = 60\n[spline]\nsegments = 24\n[cam]\ntype = "
+        "\"disk\"\nfollower = \"translating_roller\"\nbase_radius_mm = 30\nroller_radius_mm = "
         "10\n"
-        "[limits]\npressure_angle_deg = 30\n");
+        "[limits]\npressure_angle_deg = 30\n",
+        "auto"));
 }
 
 StabilityRow loss_of_best_law() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/stability_cases.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
 
 #include <iterator>
 

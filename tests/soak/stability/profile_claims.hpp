@@ -2,7 +2,7 @@
 // What the manual says about finished cams: the forward check, the polyline of profile.csv, sampled peaks.
 #pragma once
 
-#include "benchmarks/stability/stability_row.hpp"
+#include "tests/soak/stability/stability_row.hpp"
 
 namespace camopt::stability {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Elastic followers over eight decades of stiffness, damped from not at all to twice critical: the response
 // against one in 113 bits, and solves with the train in the cost and in the limits.
-#include "benchmarks/stability/stability_cases.hpp"
-#include "benchmarks/stability/stability_scenes.hpp"
 #include "benchmarks/trains/exact_chain.hpp"
 #include "dynamics/train_formulas.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <fmt/format.h>
 

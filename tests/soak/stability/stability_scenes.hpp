@@ -2,8 +2,8 @@
 // Scenes and reference figures the cases share.
 #pragma once
 
-#include "benchmarks/stability/stability_row.hpp"
 #include "scene/scene.hpp"
+#include "tests/soak/stability/stability_row.hpp"
 
 #include <string>
 
@@ -11,6 +11,8 @@ namespace camopt::stability {
 
 /// Weights 0.4, 0.4, 0.2 over 1.76, 5.53, 69; the structured solver on `states`.
 [[nodiscard]] SceneText study_scene(MotionType type, int degree, int segments);
+/// The same weights and references for another scene.
+[[nodiscard]] SceneText study_scene(const std::string& toml, std::string_view backend = "structured");
 
 struct PeakNumbers {
     double velocity = 0.0, acceleration = 0.0, jerk = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/stability_cases.hpp"
-#include "benchmarks/stability/stability_scenes.hpp"
 #include "studies/search/planned_solve.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/stability_scenes.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
@@ -95,16 +95,20 @@ void set_tie_break(SceneText& scene, TieBreak ties) {
     scene.at("objective").set("tie_break", soak::quoted(name_of(ties)));
 }
 
-SceneText study_scene(MotionType type, int degree, int segments) {
-    // Any rise that leaves room for the return.
-    SceneText scene = SceneText::parse(
-        fmt::format("[motion]\ntype = \"{}\"\nrise_rad = 2.0\n[spline]\ndegree = {}\nsegments = {}\ndesign = "
-                    "\"states\"\n",
-                    name_of(type), degree, segments));
+SceneText study_scene(const std::string& toml, std::string_view backend) {
+    SceneText scene = SceneText::parse(toml);
     set_weights(scene, {0.4, 0.4, 0.2});
     set_reference(scene, {1.76, 5.53, 69.0});
-    set_solver(scene, "structured");
+    set_solver(scene, backend);
     return scene;
+}
+
+SceneText study_scene(MotionType type, int degree, int segments) {
+    // Any rise that leaves room for the return.
+    return study_scene(
+        fmt::format("[motion]\ntype = \"{}\"\nrise_rad = 2.0\n[spline]\ndegree = {}\nsegments = {}\n"
+                    "design = \"states\"\n",
+                    name_of(type), degree, segments));
 }
 
 double study_objective(double velocity, double acceleration, double jerk) {

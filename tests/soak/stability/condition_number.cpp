@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/stability/condition_number.hpp"
+#include "tests/soak/stability/condition_number.hpp"
 
 #include "core/errors.hpp"
 #include "objectives/grid/cam_problem.hpp"
