@@ -69,13 +69,6 @@ Solved solved(const char* scene) {
     return result;
 }
 
-/// As if the library had published these numbers.
-Solved reread(Solved result) {
-    result.motion = delivered_motion(result.numbers, result.outcome);
-    result.figures = figures_of(*result.motion);
-    return result;
-}
-
 void expect_broken(const Finding& finding) {
     ASSERT_TRUE(finding.has_value());
     EXPECT_FALSE(finding->empty());
@@ -105,7 +98,7 @@ TEST(SoakChecks, WrongPeaksAndObjectivesAreNoticed) {
 TEST(SoakChecks, MovedControlPointsViolateConditions) {
     Solved result = solved(motion_scene);
     result.outcome.spline->coefficients[4] += 1e-6;
-    result = reread(result);
+    read_motion(result);
     expect_broken(check_peaks(result));
     expect_broken(check_conditions(result));
 }
@@ -135,6 +128,17 @@ TEST(SoakChecks, WrongBoundsAndProofsAreNoticed) {
     Solved bent = result;
     *bent.outcome.proof->bound += 1e-9;
     expect_broken(check_proof(bent));
+}
+
+TEST(Polynomial, FindsRootsAndPeaks) {
+    // (u − 1/4)(u − 1/2)(u − 3/4)
+    const Polynomial cubic = {-3.0L / 32, 11.0L / 16, -1.5L, 1.0L};
+    const std::vector<long double> roots = roots_within(cubic, 0, 1);
+    ASSERT_EQ(roots.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(static_cast<double>(roots[k]), 0.25 * (static_cast<double>(k) + 1.0), 1e-15);
+    EXPECT_NEAR(static_cast<double>(largest_magnitude(cubic, 0, 1)), 3.0 / 32, 1e-18);
+    EXPECT_NEAR(static_cast<double>(largest_magnitude({0.0L, 4.0L, -4.0L}, 0, 1)), 1.0, 1e-15);
 }
 
 /// A dip between two samples below a broad one that a limit holds near 0.
@@ -366,7 +370,7 @@ TEST(SoakWorkers, CrashesAndHangsCountOnce) {
                         [&](int, const std::string& fault) { faults.insert(fault); }};
     run_in_processes(4, 2, 0.5, worker);
     EXPECT_EQ(lines.count("begun"), 4U);
-    EXPECT_EQ(faults, (std::multiset<std::string>{"", "", "died of signal 9", "hung and was killed"}));
+    EXPECT_EQ(faults, (std::multiset<std::string>{"", "", "worker died: signal 9", "hung and was killed"}));
 }
 
 }  // namespace checks_test

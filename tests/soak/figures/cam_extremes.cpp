@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/soak/figures/cam_extremes.hpp"
 
+#include "tests/soak/figures/golden_section.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -67,21 +69,11 @@ double CamSurvey::least(const Amount& amount) const {
 }
 
 double CamSurvey::refined(const Amount& amount, std::size_t about) const {
-    constexpr long double golden = 0.61803398874989484820L;
     const Piece& piece = motion_.pieces[static_cast<std::size_t>(samples_[about].piece)];
     const long double step = (piece.end - piece.begin) / places;
-    long double low = std::max(piece.begin, samples_[about].x - step);
-    long double high = std::min(piece.end, samples_[about].x + step);
-    double best = none;
-    for (int k = 0; k < 60; ++k) {
-        const long double left = high - golden * (high - low);
-        const long double right = low + golden * (high - low);
-        const double at_left = amount(point(piece, left));
-        const double at_right = amount(point(piece, right));
-        best = std::max({best, at_left, at_right});
-        (at_left > at_right ? high : low) = at_left > at_right ? right : left;
-    }
-    return best;
+    return highest_between(std::max(piece.begin, samples_[about].x - step),
+                           std::min(piece.end, samples_[about].x + step),
+                           [&](long double x) { return amount(point(piece, x)); });
 }
 
 }  // namespace camopt::soak

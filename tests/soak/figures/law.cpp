@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/soak/figures/law.hpp"
 
+#include "tests/soak/figures/golden_section.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -65,17 +67,9 @@ double largest(const std::function<double(double, bool)>& f) {
             best = std::max(best, value);
         }
     }
-    double low = std::max(0, at - 1) / static_cast<double>(cells);
-    double high = std::min(cells, at + 1) / static_cast<double>(cells);
-    for (int step = 0; step < 60; ++step) {
-        const double left = high - 0.6180339887498949 * (high - low);
-        const double right = low + 0.6180339887498949 * (high - low);
-        const double at_left = std::abs(f(left, false));
-        const double at_right = std::abs(f(right, false));
-        best = std::max({best, at_left, at_right});
-        (at_left > at_right ? high : low) = at_left > at_right ? right : left;
-    }
-    return best;
+    const double low = std::max(0, at - 1) / static_cast<double>(cells);
+    const double high = std::min(cells, at + 1) / static_cast<double>(cells);
+    return std::max(best, highest_between(low, high, [&](double t) { return std::abs(f(t, false)); }));
 }
 
 double root_mean_square(const std::string& law, std::size_t order) {

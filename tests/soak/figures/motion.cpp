@@ -66,7 +66,20 @@ class DeBoor {
     std::vector<long double> knots_, control_;
 };
 
+void add_pieces(Motion& motion, const PublishedSpline& spline, int stretch) {
+    motion.exact = true;
+    for (std::size_t k = 0; k < spline.pieces.size(); ++k) {
+        Piece piece;
+        piece.begin = spline.breakpoints[k];
+        piece.end = spline.breakpoints[k + 1];
+        piece.y = Polynomial(spline.pieces[k].begin(), spline.pieces[k].end());
+        piece.stretch = stretch;
+        motion.pieces.push_back(piece);
+    }
+}
+
 void add_spline(Motion& motion, const PublishedSpline& spline, int stretch) {
+    if (!spline.pieces.empty()) return add_pieces(motion, spline, stretch);
     const DeBoor curve(spline);
     const auto& knots = curve.knots();
     for (int span = spline.degree; span + spline.degree + 1 < static_cast<int>(knots.size()); ++span) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A motion put together from what was published: control points on knots, laws by name, dwells. Own
-// arithmetic in long double (de Boor's algorithm on the published numbers), nothing of the library.
+// arithmetic in long double (de Boor's algorithm on the published numbers), nothing of the library. Where the
+// pieces of the curve are known from memory they are taken in place of its control points.
 #pragma once
 
 #include "tests/soak/figures/polynomial.hpp"
@@ -38,6 +39,7 @@ struct Motion {
     std::vector<Stretch> stretches;
     double unit_angle = 1.0;  ///< rad of x = 1
     double lift = 1.0;
+    bool exact = false;  ///< of pieces from memory: no digit of it was lost in control points
 
     [[nodiscard]] std::array<long double, 4> at(long double x) const;
 };

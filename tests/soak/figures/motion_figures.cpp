@@ -27,11 +27,10 @@ long double energy(const Polynomial& polynomial, long double width) {
 void add_law(const Piece& piece, MotionFigures& figures) {
     if (piece.begin > piece.law_begin) return;  // once a stretch
     const std::map<std::string, double> law = law_figures(piece.law);
-    const char* const names[] = {"", "velocity", "acceleration", "jerk"};
     long double factor = std::abs(piece.law_to - piece.law_from);
     for (std::size_t order = 1; order <= 3; ++order) {
         factor /= piece.law_end - piece.law_begin;
-        figures.whole[order] = std::max(figures.whole[order], factor * law.at(names[order]));
+        figures.by_x[static_cast<std::size_t>(piece.stretch)][order] = factor * law.at(peak_names[order]);
     }
 }
 
@@ -50,13 +49,14 @@ void add_rounding(const Piece& piece, MotionFigures& figures) {
 MotionFigures figures_of(const Motion& motion) {
     MotionFigures figures;
     figures.of_stretch.resize(motion.stretches.size());
+    figures.by_x.resize(motion.stretches.size());
     std::array<long double, 4> energies{};
     for (const Piece& piece : motion.pieces) {
         if (!piece.law.empty()) {
             add_law(piece, figures);
             continue;
         }
-        add_rounding(piece, figures);
+        if (!motion.exact) add_rounding(piece, figures);
         const auto index = static_cast<std::size_t>(piece.stretch);
         const Stretch& stretch = motion.stretches[index];
         const bool whole = motion.stretches.size() == 1;
@@ -71,7 +71,7 @@ MotionFigures figures_of(const Motion& motion) {
             derivative[order] = derivative_of(derivative[order - 1]);
             const long double peak = largest_magnitude(derivative[order], 0, width);
             factor *= angle;
-            figures.whole[order] = std::max(figures.whole[order], peak);
+            figures.by_x[index][order] = std::max(figures.by_x[index][order], peak);
             figures.of_stretch[index][order] = std::max(figures.of_stretch[index][order], factor * peak);
             if (stretch.kind == "spline") figures.peak[order] = std::max(figures.peak[order], factor * peak);
             energies[order] += energy(derivative[order], width);
@@ -83,7 +83,11 @@ MotionFigures figures_of(const Motion& motion) {
                          torque * largest_magnitude(product_of(derivative[1], derivative[2]), 0, width));
     }
     const long double length = motion.pieces.back().end - motion.pieces.front().begin;
-    for (std::size_t order = 1; order <= 3; ++order) figures.rms[order] = std::sqrt(energies[order] / length);
+    for (std::size_t order = 1; order <= 3; ++order) {
+        figures.rms[order] = std::sqrt(energies[order] / length);
+        for (const auto& peaks : figures.by_x)
+            figures.whole[order] = std::max(figures.whole[order], peaks[order]);
+    }
     return figures;
 }
 
@@ -91,9 +95,13 @@ long double objective_of(const SceneNumbers& scene, const MotionFigures& figures
                          const std::map<std::string, double>& dimensions) {
     std::map<std::string, double> reference = scene.references;
     if (!scene.reference_law.empty()) reference = law_figures(scene.reference_law);
-    const std::map<std::string, long double> terms = {
-        {"velocity", figures.peak[1]}, {"acceleration", figures.peak[2]},    {"jerk", figures.peak[3]},
-        {"torque", figures.torque},    {"rms_acceleration", figures.rms[2]}, {"rms_jerk", figures.rms[3]}};
+    const std::map<std::string, long double> terms = {{"velocity", figures.peak[1]},
+                                                      {"acceleration", figures.peak[2]},
+                                                      {"jerk", figures.peak[3]},
+                                                      {"torque", figures.torque},
+                                                      {"rms_acceleration", figures.rms[2]},
+                                                      {"rms_jerk", figures.rms[3]},
+                                                      {"residual", figures.train.residual}};
     long double sum = 0;
     for (const auto& [name, weight] : scene.weights) {
         if (const auto term = terms.find(name); term != terms.end()) {

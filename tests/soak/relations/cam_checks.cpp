@@ -78,19 +78,13 @@ std::vector<Figure> figures_of(const Cam& cam, const CamSurvey& survey) {
     return all;
 }
 
-/// How far a limit is passed, relative to its own scale.
-struct Passed {
-    std::string name;
-    double amount = none;
-};
-
 std::optional<double> limit_of(const SceneNumbers& scene, const char* name) {
     const auto found = scene.limits.find(name);
     return found == scene.limits.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// While rising its own limit or the general one, while returning likewise; at rest the strictest.
-Passed pressure_passed(const SceneNumbers& scene, const CamSurvey& survey) {
+double pressure_passed(const SceneNumbers& scene, const CamSurvey& survey) {
     const auto general = limit_of(scene, "pressure_angle");
     const auto own_rise = limit_of(scene, "rise_pressure_angle");
     const auto own_back = limit_of(scene, "return_pressure_angle");
@@ -102,56 +96,59 @@ Passed pressure_passed(const SceneNumbers& scene, const CamSurvey& survey) {
         const double limit = point.velocity > slow ? rise : point.velocity < -slow ? back : rest;
         return limit > 9.0 ? none : (point.pressure_angle - limit) / limit;
     };
-    return {"pressure_angle", survey.largest(amount)};
+    return survey.largest(amount);
 }
 
-std::vector<Passed> force_limits_passed(const SceneNumbers& scene, const Cam& cam, const CamSurvey& survey) {
-    std::vector<Passed> all;
-    const bool swings = scene.swings;
-    if (const auto least = limit_of(scene, swings ? "contact_moment_min" : "contact_force_min")) {
-        const double scale = survey.largest([](const CamPoint& p) { return std::abs(p.force); });
-        all.push_back(
-            {"contact force", (*least - survey.least([](const CamPoint& p) { return p.force; })) / scale});
-    }
+void note_force_limits(const SceneNumbers& scene, const CamSurvey& survey, Miss& worst) {
+    const auto force = [](const CamPoint& p) { return p.force; };
+    if (const auto least = limit_of(scene, scene.swings ? "contact_moment_min" : "contact_force_min"))
+        worst.note((*least - survey.least(force)) /
+                       survey.largest([](const CamPoint& p) { return std::abs(p.force); }),
+                   "contact force");
     if (const auto most = limit_of(scene, "torque_max"))
-        all.push_back(
-            {"torque", survey.largest([](const CamPoint& p) { return std::abs(p.torque); }) / *most - 1.0});
+        worst.note(survey.largest([](const CamPoint& p) { return std::abs(p.torque); }) / *most - 1.0,
+                   "torque");
     if (const auto most = limit_of(scene, "hertz_pressure_max")) {
         if (survey.least(regular) <= 0.0)
-            all.push_back({"Hertz pressure (undercut)", HUGE_VAL});
+            worst.note(HUGE_VAL, "Hertz pressure (undercut)");
         else
-            all.push_back(
-                {"Hertz pressure", survey.largest([](const CamPoint& p) { return p.hertz; }) / *most - 1.0});
+            worst.note(survey.largest([](const CamPoint& p) { return p.hertz; }) / *most - 1.0,
+                       "Hertz pressure");
     }
-    static_cast<void>(cam);
-    return all;
 }
 
-std::vector<Passed> limits_passed(const SceneNumbers& scene, const Cam& cam, const CamSurvey& survey) {
-    std::vector<Passed> all = force_limits_passed(scene, cam, survey);
+void note_shape_limits(const SceneNumbers& scene, const Cam& cam, const CamSurvey& survey, Miss& worst) {
     const bool pressed = limit_of(scene, "pressure_angle") || limit_of(scene, "rise_pressure_angle") ||
                          limit_of(scene, "return_pressure_angle");
-    if (pressed && scene.follower != "translating_flat") all.push_back(pressure_passed(scene, survey));
+    if (pressed && scene.follower != "translating_flat")
+        worst.note(pressure_passed(scene, survey), "pressure_angle");
     const double size = cam.base + cam.roller;
     if (const auto least = limit_of(scene, "cam_radius_min")) {
         const double sharp = survey.largest([](const CamPoint& p) { return p.curvature; });
         const double radius = scene.is_flat() ? survey.least([](const CamPoint& p) { return p.cam_radius; })
                               : sharp > 0.0   ? 1.0 / sharp - cam.roller
                                               : HUGE_VAL;
-        all.push_back({"cam_radius_min", (*least - radius) / size});
+        worst.note((*least - radius) / size, "cam_radius_min");
     }
     if (const auto least = limit_of(scene, "concave_radius_min")) {
         const double hollow = survey.least([](const CamPoint& p) { return p.curvature; });
-        if (hollow < 0.0) all.push_back({"concave_radius_min", (*least - cam.roller + 1.0 / hollow) / size});
+        if (hollow < 0.0) worst.note((*least - cam.roller + 1.0 / hollow) / size, "concave_radius_min");
     }
     if (const auto margin = limit_of(scene, "undercut_margin");
         margin && scene.follower != "translating_knife")
-        all.push_back({"undercut_margin", *margin - survey.least(regular)});
+        worst.note(*margin - survey.least(regular), "undercut_margin");
     if (scene.face_half_width)
-        all.push_back({"face_half_width", survey.largest([](const CamPoint& p) { return p.contact_offset; }) /
-                                                  *scene.face_half_width -
-                                              1.0});
-    return all;
+        worst.note(
+            survey.largest([](const CamPoint& p) { return p.contact_offset; }) / *scene.face_half_width - 1.0,
+            "face_half_width");
+}
+
+void note_train_limits(const Solved& solved, Miss& worst) {
+    const TrainFigures& train = solved.figures.train;
+    if (const auto most = limit_of(solved.numbers, "residual"))
+        worst.note(train.residual * solved.numbers.lift / *most - 1.0, "residual");
+    if (const auto least = limit_of(solved.numbers, "dynamic_contact_force_min"))
+        worst.note((*least - train.least_force) / solved.numbers.train->preload, "dynamic contact force");
 }
 
 }  // namespace
@@ -180,16 +177,24 @@ Finding check_cam_figures(const Solved& solved) {
     return holds;
 }
 
-Finding check_cam_limits(const Solved& solved) {
-    if (!solved.motion || solved.numbers.follower.empty() || solved.outcome.verdict == "failed")
-        return no_case;
+Miss passed_follower_limits(const Solved& solved) {
+    Miss worst;
+    if (solved.numbers.train) note_train_limits(solved, worst);
+    if (solved.numbers.follower.empty()) return worst;
     const Cam cam = cam_of(solved.numbers, solved.dimensions);
     const CamSurvey survey(*solved.motion, cam);
-    for (const Passed& passed : limits_passed(solved.numbers, cam, survey))
-        if (!(passed.amount <= limit_digits))
-            return fmt::format("{} passed by {:.3g} of its scale ({})", passed.name, passed.amount,
-                               solved.outcome.verdict);
-    return holds;
+    note_force_limits(solved.numbers, survey, worst);
+    note_shape_limits(solved.numbers, cam, survey, worst);
+    return worst;
+}
+
+Finding check_cam_limits(const Solved& solved) {
+    const bool follows = solved.numbers.train || !solved.numbers.follower.empty();
+    if (!solved.motion || !follows || solved.outcome.verdict == "failed") return no_case;
+    const Miss passed = passed_follower_limits(solved);
+    if (passed.amount <= limit_digits) return holds;
+    return fmt::format("{} passed by {:.3g} of its scale ({})", passed.what,
+                       static_cast<double>(passed.amount), solved.outcome.verdict);
 }
 
 namespace {

@@ -8,6 +8,13 @@
 
 namespace camopt::soak {
 
+const std::vector<std::string>& cam_lengths() {
+    static const std::vector<std::string> keys = {"base_radius",     "roller_radius", "offset",
+                                                  "center_distance", "arm_length",    "face_offset",
+                                                  "face_half_width"};
+    return keys;
+}
+
 namespace {
 
 /// Of a number or of both ends of a range. A negative factor swaps the ends.
@@ -23,6 +30,27 @@ std::string changed(const std::string& value, double factor) {
     range.set("min", std::min(one, other));
     range.set("max", std::max(one, other));
     return inline_text(range);
+}
+
+void scale_forces(SceneText& scene, double factor, bool swings) {
+    if (!scene.has("forces")) return;
+    SceneTable& forces = scene.at("forces");
+    if (swings) {  // moments stay, the lever grows: the width keeps the pressure
+        scale_quantity(forces, "contact_width", 1.0 / (factor * factor));
+        return;
+    }
+    for (const char* name : {"mass", "spring_rate", "contact_width"})
+        scale_quantity(forces, name, 1.0 / factor);
+    if (scene.has("limits")) scale_quantity(scene.at("limits"), "torque_max", factor);
+}
+
+/// A cap in time scales with the lift.
+void scale_physical_caps(SceneText& scene, double factor) {
+    if (!scene.has("limits")) return;
+    SceneTable& limits = scene.at("limits");
+    for (const char* const peak : peak_names)
+        if (const std::string key = spelled(limits, peak); !key.empty() && key != peak)
+            scale_quantity(limits, peak, factor);
 }
 
 }  // namespace
@@ -50,6 +78,25 @@ SceneTable numeric_reference(const SceneNumbers& scene) {
     SceneTable table;
     for (const auto& [term, value] : reference) table.set(term, value);
     return table;
+}
+
+void scale_lengths(SceneText& scene, double factor) {
+    SceneTable& motion = scene.at("motion");
+    if (spelled(motion, "lift").empty()) motion.set("lift_mm", 1.0);
+    const bool swings = numbers_of(scene).swings;
+    if (!swings) {
+        scale_quantity(motion, "lift", factor);
+        scale_physical_caps(scene, factor);
+    }
+    for (SceneTable& table : scene.tables())
+        if (table.name == "motion.segments" && table.find("to") == std::nullopt && !swings)
+            scale_quantity(table, "to", factor);
+    if (!scene.has("cam")) return;
+    for (const std::string& length : cam_lengths()) scale_quantity(scene.at("cam"), length, factor);
+    scale_forces(scene, factor, swings);
+    if (!scene.has("limits")) return;
+    scale_quantity(scene.at("limits"), "cam_radius_min", factor);
+    scale_quantity(scene.at("limits"), "concave_radius_min", factor);
 }
 
 std::vector<LooseEnd> loose_ends(const SceneText& scene) {

@@ -15,6 +15,11 @@ namespace camopt::soak {
 /// absent.
 void scale_quantity(SceneTable& table, std::string_view quantity, double factor);
 
+/// All lengths, and with them forces and caps in time: the same normalised motion. A lift that is an angle
+/// stays.
+void scale_lengths(SceneText& scene, double factor);
+[[nodiscard]] const std::vector<std::string>& cam_lengths();
+
 /// Writes a quantity in another unit. `keep`: which units fit it.
 void respell(SceneTable& table, std::string_view quantity, std::string_view unit);
 

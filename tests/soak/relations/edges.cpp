@@ -12,8 +12,6 @@ namespace camopt::soak {
 
 namespace {
 
-const char* const peak_names[] = {"", "velocity", "acceleration", "jerk"};
-
 bool delivers(const Outcome& outcome) {
     return outcome.has_motion() && outcome.verdict != "failed" && outcome.verdict != "infeasible";
 }

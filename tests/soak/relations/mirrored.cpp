@@ -15,7 +15,7 @@ namespace {
 
 void turn_round(SceneText& scene) {
     const bool clockwise = scene.word("cam", "rotation", "counterclockwise") == "clockwise";
-    scene.at("cam").set("rotation", clockwise ? "\"counterclockwise\"" : "\"clockwise\"");
+    scene.at("cam").set("rotation", quoted(clockwise ? "counterclockwise" : "clockwise"));
 }
 
 /// Limits of the rise become those of the return.

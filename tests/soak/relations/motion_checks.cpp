@@ -19,37 +19,35 @@ constexpr double condition_digits = 1e-8;
 constexpr double joint_digits = 1e-6;
 constexpr double cap_digits = 1e-7;
 
-const char* const peak_names[] = {"", "velocity", "acceleration", "jerk"};
-
-/// Collects the worst of many small demands.
-class Worst {
- public:
-    void note(long double amount, const std::string& what) {
-        if (!(amount <= amount_)) {
-            amount_ = amount;
-            what_ = what;
-        }
-    }
-    [[nodiscard]] Finding beyond(double allowed, const std::string& verdict) const {
-        if (amount_ <= allowed) return holds;
-        return fmt::format("{}: off by {:.3g} ({})", what_, static_cast<double>(amount_), verdict);
-    }
-
- private:
-    long double amount_ = 0;
-    std::string what_;
-};
+Finding beyond(const Miss& miss, double allowed, const Solved& solved) {
+    if (miss.amount <= allowed) return holds;
+    return fmt::format("{}: off by {:.3g} ({})", miss.what, static_cast<double>(miss.amount),
+                       solved.outcome.verdict);
+}
 
 /// What deviations of y and its derivatives count by: the peaks, or what the published digits hold where that
 /// is more.
-std::array<long double, 4> scales_of(const MotionFigures& figures) {
-    std::array<long double, 4> scales{1, 0, 0, 0};
+std::array<long double, 4> scales_of(const MotionFigures& figures, std::array<long double, 4> peaks) {
+    peaks[0] = 1;
     for (std::size_t order = 1; order <= 3; ++order)
-        scales[order] = std::max({figures.whole[order], 1e-3L, figures.rounding[order] / condition_digits});
-    return scales;
+        peaks[order] = std::max({peaks[order], 1e-3L, figures.rounding[order] / condition_digits});
+    return peaks;
 }
 
-void check_ends(const Solved& solved, Worst& worst) {
+std::array<long double, 4> scales_of(const MotionFigures& figures) {
+    return scales_of(figures, figures.whole);
+}
+
+/// By the larger peaks of the two segments of the motion that meet.
+std::array<long double, 4> scales_between(const MotionFigures& figures, const Piece& left,
+                                          const Piece& right) {
+    std::array<long double, 4> peaks = figures.by_x[static_cast<std::size_t>(left.stretch)];
+    const std::array<long double, 4>& others = figures.by_x[static_cast<std::size_t>(right.stretch)];
+    for (std::size_t order = 1; order <= 3; ++order) peaks[order] = std::max(peaks[order], others[order]);
+    return scales_of(figures, peaks);
+}
+
+void check_ends(const Solved& solved, Miss& worst) {
     const SceneNumbers& scene = solved.numbers;
     const auto scale = scales_of(solved.figures);
     const auto begin = solved.motion->pieces.front().at(0);
@@ -70,7 +68,7 @@ void check_ends(const Solved& solved, Worst& worst) {
     worst.note(std::abs(end[3]) / scale[3], "end, jerk");
 }
 
-void check_points(const Solved& solved, Worst& worst) {
+void check_points(const Solved& solved, Miss& worst) {
     const auto scale = scales_of(solved.figures);
     for (const ViaPoint& via : solved.numbers.via) {
         const auto state = solved.motion->at(via.at);
@@ -90,7 +88,7 @@ void check_points(const Solved& solved, Worst& worst) {
     }
 }
 
-void check_program(const Solved& solved, Worst& worst) {
+void check_program(const Solved& solved, Miss& worst) {
     const auto& segments = solved.numbers.segments;
     const auto& stretches = solved.motion->stretches;
     if (segments.size() != stretches.size()) {
@@ -190,53 +188,69 @@ Finding check_objective(const Solved& solved) {
                        solved.outcome.verdict);
 }
 
-Finding check_conditions(const Solved& solved) {
-    if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
-    Worst worst;
+Miss missed_conditions(const Solved& solved) {
+    Miss worst;
     if (solved.numbers.is_program()) {
         check_program(solved, worst);
     } else {
         check_ends(solved, worst);
         check_points(solved, worst);
     }
-    return worst.beyond(condition_digits, solved.outcome.verdict);
+    return worst;
 }
 
-Finding check_joints(const Solved& solved) {
-    if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
-    const auto scale = scales_of(solved.figures);
+Miss largest_jump(const Solved& solved, int first_order, int last_order) {
     const auto& pieces = solved.motion->pieces;
-    Worst worst;
+    Miss worst;
     for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+        const auto scale = scales_between(solved.figures, pieces[k], pieces[k + 1]);
         const auto left = pieces[k].at(pieces[k].end);
         const auto right = pieces[k + 1].at(pieces[k + 1].begin);
-        for (std::size_t order = 0; order < 3; ++order)
+        const bool one_spline = pieces[k].stretch == pieces[k + 1].stretch;
+        const Stretch& stretch = solved.motion->stretches[static_cast<std::size_t>(pieces[k].stretch)];
+        const int smooth = one_spline && stretch.kind == "spline" ? std::min(stretch.continuity, 3) : 2;
+        for (int order = first_order; order <= std::min(last_order, smooth); ++order) {
+            const auto r = static_cast<std::size_t>(order);
             worst.note(
-                std::abs(left[order] - right[order]) / scale[order],
+                std::abs(left[r] - right[r]) / scale[r],
                 fmt::format("joint at x = {:.6g}, order {}", static_cast<double>(pieces[k].end), order));
+        }
     }
-    return worst.beyond(joint_digits, solved.outcome.verdict);
+    return worst;
 }
 
-Finding check_caps(const Solved& solved) {
+Miss passed_caps(const Solved& solved) {
     const SceneNumbers& scene = solved.numbers;
-    if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
-    bool any = false;
+    Miss worst;
     double per = scene.lift;
     for (std::size_t order = 1; order <= 3; ++order) {
         per *= scene.speed / solved.motion->unit_angle;
         if (!scene.caps[order]) continue;
-        any = true;
         const Cap& cap = *scene.caps[order];
-        const double own =
-            static_cast<double>(cap.in_time ? solved.figures.whole[order] * per : solved.figures.peak[order]);
-        const auto open =
-            static_cast<double>(rounding_of(solved, order) / std::max(solved.figures.peak[order], 1e-3L));
-        if (own > cap.value * (1 + cap_digits + open))
-            return fmt::format("{} {:.12g}, limit {:.12g} ({})", peak_names[order], own, cap.value,
-                               solved.outcome.verdict);
+        const long double own = cap.in_time ? solved.figures.whole[order] * per : solved.figures.peak[order];
+        const long double open = rounding_of(solved, order) / std::max(solved.figures.peak[order], 1e-3L);
+        worst.note(own / cap.value - 1 - open, fmt::format("{} {:.12g}, limit {:.12g}", peak_names[order],
+                                                           static_cast<double>(own), cap.value));
     }
-    return any ? holds : no_case;
+    return worst;
+}
+
+Finding check_conditions(const Solved& solved) {
+    if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
+    return beyond(missed_conditions(solved), condition_digits, solved);
+}
+
+Finding check_joints(const Solved& solved) {
+    if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
+    return beyond(largest_jump(solved, 0, 3), joint_digits, solved);
+}
+
+Finding check_caps(const Solved& solved) {
+    const auto& caps = solved.numbers.caps;
+    if (!solved.motion || solved.outcome.verdict == "failed" ||
+        std::ranges::none_of(caps, &std::optional<Cap>::has_value))
+        return no_case;
+    return beyond(passed_caps(solved), cap_digits, solved);
 }
 
 }  // namespace camopt::soak

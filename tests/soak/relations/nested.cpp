@@ -62,7 +62,7 @@ Finding compare_freed(Trial& trial) {
     const bool small = numbers.breakpoints.size() <= 9 && numbers.spline_segments <= 8;
     if (numbers.is_program() || numbers.free_knots || !small || trial.has_cam()) return no_case;
     SceneText freed = trial.text();
-    freed.at("spline").set("knots", "\"free\"");
+    freed.at("spline").set("knots", quoted("free"));
     freed.at("solver").set("starts", "1");
     return never_worse(trial.solve(freed).outcome, trial.base().outcome);
 }

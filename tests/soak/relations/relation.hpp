@@ -9,6 +9,7 @@
 #include "tests/soak/scenes/scene_numbers.hpp"
 #include "tests/soak/scenes/scene_text.hpp"
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -27,8 +28,32 @@ struct Solved {
     std::map<std::string, double> dimensions;  ///< delivered, m
 };
 
-/// Solves it and reads what was published.
-[[nodiscard]] Solved solved_from(const SceneText& text);
+/// Solves it and reads what was published, or what is in memory.
+[[nodiscard]] Solved solved_from(const SceneText& text, Scope scope = Scope::published);
+
+/// The motion and its figures, from what was published.
+void read_motion(Solved& solved);
+
+/// By how much a delivered motion misses what its scene demands, relative to the scale of each demand: the
+/// worst of many.
+struct Miss {
+    long double amount = 0;
+    std::string what;
+    void note(long double by, std::string of) {
+        if (by <= amount) return;  // not a number is no less
+        amount = std::isnan(by) ? HUGE_VALL : by;
+        what = std::move(of);
+    }
+    void note(const Miss& other) { note(other.amount, other.what); }
+};
+
+/// Ends, top, exact points, symmetry, given displacements.
+[[nodiscard]] Miss missed_conditions(const Solved& solved);
+/// Jumps of the continuous derivatives of these orders, by their peaks beside the joint.
+[[nodiscard]] Miss largest_jump(const Solved& solved, int first_order, int last_order);
+[[nodiscard]] Miss passed_caps(const Solved& solved);
+/// Of the cam and of an elastic follower.
+[[nodiscard]] Miss passed_follower_limits(const Solved& solved);
 
 /// Nothing: the relation says nothing about this scene. Empty: it holds. Else what is wrong.
 using Finding = std::optional<std::string>;

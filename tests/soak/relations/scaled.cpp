@@ -10,58 +10,11 @@
 
 namespace camopt::soak {
 
-namespace {
-
-const char* const cam_lengths[] = {"base_radius", "roller_radius", "offset",         "center_distance",
-                                   "arm_length",  "face_offset",   "face_half_width"};
-
-void scale_forces(SceneText& scene, double factor, bool swings) {
-    if (!scene.has("forces")) return;
-    SceneTable& forces = scene.at("forces");
-    if (swings) {  // moments stay, the lever grows: the width keeps the pressure
-        scale_quantity(forces, "contact_width", 1.0 / (factor * factor));
-        return;
-    }
-    scale_quantity(forces, "mass", 1.0 / factor);
-    scale_quantity(forces, "spring_rate", 1.0 / factor);
-    scale_quantity(forces, "contact_width", 1.0 / factor);
-    if (scene.has("limits")) scale_quantity(scene.at("limits"), "torque_max", factor);
-}
-
-/// A cap in time scales with the lift.
-void scale_physical_caps(SceneText& scene, double factor) {
-    if (!scene.has("limits")) return;
-    SceneTable& limits = scene.at("limits");
-    for (const char* peak : {"velocity", "acceleration", "jerk"})
-        if (const std::string key = spelled(limits, peak); !key.empty() && key != peak)
-            scale_quantity(limits, peak, factor);
-}
-
-}  // namespace
-
 Finding compare_lift(Trial& trial) {
     const double factor = trial.draw().sized(0.01, 100.0);
-    const bool swings = trial.numbers().swings;
+    if (trial.numbers().swings && !trial.has_cam()) return no_case;
     SceneText scaled = trial.text();
-    SceneTable& motion = scaled.at("motion");
-    if (spelled(motion, "lift").empty()) motion.set("lift_mm", 1.0);
-    if (!swings) {
-        scale_quantity(motion, "lift", factor);
-        scale_physical_caps(scaled, factor);
-    } else if (!trial.has_cam()) {
-        return no_case;
-    }
-    for (SceneTable& table : scaled.tables())
-        if (table.name == "motion.segments" && table.find("to") == std::nullopt && !swings)
-            scale_quantity(table, "to", factor);
-    if (trial.has_cam()) {
-        for (const char* length : cam_lengths) scale_quantity(scaled.at("cam"), length, factor);
-        scale_forces(scaled, factor, swings);
-        if (scaled.has("limits")) {
-            scale_quantity(scaled.at("limits"), "cam_radius_min", factor);
-            scale_quantity(scaled.at("limits"), "concave_radius_min", factor);
-        }
-    }
+    scale_lengths(scaled, factor);
     return same_answer(trial.base().outcome, trial.solve(scaled).outcome);
 }
 
@@ -90,7 +43,8 @@ Finding compare_units(Trial& trial) {
         respell(motion, angle, trial.draw().one_of<std::string>({"_deg", "_rad"}));
     respell(motion, "speed", trial.draw().one_of<std::string>({"_rpm", "_rad_s"}));
     if (trial.has_cam())
-        for (const char* length : cam_lengths) respell(other.at("cam"), length, trial.draw().one_of(lengths));
+        for (const std::string& length : cam_lengths())
+            respell(other.at("cam"), length, trial.draw().one_of(lengths));
     if (other.has("limits")) {
         SceneTable& limits = other.at("limits");
         for (const char* angle : {"pressure_angle", "rise_pressure_angle", "return_pressure_angle"})

@@ -80,7 +80,7 @@ Finding check_bound(const Solved& solved) {
     if (!outcome.objective || !outcome.has_motion()) return no_case;
     const double objective = *outcome.objective;
     // What the bound may pass the objective by: the tolerance of limits, which the motion may use.
-    const double slack = 1e-7 * scale_of(objective);
+    const double slack = std::max(1e-7, solved.numbers.tolerance) * scale_of(objective);
     if (outcome.any_curve_limit && !solved.numbers.is_program() &&
         *outcome.any_curve_limit > objective + slack)
         return fmt::format("the limit of any curve {:.12g} above the objective {:.12g} ({})",
@@ -104,7 +104,7 @@ Finding check_proof(const Solved& solved) {
     const auto bound = recomputed(*outcome.proof);
     if (!bound) return std::string("the proof leans on an open side");
     const double stored = *outcome.proof->bound;
-    if (*bound < stored - 1e-12 * scale_of(stored))
+    if (*bound < stored - 1e-13 * std::abs(stored))
         return fmt::format("bound {:.15g}, recomputed {:.15g}", stored, static_cast<double>(*bound));
     if (outcome.lower && outcome.proof_kind == "duality" &&
         *outcome.lower > stored + 1e-12 * scale_of(stored))

@@ -34,7 +34,7 @@ Finding compare_solvers(Trial& trial) {
     if (others.empty()) return no_case;
     const std::string name = trial.draw().one_of(others);
     SceneText other = trial.text();
-    other.at("solver").set("name", '"' + name + '"');
+    other.at("solver").set("name", quoted(name));
     const Solved solved = trial.solve(other);
     // A rival that gives up claims nothing.
     if (name.starts_with("nlopt") && solved.outcome.verdict == "failed") return holds;
@@ -49,7 +49,7 @@ Finding compare_designs(Trial& trial) {
     std::erase(others, trial.base().outcome.design);
     const std::string design = trial.draw().one_of(others);
     SceneText other = trial.text();
-    other.at("spline").set("design", '"' + design + '"');
+    other.at("spline").set("design", quoted(design));
     const Finding found = same_answer(trial.base().outcome, trial.solve(other).outcome);
     return found && !found->empty() ? Finding(design + ": " + *found) : found;
 }

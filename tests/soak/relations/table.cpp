@@ -20,7 +20,7 @@ constexpr Check check_rows[] = {
     {"proof", "the bound follows from the numbers of certificate.json", check_proof},
     {"infeasibility", "the proof that there is no motion follows from certificate.json", check_infeasibility},
     {"cam_figures", "published figures of the cam follow from its geometry", check_cam_figures},
-    {"cam_limits", "the geometry and the forces satisfy every limit", check_cam_limits},
+    {"cam_limits", "the geometry, the forces and an elastic follower satisfy every limit", check_cam_limits},
     {"reported_limits", "the worst value reported of a limit is the true one", check_reported_limits},
     {"dimensions", "delivered dimensions lie in their ranges", check_dimensions},
 };

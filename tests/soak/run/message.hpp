@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a worker process tells, one line a message, fields parted by tabs:
+// What a worker process tells, one line a message, a JSON list of texts:
 //   at RELATION SCENE               before each solve: what is blamed where the worker dies
 //   held RELATION                   a relation held
 //   broken RELATION WHAT SCENE OTHER   it did not; OTHER: the changed scene, or empty

@@ -4,6 +4,7 @@
 #include "input/loading/load_scene.hpp"
 #include "output/json/certificate_reader.hpp"
 #include "output/json/result_json.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
@@ -44,8 +45,12 @@ std::vector<std::optional<double>> open_list_of(const json& values) {
 
 std::optional<PublishedSpline> spline_of(const json& value) {
     if (value.is_null()) return std::nullopt;
-    return PublishedSpline{value.at("degree"), value.at("continuity"), list_of(value.at("breakpoints")),
-                           list_of(value.at("knots")), list_of(value.at("coefficients"))};
+    return PublishedSpline{value.at("degree"),
+                           value.at("continuity"),
+                           list_of(value.at("breakpoints")),
+                           list_of(value.at("knots")),
+                           list_of(value.at("coefficients")),
+                           {}};
 }
 
 /// Numbers, and the values of extremes, under "name" or "prefix.name".
@@ -168,6 +173,12 @@ void read_certificate_text(const std::string& text, Outcome& outcome) {
     outcome.proof = std::move(found);
 }
 
+void add_pieces(const std::optional<SplineCurve>& curve, std::optional<PublishedSpline>& spline) {
+    if (!curve || !spline) return;
+    for (const auto& piece : curve->pieces().colwise())
+        spline->pieces.emplace_back(piece.begin(), piece.end());
+}
+
 double processor_seconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -176,24 +187,30 @@ double processor_seconds() {
 
 }  // namespace
 
-Outcome solve_text(const std::string& scene, std::span<const std::string> overrides) {
+Outcome solve_text(const std::string& scene, Scope scope) {
     Outcome outcome;
     const double begin = processor_seconds();
     const auto wall = std::chrono::steady_clock::now();
     std::string result, certificate;
     try {
-        const Solution solution = solve(input::read_scene(scene, "soak", known_names(), overrides));
-        result = result_json(solution);
-        certificate = certificate_json(solution.certificate);
+        const Scene read = scene_of_toml(scene, {}, "soak");
+        outcome.solution = std::make_shared<const Solution>(
+            scope == Scope::published ? solve(read) : solve_without_explaining(read, {}));
+        outcome.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+        result = result_json(*outcome.solution);
+        certificate = certificate_json(outcome.solution->certificate);
     } catch (const std::exception& error) {
         outcome.refusal = error.what();
     }
     outcome.processor_seconds = processor_seconds() - begin;
-    outcome.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
     if (!outcome.refusal.empty()) return outcome;
     try {
         read_result(result, outcome);
         read_certificate_text(certificate, outcome);
+        if (scope == Scope::published) return outcome;
+        add_pieces(outcome.solution->curve, outcome.spline);
+        for (std::size_t k = 0; k < outcome.segments.size(); ++k)
+            add_pieces(outcome.solution->segments[k].curve, outcome.segments[k].spline);
     } catch (const std::exception& error) {
         outcome.broken = fmt::format("the JSON cannot be read: {}", error.what());
     }

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
 // What the library published of one solve: numbers read from the texts of result.json and certificate.json,
-// which is all that a user has. The one place of the soak trials that calls the library is outcome.cpp.
+// which is all that a user has; for the stability table the curve in memory as well. The one place of the
+// trials that calls the library is outcome.cpp.
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
+
+namespace camopt {
+struct Solution;
+}
 
 namespace camopt::soak {
 
 struct PublishedSpline {
     int degree = 0, continuity = 0;
     std::vector<double> breakpoints, knots, coefficients;
+    /// Of each piece the powers of x − its breakpoint, from memory; empty: only what was published is known.
+    std::vector<std::vector<double>> pieces;
 };
 
 struct PublishedSegment {
@@ -80,13 +87,18 @@ struct Outcome {
     double processor_seconds = 0.0, wall_seconds = 0.0;
     /// Both texts without what may differ between two identical calls: seconds.
     std::string repeatable;
+    std::shared_ptr<const Solution> solution;  ///< in memory; null: a refusal
 
     [[nodiscard]] bool has_motion() const { return spline.has_value() || !segments.empty(); }
     [[nodiscard]] bool is_proved() const { return verdict == "optimal"; }
 };
 
+/// What a user gets of a solve: the explanation of an infeasible scene, and texts. Or what the library itself
+/// has: the pieces of the curve, to the last digit.
+enum class Scope { published, memory };
+
 /// Never throws.
-[[nodiscard]] Outcome solve_text(const std::string& scene, std::span<const std::string> overrides = {});
+[[nodiscard]] Outcome solve_text(const std::string& scene, Scope scope = Scope::published);
 
 /// The solvers of this build that take these scenes.
 [[nodiscard]] std::vector<std::string> available_solvers();

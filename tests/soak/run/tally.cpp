@@ -69,8 +69,7 @@ void Tally::ended(const TrialPlan& plan, const std::string& fault) {
         return;
     }
     const std::string at = last.empty() ? "scene" : last[1];
-    fail(plan, {"broken", "survived", fmt::format("the worker {} at {}", fault, at),
-                last.empty() ? "" : last[2], ""});
+    fail(plan, {"broken", "survived", fmt::format("{} at {}", fault, at), last.empty() ? "" : last[2], ""});
 }
 
 int Tally::failures() const {

@@ -121,17 +121,21 @@ class RunningTrial : public Trial {
 
 }  // namespace
 
-Solved solved_from(const SceneText& text) {
+Solved solved_from(const SceneText& text, Scope scope) {
     Solved solved;
     solved.text = text;
     solved.numbers = numbers_of(text);
-    solved.outcome = solve_text(text.text());
+    solved.outcome = solve_text(text.text(), scope);
     for (const auto& [name, millimetres] : solved.outcome.dimensions)
         if (name.ends_with("_mm")) solved.dimensions[name.substr(0, name.size() - 3)] = 1e-3 * millimetres;
-    if (!solved.outcome.has_motion()) return solved;
+    if (solved.outcome.has_motion()) read_motion(solved);
+    return solved;
+}
+
+void read_motion(Solved& solved) {
     solved.motion = delivered_motion(solved.numbers, solved.outcome);
     solved.figures = figures_of(*solved.motion);
-    return solved;
+    if (solved.numbers.train) solved.figures.train = train_figures(solved.numbers, *solved.motion);
 }
 
 std::string TrialPlan::name() const {

@@ -2,7 +2,6 @@
 #include "tests/soak/figures/cam_extremes.hpp"
 #include "tests/soak/figures/law.hpp"
 #include "tests/soak/scenes/drawn_scene.hpp"
-#include "tests/support/middle_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -13,10 +12,6 @@
 namespace camopt::soak {
 
 namespace {
-
-std::string quoted(const std::string& word) {
-    return '"' + word + '"';
-}
 
 /// A fixed number, or a range about it.
 void set_dimension(Draw& draw, SceneTable& cam, const std::string& name, double value) {

@@ -11,10 +11,6 @@ namespace camopt::soak {
 
 namespace {
 
-std::string quoted(const std::string& word) {
-    return '"' + word + '"';
-}
-
 /// Near the 3-4-5 polynomial, so that most scenes have a motion.
 void draw_via(Draw& draw, SceneText& scene) {
     const bool returns = scene.word("motion", "type", "") == "RR";
@@ -63,12 +59,11 @@ void put_caps_in_time(Draw& draw, SceneText& scene) {
     scene.at("motion").set("speed_rad_s", speed);
     double per = 1e3 * numbers.lift;
     const char* const keys[] = {"", "velocity_mm_s", "acceleration_mm_s2", "jerk_mm_s3"};
-    const char* const peaks[] = {"", "velocity", "acceleration", "jerk"};
     SceneTable& limits = scene.at("limits");
     for (std::size_t order = 1; order <= 3; ++order) {
         per *= speed / numbers.rise;
         if (!numbers.caps[order]) continue;
-        limits.erase(peaks[order]);
+        limits.erase(peak_names[order]);
         limits.set(keys[order], numbers.caps[order]->value * per);
     }
 }

@@ -44,6 +44,8 @@ constexpr std::pair<std::string_view, double> units[] = {{"_nm_rad", 1.0},
                                                          {"_mm", 1e-3},
                                                          {"_in", inch},
                                                          {"_m", 1.0},
+                                                         {"_um", 1e-6},
+                                                         {"_hz", 2.0 * std::numbers::pi},
                                                          {"_n", 1.0}};
 
 double value_of(const std::string& text) {
@@ -84,9 +86,8 @@ void read_motion(const SceneText& text, SceneNumbers& numbers) {
     read_via(text, numbers);
     for (const SceneTable* table : text.all("motion.segments")) {
         Segment segment;
-        segment.kind =
-            SceneText::parse("[s]\nkind = " + table->find("kind").value_or("")).word("s", "kind", "");
-        segment.law = SceneText::parse("[s]\nlaw = " + table->find("law").value_or("")).word("s", "law", "");
+        segment.kind = table->word("kind", "");
+        segment.law = table->word("law", "");
         segment.angle = quantity_of(table, "angle").value_or(0.0);
         segment.to = quantity_of(table, "to");
         if (segment.to && spelled(*table, "to") != "to") *segment.to /= numbers.lift;
@@ -123,7 +124,7 @@ void read_objective(const SceneText& text, SceneNumbers& numbers) {
 
 void read_cam(const SceneText& text, SceneNumbers& numbers) {
     const SceneTable* cam = text.find("cam");
-    if (!cam) return;
+    if (!cam || text.word("cam", "type", "") != "disk") return;
     numbers.follower = text.word("cam", "follower", "");
     numbers.sense = text.word("cam", "rotation", "counterclockwise") == "clockwise" ? -1.0 : 1.0;
     for (const char* name :
@@ -160,16 +161,28 @@ void read_forces(const SceneText& text, SceneNumbers& numbers) {
         softness("cam_modulus", "cam_poisson") + softness("follower_modulus", "follower_poisson");
 }
 
+/// Known here: one mass, by its natural frequency and damping ratio.
+void read_train(const SceneText& text, SceneNumbers& numbers) {
+    const SceneTable* dynamics = text.find("dynamics");
+    const auto frequency = quantity_of(dynamics, "natural_frequency");
+    const auto ratio = quantity_of(dynamics, "damping_ratio");
+    if (!frequency || !ratio || text.find("dynamics.stage") || !spelled(*dynamics, "return_spring").empty())
+        return;
+    const double mass = quantity_of(dynamics, "mass").value();
+    numbers.train = Train{mass, mass * *frequency * *frequency, 2.0 * *ratio * mass * *frequency,
+                          quantity_of(dynamics, "preload").value_or(0.0)};
+}
+
 void read_limits(const SceneText& text, SceneNumbers& numbers) {
     const SceneTable* limits = text.find("limits");
     if (!limits) return;
-    const char* const peaks[] = {"", "velocity", "acceleration", "jerk"};
     for (std::size_t order = 1; order <= 3; ++order)
-        if (const auto value = quantity_of(limits, peaks[order]))
-            numbers.caps[order] = Cap{*value, spelled(*limits, peaks[order]) != peaks[order]};
-    for (const char* name : {"pressure_angle", "rise_pressure_angle", "return_pressure_angle",
-                             "cam_radius_min", "concave_radius_min", "undercut_margin", "contact_force_min",
-                             "contact_moment_min", "torque_max", "hertz_pressure_max"})
+        if (const auto value = quantity_of(limits, peak_names[order]))
+            numbers.caps[order] = Cap{*value, spelled(*limits, peak_names[order]) != peak_names[order]};
+    for (const char* name :
+         {"pressure_angle", "rise_pressure_angle", "return_pressure_angle", "cam_radius_min",
+          "concave_radius_min", "undercut_margin", "contact_force_min", "contact_moment_min", "torque_max",
+          "hertz_pressure_max", "residual", "dynamic_contact_force_min"})
         if (const auto value = quantity_of(limits, name)) numbers.limits[name] = *value;
 }
 
@@ -203,6 +216,7 @@ SceneNumbers numbers_of(const SceneText& text) {
     read_objective(text, numbers);
     read_cam(text, numbers);
     read_forces(text, numbers);
+    read_train(text, numbers);
     read_limits(text, numbers);
     numbers.tolerance = text.number("solver", "tolerance", numbers.tolerance);
     if (text.find("solver", "gap")) numbers.gap = text.number("solver", "gap", 0.0);

@@ -15,6 +15,9 @@ namespace camopt::soak {
 
 enum class Kind { motion, cam };
 
+/// Keys of the peaks, by order of derivative.
+inline constexpr const char* peak_names[] = {"", "velocity", "acceleration", "jerk"};
+
 struct Range {
     double low = 0.0, high = 0.0;
     [[nodiscard]] bool is_variable() const { return high > low; }
@@ -30,6 +33,11 @@ struct Segment {
 struct ViaPoint {
     double at = 0.0;
     std::array<std::optional<double>, 3> value;  ///< y, y', y''
+};
+
+/// An elastic follower: one mass on its spring and damper, SI.
+struct Train {
+    double mass = 0.0, stiffness = 0.0, damping = 0.0, preload = 0.0;
 };
 
 /// A cap on a peak: on the normalised one, or in time (SI).
@@ -60,10 +68,11 @@ struct SceneNumbers {
     double sense = 1.0;    ///< +1 counterclockwise
     std::map<std::string, Range> dimensions;
     std::optional<double> face_half_width;
+    std::optional<Train> train;
     std::map<std::string, double> forces;  ///< mass, spring_rate, preload, contact_width, compliance
 
     std::array<std::optional<Cap>, 4> caps;  ///< by order of derivative
-    std::map<std::string, double> limits;    ///< those of the cam
+    std::map<std::string, double> limits;    ///< those of the cam and of the train
     double tolerance = 1e-9, max_seconds = 60.0;
     std::optional<double> gap;  ///< as written
 

@@ -20,10 +20,10 @@ std::string trimmed(std::string_view text) {
 
 /// What stands before the comment of a line; a # within quotes is none.
 std::string without_comment(std::string_view line) {
-    bool quoted = false;
+    bool within_quotes = false;
     for (std::size_t k = 0; k < line.size(); ++k) {
-        if (line[k] == '"') quoted = !quoted;
-        if (line[k] == '#' && !quoted) return trimmed(line.substr(0, k));
+        if (line[k] == '"') within_quotes = !within_quotes;
+        if (line[k] == '#' && !within_quotes) return trimmed(line.substr(0, k));
     }
     return trimmed(line);
 }
@@ -32,13 +32,13 @@ std::string without_comment(std::string_view line) {
 std::vector<std::string> parts_of(std::string_view text) {
     std::vector<std::string> parts;
     int depth = 0;
-    bool quoted = false;
+    bool within_quotes = false;
     std::string part;
     for (const char letter : text) {
-        if (letter == '"') quoted = !quoted;
-        if (!quoted && (letter == '[' || letter == '{')) ++depth;
-        if (!quoted && (letter == ']' || letter == '}')) --depth;
-        if (letter == ',' && depth == 0 && !quoted) {
+        if (letter == '"') within_quotes = !within_quotes;
+        if (!within_quotes && (letter == '[' || letter == '{')) ++depth;
+        if (!within_quotes && (letter == ']' || letter == '}')) --depth;
+        if (letter == ',' && depth == 0 && !within_quotes) {
             parts.push_back(trimmed(part));
             part.clear();
         } else {
@@ -73,10 +73,20 @@ std::string list_text(const std::vector<double>& values) {
     return text + "]";
 }
 
+std::string quoted(std::string_view word) {
+    return fmt::format("\"{}\"", word);
+}
+
 std::optional<std::string> SceneTable::find(std::string_view key) const {
     for (const auto& [member, value] : members)
         if (member == key) return value;
     return std::nullopt;
+}
+
+std::string SceneTable::word(std::string_view key, std::string_view missing) const {
+    const auto value = find(key);
+    if (!value) return std::string(missing);
+    return value->starts_with('"') ? std::string(inside(*value)) : *value;
 }
 
 void SceneTable::set(std::string_view key, std::string value) {
@@ -163,9 +173,8 @@ std::optional<std::string> SceneText::find(std::string_view table, std::string_v
 }
 
 std::string SceneText::word(std::string_view table, std::string_view key, std::string_view missing) const {
-    const auto value = find(table, key);
-    if (!value) return std::string(missing);
-    return value->starts_with('"') ? std::string(inside(*value)) : *value;
+    const SceneTable* found = find(table);
+    return found ? found->word(key, missing) : std::string(missing);
 }
 
 double SceneText::number(std::string_view table, std::string_view key, double missing) const {

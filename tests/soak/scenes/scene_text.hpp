@@ -15,6 +15,7 @@ namespace camopt::soak {
 /// Seventeen digits: reads back as the same double.
 [[nodiscard]] std::string number_text(double value);
 [[nodiscard]] std::string list_text(const std::vector<double>& values);
+[[nodiscard]] std::string quoted(std::string_view word);
 
 struct SceneTable {
     std::string name;
@@ -22,6 +23,8 @@ struct SceneTable {
     std::vector<std::pair<std::string, std::string>> members;
 
     [[nodiscard]] std::optional<std::string> find(std::string_view key) const;
+    /// A text without its quotes.
+    [[nodiscard]] std::string word(std::string_view key, std::string_view missing) const;
     void set(std::string_view key, std::string value);
     void set(std::string_view key, double value) { set(key, number_text(value)); }
     void erase(std::string_view key);
@@ -43,7 +46,6 @@ class SceneText {
     [[nodiscard]] std::vector<SceneTable>& tables() { return tables_; }
 
     [[nodiscard]] std::optional<std::string> find(std::string_view table, std::string_view key) const;
-    /// A text without its quotes.
     [[nodiscard]] std::string word(std::string_view table, std::string_view key,
                                    std::string_view missing) const;
     [[nodiscard]] double number(std::string_view table, std::string_view key, double missing) const;

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The quick rows of the stability table, group by group, and the judge of the table itself: it must see what
-// is wrong.
-#include "benchmarks/stability/condition_number.hpp"
-#include "benchmarks/stability/local_polynomial.hpp"
-#include "benchmarks/stability/motion_audit.hpp"
-#include "benchmarks/stability/stability_cases.hpp"
-#include "benchmarks/stability/stability_scenes.hpp"
-#include "core/errors.hpp"
+// Scenes whose cost is far from one, and the audit of what is delivered.
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/search/cost_scale.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/support/solved_scene.hpp"
+#include "tests/soak/stability/stability_scenes.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -22,38 +15,9 @@
 namespace camopt::stability {
 namespace stability_test {
 
-struct Group {
-    const char* name;
-    std::vector<StabilityCase> (*cases)();
-};
-
-class StabilityGroup : public testing::TestWithParam<Group> {};
-
-TEST_P(StabilityGroup, HasNoWrongVerdict) {
-    int run = 0;
-    int absent = 0;
-    for (const StabilityCase& one : GetParam().cases()) {
-        if (!one.quick) continue;
-        const StabilityRow row = one.run();
-        ++(row.judgement == Judgement::absent ? absent : run);
-        EXPECT_NE(row.judgement, Judgement::wrong)
-            << row.group << ": " << row.name << ", " << row.backend << ": " << row.why;
-        if (row.backend == "structured" && !row.expected.may_give_up) {
-            EXPECT_EQ(row.judgement, Judgement::ok) << row.name << ": " << row.why;
-        }
-    }
-    EXPECT_GT(run, 0);
-    RecordProperty("rows_of_absent_backends", absent);
+Solution solved_twelve() {
+    return solve(scene_of(study_scene(MotionType::drd, 3, 12)));
 }
-
-INSTANTIATE_TEST_SUITE_P(Table, StabilityGroup,
-                         testing::Values(Group{"design_vectors", design_vector_cases},
-                                         Group{"scaling", scaling_cases}, Group{"weights", weight_cases},
-                                         Group{"breakpoints", breakpoint_cases},
-                                         Group{"exact_points", exact_point_cases},
-                                         Group{"limits", limit_cases}, Group{"degenerate", degenerate_cases},
-                                         Group{"claims", claim_cases}, Group{"stiff_trains", train_cases}),
-                         [](const auto& group) { return std::string(group.param.name); });
 
 /// The solution with one number of its motion changed.
 Solution with_bent_piece(Solution solution, int power, double by) {
@@ -63,79 +27,9 @@ Solution with_bent_piece(Solution solution, int power, double by) {
     return solution;
 }
 
-TEST(MotionAudit, FindsWhatTheLibraryReports) {
-    const Solution solution = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
-    const MotionAudit report = audit(solution);
-    EXPECT_NEAR(static_cast<double>(report.velocity), 12.0 / 7, 1e-8);
-    EXPECT_NEAR(static_cast<double>(report.acceleration), 36.0 / 7, 1e-8);
-    EXPECT_NEAR(static_cast<double>(report.jerk), 432.0 / 7, 1e-7);
-    EXPECT_NEAR(static_cast<double>(report.objective), solution.certificate.objective, 1e-13);
-    EXPECT_LE(report.violation, 1e-12L);
-}
-
-TEST(MotionAudit, SeesAJumpOfEveryOrder) {
-    const Solution solution = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
-    for (int power = 0; power <= 2; ++power)
-        EXPECT_GT(audit(with_bent_piece(solution, power, 1e-6)).violation, 1e-8L) << power;
-}
-
-TEST(MotionAudit, FindsViolatedConditions) {
-    Solution capped = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
-    capped.scene.limits.velocity = PeakLimit{1.5, "limits.velocity", 1.5, ""};
-    EXPECT_NEAR(static_cast<double>(audit(capped).violation), 12.0 / 7 / 1.5 - 1.0, 1e-8);
-    Solution missed = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
-    missed.scene.motion.via = {{0.25, 0.9, {}, {}}};
-    EXPECT_GT(audit(missed).violation, 0.1L);
-    EXPECT_THROW(static_cast<void>(audit(Solution{})), InputError);
-}
-
-TEST(MotionAudit, FindsViolatedPressureAngle) {
-    Solution solution = solve(scene_of_file("cam_smallest.toml"));
-    EXPECT_LE(audit(solution).violation, 1e-9L);
-    solution.scene.limits.pressure_angle->value *= 0.99;
-    EXPECT_GT(audit(solution).violation, 5e-3L);
-}
-
-TEST(StabilityRow, CallsAFalseFigureWrong) {
-    const Scene scene = study_scene(MotionType::drd, 3, 12);
-    const double optimum = study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7);
-    EXPECT_EQ(solved_row(scene, exactly(optimum, "")).judgement, Judgement::ok);
-    EXPECT_EQ(solved_row(scene, exactly(optimum * (1.0 - 1e-7), "")).judgement, Judgement::wrong);
-    EXPECT_EQ(solved_row(scene, exactly(optimum * (1.0 + 1e-7), "")).judgement, Judgement::wrong);
-    Expectation impossible;
-    impossible.verdicts = {Verdict::infeasible};
-    EXPECT_EQ(solved_row(scene, impossible).judgement, Judgement::wrong);
-    EXPECT_EQ(refused_row([] {}, "").judgement, Judgement::wrong);
-}
-
-TEST(LocalPolynomial, FindsRootsAndPeaks) {
-    // (u − 1/4)(u − 1/2)(u − 3/4)
-    const LocalPolynomial cubic = {-3.0L / 32, 11.0L / 16, -1.5L, 1.0L};
-    const std::vector<long double> roots = sign_changes(cubic);
-    ASSERT_EQ(roots.size(), 3u);
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(static_cast<double>(roots[k]), 0.25 * (k + 1), 1e-15);
-    EXPECT_NEAR(static_cast<double>(largest_magnitude(cubic)), 3.0 / 32, 1e-18);
-    EXPECT_NEAR(static_cast<double>(largest_magnitude({0.0L, 4.0L, -4.0L})), 1.0, 1e-15);
-}
-
-TEST(ConditionNumber, GrowsSlowestForStates) {
-    for (const int order : {2, 3}) {
-        const Scene scene = study_scene(MotionType::drd, 3, 32);
-        const double states = condition_number(scene, DesignKind::states, order);
-        EXPECT_GT(states, 1.0);
-        EXPECT_LT(10.0 * states, condition_number(scene, DesignKind::ordinates, order));
-        EXPECT_LT(2.0 * states, condition_number(scene, DesignKind::coefficients, order));
-    }
-    // One freedom: every map is a column, and perfectly conditioned.
-    EXPECT_NEAR(condition_number(study_scene(MotionType::drd, 3, 4), DesignKind::ordinates, 2), 1.0, 1e-12);
-}
-
 TEST(CostScale, LeavesScenesNearOneAlone) {
-    const Scene scene = study_scene(MotionType::drd, 3, 12);
-    EXPECT_TRUE(
-        CostScale(scene,
-                  testing_support::solved(testing_support::scene_named("drd_cubic_12")).reference_peaks)
-            .is_idle());
+    const Scene scene = scene_of(study_scene(MotionType::drd, 3, 12));
+    EXPECT_TRUE(CostScale(scene, solved_twelve().reference_peaks).is_idle());
 }
 
 /// A rise in five segments: two of length b, the cruise, two of length b, that may be no faster than 1 / (1 −
@@ -202,7 +96,7 @@ TEST(CostScale, ShortRampsAreProved) {
 }
 
 TEST(CostScale, ProofRefersToScene) {
-    Scene scene = study_scene(MotionType::drd, 3, 12);
+    Scene scene = scene_of(study_scene(MotionType::drd, 3, 12));
     scene.objective.velocity *= 1e-9;
     scene.objective.acceleration *= 1e-9;
     scene.objective.jerk *= 1e-9;
@@ -219,7 +113,7 @@ TEST(CostScale, ProofRefersToScene) {
 }
 
 TEST(DeliveredAudit, JumpIsNamedFailure) {
-    Solution solution = testing_support::solved(testing_support::scene_named("drd_cubic_12"));
+    Solution solution = solved_twelve();
     audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     Solution bent = with_bent_piece(solution, 1, 1e-4);
