@@ -6,8 +6,8 @@
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/peak_comparison.hpp"
+#include "output/words/comparison_words.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/study_text.hpp"
 
 #include <fmt/ranges.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "output/words/comparison_words.hpp"
+
 #include "output/view/shown_units.hpp"
-#include "output/words/study_text.hpp"
+#include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 
