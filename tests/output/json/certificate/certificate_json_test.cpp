@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/json/certificate_reader.hpp"
-
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"
 
