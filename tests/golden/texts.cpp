@@ -11,12 +11,16 @@
 #include "output/json/result_json.hpp"
 #include "output/json/study_json.hpp"
 #include "output/page/page_html.hpp"
+#include "output/page/result_page.hpp"
+#include "output/papers/paper_output.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
+#include "output/words/plan_text.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
 #include "studies/papers/reference_table.hpp"
+#include "studies/search/plan.hpp"
 #include "tests/output/sample_solution.hpp"
 
 #include <cmath>
