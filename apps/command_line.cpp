@@ -58,6 +58,15 @@ std::string left_out(std::string_view before, std::string_view after) {
     return words.empty() ? "" : fmt::format("{}{}{}", before, words, after);
 }
 
+/// The lines of the examples that call this command.
+std::string examples_of(const std::string& command, const std::string& examples) {
+    std::string found;
+    std::istringstream lines(examples);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(fmt::format("  camopt {} ", command))) found += line + '\n';
+    return found.empty() ? "" : fmt::format("Examples:\n{}\n", found);
+}
+
 void describe(CLI::App& program, const Commands& commands) {
     program.set_version_flag("--version", version_text());
     program.footer(
@@ -65,6 +74,9 @@ void describe(CLI::App& program, const Commands& commands) {
     program.allow_windows_style_options(
         false);  // words are the same on every system; a path may begin with /
     program.require_subcommand(1);
+    for (CLI::App* const command : program.get_subcommands([](const CLI::App*) { return true; }))
+        if (command->get_footer().empty())
+            command->footer(examples_of(command->get_name(), commands.examples()) + exit_codes);
 }
 
 ExitCode parse_and_run(CLI::App& program, Commands& commands, int count, const char* const* words) {

@@ -65,7 +65,8 @@ def answer(row, out):
 def every_case_has_a_test():
     rows = " ".join(words for words, *_ in ROWS)
     tests = [path.read_text(encoding="utf-8") for folder in (ROOT / "tests").iterdir() if folder.is_dir() and folder.name != "cases"
-             for path in folder.rglob("*") if path.suffix in {".py", ".cpp"} and path != pathlib.Path(__file__)]
+             for path in folder.rglob("*") if path != pathlib.Path(__file__)
+             and (path.suffix in {".py", ".cpp"} or path.parent == ROOT / "tests/golden/cases")]
     scenes = "".join(path.read_text(encoding="utf-8") for path in CASES.rglob("*.toml"))
     for case in CASES.iterdir():
         name = case.stem if case.suffix == ".toml" else case.name

@@ -138,7 +138,7 @@ def main():
     parser.add_argument("--texts", help="the program of texts.cpp", default="")
     parser.add_argument("--update", action="store_true", help="write the expectation again, and print what changed")
     parser.add_argument("--all", action="store_true", help="print every difference")
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     version = subprocess.run([arguments.program, "--version"], capture_output=True, text=True, check=True).stdout
     absent = [library for library in NEEDED if library not in version]
     if absent:

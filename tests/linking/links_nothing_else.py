@@ -14,8 +14,8 @@ MECHANISMS = {"profiles_remote", "profiles_inverse", "profiles_spatial", "profil
 def main():
     objects = linked_objects(pathlib.Path(sys.argv[1]))
     print("; ".join(f"{library} {count}" for library, count in sorted(objects.items())))
-    if "studies" not in objects:
-        sys.exit("the map names no object of studies: nothing was looked at")
+    if "studies_solve" not in objects:
+        sys.exit("the map names no object of studies_solve: nothing was looked at")
     found, wanted = MECHANISMS & set(objects), set(sys.argv[2:])
     if found != wanted:
         sys.exit(f"linked: {sorted(found)}; wanted: {sorted(wanted)}")

@@ -263,7 +263,10 @@ TEST_P(EveryKind, HasItsQuantitiesEnclosedOverBoxes) {
             const Box box = random_box(trial);
             const int station = trial.random_station();
             const auto range = trial.formulas().quantity_over(which, box.over(), station);
-            if (!range) break;  // it has limits enclosed instead
+            if (!range) {  // it has limits enclosed instead, in every box
+                ASSERT_EQ(k, 0) << "quantity " << static_cast<int>(which);
+                break;
+            }
             for (int i = 0; i < places; ++i) {
                 const Place place = random_place(trial, box);
                 const MechanismValue value =
