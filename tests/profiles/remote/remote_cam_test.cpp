@@ -71,7 +71,7 @@ TEST_P(Tappet, LargestPressureAngleAtTheRollerCentre) {
     }
 }
 
-TEST_P(TappetContact, LargestPressureAngleAtTheContactPoint) {
+TEST_P(TappetContact, LargestPressureAngle) {
     CamSpec by_contact = spec;
     by_contact.choices["pressure_angle_at"] = name_of(PressurePoint::contact_point);
     const RemoteCam other(by_contact);
@@ -79,7 +79,7 @@ TEST_P(TappetContact, LargestPressureAngleAtTheContactPoint) {
     EXPECT_NEAR(found.value / degree, GetParam().contact_angle, 0.0501);
 }
 
-TEST_P(TappetProfile, RadiiOfTheProfile) {
+TEST_P(TappetProfile, Radii) {
     const double roller = 30.0;
     const double sharpest = largest([&](double theta) { return at(cam, theta).pitch_curvature; }).value;
     const double hollow = largest([&](double theta) { return -at(cam, theta).pitch_curvature; }).value;
