@@ -30,13 +30,8 @@ class Commands {
         const auto request = std::make_shared<Request>();
         CLI::App& command = describe(inside != nullptr ? *inside : program_, *request);
         // The inner command is asked first: the outer one counts as given with it.
-        commands_.insert(commands_.begin(), {&command, [this, request, run] {
-                                                 if constexpr (requires { request->settings; })
-                                                     find_scene(*request);
-                                                 if constexpr (requires { request->command; })
-                                                     request->command = line_;
-                                                 return run(*request);
-                                             }});
+        commands_.insert(commands_.begin(),
+                         {&command, [this, request, run] { return fill_and_run(*request, run); }});
         return command;
     }
     /// Lines of the examples in the help: "  camopt check scene.toml   validate the scene; no solve".
@@ -65,6 +60,13 @@ class Commands {
     [[nodiscard]] const std::vector<std::string>& settings() const { return settings_; }
 
  private:
+    template <class Request>
+    ExitCode fill_and_run(Request& request, ExitCode (*run)(const Request&)) {
+        if constexpr (requires { request.settings; }) find_scene(request);
+        if constexpr (requires { request.command; }) request.command = line_;
+        return run(request);
+    }
+
     CLI::App& program_;
     std::string line_, examples_, scene_file_;
     std::vector<std::string> settings_;

@@ -3,6 +3,7 @@
 #include "apps/command_line.hpp"
 #include "apps/program_parts.hpp"
 #include "apps/studio/studio_page.hpp"
+#include "apps/terminal.hpp"
 #include "core/platform/console.hpp"
 #include "core/text/text_file.hpp"
 #include "studies/sweep/sweep_plan.hpp"
