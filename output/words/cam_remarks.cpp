@@ -145,7 +145,7 @@ std::string lift_off_words(const Solution& solution) {
     if (places.empty() && pressed) places.assign(2, solution.cam->summary.forces->least_force.at);
     // Lifted where a periodic motion begins: it leaves before the end.
     if (!pressed && solution.scene.motion.periodic() && !places.empty() && places.size() % 2 == 0)
-        std::ranges::rotate(places, places.begin() + 1);
+        std::rotate(places.begin(), places.begin() + 1, places.end());
     else if (!pressed)
         places.insert(places.begin(), solution.motion->begin());
     if (places.size() % 2 != 0) places.push_back(solution.motion->end());
