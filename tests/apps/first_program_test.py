@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""first_program_test.py FIRST CAMOPT SCENES: the program of scripts/demo does what the whole one does, and says what it has not."""
+"""first_program_test.py FIRST CAMOPT SCENES: the program of scripts/demo does what the whole one does, and names what it lacks."""
 
 import pathlib
 import subprocess

@@ -32,7 +32,7 @@ TEST(MatrixExponential, AgreesWithEigen) {
     }
 }
 
-/// A rotation: every power of it is known, whatever the norm.
+/// A rotation: every power of it is known, for any norm.
 TEST(MatrixExponential, TurnsByTheAngle) {
     for (const double angle : {1e-9, 0.5, 5.0, 6.0, 100.0 * std::numbers::pi + 0.25}) {
         MatrixXd matrix(2, 2);
