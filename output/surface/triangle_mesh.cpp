@@ -38,7 +38,7 @@ void add_cap(TriangleMesh& mesh, int first, int corners, bool turned) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (int i = 0; i < corners; ++i) mean += mesh.vertices[first + i];
     const int middle = static_cast<int>(mesh.vertices.size());
-    mesh.vertices.push_back(mean / corners);
+    mesh.vertices.emplace_back(mean / corners);
     for (int i = 0; i < corners; ++i) {
         const int a = first + i, b = first + (i + 1) % corners;
         if (turned)

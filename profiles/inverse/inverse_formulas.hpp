@@ -65,7 +65,7 @@ template <class T>
     const T turning_rate =
         T(T(feeder.acceleration * cosine_squared) / linkage.offset) - T(2.0 * T(turning * turning) * tangent);
     const T ex = T(branch.side * branch.offset_sign) * T(sqrt(cosine_squared)), ey = ex * tangent;
-    Backwards<T> result;
+    Backwards<T> result{};
     const T projection = T(linkage.pivot_x * ex) + T(linkage.pivot_y * ey);
     const T pivot_squared = T(linkage.pivot_x * linkage.pivot_x) + T(linkage.pivot_y * linkage.pivot_y);
     result.discriminant =

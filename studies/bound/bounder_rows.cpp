@@ -141,7 +141,7 @@ bool Bounder::add_plane(Node& node, std::size_t place, const Bent& bent, const E
     const std::array<std::array<int, 2>, 4>& ends = node.boxes[place].steps;
     step.ends.assign(ends.begin(), ends.end());
     for (const int parameter : parameters)
-        step.ends.push_back(node.bound_steps[static_cast<std::size_t>(design_size() + parameter)]);
+        step.ends.push_back(node.bound_steps[static_cast<std::size_t>(design_size()) + static_cast<std::size_t>(parameter)]);
     step.slope = plane->slope;
     step.constant = plane->constant;
     add_row(node, log(std::move(step)), true);
@@ -189,8 +189,8 @@ void Bounder::rebuild_all(Node& node) {
     std::vector<char> kept(static_cast<std::size_t>(node.program.rows()), 1);
     if (node.x.size() > 0)
         for (int i = 0; i < node.program.rows(); ++i)
-            kept[static_cast<std::size_t>(i)] =
-                !node.may_go[static_cast<std::size_t>(i)] || node.program.slack(i, node.x) < idle_room;
+            if (node.may_go[static_cast<std::size_t>(i)] != 0 && node.program.slack(i, node.x) >= idle_room)
+                kept[static_cast<std::size_t>(i)] = 0;
     const std::vector<int> stay = node.program.drop_rows(std::move(kept));
     std::vector<char> may_go;
     std::vector<int> steps;

@@ -115,7 +115,7 @@ class JointSearch {
         give_back(parts);
         for (const double more : larger_factors) {
             Scene changed = scene_;
-            const std::vector<Relaxation> rows = rounded(parts, 1.0 + more, changed);
+            std::vector<Relaxation> rows = rounded(parts, 1.0 + more, changed);
             if (is_solved(changed, budget_)) return rows;
             if (budget_.spent()) break;
         }

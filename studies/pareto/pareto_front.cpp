@@ -267,12 +267,12 @@ void FrontRequest::validate(const Scene& scene) const {
             keep_weights ? "as the second" : "one of the two"));
 }
 
-ParetoFront pareto_front(const Scene& given, const FrontRequest& request, const SolveControl& control,
+ParetoFront pareto_front(const Scene& scene, const FrontRequest& request, const SolveControl& control,
                          const std::function<void(const FrontPoint&)>& finished) {
-    const Scene scene = with_written_limits(given);
-    validate(scene);
-    request.validate(scene);
-    return Tracer(scene, request, control, finished).trace();
+    const Scene written = with_written_limits(scene);
+    validate(written);
+    request.validate(written);
+    return Tracer(written, request, control, finished).trace();
 }
 
 }  // namespace camopt

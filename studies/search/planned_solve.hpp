@@ -12,7 +12,7 @@ namespace camopt {
 
 /// A scene as it is solved, its objective near one, with its model. `given` outlives it.
 struct PosedScene {
-    explicit PosedScene(const Scene& given, HeldStrokes strokes = {});
+    explicit PosedScene(const Scene& scene, HeldStrokes held = {});
 
     [[nodiscard]] const Scene& scene() const { return scale.scaled(); }
     /// What was found for scene() becomes the solution of `given`.
