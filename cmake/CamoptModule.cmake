@@ -80,6 +80,13 @@ function(camopt_compile_alone target)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
+# camopt_cold_source(<target> <source>): one that costs the compiler more time than it ever runs.
+function(camopt_cold_source target source)
+  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS ${camopt_cold_options})
+  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  camopt_compile_alone(${target} ${source})
+endfunction()
+
 # camopt_wide_kernels(<target> <source>): the loops once more for machines with AVX2 and FMA (linear/kernels.hpp), where
 # the compiler knows them: these two alone, which the program looks for before it runs such code. Compiled alone, and without
 # precompiled headers: their inline functions must not be compiled so.

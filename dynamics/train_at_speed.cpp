@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/polynomial.hpp"
 #include "dynamics/linear_train.hpp"
-#include "dynamics/matrix_exponential.hpp"
+#include "dynamics/small_matrices.hpp"
 #include "scene/scene.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <deque>
@@ -32,8 +30,7 @@ MatrixXd stiffness_root(const LinearTrain& train, double seconds) {
     MatrixXd root = seconds * train.elongations();
     if (root.rows() == root.cols()) return root;
     if (root.cols() == 1) return MatrixXd::Constant(1, 1, root.norm());
-    const Eigen::HouseholderQR<MatrixXd> factor(root);
-    return factor.matrixQR().topRows(root.cols()).triangularView<Eigen::Upper>();
+    return triangular_root(root);
 }
 
 // Of bounded size, so that a step allocates nothing: four masses, slopes of up to 24 terms.
@@ -154,7 +151,7 @@ void LinearTrainAtSpeed::set_readings(const LinearTrain& train, const MatrixXd& 
     const TrainStage& last = train.stages.back();
     const double last_root = std::sqrt(last.mass), first_root = std::sqrt(first.mass);
     // e_i = (R^{-1} p)_i / √m_i.
-    const MatrixXd inverse = root.partialPivLu().inverse();
+    const MatrixXd inverse = inverse_of(root);
     for (Reading* reading : {&acceleration_, &deflection_, &contact_force_})
         reading->state = VectorXd::Zero(2 * n);
     deflection_.state.head(n) = inverse.row(n - 1).transpose() / last_root;
@@ -186,19 +183,18 @@ void LinearTrainAtSpeed::set_modes(const LinearTrain& train) {
         modes_(0, 1) = std::complex<double>(0.0, -1.0 / damped) / last_root;
         return;
     }
-    const Eigen::EigenSolver<MatrixXd> eigen(generator_);
-    const Eigen::MatrixXcd vectors = eigen.eigenvectors();
-    const Eigen::MatrixXcd left = vectors.partialPivLu().inverse();
+    const Eigenvectors modes = eigenvectors_of(generator_);
     std::vector<Eigen::Index> vibrating;
-    for (Eigen::Index k = 0; k < eigen.eigenvalues().size(); ++k) {
-        const std::complex<double> value = eigen.eigenvalues()[k];
+    for (Eigen::Index k = 0; k < modes.values.size(); ++k) {
+        const std::complex<double> value = modes.values[k];
         if (value.imag() > least_vibration * std::abs(value)) vibrating.push_back(k);
     }
     modes_.resize(static_cast<Eigen::Index>(vibrating.size()), 2 * n);
     for (std::size_t m = 0; m < vibrating.size(); ++m) {
         std::complex<double> output = 0.0;
-        for (Eigen::Index i = 0; i < 2 * n; ++i) output += deflection_.state[i] * vectors(i, vibrating[m]);
-        modes_.row(static_cast<Eigen::Index>(m)) = 2.0 * output * left.row(vibrating[m]);
+        for (Eigen::Index i = 0; i < 2 * n; ++i)
+            output += deflection_.state[i] * modes.right(i, vibrating[m]);
+        modes_.row(static_cast<Eigen::Index>(m)) = 2.0 * output * modes.left.row(vibrating[m]);
     }
 }
 
@@ -299,7 +295,7 @@ VectorXd LinearTrainAtSpeed::steady_start(std::span<const SlopePiece> turn) cons
     for (const SlopePiece& piece : turn) whole = steps.of(piece).state * whole;
     const double before = turn.back().slope.sum();
     const VectorXd forced = states_along(turn, VectorXd::Zero(states()), before).back();
-    return (MatrixXd::Identity(states(), states()) - whole).fullPivLu().solve(forced);
+    return solution_of(MatrixXd::Identity(states(), states()) - whole, forced);
 }
 
 VectorXd LinearTrainAtSpeed::state_inside(const VectorXd& begin_state, const SlopePiece& piece,

@@ -2,8 +2,8 @@
 #include "dynamics/train_formulas.hpp"
 
 #include "dynamics/linear_train.hpp"
+#include "dynamics/small_matrices.hpp"
 
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
 namespace camopt {
@@ -215,9 +215,8 @@ std::vector<SlopePiece> slope_pieces(const Motion& motion) {
 class LinearTrainFormulas final : public TrainFormulas {
  public:
     explicit LinearTrainFormulas(LinearTrain train) : train_(std::move(train)) {
-        const Eigen::JacobiSVD<Eigen::MatrixXd> values(train_.elongations());
-        frequencies_.assign(values.singularValues().begin(), values.singularValues().end());
-        std::ranges::sort(frequencies_);
+        const Eigen::VectorXd values = singular_values(train_.elongations());
+        frequencies_.assign(values.begin(), values.end());
         vibrates_ = at(1.0, 1.0, 1.0)->modes().rows() > 0;
     }
 

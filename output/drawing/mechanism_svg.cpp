@@ -55,8 +55,8 @@ class MechanismPage {
         center_ = now_.front().points.front();
         for (const double x : even_places(motion.breakpoints(), profile_points)) {
             const MechanismPoint& point = points_.at(x);
-            cam_.push_back(center_ + point.contact.head<2>());
-            pitch_.push_back(center_ + point.pitch.head<2>());
+            cam_.emplace_back(center_ + point.contact.head<2>());
+            pitch_.emplace_back(center_ + point.pitch.head<2>());
             box_.add(pitch_.back());
             box_.add(cam_.back());
             radius_ = std::max(radius_, point.contact.norm());

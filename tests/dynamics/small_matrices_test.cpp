@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/matrix_exponential.hpp"
+#include "dynamics/small_matrices.hpp"
 
+#include <Eigen/SVD>
 #include <gtest/gtest.h>
 #include <unsupported/Eigen/MatrixFunctions>
 
@@ -58,6 +59,44 @@ TEST(MatrixExponential, EdgesAreDefined) {
     EXPECT_EQ(exponential_of(MatrixXd(0, 0)).size(), 0);
     EXPECT_LE(norm_of(exponential_of(MatrixXd::Zero(3, 3)) - MatrixXd::Identity(3, 3)), 1e-15);
     EXPECT_TRUE(std::isnan(exponential_of(MatrixXd::Constant(2, 2, INFINITY))(0, 0)));
+}
+
+MatrixXd random_matrix(std::mt19937& random, Eigen::Index rows, Eigen::Index columns) {
+    std::normal_distribution<double> number;
+    return MatrixXd::NullaryExpr(rows, columns, [&] { return number(random); });
+}
+
+TEST(SmallMatrices, RootsAndSingularValuesAreThoseOfAnyShape) {
+    std::mt19937 random(1965);
+    for (Eigen::Index rows = 1; rows <= 6; ++rows)
+        for (Eigen::Index columns = 1; columns <= rows; ++columns) {
+            const MatrixXd matrix = random_matrix(random, rows, columns), root = triangular_root(matrix);
+            EXPECT_TRUE(root.isUpperTriangular(0.0));
+            EXPECT_LE(norm_of(root.transpose() * root - matrix.transpose() * matrix),
+                      1e-13 * norm_of(root) * norm_of(root));
+            const Eigen::VectorXd expected = Eigen::JacobiSVD<MatrixXd>(matrix).singularValues().reverse();
+            EXPECT_LE((singular_values(matrix) - expected).cwiseAbs().maxCoeff(),
+                      1e-13 * expected[columns - 1]);
+        }
+}
+
+TEST(SmallMatrices, EigenvectorsComposeTheMatrix) {
+    std::mt19937 random(1961);
+    for (Eigen::Index n = 1; n <= 8; ++n) {
+        const MatrixXd matrix = random_matrix(random, n, n);
+        const Eigenvectors found = eigenvectors_of(matrix);
+        const Eigen::MatrixXcd composed = found.right * found.values.asDiagonal() * found.left;
+        EXPECT_LE((composed - matrix).cwiseAbs().maxCoeff(), 1e-11);
+        EXPECT_LE((found.right * found.left - MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff(), 1e-11);
+    }
+}
+
+TEST(SmallMatrices, SolutionOfASingularMatrixIsFinite) {
+    MatrixXd matrix(2, 2);
+    matrix << 1.0, 2.0, 2.0, 4.0;
+    const Eigen::VectorXd found = solution_of(matrix, Eigen::Vector2d(3.0, 6.0));
+    ASSERT_TRUE(found.allFinite());
+    EXPECT_LE((matrix * found - Eigen::Vector2d(3.0, 6.0)).norm(), 1e-14);
 }
 
 }  // namespace

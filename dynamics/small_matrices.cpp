@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/matrix_exponential.hpp"
+#include "dynamics/small_matrices.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -54,6 +57,47 @@ Eigen::MatrixXd exponential_of(Eigen::MatrixXd matrix) {
     MatrixXd result = (even - odd).partialPivLu().solve(even + odd);
     for (int i = 0; i < squarings; ++i) result = MatrixXd(result * result);
     return result;
+}
+
+Eigen::MatrixXd triangular_root(const Eigen::MatrixXd& matrix) {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> factor(matrix);
+    return factor.matrixQR().topRows(matrix.cols()).triangularView<Eigen::Upper>();
+}
+
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix) {
+    return matrix.partialPivLu().inverse();
+}
+
+Eigen::VectorXd solution_of(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
+    return matrix.fullPivLu().solve(right);
+}
+
+/// The eigenvalues of [0 A; -Aᵀ 0] are ± i times the singular values, and zeros.
+Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
+    const Eigen::Index rows = matrix.rows(), columns = matrix.cols();
+    Eigen::MatrixXd skew = Eigen::MatrixXd::Zero(rows + columns, rows + columns);
+    skew.topRightCorner(rows, columns) = matrix;
+    skew.bottomLeftCorner(columns, rows) = -matrix.transpose();
+    Eigen::VectorXd sizes = Eigen::EigenSolver<Eigen::MatrixXd>(skew, false).eigenvalues().cwiseAbs();
+    std::ranges::sort(sizes);
+    const Eigen::Index count = std::min(rows, columns), zeros = rows + columns - 2 * count;
+    return Eigen::VectorXd::NullaryExpr(count, [&](Eigen::Index i) { return sizes[zeros + 2 * i]; });
+}
+
+Eigenvectors eigenvectors_of(const Eigen::MatrixXd& matrix) {
+    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(matrix);
+    Eigenvectors found{eigen.eigenvalues(), eigen.eigenvectors(), {}};
+    // The inverse of X + iY is in that of [X -Y; Y X].
+    const Eigen::Index n = matrix.rows();
+    Eigen::MatrixXd real(2 * n, 2 * n);
+    real.topLeftCorner(n, n) = real.bottomRightCorner(n, n) = found.right.real();
+    real.bottomLeftCorner(n, n) = found.right.imag();
+    real.topRightCorner(n, n) = -found.right.imag();
+    const Eigen::MatrixXd inverse = inverse_of(real);
+    found.left.resize(n, n);
+    found.left.real() = inverse.topLeftCorner(n, n);
+    found.left.imag() = inverse.bottomLeftCorner(n, n);
+    return found;
 }
 
 }  // namespace camopt
