@@ -102,9 +102,10 @@ class Calls(unittest.TestCase):
         with self.assertRaises(Enough) as caught:
             camopt.sweep(self.SCENE, {"objective.jerk": np.linspace(0, 1, 20000)}, progress=stop)
         self.assertTrue(10 <= len(caught.exception.table) < 20000)
-        whole = camopt.sweep(self.SCENE, {"objective.jerk": np.linspace(0, 1, 20000)[:25]}, chunk=25)
-        mine, theirs = caught.exception.table.to_dict(), whole.to_dict()
-        self.assertEqual(mine["objective"][0], theirs["objective"][0])
+        # Two workers need not have finished the first row.
+        mine = caught.exception.table.to_dict()
+        theirs = camopt.sweep(self.SCENE, {"objective.jerk": [mine["objective.jerk"][0]]}).to_dict()
+        self.assertAlmostEqual(mine["objective"][0], theirs["objective"][0], delta=1e-7)
 
     def test_wrong_axes_are_told_before_anything_is_solved(self):
         for axes, words in (({"objective.jerk": []}, "no value"), ({}, "axis|vary"),
