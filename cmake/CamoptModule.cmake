@@ -80,9 +80,9 @@ function(camopt_compile_alone target)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# camopt_cold_source(<target> <source>): one that costs the compiler more time than it ever runs.
-function(camopt_cold_source target source)
-  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS ${camopt_cold_options})
+# camopt_compile_with(<target> <source> <options …>): alone, without precompiled headers, with further options.
+function(camopt_compile_with target source)
+  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS ${ARGN})
   set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
   camopt_compile_alone(${target} ${source})
 endfunction()
@@ -97,9 +97,7 @@ function(camopt_wide_kernels target source)
   endif()
   target_sources(${target} PRIVATE ${source})
   target_compile_definitions(${target} PRIVATE CAMOPT_WIDE_KERNELS)
-  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS -mavx2 -mfma)
-  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
-  camopt_compile_alone(${target} ${source})
+  camopt_compile_with(${target} ${source} -mavx2 -mfma)
 endfunction()
 
 # camopt_compile_together(<target> [<most>]): its sources in equal units of at most CAMOPT_UNITY_BATCH (<most>), where
