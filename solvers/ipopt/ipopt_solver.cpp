@@ -152,7 +152,8 @@ std::string ipopt_remedy() {
 }
 
 std::unique_ptr<Solver> make_ipopt_solver() {
-    if (!part_available(ipopt_info)) throw_unavailable(ipopt_entry());
+    if (ipopt_info.build == PartBuild::absent) throw_unavailable(ipopt_entry());
+    require_part(ipopt_info);
     return std::make_unique<IpoptSolver>();
 }
 

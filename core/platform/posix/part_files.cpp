@@ -24,7 +24,9 @@ std::vector<std::filesystem::path> part_folders() {
     std::vector<std::filesystem::path> folders;
     const Dl_serpath* const first = &list->dls_serpath[0];
     for (unsigned int i = 0; i < list->dls_cnt; ++i)
-        folders.push_back(std::filesystem::path(first[i].dls_name) / "camopt");
+        // What depends on the folder that the program is called in is no place for code.
+        if (std::filesystem::path folder = first[i].dls_name; folder.is_absolute())
+            folders.push_back(folder.lexically_normal() / "camopt");
     return folders;
 }
 
