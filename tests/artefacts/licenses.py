@@ -21,7 +21,7 @@ PART_OF_PACKAGE = {
     # Declarations of shared libraries, which the Debian packages depend on.
     "coinor-libipopt-dev": None, "libnlopt-dev": None, "libcairo2-dev": None, "libssl-dev": None, "libbrotli-dev": None, "zlib1g-dev": None,
     "libpython3.11-dev": None, "python3-numpy": None, "libocct-foundation-dev": None, "libocct-modeling-data-dev": None,
-    "libocct-modeling-algorithms-dev": None, "libocct-data-exchange-dev": None,
+    "libocct-modeling-algorithms-dev": None, "libocct-data-exchange-dev": None, "libocct-visualization-dev": None,
 }
 ON_DEBIAN = ("camopt", "camopt-parts", "camopt-step", "libcamopt-dev", "python3-camopt")  # which has the texts of common licences itself
 # Objects of the parts, which are in packages of their own.
