@@ -136,14 +136,19 @@ install(FILES cmake/FindCamoptIpopt.cmake cmake/CamoptPkgConfigPart.cmake cmake/
   cmake/FindCamoptCairo.cmake
   DESTINATION ${camopt_package_dir}/modules COMPONENT camopt_static ${camopt_only_static})
 
-# The parts, for program, libraries and Python package alike. Each looks below the folders of its run path: of a system's own
-# folders (Debian) the linker knows itself.
+# The parts, for program, libraries and Python package alike, and so with each of these that is installed alone. Each looks below
+# the folders of its run path; a system's own folders (Debian) the linker knows.
 foreach(part IN LISTS CAMOPT_OPENED_PARTS)
   set(part_component camopt_parts)
   if(part STREQUAL "step")  # a Debian package of its own
     set(part_component camopt_step)
   endif()
   install(TARGETS camopt_part_${part} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/camopt COMPONENT ${part_component})
+  if(NOT CAMOPT_DEBIAN)
+    foreach(user program static shared python)
+      install(TARGETS camopt_part_${part} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/camopt COMPONENT camopt_${user} EXCLUDE_FROM_ALL)
+    endforeach()
+  endif()
 endforeach()
 # camopt_look_for_parts(<target> <folder below the prefix that it is installed in>)
 function(camopt_look_for_parts target folder)
