@@ -22,8 +22,8 @@ struct Linearity {
 }
 
 struct IpoptPart {
-    /// Of the process, however many camopts it holds. Recursive, because an evaluation may solve something
-    /// with Ipopt.
+    /// One for all camopts of the process that open this file. Recursive, because an evaluation may solve
+    /// something with Ipopt.
     std::recursive_timed_mutex& (*turn)();
     /// One run of Ipopt, in its turn, with arguments that are checked.
     BackendResult (*run)(const Nlp& problem, const Eigen::VectorXd& start, const BackendOptions& options,
