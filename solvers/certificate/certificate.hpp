@@ -67,6 +67,10 @@ std::ostream& operator<<(std::ostream& stream, Reason value);
 
 enum class Verdict { optimal, local, feasible, infeasible, failed };
 [[nodiscard]] const char* name_of(Verdict value);
+/// A motion that satisfies every limit was found.
+[[nodiscard]] constexpr bool has_feasible_motion(Verdict verdict) {
+    return verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
+}
 
 enum class ProofKind {
     none,

@@ -83,10 +83,7 @@ class LossFinder {
         if (control_.stopped()) return {};
         ++solves_;
         Solution solution = solve_without_explaining(scene, control_, &known);
-        const Verdict verdict = solution.certificate.verdict;
-        const bool feasible =
-            verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
-        if (control_.stopped() || !feasible) return {};
+        if (control_.stopped() || !has_feasible_motion(solution.certificate.verdict)) return {};
         return solution;
     }
     /// The best shares for all cuts. In shares u_i = w_i · (law's peak i over its reference) the law's

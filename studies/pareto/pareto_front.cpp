@@ -18,10 +18,6 @@ constexpr int most_solves_per_point = 20;
 // Corrected points aim at this part of what they may be off, so that the next round's lengths still fit.
 constexpr double aim = 0.9;
 
-bool has_motion(Verdict verdict) {
-    return verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
-}
-
 class Tracer {
  public:
     Tracer(const Scene& scene, const FrontRequest& request, const SolveControl& control,
@@ -245,7 +241,7 @@ void require(bool right, const char* what, double found, const char* allowed) {
 }  // namespace
 
 bool FrontPoint::is_feasible() const {
-    return has_motion(solution.certificate.verdict);
+    return has_feasible_motion(solution.certificate.verdict);
 }
 
 void FrontRequest::validate(const Scene& scene) const {

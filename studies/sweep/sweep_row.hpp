@@ -67,7 +67,7 @@ struct SweepRow {
     }
     /// It has a motion that satisfies every limit.
     [[nodiscard]] bool is_feasible() const {
-        return verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
+        return has_feasible_motion(verdict);
     }
 };
 

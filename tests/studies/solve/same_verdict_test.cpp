@@ -95,10 +95,6 @@ Scene random_scene(unsigned seed) {
     return scene;
 }
 
-bool is_found(Verdict verdict) {
-    return verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
-}
-
 /// What two solves of the same thing say of each other; empty where they agree.
 /// Where double precision ends: which of its ways to end shows first is rounding.
 bool is_beyond_doubles(const Certificate& certificate) {
@@ -110,7 +106,7 @@ std::string disagreement(const Solution& one, const Solution& other, double fact
     const std::string verdicts = std::string(name_of(left.verdict)) + " " + name_of(left.reason) + ", " +
                                  name_of(right.verdict) + " " + name_of(right.reason);
     if (is_beyond_doubles(left) && is_beyond_doubles(right)) return {};
-    if (is_found(left.verdict) != is_found(right.verdict))
+    if (has_feasible_motion(left.verdict) != has_feasible_motion(right.verdict))
         return verdicts + (one.notes.empty() ? "" : "; " + one.notes.back()) +
                (other.notes.empty() ? "" : "; " + other.notes.back());
     if (left.verdict != Verdict::optimal || right.verdict != Verdict::optimal) return {};

@@ -116,7 +116,8 @@ TEST(ValveLobe, WithoutMotionExplanationNamesDuration) {
     const auto longer = std::ranges::find(solution.relaxation, "motion.duration_crank_deg", &Relaxation::key);
     ASSERT_NE(longer, solution.relaxation.end());
     ASSERT_TRUE(longer->solved);
-    EXPECT_EQ(solve(scene.set(longer->key, *longer->solved)).certificate.verdict, Verdict::optimal)
+    // There a motion just exists; whether it is proved to be the best of them depends on the backends.
+    EXPECT_TRUE(has_feasible_motion(solve(scene.set(longer->key, *longer->solved)).certificate.verdict))
         << *longer->solved;
     for (const Relaxation& change : solution.relaxation)
         EXPECT_EQ(change.key.find("segments["), std::string::npos) << change.key;
