@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rows of the key table that have to do with a cam of any kind, of [dynamics] and of [drive].
-#include "input/keys/key_spellings.hpp"
+#include "input/keys/key_parts.hpp"
 
 namespace camopt::input {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "input/keys/key_spellings.hpp"
+#include "input/keys/key_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/keys/scene_keys.hpp"
 
-#include "input/keys/key_spellings.hpp"
+#include "input/keys/key_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
 
@@ -144,20 +144,20 @@ Rows set_points(const char* table, const char* unit) {
                                           "start.";
     const bool whole = std::string_view(unit) == "rise";
     return {
-        {table, "at", number, set_point_place, not_negative, {}, "needed by a point",
+        {table, "at", number, place, not_negative, {}, "needed by a point",
          whole ? in_rise : in_segment},
-        {table, "from", number, set_point_place, not_negative, {}, "needed by a region",
+        {table, "from", number, place, not_negative, {}, "needed by a region",
          "Where a region begins, in the units of `at`. Its `velocity` holds exactly from here to its end, and "
          "both are breakpoints of the spline.", Availability::now, "at"},
-        {table, "to", number, set_point_place, not_negative, {}, "needed by a region",
+        {table, "to", number, place, not_negative, {}, "needed by a region",
          "Where the region ends.", Availability::now, "at"},
-        {table, "displacement", number, spellings::set_point_displacement, any, {}, "free",
+        {table, "displacement", number, spellings::displacement, any, {}, "free",
          "There; of a region where it begins. In lifts (s/lift) or in a unit of the lift."},
-        {table, "velocity", number, spellings::set_point_velocity, any, {}, "free",
+        {table, "velocity", number, spellings::velocity, any, {}, "free",
          whole ? "There, or all along the region: dy/dx, by the cam angle, or in time (needs a speed)."
                : "There, or all along the region: lifts per segment, by the cam angle, or in time (needs a "
                  "speed)."},
-        {table, "acceleration", number, spellings::set_point_acceleration, any, {}, "free",
+        {table, "acceleration", number, spellings::acceleration, any, {}, "free",
          whole ? "There: d²y/dx², by the cam angle, or in time; not in a region, where it is 0."
                : "There: lifts per segment squared, by the cam angle, or in time; not in a region, where it is "
                  "0."},
@@ -169,10 +169,10 @@ Rows end_state(const char* table) {
     const bool joint = std::string_view(table) == "motion.segments.end";
     const char* const otherwise = joint ? "free" : "0";
     return {
-        {table, "velocity", number, spellings::set_point_velocity, any, {}, otherwise,
+        {table, "velocity", number, spellings::velocity, any, {}, otherwise,
          joint ? "There: lifts per segment, by the cam angle, or in time (needs a speed)."
                : "There: dy/dx (programs: lifts per segment), by the cam angle, or in time (needs a speed)."},
-        {table, "acceleration", number, spellings::set_point_acceleration, any, {}, otherwise, "There, likewise."},
+        {table, "acceleration", number, spellings::acceleration, any, {}, otherwise, "There, likewise."},
     };
 }
 
@@ -197,14 +197,14 @@ Rows corridor() {
         {table, "from", number, angle, not_negative, {}, "0 deg",
          "Where it begins, counted from the start of the motion; it holds there too."},
         {table, "to", number, angle, positive, {}, "the end", "Where it ends; it holds there too."},
-        {table, "displacement", bounds, spellings::set_point_displacement, any, {}, "none",
+        {table, "displacement", bounds, spellings::displacement, any, {}, "none",
          "Bounds of the displacement, in lifts or in a unit of the lift."},
-        {table, "velocity", bounds, spellings::set_point_velocity, any, {}, "none",
+        {table, "velocity", bounds, spellings::velocity, any, {}, "none",
          "Bounds of the velocity: dy/dx (programs: x = 1 is the first spline segment), by the cam angle, or in "
          "time."},
-        {table, "acceleration", bounds, spellings::set_point_acceleration, any, {}, "none",
+        {table, "acceleration", bounds, spellings::acceleration, any, {}, "none",
          "Bounds of the acceleration, likewise."},
-        {table, "jerk", bounds, spellings::set_point_jerk, any, {}, "none", "Bounds of the jerk, likewise."},
+        {table, "jerk", bounds, spellings::jerk, any, {}, "none", "Bounds of the jerk, likewise."},
     };
 }
 

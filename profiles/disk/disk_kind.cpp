@@ -10,11 +10,6 @@ namespace {
 using enum KeyType;
 using namespace spellings;
 
-constexpr Spelling densities[] = {
-    {"_kg_m3", "kg/m^3", 1.0},
-    {"_g_cm3", "g/cm^3", 1e3},
-    {"_lb_in3", "lb/in^3", units::pound / (units::inch * units::inch * units::inch)}};
-
 const Range arm_angle_range = {.low = 0.0, .high = 360.0, .low_included = false, .high_included = false};
 
 // A row is read as a row.
@@ -79,7 +74,7 @@ std::vector<KeyRow> drawing_rows() {
         {"drawing", "datum", number, angle, any, {}, "0",
          "Where the cam is marked: the ray that points along +y when the cam has turned by this cam angle. The "
          "drawing's table of radii counts from it, as the cam angle grows."},
-        {"drawing", "density", number, densities, positive, {}, "none", "Of the material: with it the drawing gives the mass."},
+        {"drawing", "density", number, density, positive, {}, "none", "Of the material: with it the drawing gives the mass."},
         {"drawing", "projection", text, plain, any, {"first_angle", "third_angle"}, "\"first_angle\"",
          "Method of projection: its symbol (ISO 5456-2) and the side from which the section is seen."},
         {"drawing", "title_block", table, plain, any, {}, "empty", "Text of the title block in addition to the scene's title."},

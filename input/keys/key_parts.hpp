@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What the tables of keys are made of, and hints for keys of other programs. Internal to input/.
+#pragma once
+
+#include "input/keys/scene_keys.hpp"
+
+namespace camopt::input {
+
+/// What [cam] says of any kind but its type, rows of [forces] and of what [objective] says about a cam.
+[[nodiscard]] std::vector<KeyRow> rotation_rows();
+[[nodiscard]] std::vector<KeyRow> force_rows();
+[[nodiscard]] std::vector<KeyRow> dynamics_rows();
+[[nodiscard]] std::vector<KeyRow> drive_rows();
+[[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
+
+// Suggestions for terms of other programs: "swing_deg" is lift_deg, a follower "flat" is translating_flat or
+// oscillating_flat, a motion "DRDR" is a program. For error messages. Internal to input/.
+
+/// The key of the table that a synonym means, with the written unit; empty if none is known. "swing_deg" in
+/// "motion" → "lift_deg".
+[[nodiscard]] std::string key_meant(std::string_view table, std::string_view written);
+
+/// "; did you mean …?" for a text that is not a choice of a key; empty if nothing is similar. `path`:
+/// "motion.type".
+[[nodiscard]] std::string choice_hint(std::string_view path, std::string_view text,
+                                      const std::vector<std::string>& choices);
+
+}  // namespace camopt::input
