@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-# CAMOPT_DEBIAN: three Debian packages by cpack, each a component of cmake --install: camopt, libcamopt-dev (static), python3-camopt.
+# CAMOPT_DEBIAN: five Debian packages by cpack, each a component of cmake --install: camopt, libcamopt-dev (static), python3-camopt,
+# and the parts that each of these opens when it uses them: camopt-parts, and camopt-step for itself, which needs 370 MB.
 # The preset `debian` has the options that belong to it; scripts/release debian builds, checks and names the result.
 if(CAMOPT_GPL)
   message(FATAL_ERROR "camopt: Debian packages are distributed: CAMOPT_DEBIAN=ON needs CAMOPT_GPL=OFF (preset debian)")
 endif()
-if(BUILD_SHARED_LIBS OR NOT CAMOPT_C OR NOT CAMOPT_HAVE_PYTHON OR NOT TARGET camopt)
-  message(FATAL_ERROR "camopt: CAMOPT_DEBIAN=ON needs the program, the C library, the Python package and static libraries (preset debian)")
+if(BUILD_SHARED_LIBS OR NOT CAMOPT_C OR NOT CAMOPT_HAVE_PYTHON OR NOT TARGET camopt
+   OR NOT CAMOPT_OPENED_PARTS STREQUAL "ipopt;pdf;http;step")
+  message(FATAL_ERROR "camopt: CAMOPT_DEBIAN=ON needs the program, the C library, the Python package, static libraries and every part (preset debian)")
 endif()
 # Debian demands "Name <address>" with a host that has a dot. camopt has no address: its maintainers are reached as SECURITY.md and
 # CONTRIBUTING.md say. `.invalid` is reserved (RFC 2606), so it receives no mail. Distributors set their own contact here.
@@ -33,10 +35,12 @@ endfunction()
 camopt_debian_documents(camopt_program camopt)
 camopt_debian_documents(camopt_static libcamopt-dev)
 camopt_debian_documents(camopt_python python3-camopt)
+camopt_debian_documents(camopt_parts camopt-parts)
+camopt_debian_documents(camopt_step camopt-step)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL camopt_program camopt_static camopt_python)
+set(CPACK_COMPONENTS_ALL camopt_program camopt_static camopt_python camopt_parts camopt_step)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -54,14 +58,35 @@ set(CPACK_DEBIAN_CAMOPT_PROGRAM_DESCRIPTION "optimal motion curves for cams and 
 Finds the spline with the least weighted peaks of velocity, acceleration and
 jerk under limits of motion, cam and forces, and proves a lower bound that
 holds for every spline of that space. Writes report, drawing, NC program and
-controller table. This package writes no STEP files.")
+controller table. camopt-parts has Ipopt, PDF drawings and the studio's
+server, camopt-step STEP files.")
 
-# What the CMake package and camopt.pc name. pkg-config is how the former finds Ipopt. libcamopt_c.so, the C library, is made of
+# What the CMake package and camopt.pc name. libcamopt_c.so, the C library, is made of
 # the static libraries; it is here with its header, so that a program in C needs this package where it runs, too.
+# A part is of the same build as what opens it.
+foreach(component PROGRAM STATIC PYTHON)
+  set(CPACK_DEBIAN_CAMOPT_${component}_PACKAGE_RECOMMENDS "camopt-parts (= ${PROJECT_VERSION})")
+endforeach()
+set(CPACK_DEBIAN_CAMOPT_PROGRAM_PACKAGE_SUGGESTS "camopt-step (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_CAMOPT_STATIC_PACKAGE_SUGGESTS "camopt-step (= ${PROJECT_VERSION})")
+
+set(CPACK_DEBIAN_CAMOPT_PARTS_PACKAGE_NAME camopt-parts)
+set(CPACK_DEBIAN_CAMOPT_PARTS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_CAMOPT_PARTS_DESCRIPTION "optimal motion curves for cams - Ipopt, PDF and studio
+What camopt, its C and C++ libraries and its Python package open when they
+use it: the solver Ipopt, PDF drawings by cairo, and the HTTP server of
+camopt studio.")
+
+set(CPACK_DEBIAN_CAMOPT_STEP_PACKAGE_NAME camopt-step)
+set(CPACK_DEBIAN_CAMOPT_STEP_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_CAMOPT_STEP_DESCRIPTION "optimal motion curves for cams - STEP files
+What camopt, its C and C++ libraries and its Python package open when they
+write a cam as a STEP file: Open CASCADE.")
+
 set(CPACK_DEBIAN_CAMOPT_STATIC_PACKAGE_NAME libcamopt-dev)
 set(CPACK_DEBIAN_CAMOPT_STATIC_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_CAMOPT_STATIC_PACKAGE_DEPENDS
-  "libeigen3-dev, libfmt-dev, libtomlplusplus-dev, libnlopt-dev, coinor-libipopt-dev, libcairo2-dev, pkg-config")
+  "libeigen3-dev, libfmt-dev, libtomlplusplus-dev, libnlopt-dev")
 set(CPACK_DEBIAN_CAMOPT_STATIC_DESCRIPTION "optimal motion curves for cams - libraries for C++ and C
 Static C++ libraries, headers, CMake package and pkg-config file of camopt,
 which optimizes motion curves of cams and servo axes, and its C library.")
@@ -71,7 +96,7 @@ set(CPACK_DEBIAN_CAMOPT_PYTHON_PACKAGE_SECTION python)
 math(EXPR camopt_next_python "${Python_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_CAMOPT_PYTHON_PACKAGE_DEPENDS
   "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${camopt_next_python}), python3-numpy")
-set(CPACK_DEBIAN_CAMOPT_PYTHON_PACKAGE_SUGGESTS python3-scipy)
+set(CPACK_DEBIAN_CAMOPT_PYTHON_PACKAGE_SUGGESTS "python3-scipy, camopt-step (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_CAMOPT_PYTHON_DESCRIPTION "optimal motion curves for cams - Python package
 Solves scenes of camopt from Python: NumPy arrays in and out, user-defined
 terms and limits, sweeps, machines, and all files that the program writes.")

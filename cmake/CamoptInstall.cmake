@@ -91,6 +91,11 @@ install(EXPORT camopt-shared FILE camopt-shared-targets.cmake NAMESPACE camopt::
 # A package of each kind under the same names: who looks for camopt does not see which he got.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/camoptConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
+# Programs of others that link the static libraries are told where the parts are that they open, unless Debian's linker looks there.
+set(camopt_parts_elsewhere FALSE)
+if(CAMOPT_OPENED_PARTS AND NOT CAMOPT_DEBIAN)
+  set(camopt_parts_elsewhere TRUE)
+endif()
 include(CamoptPkgConfig)
 get_target_property(promised camopt_face HEADER_SET)
 foreach(kind static shared)
@@ -131,7 +136,35 @@ install(FILES cmake/FindCamoptIpopt.cmake cmake/CamoptPkgConfigPart.cmake cmake/
   cmake/FindCamoptCairo.cmake
   DESTINATION ${camopt_package_dir}/modules COMPONENT camopt_static ${camopt_only_static})
 
+# The parts, for program, libraries and Python package alike, and so with each of these that is installed alone. Each looks below
+# the folders of its run path; a system's own folders (Debian) the linker knows.
+foreach(part IN LISTS CAMOPT_OPENED_PARTS)
+  set(part_component camopt_parts)
+  if(part STREQUAL "step")  # a Debian package of its own
+    set(part_component camopt_step)
+  endif()
+  install(TARGETS camopt_part_${part} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/camopt COMPONENT ${part_component})
+  if(NOT CAMOPT_DEBIAN)
+    foreach(user program static shared python)
+      install(TARGETS camopt_part_${part} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/camopt COMPONENT camopt_${user} EXCLUDE_FROM_ALL)
+    endforeach()
+  endif()
+endforeach()
+# camopt_look_for_parts(<target> <folder below the prefix that it is installed in>)
+function(camopt_look_for_parts target folder)
+  if(CAMOPT_OPENED_PARTS)
+    file(RELATIVE_PATH way ${CMAKE_INSTALL_PREFIX}/${folder} ${CMAKE_INSTALL_FULL_LIBDIR})
+    string(REGEX REPLACE "/$" "" run_path "$ORIGIN/${way}")
+    set_property(TARGET ${target} APPEND PROPERTY INSTALL_RPATH ${run_path})
+  endif()
+endfunction()
+camopt_look_for_parts(camopt_shared ${CMAKE_INSTALL_LIBDIR})
+if(CAMOPT_HAVE_PYTHON)
+  camopt_look_for_parts(camopt_python ${CAMOPT_PYTHON_DIR}/camopt)
+endif()
+
 if(TARGET camopt)
+  camopt_look_for_parts(camopt ${CMAKE_INSTALL_BINDIR})
   set(here COMPONENT camopt_program)
   install(TARGETS camopt RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ${here})
   set(camopt_manual_file ${PROJECT_BINARY_DIR}/apps/camopt.1)

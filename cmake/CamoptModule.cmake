@@ -60,29 +60,14 @@ function(camopt_cold target)
   target_compile_options(${target} PRIVATE ${camopt_cold_options})
 endfunction()
 
-# camopt_optional_backend(<name> <found> <sources …>): solvers/<name>/ with its library where that is found, and with
-# <name>_absent.cpp, the same symbols, where it is not.
-function(camopt_optional_backend name found)
-  target_sources(camopt_solvers PRIVATE ${name}_entry.cpp
-    PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${name}_solver.hpp)
-  if(found)
-    target_sources(camopt_solvers PRIVATE ${ARGN})
-    target_link_libraries(camopt_solvers PRIVATE camopt_${name}_package)
-  else()
-    target_sources(camopt_solvers PRIVATE ${name}_absent.cpp)
-  endif()
-  # A test puts what stands for the absent library in their place.
-  camopt_compile_alone(camopt_solvers ${ARGN} ${name}_absent.cpp)
-endfunction()
-
 # camopt_compile_alone(<target> <sources …>): not together with others, whatever CAMOPT_UNITY_BUILD is.
 function(camopt_compile_alone target)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# camopt_cold_source(<target> <source>): one that costs the compiler more time than it ever runs.
-function(camopt_cold_source target source)
-  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS ${camopt_cold_options})
+# camopt_compile_with(<target> <source> <options …>): alone, without precompiled headers, with further options.
+function(camopt_compile_with target source)
+  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS ${ARGN})
   set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
   camopt_compile_alone(${target} ${source})
 endfunction()
@@ -97,9 +82,7 @@ function(camopt_wide_kernels target source)
   endif()
   target_sources(${target} PRIVATE ${source})
   target_compile_definitions(${target} PRIVATE CAMOPT_WIDE_KERNELS)
-  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS -mavx2 -mfma)
-  set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
-  camopt_compile_alone(${target} ${source})
+  camopt_compile_with(${target} ${source} -mavx2 -mfma)
 endfunction()
 
 # camopt_compile_together(<target> [<most>]): its sources in equal units of at most CAMOPT_UNITY_BATCH (<most>), where

@@ -29,6 +29,10 @@ foreach(backend IPOPT NLOPT SPQR SUITESPARSE OPENCASCADE CAIRO HTTPLIB)
   set_property(CACHE CAMOPT_WITH_${backend} PROPERTY STRINGS AUTO ON OFF)
 endforeach()
 
+# Whoever builds camopt into a project of his own ships one program. Only where there are modules: not on Windows, not in a browser.
+cmake_dependent_option(CAMOPT_OPEN_PARTS "Ipopt, cairo, cpp-httplib and Open CASCADE behind modules that are opened when used"
+  ${PROJECT_IS_TOP_LEVEL} UNIX OFF)
+
 set(CAMOPT_PYTHON AUTO CACHE STRING "Build the Python package: AUTO (where camopt is the project and it can be), ON or OFF")
 set_property(CACHE CAMOPT_PYTHON PROPERTY STRINGS AUTO ON OFF)
 

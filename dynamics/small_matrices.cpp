@@ -74,13 +74,13 @@ Eigen::VectorXd solution_of(const Eigen::MatrixXd& matrix, const Eigen::VectorXd
 
 /// The eigenvalues of [0 A; -Aᵀ 0] are ± i times the singular values, and zeros.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
-    const Eigen::Index rows = matrix.rows(), columns = matrix.cols();
-    Eigen::MatrixXd skew = Eigen::MatrixXd::Zero(rows + columns, rows + columns);
-    skew.topRightCorner(rows, columns) = matrix;
-    skew.bottomLeftCorner(columns, rows) = -matrix.transpose();
+    const Eigen::Index m = matrix.rows(), n = matrix.cols();
+    Eigen::MatrixXd skew = Eigen::MatrixXd::Zero(m + n, m + n);
+    skew.topRightCorner(m, n) = matrix;
+    skew.bottomLeftCorner(n, m) = -matrix.transpose();
     Eigen::VectorXd sizes = Eigen::EigenSolver<Eigen::MatrixXd>(skew, false).eigenvalues().cwiseAbs();
     std::ranges::sort(sizes);
-    const Eigen::Index count = std::min(rows, columns), zeros = rows + columns - 2 * count;
+    const Eigen::Index count = std::min(m, n), zeros = m + n - 2 * count;
     return Eigen::VectorXd::NullaryExpr(count, [&](Eigen::Index i) { return sizes[zeros + 2 * i]; });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Factors of dense matrices of a few rows, of which a train needs a handful: in one source, compiled with -O1, since Eigen's
-// templates cost the compiler far more time than they ever run.
+// Factors of dense matrices of a few rows, of which a train needs a handful: in one source, compiled with
+// -O1, since Eigen's templates cost the compiler far more time than they ever run.
 #pragma once
 
 #include <Eigen/Core>

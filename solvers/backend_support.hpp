@@ -44,13 +44,17 @@ void check_backend_input(const SolverEntry& entry, const Nlp& problem, const Eig
 
 [[noreturn]] void throw_unavailable(const SolverEntry& entry);
 
-/// Wraps all evaluations of a backend. The first reason to stop is stored.
+/// Wraps all evaluations of a backend. The first reason to stop is stored. Virtual is what a backend that is
+/// a part of its own (core/platform/parts.hpp) calls here and has not.
 class SolveGuard {
  public:
     SolveGuard(const BackendOptions& options, const SolveControl& control);
+    virtual ~SolveGuard() = default;
+    SolveGuard(const SolveGuard&) = delete;
+    SolveGuard& operator=(const SolveGuard&) = delete;
 
     /// Polls the clock and the stop request; true once there is any reason to stop. Never throws.
-    [[nodiscard]] bool must_stop() noexcept;
+    [[nodiscard]] virtual bool must_stop() noexcept;
     [[nodiscard]] bool stopping() const noexcept { return reason_.has_value(); }
 
     /// Calls the function unless an exception is pending; false if it throws (stored for rethrow()).
@@ -70,7 +74,7 @@ class SolveGuard {
         if (!reason_) reason_ = reason;
     }
     /// One short line for control.progress, at most every half second. Never throws.
-    void report(int iteration, double cost, double violation) noexcept;
+    virtual void report(int iteration, double cost, double violation) noexcept;
 
     /// Throws the stored exception, if any.
     void rethrow() const {
@@ -81,7 +85,7 @@ class SolveGuard {
     [[nodiscard]] double seconds_left() const { return std::max(1e-3, deadline_.seconds_left()); }
 
  private:
-    void keep_exception(std::exception_ptr exception) noexcept;
+    virtual void keep_exception(std::exception_ptr exception) noexcept;
 
     const SolveControl& control_;
     Deadline deadline_;

@@ -20,7 +20,7 @@ struct NativeOption {
 struct SolverEntry {
     std::string name;        ///< "structured", "ipopt", "nlopt.slsqp", "nlopt.auglag.lbfgs", …
     std::string method;      ///< one line: what algorithm, for which problems
-    bool available = false;  ///< built into this camopt
+    bool available = false;  ///< built in, or its part is there (core/platform/parts.hpp)
     std::string version;     ///< of the library behind it, empty where absent
     std::string remedy;      ///< if absent: which package to install
     bool gives_multipliers = false;
@@ -43,7 +43,7 @@ using SolverMaker = std::function<std::unique_ptr<Solver>()>;
 void add_solver(SolverEntry entry, const SolverMaker& make);
 
 /// Throws InputError with the list of names for an unknown one, UnavailableError with the package to install
-/// for one that this build does not have.
+/// for one that is not available.
 [[nodiscard]] std::unique_ptr<Solver> make_solver(std::string_view name);
 
 /// Throws InputError for a native option that the backend does not have or whose value it rejects.

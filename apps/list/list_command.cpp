@@ -250,7 +250,7 @@ std::string solvers_text() {
                             entry.needs_derivatives ? "" : ", needs no derivatives",
                             entry.takes_equalities ? "" : ", takes no equality rows");
         else
-            text += fmt::format("{:<23}   not in this build: {}\n", "", entry.remedy);
+            text += fmt::format("{:<23}   not available: {}\n", "", entry.remedy);
         for (const NativeOption& option : entry.options)
             text += fmt::format("{:<23}   {} = {} ({}): {}{}\n", "", option.name, option.default_value,
                                 option.range, option.meaning, absent_text(option));

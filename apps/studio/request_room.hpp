@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where connections wait until the head of their request has come. One thread waits for all of them: those
 // that send nothing, or not all of it (a browser opens some in advance), hold none of the threads that serve.
-// Internal to studio_server.cpp.
+// Internal to loopback_server.cpp.
 #pragma once
 
 #include "core/base/standard.hpp"

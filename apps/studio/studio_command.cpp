@@ -40,15 +40,13 @@ std::string offline_page(const nlohmann::json& opening) {
                              ": found no element opening-scene; allowed: the page of this camopt");
         return page.replace(at, none.size(), page_block({id, opening.dump()}));
     }
-    throw UnavailableError(
-        fmt::format("camopt studio: found no {0} next to the program or in share/camopt; {1}. `camopt solve "
-                    "SCENE --out DIR` "
-                    "writes a report without it",
-                    name,
-                    StudioServer::available()
-                        ? "without --offline the studio is served instead"
-                        : "this camopt was built without cpp-httplib (libcpp-httplib-dev), which serves the "
-                          "studio instead"));
+    throw UnavailableError(fmt::format(
+        "camopt studio: found no {0} next to the program or in share/camopt; {1}. `camopt solve "
+        "SCENE --out DIR` "
+        "writes a report without it",
+        name,
+        studio_server_available() ? "without --offline the studio is served instead"
+                                  : "to have the studio served instead, " + studio_server_remedy()));
 }
 
 ExitCode open_offline_page(const StudioStart& start) {
@@ -64,19 +62,20 @@ ExitCode open_offline_page(const StudioStart& start) {
 
 ExitCode studio_command(const StudioRequest& request) {
     const StudioStart start = start_of(request);
-    if (request.offline || !StudioServer::available()) return open_offline_page(start);
+    if (request.offline || !studio_server_available()) return open_offline_page(start);
     const InterruptWatch watch(InterruptWatch::Signals::hangup_too);
     StudioSession session;
-    const StudioServer server({.page = [&] { return studio_page(start, session.first(start.scene)); },
-                               .solve = [&](const std::string& body) { return session.solve(body); },
-                               .download = [&](const std::string& body) { return session.download(body); }},
-                              {.port = request.port});
+    const std::unique_ptr<StudioServer> server =
+        serve_studio({.page = [&] { return studio_page(start, session.first(start.scene)); },
+                      .solve = [&](const std::string& body) { return session.solve(body); },
+                      .download = [&](const std::string& body) { return session.download(body); }},
+                     {.port = request.port});
     print(fmt::format("camopt studio: {}\nOpen it in a browser on this machine. Ctrl-C ends it.\n",
-                      server.address()));
+                      server->address()));
     constexpr std::chrono::milliseconds look(100);
-    while (server.running() && !InterruptWatch::interrupted()) std::this_thread::sleep_for(look);
+    while (server->running() && !InterruptWatch::interrupted()) std::this_thread::sleep_for(look);
     session.stop();
-    return server.running() ? success : failure;
+    return server->running() ? success : failure;
 }
 
 }  // namespace camopt::apps

@@ -7,7 +7,7 @@
 //
 // Everything else is refused (request_room.hpp) before its body is read, with no word of what is there. Each
 // connection carries one request, within a number of seconds and bytes. Files are never touched.
-// studio_absent.cpp stands in where the build has no HTTP library.
+// The HTTP library stands behind the part "http" (core/platform/parts.hpp).
 #pragma once
 
 #include "core/base/standard.hpp"
@@ -40,24 +40,35 @@ struct StudioServerOptions {
 
 class StudioServer {
  public:
-    /// This build has the HTTP library.
-    [[nodiscard]] static bool available();
-    /// Binds and serves at once. Throws InputError for a port that is taken, UnavailableError where the build
-    /// has no HTTP library.
-    StudioServer(StudioHandlers handlers, const StudioServerOptions& options = {});
     /// Ends every connection and waits for the handlers, which are to be told before.
-    ~StudioServer();
+    virtual ~StudioServer() = default;
     StudioServer(const StudioServer&) = delete;
     StudioServer& operator=(const StudioServer&) = delete;
 
     /// "http://127.0.0.1:41234/0123…/"
-    [[nodiscard]] std::string address() const;
+    [[nodiscard]] virtual std::string address() const = 0;
     /// False once it has stopped by itself.
-    [[nodiscard]] bool running() const;
+    [[nodiscard]] virtual bool running() const = 0;
 
- private:
-    struct State;
-    std::unique_ptr<State> state_;
+ protected:
+    StudioServer() = default;
+};
+
+/// False where the build has no HTTP library, or its part is not there.
+[[nodiscard]] bool studio_server_available();
+
+/// What to do where it is not available, without a full stop.
+[[nodiscard]] std::string studio_server_remedy();
+
+/// Binds and serves at once. Throws InputError for a port that is taken, UnavailableError where no server is
+/// available.
+[[nodiscard]] std::unique_ptr<StudioServer> serve_studio(StudioHandlers handlers,
+                                                         const StudioServerOptions& options = {});
+
+/// The part "http". `token`: random_token(), in every address.
+struct StudioPart {
+    std::unique_ptr<StudioServer> (*serve)(StudioHandlers handlers, const StudioServerOptions& options,
+                                           std::string token);
 };
 
 }  // namespace camopt::apps

@@ -48,7 +48,9 @@ class CMakeBuild(build_ext):
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(folder / "python" / "camopt" / target.name, target)
-        subprocess.run(["strip", "--strip-unneeded", target], check=False)
+        # The parts that camopt opens when it uses them stand beside it.
+        parts = [shutil.copy2(part, target.parent) for part in sorted((folder / "lib/camopt").glob("camopt_part_*.so"))]
+        subprocess.run(["strip", "--strip-unneeded", target, *parts], check=False)
 
 
 class LicensedWheel(bdist_wheel):

@@ -39,6 +39,7 @@ const char* const guide_style =
 
 std::vector<Vector2d> line_of(const std::vector<DeliveredRow>& rows, Eigen::Vector3d MechanismPoint::*place) {
     std::vector<Vector2d> line;
+    line.reserve(rows.size());
     for (const DeliveredRow& row : rows) line.emplace_back((row.cam.front().*place).head<2>());
     return line;
 }

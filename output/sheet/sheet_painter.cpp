@@ -9,10 +9,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double thick_line = 0.5e-3, thin_line = 0.25e-3;
-constexpr std::array<double, 2> dashed_line = {3.0e-3, 1.0e-3};
-constexpr std::array<double, 4> chain_line = {6.0e-3, 1.0e-3, 1.0e-3, 1.0e-3};
-
 // m on the paper.
 constexpr double mark_arrow = 2.5e-3, mark_arrow_half = 0.45e-3, mark_overshoot = 1.2e-3, mark_gap = 0.6e-3,
                  mark_tail = 4.0e-3, words_above = 0.8e-3, words_beside = 1.2e-3, leader_shoulder = 3.0e-3;
@@ -220,20 +216,6 @@ void separate_dimensions(Sheet& sheet) {
     }
 }
 
-PenLook look_of(SheetPen pen) {
-    switch (pen) {
-        case SheetPen::thick:
-            return {thick_line, {}};
-        case SheetPen::thin:
-            return {thin_line, {}};
-        case SheetPen::dashed:
-            return {thin_line, dashed_line};
-        case SheetPen::chain:
-            break;
-    }
-    return {thin_line, chain_line};
-}
-
 void paint(const Sheet& sheet, SheetPainter& painter) {
     for (SheetPath path : sheet.paths) {
         if (path.space == SheetSpace::model)
@@ -264,14 +246,6 @@ void paint(const Sheet& sheet, SheetPainter& painter) {
     }
     for (const SheetText& text : words) painter.text(text);
     for (const SheetText& text : sheet.texts) painter.text(text);
-}
-
-BulgeArc bulge_arc(const Vector2d& from, const Vector2d& to, double bulge) {
-    const Vector2d chord = to - from, left(-chord.y(), chord.x());
-    const Vector2d center = 0.5 * (from + to) + (1.0 - bulge * bulge) / (4.0 * bulge) * left;
-    const Vector2d out = from - center;
-    const double begin = std::atan2(out.y(), out.x());
-    return {center, out.norm(), begin, begin + 4.0 * std::atan(bulge)};
 }
 
 DimensionMarks dimension_marks(const SheetDimension& dimension, const SheetView& view) {

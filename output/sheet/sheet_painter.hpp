@@ -12,7 +12,24 @@ struct PenLook {
     double width;
     std::span<const double> dashes;  ///< line, gap, line, …; empty: continuous
 };
-[[nodiscard]] PenLook look_of(SheetPen pen);
+inline constexpr double thick_line = 0.5e-3, thin_line = 0.25e-3;
+inline constexpr std::array<double, 2> dashed_line = {3.0e-3, 1.0e-3};
+inline constexpr std::array<double, 4> chain_line = {6.0e-3, 1.0e-3, 1.0e-3, 1.0e-3};
+
+// Inline, as bulge_arc: a painter may be a part of its own (core/platform/parts.hpp).
+[[nodiscard]] inline PenLook look_of(SheetPen pen) {
+    switch (pen) {
+        case SheetPen::thick:
+            return {thick_line, {}};
+        case SheetPen::thin:
+            return {thin_line, {}};
+        case SheetPen::dashed:
+            return {thin_line, dashed_line};
+        case SheetPen::chain:
+            break;
+    }
+    return {thin_line, chain_line};
+}
 
 /// Takes paper coordinates: m, y upwards.
 class SheetPainter {
@@ -36,7 +53,14 @@ struct BulgeArc {
     Eigen::Vector2d center;
     double radius, from, to;  ///< rad; to > from where it turns to the left
 };
-[[nodiscard]] BulgeArc bulge_arc(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double bulge);
+[[nodiscard]] inline BulgeArc bulge_arc(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                        double bulge) {
+    const Eigen::Vector2d chord = to - from, left(-chord.y(), chord.x());
+    const Eigen::Vector2d center = 0.5 * (from + to) + (1.0 - bulge * bulge) / (4.0 * bulge) * left;
+    const Eigen::Vector2d out = from - center;
+    const double begin = std::atan2(out.y(), out.x());
+    return {center, out.norm(), begin, begin + 4.0 * std::atan(bulge)};
+}
 
 // How a dimension looks on the paper: its lines, arrow heads and words (ISO 129-1). Pictures draw them; a DXF
 // file keeps them in the dimension's block.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ipopt's entry in the registry; compiled whether or not this build has it. Only the options listed here
+// Ipopt's entry in the registry; the same whether or not its part is there. Only the options listed here
 // reach Ipopt: linear_solver is restricted to mumps because the packaged 3.11 ends the whole process on ma97.
 #include "solvers/backend_support.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
@@ -13,7 +13,7 @@ SolverEntry ipopt_entry() {
         "primal-dual interior point with a filter line search, exact sparse derivatives, any smooth problem";
     entry.version = ipopt_version();
     entry.available = !entry.version.empty();
-    entry.remedy = "install coinor-libipopt-dev and configure camopt again with CAMOPT_WITH_IPOPT=ON";
+    entry.remedy = ipopt_remedy();
     entry.gives_multipliers = true;
     entry.options = {
         text_option("linear_solver", "mumps", {"mumps"}, "sparse factorization"),

@@ -1,84 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/ipopt/ipopt_solver.hpp"
 
-#include "core/errors.hpp"
+#include "core/platform/parts.hpp"
 #include "solvers/chained_columns.hpp"
-#include "solvers/ipopt/ipopt_adapter.hpp"
+#include "solvers/ipopt/ipopt_part.hpp"
 
-#include <fmt/core.h>
-
-#include <IpIpoptApplication.hpp>
-#include <IpoptConfig.h>
 #include <chrono>
-#include <mutex>
+
+extern "C" const void* camopt_part_ipopt(const char* build);  // ipopt_run.cpp
 
 namespace camopt {
 
 namespace {
 
-// Options of camopt to options of Ipopt. Private to this folder (an Ipopt type appears).
+constexpr PartInfo ipopt_info = {"ipopt",
+                                 "solves by ipopt",
+                                 "Ipopt",
+                                 "camopt-parts",
+                                 "coinor-libipopt-dev",
+                                 "CAMOPT_WITH_IPOPT",
+                                 PartBuild::CAMOPT_PART_IPOPT};
+
+const IpoptPart& ipopt_part() {
+    PartEntry linked = nullptr;
+    if constexpr (ipopt_info.build == PartBuild::linked) linked = camopt_part_ipopt;
+    static const void* const table = part_table(ipopt_info, linked);
+    return *static_cast<const IpoptPart*>(table);
+}
 
 /// Number of variables above which chained columns are faster, measured on the states form (three variables
 /// per knot): equal with 256 to 2048 knots, faster by a tenth with 4096 and a fifth with 8192.
 constexpr int chaining_pays = 6000;
-
-class Settings {
- public:
-    explicit Settings(Ipopt::IpoptApplication& application) : options_(application.Options()) {}
-
-    // Ipopt returns false for an option that its version does not know or a value that it rejects.
-    bool set(const char* name, const char* text) { return options_->SetStringValue(name, text); }
-    bool set(const char* name, bool flag) { return options_->SetStringValue(name, flag ? "yes" : "no"); }
-    bool set(const char* name, double number) { return options_->SetNumericValue(name, number); }
-    bool set(const char* name, int number) { return options_->SetIntegerValue(name, number); }
-
-    template <class Value>
-    void require(const char* name, Value value) {
-        if (!set(name, value))
-            throw InputError(fmt::format("this version of Ipopt refuses its option '{}'", name));
-    }
-
-    void require_native(const std::string& name, const OptionValue& value, bool is_integer) {
-        if (const auto* flag = std::get_if<bool>(&value)) return require(name.c_str(), *flag);
-        if (const auto* text = std::get_if<std::string>(&value)) return require(name.c_str(), text->c_str());
-        if (const auto* number = std::get_if<double>(&value)) return require(name.c_str(), *number);
-        const long long integer = std::get<long long>(value);
-        if (is_integer) return require(name.c_str(), static_cast<int>(integer));
-        require(name.c_str(), static_cast<double>(integer));
-    }
-
- private:
-    Ipopt::SmartPtr<Ipopt::OptionsList> options_;
-};
-
-struct Linearity {
-    bool equalities = true, inequalities = true;
-};
-
-Linearity linearity_of(const NlpShape& shape) {
-    Linearity linear;
-    for (int row = 0; row < shape.constraints(); ++row) {
-        if (shape.rows[row].linear) continue;
-        (shape.g_lower[row] == shape.g_upper[row] ? linear.equalities : linear.inequalities) = false;
-    }
-    return linear;
-}
-
-void set_tolerances(Settings& settings, const BackendOptions& options) {
-    const double tolerance = options.tolerance;
-    // The barrier leaves about one complementarity product for each active row in the cost, and Ipopt divides
-    // its error by the mean multiplier: a hundredth keeps the sum over some hundred rows below `tolerance`.
-    settings.require("tol", 0.01 * tolerance);
-    settings.require("compl_inf_tol", 0.01 * tolerance);
-    settings.require("constr_viol_tol", tolerance);
-    settings.require("dual_inf_tol", tolerance);
-    settings.require("acceptable_tol", std::min(1e-4, 100.0 * tolerance));
-    settings.require("acceptable_constr_viol_tol", std::min(1e-4, 100.0 * tolerance));
-    settings.require("acceptable_dual_inf_tol", std::min(1e-4, 100.0 * tolerance));
-    settings.require("acceptable_compl_inf_tol", std::min(1e-4, 100.0 * tolerance));
-    // The default 1e-8 would allow every limit to be exceeded by ten times the default tolerance.
-    settings.require("bound_relax_factor", 0.01 * tolerance);
-}
 
 /// Predictor-corrector steps without a line search: up to a quarter fewer iterations on convex problems with
 /// linear rows, but no termination where that is infeasible. Chosen by the shape, unless the native options
@@ -102,110 +54,15 @@ std::vector<int> columns_to_chain(const NlpShape& shape, const BackendOptions& o
     return dense_columns(shape);
 }
 
-// About 1000 cubic segments.
-constexpr int many_variables = 3000;
-
-/// Sets the defaults for the shape of the problem, then the native options of `options`, which are validated
-/// already. Throws InputError if this version of Ipopt refuses one of the latter.
-void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& shape,
-                       const BackendOptions& options, bool predictor_corrector) {
-    Settings settings(application);
-    settings.require("print_level", 0);
-    settings.require("sb", true);  // no banner
-    settings.require("linear_solver", "mumps");
-    settings.require("max_iter", options.max_iterations);
-    // Problems are scaled already; Ipopt's own scaling loosens the tolerances by an unknown factor.
-    settings.require("nlp_scaling_method", "none");
-    settings.require("mu_strategy", "adaptive");
-    // In large problems the row permutation of MUMPS at least doubles its time; in small ones it improves the
-    // last digits.
-    if (shape.variables() >= many_variables) settings.require("mumps_permuting_scaling", 0);
-    // Ipopt would have MUMPS allocate eleven times the memory that it expects to need. If twice that is too
-    // little, Ipopt doubles it.
-    settings.require("mumps_mem_percent", 100);
-    set_tolerances(settings, options);
-
-    const Linearity linear = linearity_of(shape);
-    const bool all_linear = linear.equalities && linear.inequalities;
-    settings.require("jac_c_constant", linear.equalities);
-    settings.require("jac_d_constant", linear.inequalities);
-    settings.require("hessian_constant", all_linear && shape.quadratic_cost);
-    (void)settings.set("grad_f_constant", shape.linear_cost);  // unknown to 3.11
-    settings.require("mehrotra_algorithm", predictor_corrector);
-
-    for (const auto& [name, value] : options.native)
-        if (name != "mehrotra_algorithm" && name != "chain_dense_columns")
-            settings.require_native(name, value,
-                                    name == "acceptable_iter" || name == "mumps_mem_percent" ||
-                                        name == "mumps_permuting_scaling" || name == "max_soc");
-}
-
 /// Such a run needs 5 to 30 iterations; one that needs more cycles.
 constexpr int predictor_corrector_iterations = 200;
-
-struct Outcome {
-    Termination termination;
-    const char* word;
-};
-
-Outcome outcome_of(Ipopt::ApplicationReturnStatus status) {
-    using enum Termination;
-    switch (status) {
-        case Ipopt::Solve_Succeeded:
-            return {converged, "Solve_Succeeded"};
-        case Ipopt::Solved_To_Acceptable_Level:
-            return {acceptable, "Solved_To_Acceptable_Level"};
-        case Ipopt::Infeasible_Problem_Detected:
-            return {infeasible, "Infeasible_Problem_Detected"};
-        case Ipopt::Search_Direction_Becomes_Too_Small:
-            return {acceptable, "Search_Direction_Becomes_Too_Small"};
-        case Ipopt::Diverging_Iterates:
-            return {unbounded, "Diverging_Iterates"};
-        case Ipopt::User_Requested_Stop:
-            return {interrupted, "User_Requested_Stop"};
-        case Ipopt::Feasible_Point_Found:
-            return {converged, "Feasible_Point_Found"};
-        case Ipopt::Maximum_Iterations_Exceeded:
-            return {iteration_limit, "Maximum_Iterations_Exceeded"};
-        case Ipopt::Restoration_Failed:
-            return {numerical_failure, "Restoration_Failed"};
-        case Ipopt::Error_In_Step_Computation:
-            return {numerical_failure, "Error_In_Step_Computation"};
-        case Ipopt::Maximum_CpuTime_Exceeded:
-            return {time_limit, "Maximum_CpuTime_Exceeded"};
-        case Ipopt::Not_Enough_Degrees_Of_Freedom:
-            return {unsupported, "Not_Enough_Degrees_Of_Freedom"};
-        case Ipopt::Invalid_Problem_Definition:
-            return {unsupported, "Invalid_Problem_Definition"};
-        case Ipopt::Invalid_Option:
-            return {unsupported, "Invalid_Option"};
-        case Ipopt::Invalid_Number_Detected:
-            return {evaluation_error, "Invalid_Number_Detected"};
-        case Ipopt::Unrecoverable_Exception:
-            return {numerical_failure, "Unrecoverable_Exception"};
-        case Ipopt::NonIpopt_Exception_Thrown:
-            return {numerical_failure, "NonIpopt_Exception_Thrown"};
-        case Ipopt::Insufficient_Memory:
-            return {numerical_failure, "Insufficient_Memory"};
-        case Ipopt::Internal_Error:
-            return {numerical_failure, "Internal_Error"};
-        default:
-            return {numerical_failure, "unknown to camopt"};  // a status of a later Ipopt
-    }
-}
-
-/// Recursive, because an evaluation may solve something with Ipopt.
-std::recursive_timed_mutex& ipopt_mutex() {
-    static std::recursive_timed_mutex mutex;
-    return mutex;
-}
 
 /// Ipopt's lock for this thread; none if it was stopped while waiting. The wait is not part of the solve's
 /// time.
 std::optional<std::unique_lock<std::recursive_timed_mutex>> turn_of_ipopt(const SolveControl& control) {
     constexpr std::chrono::milliseconds between_questions(5);
     const Stopwatch waiting;
-    std::unique_lock lock(ipopt_mutex(), std::defer_lock);
+    std::unique_lock lock(ipopt_part().turn(), std::defer_lock);
     bool waited = false;
     while (!lock.try_lock_for(between_questions)) {
         waited = true;
@@ -262,7 +119,7 @@ class IpoptSolver final : public Solver {
         if (wants_predictor_corrector(problem.shape(), options)) {
             BackendOptions first = options;
             first.max_iterations = std::min(options.max_iterations, predictor_corrector_iterations);
-            BackendResult result = run(problem, start, first, guard, true);
+            BackendResult result = ipopt_part().run(problem, start, first, guard, true);
             const bool asked_for = options.native.contains("mehrotra_algorithm");
             spent = result.iterations;
             if (is_final(result.termination) || guard.stopping() || asked_for ||
@@ -271,7 +128,7 @@ class IpoptSolver final : public Solver {
         }
         BackendOptions rest = options;
         rest.max_iterations -= spent;
-        BackendResult result = run(problem, start, rest, guard, false);
+        BackendResult result = ipopt_part().run(problem, start, rest, guard, false);
         result.iterations += spent;
         return result;
     }
@@ -281,37 +138,22 @@ class IpoptSolver final : public Solver {
                termination == Termination::evaluation_error;
     }
 
-    static BackendResult run(const Nlp& problem, const Eigen::VectorXd& start, const BackendOptions& options,
-                             SolveGuard& guard, bool predictor_corrector) {
-        constexpr bool with_console = false;
-        const Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
-            new Ipopt::IpoptApplication(with_console);
-        set_ipopt_options(*application, problem.shape(), options, predictor_corrector);
-        BackendResult result;
-        Outcome outcome = outcome_of(application->Initialize(""));  // "": reads no ipopt.opt
-        if (outcome.termination == Termination::converged) {
-            const Ipopt::SmartPtr<IpoptAdapter> adapter = new IpoptAdapter(problem, start, guard);
-            outcome = outcome_of(application->OptimizeTNLP(GetRawPtr(adapter)));
-            result = adapter->result();
-        }
-        guard.rethrow();
-        result.termination = outcome.termination;
-        result.native_status = outcome.word;
-        if (guard.reason() && outcome.termination != Termination::converged)
-            result.termination = *guard.reason();
-        return result;
-    }
-
     SolverEntry entry_ = ipopt_entry();
 };
 
 }  // namespace
 
 std::string ipopt_version() {
-    return IPOPT_VERSION;
+    return part_available(ipopt_info) ? CAMOPT_IPOPT_VERSION : "";
+}
+
+std::string ipopt_remedy() {
+    return part_remedy(ipopt_info);
 }
 
 std::unique_ptr<Solver> make_ipopt_solver() {
+    if (ipopt_info.build == PartBuild::absent) throw_unavailable(ipopt_entry());
+    require_part(ipopt_info);
     return std::make_unique<IpoptSolver>();
 }
 

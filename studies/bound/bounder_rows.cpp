@@ -141,7 +141,8 @@ bool Bounder::add_plane(Node& node, std::size_t place, const Bent& bent, const E
     const std::array<std::array<int, 2>, 4>& ends = node.boxes[place].steps;
     step.ends.assign(ends.begin(), ends.end());
     for (const int parameter : parameters)
-        step.ends.push_back(node.bound_steps[static_cast<std::size_t>(design_size()) + static_cast<std::size_t>(parameter)]);
+        step.ends.push_back(
+            node.bound_steps[static_cast<std::size_t>(design_size()) + static_cast<std::size_t>(parameter)]);
     step.slope = plane->slope;
     step.constant = plane->constant;
     add_row(node, log(std::move(step)), true);

@@ -121,12 +121,11 @@ class Tracer {
             ends_[static_cast<std::size_t>(goal)] = *end;
         }
         const std::array<int, 2> least = ends_;
-        for (const int goal : {0, 1}) {
+        return std::ranges::all_of(std::array{0, 1}, [&](int goal) {
             const std::optional<int> end = end_within(goal, least[static_cast<std::size_t>(1 - goal)]);
-            if (!end) return false;
-            ends_[static_cast<std::size_t>(goal)] = *end;
-        }
-        return true;
+            if (end) ends_[static_cast<std::size_t>(goal)] = *end;
+            return end.has_value();
+        });
     }
     /// One more point on a piece of the chain: capped in the goal that changes more there, so that halves of
     /// a piece are shorter than the whole.

@@ -40,8 +40,7 @@ KnownSolutions::Grid& KnownSolutions::grid_of(const CamModel& model) {
 
 CamProblem KnownSolutions::problem(CamModel model) {
     Grid& grid = grid_of(model);
-    if (!grid.samples.empty() && grid.joints == joints_of(model))
-        return {std::move(model), grid.samples};
+    if (!grid.samples.empty() && grid.joints == joints_of(model)) return {std::move(model), grid.samples};
     CamProblem plain(std::move(model));
     grid.plain = plain.samples().size();
     return plain;

@@ -13,7 +13,7 @@ import zipfile
 import debian_chroot
 import licenses
 
-SCENE, SCENE_OBJECTIVE = "drd_cubic_12.toml", "objective 0.940489"
+SCENE, SCENE_OBJECTIVE, CAM_SCENE = "drd_cubic_12.toml", "objective 0.940489", "cam_roller.toml"
 # Twelve cubic segments against the modified sine's own peaks (README.md), in Python and tests/package/consumer/solve.cpp.
 OBJECTIVE = "0.93951"
 # What every glibc system has. manylinux_2_35 sets the largest versions of their symbols.
@@ -75,7 +75,7 @@ def fresh(work, name):
 
 def check_debian(files, version, root, work):
     files = {path.name.split("_")[0]: path for path in files}
-    demand("three packages", set(files) == {"camopt", "libcamopt-dev", "python3-camopt"}, files)
+    demand("five packages", set(files) == {"camopt", "camopt-parts", "camopt-step", "libcamopt-dev", "python3-camopt"}, files)
     print(run("lintian", "--fail-on", "error", *files.values()), end="")
     demand("lintian finds no error", True)
     folder = fresh(work, "extracted")
@@ -114,7 +114,8 @@ def check_in_chroot(files, version, root, work):
         demand("no compiler in the bare system", not chroot.has("g++") and not chroot.has("cc"))
         for path in files.values():
             chroot.copy(path)
-        chroot.copy(root / "scenes" / SCENE)
+        for scene in (SCENE, CAM_SCENE):
+            chroot.copy(root / "scenes" / scene)
         before = chroot.kilobytes()
         chroot.install("camopt")
         demand("apt-get installs camopt", True)
@@ -127,14 +128,26 @@ def check_in_chroot(files, version, root, work):
         demand("manual page and completions", all(map(chroot.has_file, (
             "usr/share/man/man1/camopt.1.gz", "usr/share/bash-completion/completions/camopt", "usr/share/zsh/vendor-completions/_camopt",
             "usr/share/fish/vendor_completions.d/camopt.fish"))))
+        demand("without camopt-parts it says what to install", "install the Debian package camopt-parts" in chroot.run("camopt", "list", "solvers"))
+        chroot.install("camopt-parts")
+        print(f"camopt-parts and its dependencies: {(chroot.kilobytes() - after) / 1e3:.0f} MB")
+        chroot.run("camopt", "solve", f"/tmp/{SCENE}", "--solver", "ipopt")
+        chroot.run("camopt", "export", f"/tmp/{CAM_SCENE}", "--drawing", "pdf", "--out", "/tmp/drawing")
+        demand("camopt-parts has Ipopt and PDF drawings", chroot.has_file("tmp/drawing/drawing.pdf"))
+        after = chroot.kilobytes()
+        chroot.install("camopt-step")
+        print(f"camopt-step and its further dependencies: {(chroot.kilobytes() - after) / 1e3:.0f} MB")
+        chroot.run("camopt", "export", f"/tmp/{CAM_SCENE}", "--step", "--out", "/tmp/solid")
+        demand("camopt-step writes STEP files", chroot.has_file("tmp/solid/cam.step"))
+        after = chroot.kilobytes()
         chroot.install("python3-camopt")
         print(f"python3-camopt and its further dependencies: {(chroot.kilobytes() - after) / 1e3:.0f} MB")
         printed = chroot.run("python3", "-c", SOLVE_IN_PYTHON)
         demand("python3-camopt solves", printed.startswith(f"{version} optimal {OBJECTIVE}"), printed)
         printed = chroot.simulate("libcamopt-dev")
         demand("the dependencies of libcamopt-dev exist", "Inst libcamopt-dev" in printed, printed)
-        chroot.run("apt-get", "remove", "-y", "camopt", "python3-camopt")
-        left = [path for path in chroot.files("usr/bin/camopt*", "usr/lib/python3/dist-packages/camopt*", "usr/share/doc/*camopt*")]
+        chroot.run("apt-get", "remove", "-y", "camopt", "python3-camopt", "camopt-parts", "camopt-step")
+        left = [path for path in chroot.files("usr/bin/camopt*", "usr/lib/*/camopt*", "usr/lib/python3/dist-packages/camopt*", "usr/share/doc/*camopt*")]
         demand("apt-get remove leaves nothing", not left, left)
 
 

@@ -20,14 +20,21 @@ PART_OF_PACKAGE = {
     "libc6-dev": None, "linux-libc-dev": None, "libstdc++-12-dev": None, "libgcc-12-dev": None, "libcrypt-dev": None,
     # Declarations of shared libraries, which the Debian packages depend on.
     "coinor-libipopt-dev": None, "libnlopt-dev": None, "libcairo2-dev": None, "libssl-dev": None, "libbrotli-dev": None, "zlib1g-dev": None,
-    "libpython3.11-dev": None, "python3-numpy": None,
+    "libpython3.11-dev": None, "python3-numpy": None, "libocct-foundation-dev": None, "libocct-modeling-data-dev": None,
+    "libocct-modeling-algorithms-dev": None, "libocct-data-exchange-dev": None, "libocct-visualization-dev": None,
 }
-ON_DEBIAN = ("camopt", "libcamopt-dev", "python3-camopt")  # which has the texts of common licences itself
-# File of a release: its build folder below the clone, and folders of it whose objects the file does not contain.
+ON_DEBIAN = ("camopt", "camopt-parts", "camopt-step", "libcamopt-dev", "python3-camopt")  # which has the texts of common licences itself
+# Objects of the parts, which are in packages of their own.
+STEP = ("output/surface/step/CMakeFiles/camopt_part_",)
+PARTS = ("solvers/ipopt/CMakeFiles/camopt_part_", "output/sheet/pdf/CMakeFiles/camopt_part_", "apps/studio/CMakeFiles/camopt_part_")
+# File of a release: its build folder below the clone, folders of it whose objects the file does not contain, and those whose objects
+# alone it contains (empty: all).
 BUILD = {
-    "page": ("build/wasm", ()), "windows": ("build/windows", ()),
-    "camopt": ("build/debian", ("bindings/",)), "libcamopt-dev": ("build/debian", ("apps/", "bindings/python/")),
-    "python3-camopt": ("build/debian", ("apps/", "bindings/c/")), "wheel": ("build/setuptools", ()),
+    "page": ("build/wasm", (), ()), "windows": ("build/windows", (), ()),
+    "camopt": ("build/debian", ("bindings/", *PARTS, *STEP), ()), "camopt-parts": ("build/debian", (), PARTS),
+    "camopt-step": ("build/debian", (), STEP),
+    "libcamopt-dev": ("build/debian", ("apps/", "bindings/python/", *PARTS, *STEP), ()),
+    "python3-camopt": ("build/debian", ("apps/", "bindings/c/", *PARTS, *STEP), ()), "wheel": ("build/setuptools", (), ()),
 }
 
 
@@ -39,12 +46,12 @@ def license_texts():
     return found
 
 
-def headers_in(deps, folder, without=()):
+def headers_in(deps, folder, without=(), only=()):
     """Of the listing of `ninja -t deps` in folder: the headers outside of the project, as the objects read them."""
     headers, counts = set(), False
     for line in deps.splitlines():
         if not line.startswith(" "):
-            counts = line.endswith("(VALID)") and not line.startswith(tuple(without))
+            counts = line.endswith("(VALID)") and not line.startswith(tuple(without)) and line.startswith(tuple(only) or "")
         elif counts:
             headers.add(pathlib.Path(folder, line.strip()).resolve())
     return {path for path in headers if path.is_relative_to("/usr")}
@@ -66,14 +73,14 @@ def packages_of(headers):
 
 
 def headers_read(tree, file):
-    folder, without = BUILD[file]
+    folder, without, only = BUILD[file]
     builds = sorted(path.parent for path in (tree / folder).rglob("build.ninja")) if (tree / folder).is_dir() else []
     if not builds:
         raise SystemExit(f"scripts/release --check: {tree / folder} is missing, which tells what {file} contains: build it again")
     headers = set()
     for build in builds:
         deps = subprocess.run(["ninja", "-C", str(build), "-t", "deps"], capture_output=True, text=True, check=True).stdout
-        headers |= headers_in(deps, build, without)
+        headers |= headers_in(deps, build, without, only)
     return headers
 
 

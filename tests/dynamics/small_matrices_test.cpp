@@ -66,7 +66,7 @@ MatrixXd random_matrix(std::mt19937& random, Eigen::Index rows, Eigen::Index col
     return MatrixXd::NullaryExpr(rows, columns, [&] { return number(random); });
 }
 
-TEST(SmallMatrices, RootsAndSingularValuesAreThoseOfAnyShape) {
+TEST(SmallMatrices, SingularValuesMatchEigen) {
     std::mt19937 random(1965);
     for (Eigen::Index rows = 1; rows <= 6; ++rows)
         for (Eigen::Index columns = 1; columns <= rows; ++columns) {
@@ -91,7 +91,7 @@ TEST(SmallMatrices, EigenvectorsComposeTheMatrix) {
     }
 }
 
-TEST(SmallMatrices, SolutionOfASingularMatrixIsFinite) {
+TEST(SmallMatrices, SingularSystemHasFiniteSolution) {
     MatrixXd matrix(2, 2);
     matrix << 1.0, 2.0, 2.0, 4.0;
     const Eigen::VectorXd found = solution_of(matrix, Eigen::Vector2d(3.0, 6.0));

@@ -10,7 +10,7 @@ import sys
 import source_tree
 
 SEAM = ("core/platform/", "cmake/platforms/")
-EXEMPT = ("apps/studio/studio_server.cpp", "apps/studio/request_room.cpp", "notebooks_cpp/", "tests/", "benchmarks/")
+EXEMPT = ("apps/studio/loopback_server.cpp", "apps/studio/request_room.cpp", "notebooks_cpp/", "tests/", "benchmarks/")
 MACRO = re.compile(r"^\s*#\s*(?:if|ifdef|ifndef|elif)\b.*\b_*(?:WIN32|WIN64|MINGW\w*|MSC_VER|linux|unix|APPLE|wasi|wasm\w*|EMSCRIPTEN|CYGWIN)_*\b", re.M)
 HEADER = re.compile(r"^\s*#\s*include\s*<(?:unistd|fcntl|io|poll|dlfcn|spawn|termios|pthread|signal|windows|shellapi|dirent|pwd|sys/\w+|netinet/\w+|arpa/\w+)\.h>"
                     r"|^\s*#\s*include\s*<csignal>", re.M)

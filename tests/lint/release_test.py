@@ -54,6 +54,7 @@ def faults_of_licenses(root):
     sys.path.insert(0, str(root / "tests/artefacts"))
     licenses = module(root / "tests/artefacts/licenses.py")
     found = {path.as_posix() for path in licenses.headers_in(DEPS, root, ["bindings/"])}
+    found |= {path.as_posix() for path in licenses.headers_in(DEPS, root, only=["apps/"])}
     if found != {"/usr/include/CLI/CLI.hpp"}:
         yield f"tests/artefacts/licenses.py: headers_in finds {found}"
     text = (root / "LICENSE").read_text() + "".join(map(licenses.license_texts().text_of, ["uplot", "three.js"]))

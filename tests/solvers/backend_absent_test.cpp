@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiled together with ipopt_absent.cpp and nlopt_absent.cpp, so that what a build without those libraries
-// says is tested in every build.
+// Compiled together with the door of a part that is absent and with nlopt_absent.cpp, so that what a build
+// without those libraries says is tested in every build.
 #include "core/errors.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
 #include "solvers/nlopt/nlopt_solver.hpp"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The part "pdf": a module of its own, or a part of camopt_output_pdf.
 #include "core/errors.hpp"
-#include "output/sheet/sheet_files.hpp"
-#include "output/sheet/sheet_painter.hpp"
+#include "core/platform/part_entry.hpp"
+#include "output/sheet/pdf/pdf_part.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ cairo_status_t append_bytes(void* target, const unsigned char* data, unsigned in
     return CAIRO_STATUS_SUCCESS;
 }
 
-class PdfSheet final : public SheetPainter {
+class PdfSheet final : public PdfPainter {
  public:
     explicit PdfSheet(const Sheet& sheet)
         : height_(sheet.height),
@@ -99,7 +100,7 @@ class PdfSheet final : public SheetPainter {
         cairo_show_text(at, text.words.c_str());
         cairo_restore(at);
     }
-    [[nodiscard]] std::string finish() {
+    [[nodiscard]] std::string finish() override {
         const cairo_status_t drawn = cairo_status(context_.get());
         cairo_surface_finish(surface_.get());
         const cairo_status_t status =
@@ -139,18 +140,14 @@ class PdfSheet final : public SheetPainter {
     std::unique_ptr<cairo_t, CloseContext> context_;
 };
 
+constexpr PdfPart pdf_table = {
+    [](const Sheet& sheet) -> std::unique_ptr<PdfPainter> { return std::make_unique<PdfSheet>(sheet); }};
+
 }  // namespace
 
-bool pdf_available() {
-    return true;
-}
-
-void require_pdf() {}
-
-std::string sheet_pdf(const Sheet& sheet) {
-    PdfSheet painter(sheet);
-    paint(sheet, painter);
-    return painter.finish();
-}
-
 }  // namespace camopt
+
+extern "C" const void* camopt_part_pdf(const char* build);
+const void* camopt_part_pdf(const char* build) {
+    return camopt::part_for(build, &camopt::pdf_table);
+}

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The part "step": a module of its own, or a part of camopt_output_step.
 #include "core/errors.hpp"
-#include "core/text/printable.hpp"
-#include "core/text/text_file.hpp"
+#include "core/platform/part_entry.hpp"
 #include "core/units.hpp"
-#include "core/version.hpp"
-#include "output/surface/step/step_file.hpp"
-#include "output/surface/step/step_solid.hpp"
+#include "output/surface/step/step_part.hpp"
 
 #include <fmt/format.h>
 
@@ -73,27 +71,19 @@ class SilentLibrary {
     Message_SequenceOfPrinters printers_;
 };
 
-/// Of FILE_NAME.
-struct StepHeader {
-    std::string part, author = {}, organisation = {};
-};
-
-/// What was transferred to the writer, as text first: the file is written and checked as every other is.
-void write_step_model(const std::filesystem::path& path, STEPControl_Writer& writer,
-                      const StepHeader& words) {
-    const auto text_of = [](const std::string& said) {
-        return new TCollection_HAsciiString(ascii_text(said).c_str());
-    };
+/// What was transferred to the writer.
+std::string model_text(STEPControl_Writer& writer, const StepHeader& words) {
+    const auto text_of = [](const std::string& said) { return new TCollection_HAsciiString(said.c_str()); };
     APIHeaderSection_MakeHeader header(writer.Model());
     header.SetName(text_of(words.part));
     header.SetAuthorValue(1, text_of(words.author));
     header.SetOrganizationValue(1, text_of(words.organisation));
-    header.SetOriginatingSystem(text_of(fmt::format("camopt {}", version())));
+    header.SetOriginatingSystem(text_of(words.system));
     StepData_StepWriter text(writer.Model());
     text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
     std::ostringstream bytes;
     if (!text.Print(bytes)) throw InputError("STEP: Open CASCADE could not print the model");
-    write_text_file(path, bytes.str());
+    return bytes.str();
 }
 
 struct KnotList {
@@ -143,8 +133,7 @@ void name_face(const STEPControl_Writer& writer, const TopoDS_Face& face, const 
     if (!item.IsNull()) item->SetName(new TCollection_HAsciiString(name.c_str()));
 }
 
-void write(const std::filesystem::path& path, std::span<const BsplineSurface> surfaces,
-           const std::string& part) {
+std::string text_of_surfaces(std::span<const BsplineSurface> surfaces, const StepHeader& header) {
     const SilentLibrary silent;
     STEPControl_Writer writer;
     Interface_Static::SetCVal("write.step.unit", "MM");
@@ -160,7 +149,7 @@ void write(const std::filesystem::path& path, std::span<const BsplineSurface> su
     if (writer.Transfer(compound, STEPControl_AsIs) != IFSelect_RetDone)
         throw InputError("STEP: Open CASCADE could not translate the surfaces");
     for (std::size_t i = 0; i < faces.size(); ++i) name_face(writer, faces[i], surfaces[i].name);
-    write_step_model(path, writer, {part});
+    return model_text(writer, header);
 }
 
 /// On the plate's lower face.
@@ -257,7 +246,7 @@ class PlateShape {
     }
 };
 
-double write_plate(const std::filesystem::path& path, const Plate& plate) {
+StepSolid solid_of_plate(const Plate& plate, const StepHeader& header) {
     const SilentLibrary silent;
     const TopoDS_Shape solid = PlateShape(plate).solid();
     GProp_GProps properties;
@@ -269,33 +258,34 @@ double write_plate(const std::filesystem::path& path, const Plate& plate) {
     Interface_Static::SetCVal("write.step.product.name", plate.name.c_str());
     if (writer.Transfer(solid, STEPControl_ManifoldSolidBrep) != IFSelect_RetDone)
         throw InputError("STEP: Open CASCADE could not translate the solid");
-    write_step_model(path, writer, {plate.name, plate.author, plate.organisation});
-    return std::abs(properties.Mass()) * std::pow(units::millimetre, 3);
+    return {model_text(writer, header), std::abs(properties.Mass()) * std::pow(units::millimetre, 3)};
 }
+
+/// What is refused, in camopt's words.
+template <class Function>
+auto asked(const char* what, Function&& function) {
+    try {
+        return function();
+    } catch (const Standard_Failure& failure) {
+        throw InputError(
+            fmt::format("STEP: Open CASCADE refuses the {}: {}", what, failure.GetMessageString()));
+    }
+}
+
+constexpr StepPart step_table = {
+    [](std::span<const BsplineSurface> surfaces, const StepHeader& header) {
+        return asked("surfaces", [&] { return text_of_surfaces(surfaces, header); });
+    },
+    [](const Plate& plate, const StepHeader& header) {
+        return asked("solid", [&] { return solid_of_plate(plate, header); });
+    },
+};
 
 }  // namespace
 
-bool step_available() {
-    return true;
-}
-
-void write_step_file(const std::filesystem::path& path, std::span<const BsplineSurface> surfaces,
-                     const std::string& part) {
-    if (surfaces.empty()) throw InputError("STEP: there is no surface to write");
-    try {
-        write(path, surfaces, part);
-    } catch (const Standard_Failure& failure) {
-        throw InputError(
-            fmt::format("STEP: Open CASCADE refuses the surfaces: {}", failure.GetMessageString()));
-    }
-}
-
-double write_step_solid(const std::filesystem::path& path, const Plate& plate) {
-    try {
-        return write_plate(path, plate);
-    } catch (const Standard_Failure& failure) {
-        throw InputError(fmt::format("STEP: Open CASCADE refuses the solid: {}", failure.GetMessageString()));
-    }
-}
-
 }  // namespace camopt
+
+extern "C" const void* camopt_part_step(const char* build);
+const void* camopt_part_step(const char* build) {
+    return camopt::part_for(build, &camopt::step_table);
+}

@@ -40,6 +40,12 @@ class Wheel(unittest.TestCase):
             self.assertTrue(path.startswith(str(environment)), path)
             self.assertEqual((version, verdict), (os.environ["CAMOPT_VERSION"], "optimal"))
             self.assert_only_libraries_of_the_system(pathlib.Path(path).parent)
+            parts = {part.name for part in pathlib.Path(path).parent.glob("camopt_part_*.so")}
+            self.assertEqual(parts, {part.name for part in pathlib.Path(OURS["CAMOPT_BUILD_FOLDER"], "lib/camopt").glob("*.so")})
+            if "camopt_part_ipopt.so" in parts:
+                printed = run(python, "-c", "import camopt; print(camopt.solve(weights=dict(j=1), segments=12, name='ipopt').verdict)",
+                              cwd=folder, env=OURS)
+                self.assertEqual(printed, "optimal\n")
         self.assertFalse((FOLDER / "build").exists())
         self.assertFalse(list(FOLDER.glob("*.egg-info")))
 

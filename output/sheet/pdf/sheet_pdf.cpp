@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "core/errors.hpp"
+#include "core/platform/parts.hpp"
+#include "output/sheet/pdf/pdf_part.hpp"
+#include "output/sheet/sheet_files.hpp"
+
+extern "C" const void* camopt_part_pdf(const char* build);  // pdf_cairo.cpp
+
+namespace camopt {
+
+namespace {
+
+constexpr PartInfo pdf_info = {"pdf",
+                               "PDF drawings",
+                               "cairo",
+                               "camopt-parts",
+                               "libcairo2-dev",
+                               "CAMOPT_WITH_CAIRO",
+                               PartBuild::CAMOPT_PART_PDF};
+
+const PdfPart& pdf_part() {
+    PartEntry linked = nullptr;
+    if constexpr (pdf_info.build == PartBuild::linked) linked = camopt_part_pdf;
+    static const void* const table = part_table(pdf_info, linked);
+    return *static_cast<const PdfPart*>(table);
+}
+
+}  // namespace
+
+bool pdf_available() {
+    return part_available(pdf_info);
+}
+
+void require_pdf() {
+    try {
+        require_part(pdf_info);
+    } catch (const UnavailableError& error) {
+        throw UnavailableError(error.what() +
+                               std::string(", or take --drawing svg, which prints to the same scale"));
+    }
+}
+
+std::string sheet_pdf(const Sheet& sheet) {
+    const std::unique_ptr<PdfPainter> painter = pdf_part().page(sheet);
+    paint(sheet, *painter);
+    return painter->finish();
+}
+
+}  // namespace camopt
