@@ -27,11 +27,14 @@ constexpr Range below_one = {.low = 0.0, .high = 1.0, .high_included = false};
 
 constexpr std::array<PeakLimitRow, 9> peak_rows = {{
     {CostFigure::velocity, spellings::velocity,
-     "Cap on the velocity: on the normalised peak V, or in time (needs a speed).", names_of_velocity},
+     "Cap on the velocity: on the normalised peak V, by the cam angle, or in time (needs a speed).",
+     names_of_velocity},
     {CostFigure::acceleration, spellings::acceleration,
-     "Cap on the acceleration: on the normalised peak A, or in time (needs a speed).", names_of_acceleration},
+     "Cap on the acceleration: on the normalised peak A, by the cam angle, or in time (needs a speed).",
+     names_of_acceleration},
     {CostFigure::jerk, spellings::jerk,
-     "Cap on the jerk: on the normalised peak J, or in time (needs a speed).", names_of_jerk},
+     "Cap on the jerk: on the normalised peak J, by the cam angle, or in time (needs a speed).",
+     names_of_jerk},
     {CostFigure::velocity, spellings::velocity, "", {}, -1, "velocity_min", &LimitSpec::velocity_min},
     {CostFigure::velocity, spellings::velocity, "", {}, 1, "velocity_max", &LimitSpec::velocity_max},
     {CostFigure::acceleration,

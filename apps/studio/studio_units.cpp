@@ -38,12 +38,22 @@ void scale(Node& value, double factor) {
     for (Member& end : value.members) scale(end.value, factor);
 }
 
-/// The same quantity in the other system of units; null: it has none, or is written so.
+/// "/deg^2" of "mm/deg^2".
+std::string_view divisor_of(std::string_view unit) {
+    return unit.substr(std::min(unit.find('/'), unit.size()));
+}
+
+/// The same quantity in the other system of units, by the same angle or time where it can be; null: it has
+/// none, or is written so.
 const Spelling* in_system(const KeyRow& row, const Spelling& written, UnitSystem wanted) {
     if (written.system == UnitSystem::both || written.system == wanted) return nullptr;
-    for (const Spelling& other : row.spellings)
-        if (other.quantity == written.quantity && other.system == wanted) return &other;
-    return nullptr;
+    const Spelling* found = nullptr;
+    for (const Spelling& other : row.spellings) {
+        if (other.quantity != written.quantity || other.system != wanted) continue;
+        if (divisor_of(other.unit) == divisor_of(written.unit)) return &other;
+        if (found == nullptr) found = &other;
+    }
+    return found;
 }
 
 /// Pairs of numbers ([[angle, force], …]) have two units: they stay.
@@ -99,7 +109,7 @@ Node& list_of(Node& root, std::string_view path) {
 std::vector<UnitChoice> units_of_field(const KeyRow& row, const Spelling& written) {
     std::vector<UnitChoice> choices;
     for (const Spelling& other : row.spellings)
-        if (!written.unit.empty() && other.quantity == written.quantity)
+        if (!written.unit.empty() && !other.unit.empty() && other.quantity == written.quantity)
             choices.push_back({std::string(other.unit), as_written(other.factor / written.factor)});
     return choices;
 }

@@ -73,7 +73,7 @@ TextTable figure_table(const Solution& solution, const ValveReport& report) {
         rate_text(report.closing_acceleration, 2, swings, solution.scene.length_unit));
     for (const auto& [height, duration] : report.tappet_durations)
         add(fmt::format("duration at {} of the tappet", shown.length.asked_text(height)),
-            degrees_shown.text(duration, 7));
+            short_text(degrees_shown.of(duration), 7) + " crank deg");
     const auto from_nose = [](double crank) {
         return short_text(degrees_shown.of(crank), 4) + " crank deg from the nose";
     };
