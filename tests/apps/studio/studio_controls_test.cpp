@@ -134,9 +134,8 @@ TEST(StudioControls, TakeUnitsOfOneDimension) {
         EXPECT_EQ(one.unit.find("/s"), std::string::npos) << "by the cam angle, not in time: " << one.unit;
     EXPECT_GE(by_angle.size(), 4U);
     std::set<std::string> of_angles;
-    for (const UnitChoice& one :
-         units_of_field(*input::find_row("limits", "velocity"),
-                        *input::match_key("limits", "velocity_deg_deg").spelling))
+    for (const UnitChoice& one : units_of_field(*input::find_row("limits", "velocity"),
+                                                *input::match_key("limits", "velocity_deg_deg").spelling))
         of_angles.insert(one.unit);
     EXPECT_EQ(of_angles, (std::set<std::string>{"deg/deg", "rad/rad"})) << "not the normalised one";
 }
