@@ -4,7 +4,12 @@
 
 #include "core/unit.hpp"
 
+#include <functional>
+#include <variant>
+
 namespace camopt {
+
+struct Scene;
 
 // The interval allowed for a number of a scene, with its words in error messages. Used by the validation of a
 // Scene and by the key table of the scene reader.
@@ -77,6 +82,18 @@ enum class Availability {
     needs_drive,     ///< only together with a [drive] table
 };
 
+/// A number in SI, an integer, true or false, a text, a list of numbers; of a table nothing.
+using KeyValue = std::variant<std::monostate, bool, long long, double, std::string, std::vector<double>>;
+
+/// Where the value of a key lives in a Scene (scene/key_place.hpp). Empty: other keys say what it means.
+struct KeyPlace {
+    /// `choices`: of the row, for a text that is one of them.
+    std::function<void(Scene&, const KeyValue&, std::size_t choices)> assign = {};
+    std::function<std::optional<KeyValue>(const Scene&)> value = {};  ///< none: absent in this scene
+
+    [[nodiscard]] explicit operator bool() const { return static_cast<bool>(value); }
+};
+
 struct KeyRow {
     std::string_view table;  ///< "motion", "objective.reference"; empty: top level
     std::string_view name;   ///< without the unit: "lift"
@@ -86,6 +103,7 @@ struct KeyRow {
     std::vector<std::string_view> choices;  ///< allowed texts (or integers as text)
     std::string_view default_text;          ///< "required" if there is none
     std::string_view meaning;
+    KeyPlace place = {};
     Availability availability = Availability::now;
     std::string_view instead_of = {};  ///< another key of the table that excludes it
     /// Only if cam.type is one of these; empty: for any type. Filled from the kinds of cams.

@@ -3,6 +3,7 @@
 
 #include "input/keys/key_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "scene/key_place.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
@@ -32,11 +33,15 @@ Range range_in(Range range, const Spelling& spelling) {
 // clang-format off
 Rows top_level() {
     return {
-        {"", "title", text, plain, any, {}, "empty", "What the scene is; repeated in every output."},
-        {"", "motion", table, plain, any, {}, "required", "What must move."},
-        {"", "spline", table, plain, any, {}, "its defaults", "The family of curves that is searched."},
+        {"", "title", text, plain, any, {}, "empty", "What the scene is; repeated in every output.",
+         stored_in(&Scene::title)},
+        {"", "motion", table, plain, any, {}, "required", "What must move.",
+         stored_in(&Scene::motion)},
+        {"", "spline", table, plain, any, {}, "its defaults", "The family of curves that is searched.",
+         stored_in(&Scene::spline)},
         {"", "objective", table, plain, any, {}, "needed by a spline",
-         "What makes one curve better than another; a program of laws and dwells needs none."},
+         "What makes one curve better than another; a program of laws and dwells needs none.",
+         stored_in(&Scene::objective)},
         {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower."},
     };
 }
@@ -44,15 +49,19 @@ Rows top_level() {
 Rows other_tables() {
     return {
         {"", "forces", table, plain, any, {}, "no forces",
-         "What the follower carries; needs a speed.", Availability::needs_cam},
+         "What the follower carries; needs a speed.",
+         stored_in(&Scene::forces), Availability::needs_cam},
         {"", "measured", table, plain, any, {}, "none",
          "A motion that was measured: compared with the optimum, or where searches begin."},
         {"", "dynamics", table, plain, any, {}, "a rigid follower",
-         "The elastic follower train between cam and output; needs a speed."},
+         "The elastic follower train between cam and output; needs a speed.",
+         stored_in(&Scene::dynamics)},
         {"", "drive", table, plain, any, {}, "no motor",
-         "A motor in place of a cam: a servo axis; needs a speed."},
+         "A motor in place of a cam: a servo axis; needs a speed.",
+         stored_in(&Scene::drive)},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
-        {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found."},
+        {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found.",
+         stored_in(&Scene::solver)},
     };
 }
 
@@ -65,18 +74,24 @@ Rows motion() {
         {"motion", "lift", number, lift, positive, {}, "1 mm",
          "Lift of the follower; an angle for a swinging or indexing output. Of type `\"valve\"` the lift of the valve "
          "at the nose, needed."},
-        {"motion", "rise", number, cam_angle, within_turn, {}, "180 deg", "Cam angle of the rise."},
+        {"motion", "rise", number, cam_angle, within_turn, {}, "180 deg", "Cam angle of the rise.",
+         stored_in(&Scene::motion, &MotionSpec::rise)},
         {"motion", "return", number, cam_angle, within_turn, {}, "the rise",
-         "Cam angle of the return, RR only; rise and return together at most 360 deg."},
+         "Cam angle of the return, RR only; rise and return together at most 360 deg.",
+         stored_in(&Scene::motion, &MotionSpec::return_angle)},
         {"motion", "speed", number, speed, positive, {}, "none",
-         "Speed of the cam; only limits and outputs in time need it."},
+         "Speed of the cam; only limits and outputs in time need it.",
+         stored_in(&Scene::motion, &MotionSpec::speed)},
         {"motion", "symmetric", boolean, plain, any, {}, "false",
-         "Force y(x) + y(1 - x) = 1 (DRD) or y(x) = y(2 - x) (RR with equal angles)."},
+         "Force y(x) + y(1 - x) = 1 (DRD) or y(x) = y(2 - x) (RR with equal angles).",
+         stored_in(&Scene::motion, &MotionSpec::symmetric)},
         {"motion", "within_lift", boolean, plain, any, {}, "true",
          "Each stroke stays between the displacements at its ends (set points outside widen the range); false: the "
-         "motion may leave it."},
+         "motion may leave it.",
+         stored_in(&Scene::motion, &MotionSpec::within_lift)},
         {"motion", "monotone", boolean, plain, any, {}, "false",
-         "A rise only rises, a return only falls: the velocity never changes its sign within a stroke."},
+         "A rise only rises, a return only falls: the velocity never changes its sign within a stroke.",
+         stored_in(&Scene::motion, &MotionSpec::monotone)},
         {"motion", "via", tables, plain, any, {}, "none",
          "Points the curve meets exactly, and regions of constant velocity, one table each."},
         {"motion", "segments", tables, plain, any, {}, "none",
@@ -86,12 +101,14 @@ Rows motion() {
          "`\"relative\"`: one revolution that goes on in the next one from the displacement it has reached. "
          "`false`: a part of a revolution."},
         {"motion", "repeat", integer, plain, Range::between(1, 1000), {}, "1",
-         "Of a closed program: the segments fill so many equal parts of the revolution, each with the same motion."},
+         "Of a closed program: the segments fill so many equal parts of the revolution, each with the same motion.",
+         stored_in(&Scene::motion, &MotionSpec::repeat)},
         {"motion", "stops", integer, plain, Range::between(1, 10000), {}, "none",
-         "Of an indexing output: the lift is 360 deg divided by this.", Availability::now, "lift"},
+         "Of an indexing output: the lift is 360 deg divided by this.", {}, Availability::now, "lift"},
         {"motion", "phase", number, cam_angle, within_phase, {}, "0",
          "Of a program of one revolution: the angle of the master at which the motion begins. Motion tables, tables of "
-         "controllers and reports are by the master's angle; a machine sets it."},
+         "controllers and reports are by the master's angle; a machine sets it.",
+         stored_in(&Scene::motion, &MotionSpec::phase)},
         {"motion", "start", table, plain, any, {}, "at rest",
          "State at the start of a motion that is not closed; what is not given is 0."},
         {"motion", "end", table, plain, any, {}, "at rest",
@@ -107,13 +124,13 @@ Rows motion() {
          "Type `\"valve\"`: valve travel by follower travel."},
         {"motion", "valve_arm", number, length, positive, {}, "none",
          "Type `\"valve\"` with an oscillating (finger) follower: valve travel by radian of the follower.",
-         Availability::now, "rocker_ratio"},
+         {}, Availability::now, "rocker_ratio"},
         {"motion", "opening", number, cam_angle, within_turn, {}, "half the duration",
          "Type `\"valve\"`: the part of the duration before the nose."},
         {"motion", "centerline", number, cam_angle, any, {}, "none",
          "Type `\"valve\"`: of the nose after top dead centre, negative before it (exhaust); events alone use it."},
         {"motion", "engine_speed", number, speed, positive, {}, "none",
-         "Type `\"valve\"`: twice the cam's speed.", Availability::now, "speed"},
+         "Type `\"valve\"`: twice the cam's speed.", {}, Availability::now, "speed"},
         {"motion", "opening_ramp", table, plain, any, {}, "needed by a valve",
          "Type `\"valve\"`: from the base circle smoothly to a constant velocity, and on to the opening flank."},
         {"motion", "closing_ramp", table, plain, any, {}, "as the opening ramp",
@@ -148,9 +165,9 @@ Rows set_points(const char* table, const char* unit) {
          whole ? in_rise : in_segment},
         {table, "from", number, place, not_negative, {}, "needed by a region",
          "Where a region begins, in the units of `at`. Its `velocity` holds exactly from here to its end, and "
-         "both are breakpoints of the spline.", Availability::now, "at"},
+         "both are breakpoints of the spline.", {}, Availability::now, "at"},
         {table, "to", number, place, not_negative, {}, "needed by a region",
-         "Where the region ends.", Availability::now, "at"},
+         "Where the region ends.", {}, Availability::now, "at"},
         {table, "displacement", number, spellings::displacement, any, {}, "free",
          "There; of a region where it begins. In lifts (s/lift) or in a unit of the lift."},
         {table, "velocity", number, spellings::velocity, any, {}, "free",
@@ -227,20 +244,20 @@ Rows measured() {
          "Lines at the beginning of the file that are not read. Needed only where they hold numbers: text above the "
          "names, or with `columns` above the first row, is passed over."},
         {"measured", "theta", numbers, cam_angle, any, {}, "none",
-         "The angles themselves, ascending or descending.", Availability::now, "table"},
+         "The angles themselves, ascending or descending.", {}, Availability::now, "table"},
         {"measured", "s", numbers, lift, any, {}, "none", "The displacements at these angles.",
-         Availability::now, "table"},
+         {}, Availability::now, "table"},
         {"measured", "x", numbers, length, any, {}, "none",
          "With `y`: points of the surface of the disk cam of `[cam]`, which become the motion of its follower. In the "
          "cam's frame: at cam angle 0 a pushed follower rises along +y, the pivot of a swinging one lies on +x.",
-         Availability::needs_cam, "table"},
-        {"measured", "y", numbers, length, any, {}, "none", "With `x`.", Availability::needs_cam, "table"},
+         {}, Availability::needs_cam, "table"},
+        {"measured", "y", numbers, length, any, {}, "none", "With `x`.", {}, Availability::needs_cam, "table"},
         {"measured", "r", numbers, length, positive, {}, "none",
-         "Such points in polar coordinates, with `theta` from +x counterclockwise.", Availability::needs_cam, "table"},
+         "Such points in polar coordinates, with `theta` from +x counterclockwise.", {}, Availability::needs_cam, "table"},
         {"measured", "probe_radius", number, length, not_negative, {}, "0",
-         "Points are the centres of a ball of this radius that touches the cam.", Availability::needs_cam},
+         "Points are the centres of a ball of this radius that touches the cam.", {}, Availability::needs_cam},
         {"measured", "step", number, cam_angle, positive, {}, "none",
-         "The angle from row to row, from 0 on, of displacements without angles.", Availability::now, "theta"},
+         "The angle from row to row, from 0 on, of displacements without angles.", {}, Availability::now, "theta"},
         {"measured", "zero", text_or_table, plain, any, {"start", "nose"}, "\"start\"",
          "What angle 0 of the table is: the start of the motion, its nose (the end of the rise; in a program the "
          "middle of its largest displacement), or the cam angle `{ deg = 30 }` of the motion. Rows of one revolution "
@@ -264,24 +281,36 @@ Rows measured() {
 
 Rows spline() {
     return {
-        {"spline", "degree", integer, plain, any, {"3", "5"}, "3", "Degree of the spline."},
+        {"spline", "degree", integer, plain, any, {"3", "5"}, "3", "Degree of the spline.",
+         stored_in(&Scene::spline, &SplineSpec::degree)},
         {"spline", "segments", integer, plain, Range::between(1, 65536), {}, "12",
          "Uniform segments over the rise (DRD), over rise and return (RR), or over each spline segment of a "
-         "program. Without the key RR has six over the rise and six over the return."},
+         "program. Without the key RR has six over the rise and six over the return.",
+         stored_in(&Scene::spline, &SplineSpec::segments)},
         {"spline", "breakpoints", numbers, plain, not_negative, {}, "uniform",
          "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a "
          "program from 0 to 1, in units of each spline segment.",
+         stored_in(&Scene::spline, &SplineSpec::breakpoints),
          Availability::now, "segments"},
         {"spline", "knots", text, plain, any, {"fixed", "free"}, "\"fixed\"",
          "`\"free\"` makes the interior breakpoints design variables: those of `segments` or `breakpoints` are "
-         "where the search starts. DRD and RR, at most 256 segments."},
+         "where the search starts. DRD and RR, at most 256 segments.",
+         KeyPlace{.assign = [](Scene& scene, const KeyValue& value, std::size_t) {
+                      scene.spline.free_knots = value == KeyValue("free");
+                  },
+                  .value = [](const Scene& scene) -> std::optional<KeyValue> {
+                      return scene.spline.free_knots ? "free" : "fixed";
+                  }}},
         {"spline", "continuity", integer, plain, Range::between(2, 4), {}, "degree - 1",
-         "Highest continuous derivative, from 2 to degree - 1."},
+         "Highest continuous derivative, from 2 to degree - 1.",
+         stored_in(&Scene::spline, &SplineSpec::continuity)},
         {"spline", "end_jerk", text, plain, any, {"free", "zero"}, "\"free\"",
-         "`\"zero\"`: y''' = 0 at both ends, so that the jerk does not jump at the dwells; degree 5 only."},
+         "`\"zero\"`: y''' = 0 at both ends, so that the jerk does not jump at the dwells; degree 5 only.",
+         stored_in(&Scene::spline, &SplineSpec::end_jerk)},
         {"spline", "design", text, plain, any, {"auto", "ordinates", "coefficients", "states"}, "\"auto\"",
          "The variables of the search: displacements at the breakpoints (full continuity only), B-spline "
-         "coefficients, or displacement and derivatives at the breakpoints."},
+         "coefficients, or displacement and derivatives at the breakpoints.",
+         stored_in(&Scene::spline, &SplineSpec::design)},
     };
 }
 
@@ -303,10 +332,11 @@ Availability needs_of(const ResponseTerm& term) {
 Rows objective() {
     Rows rows;
     for (const CostTerm* term : listed_terms())
-        rows.push_back({"objective", term->name(), number, plain, not_negative, {}, "0", term->weight_meaning});
+        rows.push_back({"objective", term->name(), number, plain, not_negative, {}, "0", term->weight_meaning,
+                        stored_in(&Scene::objective, term->weight)});
     for (const ResponseTerm& term : response_terms())
         rows.push_back({"objective", term.name, number, plain, not_negative, {}, "0", term.weight_meaning,
-                        needs_of(term)});
+                        stored_in(&Scene::objective, term.weight), needs_of(term)});
     return rows;
 }
 
@@ -318,22 +348,41 @@ std::vector<std::string_view> tie_break_words() {
     return words;
 }
 
+/// The name of a law, or a table of numbers.
+KeyPlace reference_place() {
+    return {.assign =
+                [](Scene& scene, const KeyValue& value, std::size_t) {
+                    Reference& reference = scene.objective.reference;
+                    reference.numeric = !std::holds_alternative<std::string>(value);
+                    if (!reference.numeric) reference.law = std::get<std::string>(value);
+                },
+            .value = [](const Scene& scene) -> std::optional<KeyValue> {
+                const Reference& reference = scene.objective.reference;
+                return reference.numeric ? KeyValue() : KeyValue(reference.law);
+            }};
+}
+
+KeyPlace reference_number(std::optional<double> Reference::*number) {
+    return stored_in(&Scene::objective, &ObjectiveSpec::reference, number);
+}
+
 Rows reference() {
     static const std::string first_tie_break = fmt::format("\"{}\"", name_of(tie_breaks.front()));
     Rows rows = {
         {"objective", "reference", text_or_table, plain, any, {}, "\"modified_sine\"",
-         "What every term is divided by: the peaks of a law of the catalogue, or a table of numbers."},
+         "What every term is divided by: the peaks of a law of the catalogue, or a table of numbers.",
+         reference_place()},
         {"objective", "tie_break", text, plain, any, tie_break_words(), first_tie_break,
          "Among curves equally good within the tolerance take the one of least ∫ y'''²; `\"none\"` keeps "
-         "the solver's point."},
+         "the solver's point.",
+         stored_in(&Scene::objective, &ObjectiveSpec::tie_break)},
     };
     for (const CostTerm* term : listed_terms())
         rows.push_back({"objective.reference", term->name(), number, plain, positive, {}, "none",
-                        term->reference_meaning});
+                        term->reference_meaning, reference_number(term->reference)});
     for (const ResponseTerm& term : response_terms())
         rows.push_back({"objective.reference", term.name, number, plain, positive, {}, "none",
-                        term.reference_meaning,
-                        needs_of(term)});
+                        term.reference_meaning, reference_number(term.reference), needs_of(term)});
     return rows;
 }
 
@@ -350,41 +399,49 @@ Rows limits() {
                                                       : Availability::needs_cam;
         const KeyType type = row.figure == LimitedFigure::motor_torque ? number_or_bounds : number;
         rows.push_back({"limits", row.name, type, row.spellings, type == number ? range_in(row.range, row.spellings.front()) : any,
-                        {}, row.default_text, row.meaning, needs});
+                        {}, row.default_text, row.meaning, {}, needs});
         if (const LimitRow::Swinging& swinging = row.swinging; swinging.name != nullptr)
             rows.push_back({"limits", swinging.name, number, swinging.spellings,
                             range_in(row.range, swinging.spellings.front()), {}, row.default_text,
-                            swinging.meaning, needs, row.name});
+                            swinging.meaning, {}, needs, row.name});
     }
     rows.push_back({"limits", "motor_curve", points, plain, any, {}, "none",
                     "The torque-speed curve of the motor: pairs of a speed in rpm, from 0 on, and the largest "
                     "magnitude of the torque there in N m. Linear between them, concave and never rising; the last "
-                    "speed is the largest.", Availability::needs_drive});
+                    "speed is the largest.", {}, Availability::needs_drive});
     rows.push_back({"limits", "spring_harmonics", number_or_range, plain, Range::between(1, most_harmonic), {},
                     "the nearest 3", "The harmonics that `spring_harmonic` holds for: one, or a range `{ min, max }`. "
                     "Default: the nearest to `forces.spring_frequency`, and one to either side.",
-                    Availability::needs_forces});
+                    {}, Availability::needs_forces});
     return rows;
 }
 
 Rows solver() {
     return {
         {"solver", "name", text, plain, any, {}, "\"auto\"",
-         "`\"auto\"` or a solver of `camopt list solvers`."},
+         "`\"auto\"` or a solver of `camopt list solvers`.",
+         stored_in(&Scene::solver, &SolverSpec::name)},
         {"solver", "tolerance", number, plain, Range::between(1e-12, 1e-2), {}, "1e-9",
-         "Feasibility and optimality of the solve, relative."},
+         "Feasibility and optimality of the solve, relative.",
+         stored_in(&Scene::solver, &SolverSpec::tolerance)},
         {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7 where convex, 1e-4 otherwise",
-         "Proved relative gap below which the verdict is optimal."},
+         "Proved relative gap below which the verdict is optimal.",
+         stored_in(&Scene::solver, &SolverSpec::gap)},
         {"solver", "max_seconds", number, plain, positive, {}, "60",
-         "Wall time of search, proof, tie-break and explanation together; then the best motion so far is returned."},
+         "Wall time of search, proof, tie-break and explanation together; then the best motion so far is returned.",
+         stored_in(&Scene::solver, &SolverSpec::max_seconds)},
         {"solver", "explain_seconds", number, plain, not_negative, {}, "5",
-         "Part of this time: for the search for changes that make an infeasible scene feasible."},
+         "Part of this time: for the search for changes that make an infeasible scene feasible.",
+         stored_in(&Scene::solver, &SolverSpec::explain_seconds)},
         {"solver", "explain_changes", integer, plain, Range::between(1, 1000), {}, "3",
-         "That search ends as soon as it has found so many useful changes."},
+         "That search ends as soon as it has found so many useful changes.",
+         stored_in(&Scene::solver, &SolverSpec::explain_changes)},
         {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1 where convex, 8 otherwise",
-         "Starting points; a convex scene needs one."},
+         "Starting points; a convex scene needs one.",
+         stored_in(&Scene::solver, &SolverSpec::starts)},
         {"solver", "seed", integer, plain, Range::between(0, 4294967295), {}, "0",
-         "Seed of the random starting points."},
+         "Seed of the random starting points.",
+         stored_in(&Scene::solver, &SolverSpec::seed)},
         {"solver", "options", options, plain, any, {}, "none",
          "The solver's own options: any names, values are text, numbers, true or false."},
     };
