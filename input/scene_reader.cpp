@@ -44,7 +44,7 @@ KeyValue key_value(const Given& given) {
 void read_rows(const Node& table, const std::string& path, Scene& scene) {
     for (const Member& member : table.members) {
         const auto [row, spelling] = match_key(path, member.name);
-        if (row == nullptr || !row->place) continue;
+        if (row == nullptr || !row->place.assign) continue;
         row->place.assign(scene, key_value({&member, row, spelling}), row->choices.size());
         if (member.value.kind == NodeKind::table) read_rows(member.value, joined_key(path, row->name), scene);
     }

@@ -2,7 +2,7 @@
 #include "input/machine/machine_reader.hpp"
 
 #include "input/document/document.hpp"
-#include "input/keys/key_parts.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
 
 #include <fmt/format.h>

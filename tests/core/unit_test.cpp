@@ -34,7 +34,7 @@ struct Written {
     const char *suffix, *name, *sign;
 };
 
-TEST(Units, SuffixNameAndSignFollowFromTheSymbols) {
+TEST(Units, SymbolsGiveSuffixNameAndSign) {
     const std::array rows = {Written{unit_named<"m/s^2">, "_m_s2", "m/s^2", "m/s²"},
                              Written{unit_named<"mm/rad^3">, "_mm_rad3", "mm/rad^3", "mm/rad³"},
                              Written{unit_named<"um">, "_um", "um", "µm"},

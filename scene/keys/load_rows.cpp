@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The rows of the key table that have to do with a cam of any kind, of [dynamics] and of [drive].
-#include "input/keys/key_parts.hpp"
+// The rows of [forces], [dynamics] and [drive].
 #include "scene/key_place.hpp"
+#include "scene/keys/own_rows.hpp"
 
-namespace camopt::input {
-
+namespace camopt::key_rows {
 namespace {
 
 using enum KeyType;
@@ -12,20 +11,10 @@ using namespace spellings;
 
 const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
 const Range damping_ratios = Range::between(0.0, 2.0);
-constexpr auto needs_cam = Availability::needs_cam;
-
-}  // namespace
 
 // A row is read as a row.
 // clang-format off
-std::vector<KeyRow> rotation_rows() {
-    return {
-        {"cam", "rotation", text, plain, any, {"counterclockwise", "clockwise"}, "\"counterclockwise\"",
-         "The sense in which the cam turns."},
-    };
-}
-
-std::vector<KeyRow> force_rows() {
+Rows forces() {
     return {
         {"forces", "mass", number, mass, not_negative, {}, "0",
          "Mass that the cam accelerates; translating followers.",
@@ -70,34 +59,7 @@ std::vector<KeyRow> force_rows() {
     };
 }
 
-std::vector<KeyRow> dimension_weight_rows() {
-    const auto dimension_weight = [](DimensionIndex dimension) {
-        return stored_in(&Scene::objective, &ObjectiveSpec::dimensions, static_cast<std::size_t>(dimension));
-    };
-    return {
-        {"objective", "base_radius", number, plain, not_negative, {}, "0",
-         "Weight of the base radius divided by the lift (oscillating: by lift in rad · centre distance).",
-         dimension_weight(DimensionIndex::base_radius),
-         needs_cam},
-        {"objective", "roller_radius", number, plain, not_negative, {}, "0",
-         "Weight of the roller radius, divided likewise.",
-         dimension_weight(DimensionIndex::roller_radius), needs_cam},
-        {"objective", "offset", number, plain, not_negative, {}, "0",
-         "Weight of the offset's magnitude, divided likewise.",
-         dimension_weight(DimensionIndex::offset), needs_cam},
-        {"objective", "center_distance", number, plain, not_negative, {}, "0",
-         "Weight of the centre distance, divided likewise.",
-         dimension_weight(DimensionIndex::center_distance), needs_cam},
-        {"objective", "arm_length", number, plain, not_negative, {}, "0",
-         "Weight of the arm length, divided likewise.",
-         dimension_weight(DimensionIndex::arm_length), needs_cam},
-        {"objective", "face_offset", number, plain, not_negative, {}, "0",
-         "Weight of the face offset, divided likewise.",
-         dimension_weight(DimensionIndex::face_offset), needs_cam},
-    };
-}
-
-std::vector<KeyRow> dynamics_rows() {
+Rows dynamics() {
     return {
         {"dynamics", "mass", number, mass, positive, {}, "needed", "Moved at the output; of a lift that is a length.",
          stored_in(&Scene::dynamics, &DynamicsSpec::mass)},
@@ -136,7 +98,7 @@ std::vector<KeyRow> dynamics_rows() {
     };
 }
 
-std::vector<KeyRow> drive_rows() {
+Rows drive() {
     return {
         {"drive", "load_mass", number, mass, not_negative, {}, "0",
          "Moved with the output; of a lift that is a length.",
@@ -169,4 +131,10 @@ std::vector<KeyRow> drive_rows() {
 }
 // clang-format on
 
-}  // namespace camopt::input
+}  // namespace
+
+Rows of_loads() {
+    return joined({forces(), dynamics(), drive()});
+}
+
+}  // namespace camopt::key_rows
