@@ -147,6 +147,10 @@ WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, i
     return written;
 }
 
+std::string segment_words(std::size_t index) {
+    return fmt::format("segment {}", index + 1);
+}
+
 std::string listed_words(std::string_view key) {
     const std::size_t name = key.rfind('.') + 1;
     std::string words(key.substr(name, key.find('_', name) - name));
