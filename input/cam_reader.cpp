@@ -74,20 +74,14 @@ std::optional<std::array<double, 2>> speed_range(const SceneSource& source, std:
     return std::array{items[0].as_number() * unit, items[1].as_number() * unit};
 }
 
-std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& scene) {
-    const Node* table = source.table("forces");
-    if (!table) return std::nullopt;
-    ForceSpec forces;
+void read_forces(const SceneSource& source, Scene& scene) {
+    if (!scene.forces) return;
+    ForceSpec& forces = *scene.forces;
     if (scene.cam) {
         const bool swings = scene.cam->formulas()->swings();
         for (const char* quantity : {"mass", "inertia", "spring_rate", "preload", "damping", "load"})
             check_force_unit(source, "forces", quantity, swings);
     }
-    source.read_number("forces", "mass", forces.mass);
-    source.read_number("forces", "inertia", forces.mass);
-    source.read_number("forces", "spring_rate", forces.spring_rate);
-    source.read_number("forces", "preload", forces.preload);
-    source.read_number("forces", "damping", forces.damping);
     if (const auto load = source.find("forces", "load")) {
         const double unit = load->spelling->factor;
         if (load->value().is_number()) forces.load = {{0.0, load->number()}};
@@ -98,18 +92,10 @@ std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& sce
             source.fail(load->value().place, joined_key("forces", load->member->name),
                         "found angles over more than 360 deg; allowed: those of one revolution");
     }
-    forces.spring_frequency = source.number("forces", "spring_frequency");
     forces.speed_range = speed_range(source, "forces");
-    forces.contact_width = source.number("forces", "contact_width");
-    source.read_number("forces", "cam_modulus", forces.cam_modulus);
-    source.read_number("forces", "follower_modulus", forces.follower_modulus);
-    source.read_number("forces", "cam_poisson", forces.cam_poisson);
-    source.read_number("forces", "follower_poisson", forces.follower_poisson);
-    return forces;
 }
 
-std::optional<DriveSpec> read_drive(const SceneSource& source, const MotionSpec& motion) {
-    if (!source.table("drive")) return std::nullopt;
+void check_drive(const SceneSource& source, const MotionSpec& motion) {
     for (const char* quantity :
          {"load_mass", "load_inertia", "transmission", "viscous", "force", "moment", "friction"}) {
         const auto given = source.find("drive", quantity);
@@ -126,21 +112,10 @@ std::optional<DriveSpec> read_drive(const SceneSource& source, const MotionSpec&
                                        : "load_mass_kg, transmission_mm_per_rev, viscous_n_s_m, force_n, "
                                          "friction_n"));
     }
-    DriveSpec drive;
-    source.read_number("drive", "load_mass", drive.load);
-    source.read_number("drive", "load_inertia", drive.load);
-    source.read_number("drive", "motor_inertia", drive.motor_inertia);
     if (!source.find("drive", "transmission"))
         source.fail_member("drive", fmt::format("missing {}; allowed: a number > 0",
                                                 motion.lift_is_angle ? "transmission_deg_per_rev"
                                                                      : "transmission_mm_per_rev"));
-    source.read_number("drive", "transmission", drive.transmission);
-    source.read_number("drive", "viscous", drive.viscous);
-    source.read_number("drive", "force", drive.force);
-    source.read_number("drive", "moment", drive.force);
-    source.read_number("drive", "friction", drive.friction);
-    drive.cycle = source.number("drive", "cycle");
-    return drive;
 }
 
 void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits) {

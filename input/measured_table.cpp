@@ -3,7 +3,7 @@
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
 #include "input/inspected_table.hpp"
-#include "input/keys/key_spellings.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "input/scene_parts.hpp"
 
 #include <fmt/format.h>

@@ -212,24 +212,18 @@ LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion) 
     return limits;
 }
 
-std::optional<DynamicsSpec> read_dynamics(const SceneSource& source, const MotionSpec& motion) {
-    const Node* const table = source.table("dynamics");
-    if (!table) return std::nullopt;
+void read_dynamics(const SceneSource& source, const MotionSpec& motion, DynamicsSpec& spec) {
+    const Node& table = *source.table("dynamics");
     const bool angle = motion.lift_is_angle;
-    const DynamicsReader reader(source, *table, "dynamics", angle);
-    DynamicsSpec spec;
-    spec.mass = reader.mass();
-    spec.natural_frequency = reader.find("natural_frequency");
-    spec.stiffness = reader.find("stiffness");
-    spec.damping_ratio = reader.find("damping_ratio");
-    spec.damping = reader.find("damping");
-    spec.return_stiffness = reader.find("return_spring").value_or(0.0);
-    spec.preload = reader.find("preload").value_or(0.0);
+    const DynamicsReader reader(source, table, "dynamics", angle);
+    (void)reader.mass();
+    for (const Member& member : table.members)
+        if (const KeyMatch key = match_key("dynamics", member.name); key.row != nullptr)
+            check_train_unit(source, {&member, key.row, key.spelling}, angle);
     if (const auto range = speed_range(source, "dynamics")) spec.speed_range = *range;
     if (const auto stages = source.find("dynamics", "stage"))
         for (const Node& stage : stages->value().items)
             spec.stages.push_back(read_stage(source, stage, angle));
-    return spec;
 }
 
 }  // namespace camopt::input

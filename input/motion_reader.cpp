@@ -278,8 +278,7 @@ class MotionReader {
  public:
     MotionReader(const SceneSource& source, const KnownNames& known) : source_(source), known_(known) {}
 
-    MotionSpec read() const {
-        MotionSpec motion;
+    void read(MotionSpec& motion) const {
         source_.read_choice("motion", "type", {MotionType::drd, MotionType::rr, MotionType::program},
                             motion.type);
         const auto type = source_.find("motion", "type");
@@ -293,22 +292,11 @@ class MotionReader {
             motion.lift = units::turn / static_cast<double>(stops->value().integer);
             motion.lift_is_angle = true;
         }
-        source_.read_number("motion", "rise", motion.rise);
-        motion.return_angle = source_.number("motion", "return");
-        motion.speed = source_.number("motion", "speed");
         if (const auto engine = source_.number("motion", "engine_speed")) motion.speed = 0.5 * *engine;
-        if (const auto symmetric = source_.find("motion", "symmetric"))
-            motion.symmetric = symmetric->value().boolean;
-        if (const auto within = source_.find("motion", "within_lift"))
-            motion.within_lift = within->value().boolean;
-        if (const auto monotone = source_.find("motion", "monotone"))
-            motion.monotone = monotone->value().boolean;
         if (const auto closed = source_.find("motion", "closed")) {
             motion.relative = closed->value().kind == NodeKind::text;
             motion.closed = closed->value().kind == NodeKind::boolean && closed->value().boolean;
         }
-        source_.read_integer("motion", "repeat", motion.repeat);
-        source_.read_number("motion", "phase", motion.phase);
         if (const auto segments = source_.find("motion", "segments"))
             for (const Node& segment : segments->value().items)
                 motion.segments.push_back(read_segment(segment, motion));
@@ -319,7 +307,6 @@ class MotionReader {
         read_set_points(source_, motion);
         repeat_segments(motion);
         read_corridors(source_, motion);
-        return motion;
     }
 
  private:
@@ -400,8 +387,8 @@ class MotionReader {
 
 }  // namespace
 
-MotionSpec read_motion(const SceneSource& source, const KnownNames& known) {
-    return MotionReader(source, known).read();
+void read_motion(const SceneSource& source, const KnownNames& known, MotionSpec& motion) {
+    MotionReader(source, known).read(motion);
 }
 
 }  // namespace camopt::input

@@ -13,8 +13,9 @@ namespace camopt::input {
 /// first fault.
 [[nodiscard]] Scene read_document(const SceneSource& source, const KnownNames& known);
 
-/// [motion]
-[[nodiscard]] MotionSpec read_motion(const SceneSource& source, const KnownNames& known);
+// The rows of a table read what they say where it lives; the rest of it follows.
+
+void read_motion(const SceneSource& source, const KnownNames& known, MotionSpec& motion);
 
 /// Complete; none if the scene has no cam.
 [[nodiscard]] std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion,
@@ -24,14 +25,15 @@ namespace camopt::input {
 [[nodiscard]] std::optional<std::array<double, 2>> speed_range(const SceneSource& source,
                                                                std::string_view table);
 
-[[nodiscard]] std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& scene);
+void read_forces(const SceneSource& source, Scene& scene);
 
 /// Of inertias, moments and rates of an output that swings; others are those of one that is pushed straight.
 [[nodiscard]] constexpr bool is_turning_unit(std::string_view unit) {
     return unit.starts_with("N m") || unit == "kg m^2" || unit == "lbf in";
 }
 
-[[nodiscard]] std::optional<DriveSpec> read_drive(const SceneSource& source, const MotionSpec& motion);
+/// Throws for units that do not fit the lift, and without a transmission.
+void check_drive(const SceneSource& source, const MotionSpec& motion);
 
 /// Adds to the limits on the peaks.
 void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits);
@@ -51,8 +53,7 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
 // that does not fit the lift. Internal to input/.
 [[nodiscard]] LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion);
 
-// The [dynamics] table. Internal to input/.
-[[nodiscard]] std::optional<DynamicsSpec> read_dynamics(const SceneSource& source, const MotionSpec& motion);
+void read_dynamics(const SceneSource& source, const MotionSpec& motion, DynamicsSpec& spec);
 
 // [measured] of a checked scene file → MeasuredMotion: numbers of the scene itself, or of a CSV file in its
 // folder. Internal to input/.

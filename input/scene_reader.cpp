@@ -15,46 +15,39 @@ namespace camopt::input {
 
 namespace {
 
-// The [drawing] table. Internal to input/.
-
-std::optional<Keyway> read_keyway(const SceneSource& source) {
-    constexpr std::string_view table = "drawing.keyway";
-    if (!source.table(table)) return std::nullopt;
-    Keyway keyway;
-    source.read_number(table, "width", keyway.width);
-    source.read_number(table, "depth", keyway.depth);
-    source.read_number(table, "at", keyway.at);
-    return keyway;
+KeyValue key_value(const Given& given) {
+    const Node& node = given.value();
+    const double factor = given.spelling->factor;
+    switch (node.kind) {
+        case NodeKind::text:
+            return node.text;
+        case NodeKind::boolean:
+            return node.boolean;
+        case NodeKind::integer:
+            if (given.row->type == KeyType::integer) return node.integer;
+            return given.number();
+        case NodeKind::number:
+            return given.number();
+        case NodeKind::array: {
+            std::vector<double> numbers;
+            for (const Node& item : node.items) numbers.push_back(item.as_number() * factor);
+            return numbers;
+        }
+        case NodeKind::table:
+        case NodeKind::date_or_time:
+            break;
+    }
+    return {};
 }
 
-std::optional<DrawingSpec> read_drawing(const SceneSource& source) {
-    if (!source.table("drawing")) return std::nullopt;
-    DrawingSpec drawing;
-    drawing.bore = source.number("drawing", "bore");
-    drawing.keyway = read_keyway(source);
-    drawing.thickness = source.number("drawing", "thickness");
-    drawing.groove_depth = source.number("drawing", "groove_depth");
-    source.read_number("drawing", "datum", drawing.datum);
-    const auto words = [&](std::string_view name, std::string& target) {
-        if (const auto given = source.find("drawing.title_block", name)) target = given->value().text;
-    };
-    TitleBlock& title = drawing.title_block;
-    words("part", title.part);
-    words("material", title.material);
-    words("tolerance", title.tolerance);
-    words("drawn_by", title.drawn_by);
-    words("organisation", title.organisation);
-    words("number", title.number);
-    words("revision", title.revision);
-    words("date", title.date);
-    words("surface_finish", title.surface_finish);
-    words("profile_tolerance", title.profile_tolerance);
-    words("bore_fit", title.bore_fit);
-    words("keyway_tolerance", title.keyway_tolerance);
-    drawing.density = source.number("drawing", "density");
-    source.read_choice("drawing", "projection", {Projection::first_angle, Projection::third_angle},
-                       drawing.projection);
-    return drawing;
+/// The keys whose rows say where their values live.
+void read_rows(const Node& table, const std::string& path, Scene& scene) {
+    for (const Member& member : table.members) {
+        const auto [row, spelling] = match_key(path, member.name);
+        if (row == nullptr || !row->place.assign) continue;
+        row->place.assign(scene, key_value({&member, row, spelling}), row->choices.size());
+        if (member.value.kind == NodeKind::table) read_rows(member.value, joined_key(path, row->name), scene);
+    }
 }
 
 // A scene with a breakpoint in every micrometre of a metre is smaller.
@@ -67,24 +60,23 @@ class SceneReader {
 
     Scene read() const {
         Scene scene;
-        read_text("", "title", scene.title);
+        read_rows(source_.root, "", scene);
         scene.length_unit = written_length_unit();
         scene.written = written_spellings();
-        scene.motion = read_motion(source_, known_);
-        scene.spline = read_spline();
+        read_motion(source_, known_, scene.motion);
+        read_spline(scene.spline);
         if (!source_.table("objective") && !scene.motion.prescribed() && !is_nearest())
             source_.fail({}, "objective", "missing; allowed: a [objective] table");
-        scene.objective = read_objective();
+        check_reference();
         scene.cam = read_cam(source_, scene.motion, known_);
-        scene.forces = read_forces(source_, scene);
+        read_forces(source_, scene);
         if (scene.cam && scene.cam->face_radius && scene.forces && scene.forces->contact_width)
             scene.cam->set_round_face(*scene.cam->face_radius, *scene.forces->contact_width);
         scene.limits = read_peak_limits(source_, scene.motion);
         read_cam_limits(source_, scene, scene.limits);
-        scene.drawing = read_drawing(source_);
-        scene.dynamics = read_dynamics(source_, scene.motion);
-        scene.drive = read_drive(source_, scene.motion);
-        scene.solver = read_solver();
+        if (scene.dynamics) read_dynamics(source_, scene.motion, *scene.dynamics);
+        if (scene.drive) check_drive(source_, scene.motion);
+        read_solver(scene.solver);
         const std::optional<MeasuredInput> measured = read_measured(source_, scene, known_);
         if (measured) scene.measured = measured->motion;
         weigh_deviation(scene);
@@ -98,10 +90,6 @@ class SceneReader {
  private:
     const SceneSource& source_;
     const KnownNames& known_;
-
-    void read_text(std::string_view table, std::string_view name, std::string& target) const {
-        if (const auto given = source_.find(table, name)) target = given->value().text;
-    }
 
     /// Of the first length in the order of the documentation: the lift, or the next one if it is an angle.
     LengthUnit written_length_unit() const {
@@ -128,29 +116,12 @@ class SceneReader {
         return all;
     }
 
-    SplineSpec read_spline() const {
-        SplineSpec spline;
-        source_.read_integer("spline", "degree", spline.degree);
-        source_.read_integer("spline", "segments", spline.segments);
-        if (const auto breakpoints = source_.find("spline", "breakpoints")) {
-            for (const Node& item : breakpoints->value().items)
-                spline.breakpoints.push_back(item.as_number());
-            if (spline.breakpoints.size() < 2)
-                source_.fail(breakpoints->value().place, "spline.breakpoints",
-                             "found fewer than 2 breakpoints; allowed: 2 to 65537");
-        } else {
-            spline.by_stroke = !source_.find("spline", "segments");
-        }
-        if (const auto continuity = source_.find("spline", "continuity"))
-            spline.continuity = static_cast<int>(continuity->value().integer);
-        if (const auto knots = source_.find("spline", "knots"))
-            spline.free_knots = knots->value().text == "free";
-        source_.read_choice("spline", "end_jerk", {EndJerk::free, EndJerk::zero}, spline.end_jerk);
-        source_.read_choice(
-            "spline", "design",
-            {DesignKind::automatic, DesignKind::ordinates, DesignKind::coefficients, DesignKind::states},
-            spline.design);
-        return spline;
+    void read_spline(SplineSpec& spline) const {
+        const auto breakpoints = source_.find("spline", "breakpoints");
+        if (breakpoints && spline.breakpoints.size() < 2)
+            source_.fail(breakpoints->value().place, "spline.breakpoints",
+                         "found fewer than 2 breakpoints; allowed: 2 to 65537");
+        spline.by_stroke = !breakpoints && !source_.find("spline", "segments");
     }
 
     bool is_nearest() const {
@@ -166,65 +137,24 @@ class SceneReader {
         (norm && norm->value().text == "rms" ? objective.deviation_rms : objective.deviation) = 1.0;
     }
 
-    ObjectiveSpec read_objective() const {
-        ObjectiveSpec objective;
-        for (const CostTerm& term : cost_terms())
-            source_.read_number("objective", term.name(), objective.*term.weight);
-        for (const ResponseTerm& term : response_terms())
-            source_.read_number("objective", term.name, objective.*term.weight);
-        for (int i = 0; i < dimension_count; ++i)
-            source_.read_number("objective", name_of(static_cast<DimensionIndex>(i)),
-                                objective.dimensions[i]);
-        objective.reference = read_reference();
-        source_.read_choice("objective", "tie_break", std::span<const TieBreak>(tie_breaks),
-                            objective.tie_break);
-        return objective;
-    }
-
-    Reference read_reference() const {
-        Reference reference;
+    void check_reference() const {
         const auto given = source_.find("objective", "reference");
-        if (!given) return reference;
-        if (given->value().kind == NodeKind::text) {
-            std::vector<std::string> laws = known_.laws;  // a rise without rest has no separate peaks
-            for (const std::string& moving : known_.moving_laws) std::erase(laws, moving);
-            check_name(source_, *given, "objective.reference",
-                       {laws, "a law of the catalogue: ", ", or a table of numbers"});
-            reference.law = given->value().text;
-            return reference;
-        }
-        constexpr std::string_view table = "objective.reference";
-        reference.numeric = true;
-        for (const CostTerm& term : cost_terms())
-            reference.*term.reference = source_.number(table, term.name());
-        for (const ResponseTerm& term : response_terms())
-            reference.*term.reference = source_.number(table, term.name);
-        return reference;
+        if (!given || given->value().kind != NodeKind::text) return;
+        std::vector<std::string> laws = known_.laws;  // a rise without rest has no separate peaks
+        for (const std::string& moving : known_.moving_laws) std::erase(laws, moving);
+        check_name(source_, *given, "objective.reference",
+                   {laws, "a law of the catalogue: ", ", or a table of numbers"});
     }
 
-    SolverSpec read_solver() const {
-        SolverSpec solver;
+    void read_solver(SolverSpec& solver) const {
         if (const auto given = source_.find("solver", "name"); given && given->value().text != "auto") {
             std::vector<std::string> solvers = {"auto"};
             solvers.insert(solvers.end(), known_.solvers.begin(), known_.solvers.end());
             check_name(source_, *given, "solver.name", {solvers});
-            solver.name = given->value().text;
         }
-        source_.read_number("solver", "tolerance", solver.tolerance);
-        if (source_.find("solver", "gap")) {
-            solver.gap = 0.0;
-            source_.read_number("solver", "gap", *solver.gap);
-        }
-        source_.read_number("solver", "max_seconds", solver.max_seconds);
-        source_.read_number("solver", "explain_seconds", solver.explain_seconds);
-        source_.read_integer("solver", "explain_changes", solver.explain_changes);
-        if (const auto starts = source_.find("solver", "starts"))
-            solver.starts = static_cast<int>(starts->value().integer);
-        source_.read_integer("solver", "seed", solver.seed);
         if (const auto options = source_.find("solver", "options"))
             for (const Member& option : options->value().members)
                 solver.options.emplace(option.name, option_value(option.value));
-        return solver;
     }
 
     static OptionValue option_value(const Node& node) {

@@ -17,51 +17,6 @@ using input::Member;
 using input::Node;
 using input::NodeKind;
 
-enum class UnitSystem : unsigned char { both, metric, imperial };
-
-struct UnitPart {
-    std::string_view name, dimension;
-    UnitSystem system = UnitSystem::both;
-};
-
-// Every other part ("s", "crank") is its own dimension.
-constexpr std::array unit_parts = {UnitPart{"mm", "L", UnitSystem::metric},
-                                   UnitPart{"m", "L", UnitSystem::metric},
-                                   UnitPart{"um", "L", UnitSystem::metric},
-                                   UnitPart{"in", "L", UnitSystem::imperial},
-                                   UnitPart{"N", "F", UnitSystem::metric},
-                                   UnitPart{"lbf", "F", UnitSystem::imperial},
-                                   UnitPart{"kg", "M", UnitSystem::metric},
-                                   UnitPart{"lb", "M", UnitSystem::imperial},
-                                   UnitPart{"MPa", "P", UnitSystem::metric},
-                                   UnitPart{"GPa", "P", UnitSystem::metric},
-                                   UnitPart{"Pa", "P", UnitSystem::metric},
-                                   UnitPart{"ksi", "P", UnitSystem::imperial},
-                                   UnitPart{"deg", "A"},
-                                   UnitPart{"rad", "A"},
-                                   UnitPart{"rpm", "A/s"},
-                                   UnitPart{"Hz", "A/s"}};
-
-struct UnitNature {
-    std::string dimension;  ///< "mm/s^2", "in/s^2": "L/s^2"
-    UnitSystem system = UnitSystem::both;
-};
-
-UnitNature nature_of(std::string_view unit) {
-    UnitNature nature;
-    constexpr std::string_view marks = " /^";
-    const std::span parts(unit_parts);
-    while (!unit.empty()) {
-        const std::size_t end = std::max<std::size_t>(std::min(unit.find_first_of(marks), unit.size()), 1);
-        const std::string_view part = unit.substr(0, end);
-        const auto row = std::ranges::find(parts, part, &UnitPart::name);
-        nature.dimension += row == parts.end() ? part : row->dimension;
-        if (row != parts.end() && row->system != UnitSystem::both) nature.system = row->system;
-        unit.remove_prefix(end);
-    }
-    return nature;
-}
-
 /// The shortest number this close to it: what was round comes back as it was.
 double converted(double value, double factor) {
     constexpr double close = 1e-9;  // relative; twice the rounding to the most digits
@@ -83,15 +38,22 @@ void scale(Node& value, double factor) {
     for (Member& end : value.members) scale(end.value, factor);
 }
 
-/// The same quantity in the other system of units; null: it has none, or is written so.
+/// "/deg^2" of "mm/deg^2".
+std::string_view divisor_of(std::string_view unit) {
+    return unit.substr(std::min(unit.find('/'), unit.size()));
+}
+
+/// The same quantity in the other system of units, by the same angle or time where it can be; null: it has
+/// none, or is written so.
 const Spelling* in_system(const KeyRow& row, const Spelling& written, UnitSystem wanted) {
-    const UnitNature from = nature_of(written.unit);
-    if (from.system == UnitSystem::both || from.system == wanted) return nullptr;
-    for (const Spelling& other : row.spellings)
-        if (const UnitNature to = nature_of(other.unit);
-            to.dimension == from.dimension && to.system == wanted)
-            return &other;
-    return nullptr;
+    if (written.system == UnitSystem::both || written.system == wanted) return nullptr;
+    const Spelling* found = nullptr;
+    for (const Spelling& other : row.spellings) {
+        if (other.quantity != written.quantity || other.system != wanted) continue;
+        if (divisor_of(other.unit) == divisor_of(written.unit)) return &other;
+        if (found == nullptr) found = &other;
+    }
+    return found;
 }
 
 /// Pairs of numbers ([[angle, force], …]) have two units: they stay.
@@ -146,9 +108,8 @@ Node& list_of(Node& root, std::string_view path) {
 
 std::vector<UnitChoice> units_of_field(const KeyRow& row, const Spelling& written) {
     std::vector<UnitChoice> choices;
-    const std::string dimension = nature_of(written.unit).dimension;
     for (const Spelling& other : row.spellings)
-        if (!written.unit.empty() && nature_of(other.unit).dimension == dimension)
+        if (!written.unit.empty() && !other.unit.empty() && other.quantity == written.quantity)
             choices.push_back({std::string(other.unit), as_written(other.factor / written.factor)});
     return choices;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/names.hpp"
 #include "input/document/scene_source.hpp"
-#include "input/keys/key_spellings.hpp"
+#include "input/keys/meaning_hint.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 
 #include <fmt/format.h>

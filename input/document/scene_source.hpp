@@ -43,20 +43,10 @@ class SceneSource {
     void read_number(std::string_view table_path, std::string_view quantity, double& target) const {
         target = number(table_path, quantity).value_or(target);
     }
-    template <typename Integer>
-    void read_integer(std::string_view table_path, std::string_view quantity, Integer& target) const {
-        if (const auto given = find(table_path, quantity))
-            target = static_cast<Integer>(given->value().integer);
-    }
     /// The value of `values` whose name_of is the text.
     template <typename Choice>
     void read_choice(std::string_view table_path, std::string_view quantity,
                      std::initializer_list<Choice> values, Choice& target) const {
-        read_choice(table_path, quantity, std::span<const Choice>(values.begin(), values.size()), target);
-    }
-    template <typename Choice>
-    void read_choice(std::string_view table_path, std::string_view quantity, std::span<const Choice> values,
-                     Choice& target) const {
         const auto given = find(table_path, quantity);
         if (!given) return;
         for (const Choice value : values)

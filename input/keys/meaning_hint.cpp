@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "input/keys/key_spellings.hpp"
+#include "input/keys/meaning_hint.hpp"
+
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
 

@@ -2,7 +2,7 @@
 #include "input/machine/machine_reader.hpp"
 
 #include "input/document/document.hpp"
-#include "input/keys/key_spellings.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
 
 #include <fmt/format.h>
@@ -14,15 +14,29 @@ namespace camopt::input {
 
 namespace {
 
-struct Keys {
-    std::vector<std::string> allowed, required;
+struct Key {
+    std::string_view name;
+    std::span<const Spelling> units = spellings::plain;
+    bool required = false;
 };
-const Keys root_keys{{"title", "machine", "axis", "clearance"}, {"machine", "axis"}};
-const Keys machine_keys{{"speed_rpm", "speed_rad_s"}, {}};
-const Keys axis_keys{{"name", "scene", "phase_deg", "phase_rad"}, {"name", "scene"}};
-const Keys clearance_keys{{"between", "factors", "at_least_mm", "at_least_in", "at_least_m", "at_least_deg",
-                           "at_least_rad", "from_deg", "from_rad", "to_deg", "to_rad"},
-                          {"between"}};
+using Keys = std::span<const Key>;
+
+constexpr std::array root_keys = {Key{"title"}, Key{"machine", spellings::plain, true},
+                                  Key{"axis", spellings::plain, true}, Key{"clearance"}};
+constexpr std::array machine_keys = {Key{"speed", spellings::speed}};
+constexpr std::array range_keys = {Key{"min", spellings::plain, true}, Key{"max", spellings::plain, true}};
+constexpr std::array axis_keys = {Key{"name", spellings::plain, true}, Key{"scene", spellings::plain, true},
+                                  Key{"phase", spellings::angle}};
+constexpr std::array clearance_keys = {Key{"between", spellings::plain, true}, Key{"factors"},
+                                       Key{"at_least", spellings::lift}, Key{"from", spellings::angle},
+                                       Key{"to", spellings::angle}};
+
+std::vector<std::string> written_names(Keys keys) {
+    std::vector<std::string> names;
+    for (const Key& key : keys)
+        for (const Spelling& unit : key.units) names.push_back(fmt::format("{}{}", key.name, unit.suffix));
+    return names;
+}
 
 std::string joined(const std::string& path, std::string_view key) {
     return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
@@ -105,7 +119,7 @@ class MachineReader {
 
     [[nodiscard]] bool is_axis(const std::string& name) const {
         const Member* const axes = root_.find("axis");
-        return axes != nullptr && std::ranges::find(root_keys.allowed, name) == root_keys.allowed.end() &&
+        return axes != nullptr && std::ranges::find(root_keys, name, &Key::name) == root_keys.end() &&
                std::ranges::any_of(axes->value.items, [&](const Node& axis) {
                    const Member* const own = axis.kind == NodeKind::table ? axis.find("name") : nullptr;
                    return own != nullptr && own->value.kind == NodeKind::text && own->value.text == name;
@@ -126,28 +140,28 @@ class MachineReader {
     }
 
     /// Unknown and missing keys, and two spellings of a quantity.
-    void check(const Node& node, const Keys& keys, const std::string& path) const {
-        for (const Member& member : node.members) {
-            const std::string key = joined(path, member.name);
-            if (std::ranges::find(keys.allowed, member.name) == keys.allowed.end())
-                fail(member.place, key,
-                     fmt::format("found an unknown key; allowed: {}{}", fmt::join(keys.allowed, ", "),
-                                 spelling_hint(member.name, keys.allowed)));
-            for (const std::string_view quantity : {"speed_", "phase_", "at_least_", "from_", "to_"})
-                for (const Member& other : node.members)
-                    if (&other < &member && member.name.starts_with(quantity) &&
-                        other.name.starts_with(quantity))
-                        fail(member.place, key,
-                             fmt::format("found together with {}, which means the same; allowed: only one of "
-                                         "the two",
-                                         joined(path, other.name)));
+    void check(const Node& node, Keys keys, const std::string& path) const {
+        const std::vector<std::string> allowed = written_names(keys);
+        for (const Member& member : node.members)
+            if (std::ranges::find(allowed, member.name) == allowed.end())
+                fail(member.place, joined(path, member.name),
+                     fmt::format("found an unknown key; allowed: {}{}", fmt::join(allowed, ", "),
+                                 spelling_hint(member.name, allowed)));
+        for (const Key& key : keys) {
+            std::vector<const Member*> written;
+            for (const Member& member : node.members)
+                if (find(member, key)) written.push_back(&member);
+            if (written.size() > 1)
+                fail(written[1]->place, joined(path, written[1]->name),
+                     fmt::format("found together with {}, which means the same; allowed: only one of the two",
+                                 joined(path, written[0]->name)));
+            if (key.required && written.empty())
+                fail(node.place, joined(path, key.name), "missing; allowed: a value");
         }
-        for (const std::string& name : keys.required)
-            if (!node.find(name)) fail(node.place, joined(path, name), "missing; allowed: a value");
     }
 
     template <typename Visit>
-    void each(const char* name, const Keys& keys, const Visit& visit) const {
+    void each(const char* name, Keys keys, const Visit& visit) const {
         const Member* const list = root_.find(name);
         if (!list) return;
         const std::string allowed = fmt::format("tables [[{}]]", name);
@@ -175,15 +189,18 @@ class MachineReader {
         const Member* member;
         const Spelling* spelling;
     };
-    static std::optional<Written> find(const Node& table, std::string_view quantity,
-                                       std::span<const Spelling> spellings) {
-        for (const Spelling& spelling : spellings)
-            if (const Member* member = table.find(fmt::format("{}{}", quantity, spelling.suffix)))
-                return Written{member, &spelling};
+    static std::optional<Written> find(const Member& member, const Key& key) {
+        for (const Spelling& unit : key.units)
+            if (member.name == fmt::format("{}{}", key.name, unit.suffix)) return Written{&member, &unit};
+        return {};
+    }
+    static std::optional<Written> find(const Node& table, const Key& key) {
+        for (const Member& member : table.members)
+            if (const auto found = find(member, key)) return found;
         return {};
     }
     void read_angle(const Node& table, const std::string& path, const char* quantity, double& target) const {
-        if (const auto found = find(table, quantity, spellings::angle))
+        if (const auto found = find(table, {quantity, spellings::angle}))
             target =
                 number(found->member->value, joined(path, found->member->name)) * found->spelling->factor;
     }
@@ -192,13 +209,13 @@ class MachineReader {
         const Node& table = root_.find("machine")->value;
         if (table.kind != NodeKind::table) refuse(table, "machine", "a table [machine]");
         check(table, machine_keys, "machine");
-        const auto speed = find(table, "speed", spellings::speed);
+        const auto speed = find(table, machine_keys.front());
         if (!speed) fail(table.place, "machine.speed_rpm", "missing; allowed: a number > 0, or { min, max }");
         const Node& value = speed->member->value;
         const std::string key = joined("machine", speed->member->name);
         const double unit = speed->spelling->factor;
         if (value.kind == NodeKind::table) {
-            check(value, {{"min", "max"}, {"min", "max"}}, key);
+            check(value, range_keys, key);
             machine.least_speed = number(value.find("min")->value, key + ".min") * unit;
             machine.most_speed = number(value.find("max")->value, key + ".max") * unit;
             if (machine.least_speed >= machine.most_speed) refuse(value, key, "min < max");
@@ -238,7 +255,7 @@ class MachineReader {
         } else {
             clearance.factors.assign(clearance.axes.size(), 1.0);
         }
-        const auto least = find(table, "at_least", spellings::lift);
+        const auto least = find(table, {"at_least", spellings::lift});
         if (!least)
             fail(table.place, path + ".at_least_mm",
                  "missing; allowed: a number, at_least_deg of axes that swing");

@@ -20,7 +20,7 @@ std::string lobe_csv(const Solution& solution, const LobeTable& table) {
         throw InputError(fmt::format("--step-deg: found {}; allowed: with --lobe a step that divides 360 deg",
                                      table.step_deg));
     const bool swings = motion.lift_is_angle;
-    const ShownUnit valve{name_of(table.unit), metres_of(table.unit)};
+    const ShownUnit valve = length_shown(table.unit);
     const ShownUnit follower = swings ? degrees_shown : valve;
     const double degrees_per_x = degrees_shown.of(motion.unit_angle());
     const MotionChain turn = whole_turn(solution);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view between_limits = "; ";
 constexpr std::string_view solved_word = "solved", proved_from_row = "proved from row ";
 
-const ShownUnit without_unit{"", 1.0}, newton_metres{"N m", 1.0};
+const ShownUnit without_unit, newton_metres = unit_named<"N m">;
 
 // Of sweeps of different cams, with a follower train, with a motor, of machines.
 constexpr std::array<SweepCamColumn, 3> swept_cam_columns = {

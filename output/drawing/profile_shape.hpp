@@ -21,7 +21,7 @@ struct ProfileShape {
     std::string open_because = {};  ///< what is missing where it is open; empty: nothing is said of it
     /// m: of a flat face that is pushed straight; none: it is drawn as wide as the contact needs, and wider.
     std::optional<double> face_half_width = {};
-    ShownUnit length = {"mm", units::millimetre};  ///< in which its drawings are labelled
+    ShownUnit length = unit_named<"mm">;  ///< in which its drawings are labelled
 
     [[nodiscard]] double begin() const { return knots.front(); }
     [[nodiscard]] double end() const { return knots.back(); }

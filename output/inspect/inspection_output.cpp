@@ -15,18 +15,20 @@ namespace {
 
 /// A unit with the end of keys that names it.
 struct KeyUnit : ShownUnit {
-    std::string key;
-    [[nodiscard]] std::string named(const char* name) const { return name + key; }
+    std::string_view key;
+
+    KeyUnit() = default;
+    explicit(false) KeyUnit(const Spelling& unit) : ShownUnit(unit), key(unit.suffix) {}
+    [[nodiscard]] std::string named(const char* what) const { return fmt::format("{}{}", what, key); }
 };
 
 struct Units {
     KeyUnit deviation, follower, given;
 
     explicit Units(const Inspection& found) {
-        const KeyUnit micrometres{{"µm", 1e-6}, "_um"}, degrees{degrees_shown, "_deg"};
-        follower = found.is_angle ? KeyUnit{{"mdeg", 1e-3 * units::degree}, "_mdeg"} : micrometres;
-        deviation = found.points ? micrometres : follower;
-        given = found.is_angle && !found.points ? degrees : KeyUnit{millimetres_shown, "_mm"};
+        follower = found.is_angle ? unit_named<"mdeg"> : unit_named<"um">;
+        deviation = found.points ? unit_named<"um"> : follower;
+        given = found.is_angle && !found.points ? unit_named<"deg"> : unit_named<"mm">;
     }
 };
 

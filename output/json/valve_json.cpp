@@ -39,8 +39,8 @@ Json valve_json(const Solution& solution) {
     const ValveReport report = valve_report(solution);
     const ShownUnits shown = file_units(solution.scene);
     const std::string unit = motion.lift_is_angle ? "deg" : "mm";
-    const double per_deg = units::degree, length = motion.lift_is_angle ? units::degree : units::millimetre;
-    const ShownUnit velocity{"", units::millimetre / per_deg}, acceleration{"", length / (per_deg * per_deg)};
+    const ShownUnit velocity = unit_named<"mm/deg">,
+                    acceleration = motion.lift_is_angle ? unit_named<"deg/deg^2"> : unit_named<"mm/deg^2">;
     Json json = {{"nose_deg", number_json(degrees_shown.of(nose_angle(*motion.valve)))},
                  {"centerline_crank_deg", motion.valve->centerline
                                               ? number_json(2.0 * degrees_shown.of(*motion.valve->centerline))

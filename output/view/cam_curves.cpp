@@ -120,7 +120,7 @@ Curve curvature_curve(const View& view, int station) {
 
 /// Of cams that have no curvature of an outline: how far from undercut.
 Curve regularity_curve(const View& view) {
-    Curve curve{"regularity", "cam", "Regularity (0: undercut)", "g", {"", 1.0}};
+    Curve curve{"regularity", "cam", "Regularity (0: undercut)", "g", {}};
     add_values(
         curve, view, every_station, [](const MechanismPoint& point) { return point.regularity; }, true);
     const CamExtreme& least = view.solution.cam->summary.regularity;

@@ -11,41 +11,36 @@ namespace camopt {
 
 namespace {
 
-/// By what a derivative is taken.
-enum class TablePer { x, degree, radian, second };
-
 constexpr std::array<const char*, 4> keys_by_x = {"y", "dy", "ddy", "dddy"},
                                      keys_of_angle = {"s", "ds", "dds", "ddds"},
                                      keys_in_time = {"s", "v", "a", "j"},
                                      column_words = {"displacement", "velocity", "acceleration", "jerk"};
 
-double per_x(const MotionSpec& motion, TablePer per) {
-    if (per == TablePer::degree) return motion.unit_angle() / units::degree;
-    if (per == TablePer::radian) return motion.unit_angle();
-    return motion.unit_angle() / motion.speed.value();
-}
+// By radians, degrees and seconds.
+constexpr auto displacements = units_named<"mm", "m", "in", "deg", "rad">;
+constexpr auto velocities =
+    units_named<"mm/rad", "mm/deg", "mm/s", "m/rad", "m/deg", "m/s", "in/rad", "in/deg", "in/s", "deg/rad",
+                "deg/deg", "deg/s", "rad/rad", "rad/deg", "rad/s">;
+constexpr auto accelerations =
+    units_named<"mm/rad^2", "mm/deg^2", "mm/s^2", "m/rad^2", "m/deg^2", "m/s^2", "in/rad^2", "in/deg^2",
+                "in/s^2", "deg/rad^2", "deg/deg^2", "deg/s^2", "rad/rad^2", "rad/deg^2", "rad/s^2">;
+constexpr auto jerks =
+    units_named<"mm/rad^3", "mm/deg^3", "mm/s^3", "m/rad^3", "m/deg^3", "m/s^3", "in/rad^3", "in/deg^3",
+                "in/s^3", "deg/rad^3", "deg/deg^3", "deg/s^3", "rad/rad^3", "rad/deg^3", "rad/s^3">;
 
-struct DerivativeUnit {
-    const char* key;  ///< "mm"
-    double si;
-    bool swings;
-};
-
-void add_derivative(std::vector<TableColumn>& rows, const DerivativeUnit& unit, std::size_t order,
-                    TablePer per) {
-    const std::string power = order < 2 ? "" : std::to_string(order);
-    const char* const by = per == TablePer::degree ? "deg" : per == TablePer::second ? "s" : "rad";
-    const char* const symbol = (per == TablePer::second ? keys_in_time : keys_of_angle)[order];
-    const unsigned need = (unit.swings ? ColumnNeed::angle : ColumnNeed::length) |
-                          (per == TablePer::second ? ColumnNeed::speed : 0U);
-    rows.push_back(
-        {order == 0 ? fmt::format("s_{}", unit.key) : fmt::format("{}_{}_{}{}", symbol, unit.key, by, power),
-         order == 0 ? fmt::format("displacement in {}", unit.key)
-                    : fmt::format("{} in {}/{}{}", column_words[order], unit.key, by, power),
-         need, order, [=, si = unit.si](const MotionSpec& motion, const TableRow& row) {
-             const double s = row.motion.derivative[order] * motion.lift / si;
-             return order == 0 ? s : s / std::pow(per_x(motion, per), static_cast<int>(order));
-         }});
+void add_derivatives(std::vector<TableColumn>& rows, std::size_t order, std::span<const Spelling> shown) {
+    for (const Spelling& unit : shown) {
+        const bool in_time = is_unit_of_time(unit.unit);
+        const unsigned need = (is_angle_unit(unit.unit) ? ColumnNeed::angle : ColumnNeed::length) |
+                              (in_time ? ColumnNeed::speed : 0U);
+        rows.push_back({fmt::format("{}{}", (in_time ? keys_in_time : keys_of_angle)[order], unit.suffix),
+                        fmt::format("{} in {}", column_words[order], unit.unit), need, order,
+                        [=, size = unit.factor](const MotionSpec& motion, const TableRow& row) {
+                            const double rate = (in_time ? motion.speed.value() : 1.0) / motion.unit_angle();
+                            return row.motion.derivative[order] * motion.lift *
+                                   std::pow(rate, static_cast<int>(order)) / size;
+                        }});
+    }
 }
 
 struct CamColumn {
@@ -111,15 +106,10 @@ std::vector<TableColumn> all_columns() {
     for (std::size_t order = 0; order < keys_by_x.size(); ++order)
         rows.push_back({keys_by_x[order], fmt::format("{}, normalised", column_words[order]), 0, 0,
                         [order](const auto&, const TableRow& row) { return row.motion.derivative[order]; }});
-    for (const DerivativeUnit& unit :
-         {DerivativeUnit{"mm", units::millimetre, false}, DerivativeUnit{"m", 1.0, false},
-          DerivativeUnit{"in", units::inch, false}, DerivativeUnit{"deg", units::degree, true},
-          DerivativeUnit{"rad", 1.0, true}}) {
-        add_derivative(rows, unit, 0, TablePer::x);
-        for (std::size_t order = 1; order < column_words.size(); ++order)
-            for (const TablePer per : {TablePer::radian, TablePer::degree, TablePer::second})
-                add_derivative(rows, unit, order, per);
-    }
+    add_derivatives(rows, 0, displacements);
+    add_derivatives(rows, 1, velocities);
+    add_derivatives(rows, 2, accelerations);
+    add_derivatives(rows, 3, jerks);
     rows.push_back({"motor_torque_nm", "torque of the motor in N m", ColumnNeed::drive, 0,
                     [](const auto&, const TableRow& row) { return row.drive.torque; }});
     rows.push_back({"motor_speed_rpm", "speed of the motor in rpm", ColumnNeed::drive, 0,

@@ -11,25 +11,6 @@ namespace camopt {
 
 namespace {
 
-// Endings of the keys and what they say; a longer one stands before those it ends in.
-// clang-format off
-constexpr std::array<std::pair<std::string_view, std::string_view>, 50> units_of_keys = {{
-    {"rate_lbf_in", "lbf/in"}, {"stiffness_lbf_in", "lbf/in"}, {"spring_lbf_in", "lbf/in"}, {"_lbf_in", "lbf in"},
-    {"_mm_s3", "mm/s³"},   {"_mm_s2", "mm/s²"},   {"_mm_s", "mm/s"},     {"_in_s3", "in/s³"},
-    {"_in_s2", "in/s²"},   {"_in_s", "in/s"},     {"_m_s3", "m/s³"},     {"_m_s2", "m/s²"},
-    {"_m_s", "m/s"},       {"_deg_s3", "deg/s³"}, {"_deg_s2", "deg/s²"}, {"_deg_s", "deg/s"},
-    {"_rad_s3", "rad/s³"}, {"_rad_s2", "rad/s²"}, {"_rad_s", "rad/s"},   {"_nm_rad", "N m/rad"},
-    {"_mm_deg3", "mm/deg³"}, {"_mm_deg2", "mm/deg²"}, {"_mm_deg", "mm/deg"},
-    {"_in_deg3", "in/deg³"}, {"_in_deg2", "in/deg²"}, {"_in_deg", "in/deg"},
-    {"_deg_deg3", "deg/deg³"}, {"_deg_deg2", "deg/deg²"}, {"_deg_deg", "deg/deg"},
-    {"_nm_deg", "N m/deg"}, {"_n_mm", "N/mm"},    {"_n_m", "N/m"},       {"_rpm", "rpm"},
-    {"_crank_deg", "crank deg"}, {"_deg", "deg"}, {"_rad", "rad"},       {"_hz", "Hz"},
-    {"_um", "µm"},         {"_mm", "mm"},         {"_in", "in"},         {"_mpa", "MPa"},
-    {"_gpa", "GPa"},       {"_ksi", "ksi"},       {"_nm", "N m"},        {"_n", "N"},
-    {"_pa", "Pa"},         {"_m", "m"},           {"_lbf", "lbf"},       {"_lb", "lb"},
-    {"_kg", "kg"},
-}};
-// clang-format on
 // The limits whose names end so say the rest by ">=" and "<=".
 constexpr std::array<std::string_view, 2> bounds = {"_min", "_max"};
 
@@ -51,15 +32,8 @@ bool is_listed(std::string_view key) {
 KeyWords listed_key_words(std::string_view key) {
     const std::string_view side = key.ends_with(".max") ? ", max" : key.ends_with(".min") ? ", min" : "";
     if (!side.empty()) key.remove_suffix(std::string_view(".max").size());
-    const std::size_t end = std::min(key.find('_', key.rfind('.')), key.size());
     KeyWords found{fmt::format("{}{}", listed_words(key), side), "", false};
-    for (const char letter : key.substr(std::min(end + 1, key.size()))) {
-        if (letter == '2' || letter == '3')
-            found.unit += letter == '2' ? "²" : "³";
-        else
-            found.unit += letter == '_' ? '/' : letter;
-    }
-    if (found.unit == "crank/deg") found.unit = "crank deg";
+    if (const Spelling* const unit = unit_of_key(key)) found.unit = unit->sign;
     found.limit = !side.empty();
     return found;
 }
@@ -88,11 +62,9 @@ KeyWords key_words(std::string_view key, std::string_view remark) {
                                           : key.ends_with(".min") ? "least "
                                                                   : "";
     if (!end_of_range.empty()) key.remove_suffix(std::string_view(".max").size());
-    for (const auto& [ending, unit] : units_of_keys) {
-        if (!key.ends_with(ending)) continue;
-        found.unit = unit;
-        key.remove_suffix(ending.size() - ending.find('_'));
-        break;
+    if (const Spelling* const unit = unit_of_key(key)) {
+        found.unit = unit->sign;
+        key.remove_suffix(unit->suffix.size());
     }
     for (const std::string_view bound : bounds)
         if (key.ends_with(bound)) key.remove_suffix(bound.size());

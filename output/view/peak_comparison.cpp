@@ -5,6 +5,7 @@
 #include "objectives/scene_model.hpp"
 #include "output/view/cam_words.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -121,7 +122,8 @@ std::vector<std::string> excursion_sentences(const Solution& solution) {
     for (const Excursion& one : excursions(solution)) {
         std::string range = one.below() ? "its start" : "its top";
         if (one.segment >= 0)
-            range = fmt::format("the stroke of segment {} ({} to {})", one.segment + 1,
+            range = fmt::format("the stroke of {} ({} to {})",
+                                segment_words(static_cast<std::size_t>(one.segment)),
                                 short_text(unit.per_normalised * one.low), unit.normalised_text(one.high));
         sentences.push_back(fmt::format("The {} goes {} {} {} at {} deg.",
                                         solution.scene.cam.has_value() ? "follower" : "output",

@@ -7,46 +7,22 @@ namespace camopt {
 
 namespace {
 
-using units::degree, units::millimetre;
-
 constexpr std::size_t derivatives = 4;
 constexpr std::array<const char*, derivatives> derivative_names = {"displacement", "velocity", "acceleration",
                                                                    "jerk"};
 constexpr std::array<const char*, derivatives> symbols_in_time = {"s", "v", "a", "j"};
 constexpr std::array<const char*, derivatives> symbols_by_angle = {"s", "ds/dθ", "d²s/dθ²", "d³s/dθ³"};
+constexpr std::array<const char*, derivatives> columns_by_angle = {"s", "ds", "dds", "ddds"};
 
-/// How one way to see the motion is written: units, their sizes in SI, columns of tables.
-struct UnitRow {
-    const char* name;
-    double size;
-    const char* column;
-};
-using UnitRows = std::array<UnitRow, derivatives>;
+/// Of the displacement and its derivatives, seen in one way.
+using UnitRows = std::array<Spelling, derivatives>;
 
-constexpr UnitRows millimetres_in_time = {{{"mm", millimetre, "s_mm"},
-                                           {"mm/s", millimetre, "v_mm_s"},
-                                           {"m/s²", 1.0, "a_m_s2"},
-                                           {"m/s³", 1.0, "j_m_s3"}}};
-constexpr UnitRows millimetres_by_angle = {{{"mm", millimetre, "s_mm"},
-                                            {"mm/rad", millimetre, "ds_mm_rad"},
-                                            {"mm/rad²", millimetre, "dds_mm_rad2"},
-                                            {"mm/rad³", millimetre, "ddds_mm_rad3"}}};
-constexpr UnitRows inches_in_time = {{{"in", units::inch, "s_in"},
-                                      {"in/s", units::inch, "v_in_s"},
-                                      {"in/s²", units::inch, "a_in_s2"},
-                                      {"in/s³", units::inch, "j_in_s3"}}};
-constexpr UnitRows inches_by_angle = {{{"in", units::inch, "s_in"},
-                                       {"in/rad", units::inch, "ds_in_rad"},
-                                       {"in/rad²", units::inch, "dds_in_rad2"},
-                                       {"in/rad³", units::inch, "ddds_in_rad3"}}};
-constexpr UnitRows swing_in_time = {{{"deg", degree, "s_deg"},
-                                     {"deg/s", degree, "v_deg_s"},
-                                     {"deg/s²", degree, "a_deg_s2"},
-                                     {"deg/s³", degree, "j_deg_s3"}}};
-constexpr UnitRows swing_by_angle = {{{"deg", degree, "s_deg"},
-                                      {"deg/deg", 1.0, "ds_deg_deg"},
-                                      {"deg/deg²", 1.0 / degree, "dds_deg_deg2"},
-                                      {"deg/deg³", 1.0 / (degree * degree), "ddds_deg_deg3"}}};
+constexpr UnitRows millimetres_in_time = units_named<"mm", "mm/s", "m/s^2", "m/s^3">;
+constexpr UnitRows millimetres_by_angle = units_named<"mm", "mm/rad", "mm/rad^2", "mm/rad^3">;
+constexpr UnitRows inches_in_time = units_named<"in", "in/s", "in/s^2", "in/s^3">;
+constexpr UnitRows inches_by_angle = units_named<"in", "in/rad", "in/rad^2", "in/rad^3">;
+constexpr UnitRows swing_in_time = units_named<"deg", "deg/s", "deg/s^2", "deg/s^3">;
+constexpr UnitRows swing_by_angle = units_named<"deg", "deg/deg", "deg/deg^2", "deg/deg^3">;
 
 const UnitRows& rows_of(const MotionSpec& motion, LengthUnit length, bool in_time) {
     if (motion.lift_is_angle) return in_time ? swing_in_time : swing_by_angle;
@@ -55,15 +31,13 @@ const UnitRows& rows_of(const MotionSpec& motion, LengthUnit length, bool in_tim
 }
 
 MotionUnit motion_unit(const MotionSpec& motion, LengthUnit length, std::size_t order, bool in_time) {
-    const UnitRow& row = rows_of(motion, length, in_time)[order];
+    const Spelling& shown = rows_of(motion, length, in_time)[order];
     const double rate = in_time ? *motion.speed / motion.unit_angle() : 1.0 / motion.unit_angle();
-    MotionUnit unit;
-    unit.name = row.name;
+    MotionUnit unit{shown};
     unit.order = order;
-    unit.size = row.size;
-    unit.per_normalised = motion.lift / row.size * std::pow(rate, static_cast<int>(order));
+    unit.per_normalised = motion.lift / unit.size * std::pow(rate, static_cast<int>(order));
     unit.symbol = (in_time ? symbols_in_time : symbols_by_angle)[order];
-    unit.column = row.column;
+    unit.column = fmt::format("{}{}", (in_time ? symbols_in_time : columns_by_angle)[order], shown.suffix);
     return unit;
 }
 
@@ -94,41 +68,52 @@ std::string MotionUnit::normalised_text(double y, int digits) const {
     return with_unit_name(per_normalised * y, name, digits);
 }
 
-ShownUnit weight_shown(LengthUnit length) {
-    return length == LengthUnit::inch ? ShownUnit{"lb", units::pound} : ShownUnit{"kg", 1.0};
+ShownUnit length_shown(LengthUnit length) {
+    return length == LengthUnit::inch ? unit_named<"in"> : unit_named<"mm">;
 }
 
-ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
+ShownUnit weight_shown(LengthUnit length) {
+    return length == LengthUnit::inch ? unit_named<"lb"> : unit_named<"kg">;
+}
+
+namespace {
+
+/// Those that do not depend on whether the follower swings.
+ShownUnits units_in(LengthUnit length) {
     ShownUnits shown;
+    const bool inches = length == LengthUnit::inch;
+    shown.length = length_shown(length);
+    shown.curvature.name = "1/" + shown.length.name;
+    shown.curvature.size = 1.0 / shown.length.size;
+    shown.angle = degrees_shown;
+    shown.speed = rpm_shown;
+    shown.force = inches ? unit_named<"lbf"> : unit_named<"N">;
+    shown.torque = inches ? unit_named<"lbf in"> : unit_named<"N m">;
+    shown.pressure = inches ? unit_named<"ksi"> : unit_named<"MPa">;
+    shown.modulus = inches ? unit_named<"ksi"> : unit_named<"GPa">;
+    return shown;
+}
+
+}  // namespace
+
+ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
+    ShownUnits shown = units_in(length);
     for (std::size_t order = 0; order < derivatives; ++order)
         shown.motion[order] = shown_derivative(motion, length, order);
     shown.in_time = motion.speed.has_value();
-    const double one = metres_of(length);
-    const std::string name = name_of(length);
-    const bool swings = motion.lift_is_angle;
-    shown.length = {name, one};
-    shown.curvature = {"1/" + name, 1.0 / one};
-    shown.angle = degrees_shown;
-    if (length == LengthUnit::inch) {
-        shown.force = {"lbf", units::pound_force};
-        shown.torque = {"lbf in", units::pound_force * one};
-        shown.pressure = shown.modulus = {"ksi", units::ksi};
-        shown.spring_rate = swings ? ShownUnit{"lbf in/rad", shown.torque.size}
-                                   : ShownUnit{"lbf/in", units::pound_force / one};
+    shown.degrees_per_x = motion.unit_angle() / units::degree;
+    const bool inches = length == LengthUnit::inch;
+    if (motion.lift_is_angle) {
+        shown.spring_rate = inches ? unit_named<"lbf in/rad"> : unit_named<"N m/rad">;
+        shown.vibration = unit_named<"mdeg">;
+        shown.mass = unit_named<"kg m^2">;
+        shown.load = shown.torque;
     } else {
-        shown.force = {"N", 1.0};
-        shown.torque = {"N m", 1.0};
-        shown.pressure = {"MPa", units::megapascal};
-        shown.modulus = {"GPa", 1e3 * units::megapascal};
-        shown.spring_rate = swings ? ShownUnit{"N m/rad", 1.0} : ShownUnit{"N/mm", 1.0 / millimetre};
+        shown.spring_rate = inches ? unit_named<"lbf/in"> : unit_named<"N/mm">;
+        shown.vibration = inches ? unit_named<"mil"> : unit_named<"um">;
+        shown.mass = weight_shown(length);
+        shown.load = shown.force;
     }
-    shown.vibration = swings                       ? ShownUnit{"mdeg", 1e-3 * degree}
-                      : length == LengthUnit::inch ? ShownUnit{"mil", 1e-3 * one}
-                                                   : ShownUnit{"µm", 1e-6};
-    shown.mass = swings ? ShownUnit{"kg m²", 1.0} : weight_shown(length);
-    shown.load = swings ? shown.torque : shown.force;
-    shown.speed = rpm_shown;
-    shown.degrees_per_x = motion.unit_angle() / degree;
     return shown;
 }
 

@@ -21,6 +21,10 @@ struct ShownUnit {
     std::string name;   ///< "mm/s", "m/s²"
     double size = 1.0;  ///< of the unit, SI
 
+    ShownUnit() = default;
+    explicit ShownUnit(std::string unit, double si = 1.0) : name(std::move(unit)), size(si) {}
+    explicit(false) ShownUnit(const Spelling& unit) : name(unit.sign), size(unit.factor) {}
+
     [[nodiscard]] double of(double si) const { return si / size; }
     /// "12.5 mm", with that many significant digits; "–" and "∞" for what is not finite.
     [[nodiscard]] std::string text(double si, int digits = 6) const;
@@ -29,11 +33,13 @@ struct ShownUnit {
 };
 
 // The same for every scene.
-inline const ShownUnit degrees_shown{"deg", units::degree}, rpm_shown{"rpm", units::revolution_per_minute},
-    hertz_shown{"Hz", units::turn}, millimetres_shown{"mm", units::millimetre};
+inline const ShownUnit degrees_shown = unit_named<"deg">, rpm_shown = unit_named<"rpm">,
+                       hertz_shown = unit_named<"Hz">, millimetres_shown = unit_named<"mm">;
 
 /// The unit of a derivative of the motion.
 struct MotionUnit : ShownUnit {
+    using ShownUnit::ShownUnit;
+
     std::size_t order = 0;        ///< r
     double per_normalised = 1.0;  ///< shown value = per_normalised · y⁽ʳ⁾
     std::string
@@ -66,6 +72,9 @@ struct ShownUnits {
     ShownUnit number;             ///< what has no unit
     double degrees_per_x = 0.0;   ///< cam angle in degrees = degrees_per_x · x
 };
+
+/// Of lengths: mm or in.
+[[nodiscard]] ShownUnit length_shown(LengthUnit length);
 
 /// Of masses: kg or lb.
 [[nodiscard]] ShownUnit weight_shown(LengthUnit length);

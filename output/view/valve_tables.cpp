@@ -8,8 +8,6 @@
 namespace camopt {
 namespace {
 
-const ShownUnit crank_shown{"crank deg", units::degree};
-
 /// After or before the dead centre after so many half turns.
 std::string stroke_text(double crank, int half_turns) {
     const double from = degrees_shown.of(crank) - 180.0 * half_turns;
@@ -29,16 +27,13 @@ std::string event_text(const ValveSpec& valve, double from_nose) {
 }
 
 /// By the cam angle: "0.0203 mm/deg² (0.000799 in/deg²)", or inches alone where lengths are in inches.
-std::string rate_text(double value, int order, bool swings, LengthUnit unit) {
-    const double per_degree = std::pow(units::degree, order);
-    const char* const power = order == 1 ? "" : "²";
-    if (swings) return ShownUnit{fmt::format("deg/deg{}", power), units::degree / per_degree}.text(value, 5);
-    const std::string inches =
-        ShownUnit{fmt::format("in/deg{}", power), units::inch / per_degree}.text(value, 5);
-    if (unit == LengthUnit::inch) return inches;
-    return fmt::format(
-        "{} ({})", ShownUnit{fmt::format("mm/deg{}", power), units::millimetre / per_degree}.text(value, 5),
-        inches);
+std::string rate_text(double value, std::size_t order, bool swings, LengthUnit unit) {
+    constexpr auto degrees = units_named<"deg/deg", "deg/deg^2">, inches = units_named<"in/deg", "in/deg^2">,
+                   millimetres = units_named<"mm/deg", "mm/deg^2">;
+    const auto text = [&](const auto& units) { return ShownUnit(units.at(order - 1)).text(value, 5); };
+    if (swings) return text(degrees);
+    if (unit == LengthUnit::inch) return text(inches);
+    return fmt::format("{} ({})", text(millimetres), text(inches));
 }
 
 TextTable event_table(const Solution& solution, const ValveReport& report) {
@@ -53,8 +48,8 @@ TextTable event_table(const Solution& solution, const ValveReport& report) {
     for (const ValveEvent& event : report.events)
         table.rows.push_back({length.asked_text(event.height), event_text(valve, event.opens),
                               event_text(valve, event.closes),
-                              short_text(crank_shown.of(event.duration()), 7),
-                              short_text(crank_shown.of(length.of(event.area)), 7)});
+                              short_text(degrees_shown.of(event.duration()), 7),
+                              short_text(degrees_shown.of(length.of(event.area)), 7)});
     return table;
 }
 
@@ -78,7 +73,7 @@ TextTable figure_table(const Solution& solution, const ValveReport& report) {
         rate_text(report.closing_acceleration, 2, swings, solution.scene.length_unit));
     for (const auto& [height, duration] : report.tappet_durations)
         add(fmt::format("duration at {} of the tappet", shown.length.asked_text(height)),
-            crank_shown.text(duration, 7));
+            short_text(degrees_shown.of(duration), 7) + " crank deg");
     const auto from_nose = [](double crank) {
         return short_text(degrees_shown.of(crank), 4) + " crank deg from the nose";
     };
@@ -116,7 +111,7 @@ std::vector<ViewTable> valve_tables(const Solution& solution) {
 }
 
 std::string valve_pair_text(const ValvePair& pair, LengthUnit unit) {
-    const ShownUnit length{name_of(unit), metres_of(unit)};
+    const ShownUnit length = length_shown(unit);
     TextTable table{{{"valve lift"}, {"intake opens"}, {"exhaust closes"}, {"overlap (crank deg)"}}, {}};
     for (const ValvePair::Overlap& overlap : pair.overlaps)
         table.rows.push_back({length.asked_text(overlap.height), stroke_text(overlap.opens, 0),

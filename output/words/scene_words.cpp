@@ -16,8 +16,6 @@ namespace camopt {
 
 namespace {
 
-using units::degree;
-
 void append(std::string& list, const std::string& part) {
     list += (list.empty() ? "" : ", ") + part;
 }
@@ -33,7 +31,9 @@ std::string kind_of_motion(const MotionSpec& motion) {
 
 std::string ramp_words(const Scene& scene, const ValveRamp& ramp) {
     const MotionUnit length = shown_units(scene).motion[0].first;
-    const ShownUnit velocity{fmt::format("{}/deg", length.name), degrees_shown.of(length.size)};
+    const ShownUnit velocity = scene.motion.lift_is_angle              ? unit_named<"deg/deg">
+                               : scene.length_unit == LengthUnit::inch ? unit_named<"in/deg">
+                                                                       : unit_named<"mm/deg">;
     return fmt::format("{} at {}{}", length.asked_text(ramp.height), velocity.text(ramp.velocity),
                        ramp.end
                            ? fmt::format(" up to {} from the checking point", degrees_shown.text(*ramp.end))
@@ -44,7 +44,7 @@ std::string ramp_words(const Scene& scene, const ValveRamp& ramp) {
 std::string valve_words(const Scene& scene) {
     const ValveSpec& valve = *scene.motion.valve;
     const ShownUnit length = shown_units(scene).length;
-    const ShownUnit crank{"crank deg", 0.5 * degree};
+    const ShownUnit crank = unit_named<"crank deg">;
     std::string text = fmt::format(
         "; valve lift {}, lash {}, {} {}, duration {} at {} ({} of it before the nose)",
         length.asked_text(valve.lift), length.asked_text(valve.lash),

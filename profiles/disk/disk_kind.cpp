@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/disk_spec.hpp"
 #include "scene/cam_kind.hpp"
+#include "scene/key_place.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +10,6 @@ namespace {
 
 using enum KeyType;
 using namespace spellings;
-
-constexpr Spelling densities[] = {
-    {"_kg_m3", "kg/m^3", 1.0},
-    {"_g_cm3", "g/cm^3", 1e3},
-    {"_lb_in3", "lb/in^3", units::pound / (units::inch * units::inch * units::inch)}};
 
 const Range arm_angle_range = {.low = 0.0, .high = 360.0, .low_included = false, .high_included = false};
 
@@ -43,7 +39,7 @@ std::vector<KeyRow> cam_rows() {
          "Half the width of the flat face; the contact stays on it. `translating_flat` only."},
         {"cam", "face_radius", number, length, positive, {}, "unlimited",
          "Radius of a round flat face (a valve tappet): the line of contact, as long as `forces.contact_width`, stays "
-         "on it. `translating_flat` only.", Availability::now, "face_half_width"},
+         "on it. `translating_flat` only.", {}, Availability::now, "face_half_width"},
         {"cam", "form", text, plain, any, {"open", "grooved", "conjugate"}, "\"open\"",
          "How the cam holds a roller. `open`: on one side, a force presses it on; `grooved`: in a groove between two "
          "flanks; `conjugate`: two disks on one shaft, each with a roller of the one follower. The last two drive both "
@@ -66,40 +62,67 @@ std::vector<KeyRow> cam_rows() {
 }
 
 std::vector<KeyRow> drawing_rows() {
+    const auto title_text = [](std::string TitleBlock::*text) {
+        return stored_in(&Scene::drawing, &DrawingSpec::title_block, text);
+    };
     return {
         {"", "drawing", table, plain, any, {}, "no bore",
-         "What the drawing and the solid of a disk cam need in addition to its profile.", Availability::needs_cam},
+         "What the drawing and the solid of a disk cam need in addition to its profile.",
+         stored_in(&Scene::drawing), Availability::needs_cam},
         {"drawing", "bore", number, length, positive, {}, "no hole",
-         "Diameter of the bore; with its keyway inside the cam's least radius."},
-        {"drawing", "keyway", table, plain, any, {}, "none", "A parallel keyway in the bore."},
+         "Diameter of the bore; with its keyway inside the cam's least radius.",
+         stored_in(&Scene::drawing, &DrawingSpec::bore)},
+        {"drawing", "keyway", table, plain, any, {}, "none", "A parallel keyway in the bore.",
+         stored_in(&Scene::drawing, &DrawingSpec::keyway)},
         {"drawing", "thickness", number, length, positive, {}, "20 mm",
-         "Thickness of the cam; `--thickness-mm` replaces it."},
+         "Thickness of the cam; `--thickness-mm` replaces it.",
+         stored_in(&Scene::drawing, &DrawingSpec::thickness)},
         {"drawing", "groove_depth", number, length, positive, {}, "half the thickness",
-         "How deep the groove of a `grooved` cam is, below the thickness."},
+         "How deep the groove of a `grooved` cam is, below the thickness.",
+         stored_in(&Scene::drawing, &DrawingSpec::groove_depth)},
         {"drawing", "datum", number, angle, any, {}, "0",
          "Where the cam is marked: the ray that points along +y when the cam has turned by this cam angle. The "
-         "drawing's table of radii counts from it, as the cam angle grows."},
-        {"drawing", "density", number, densities, positive, {}, "none", "Of the material: with it the drawing gives the mass."},
+         "drawing's table of radii counts from it, as the cam angle grows.",
+         stored_in(&Scene::drawing, &DrawingSpec::datum)},
+        {"drawing", "density", number, density, positive, {}, "none", "Of the material: with it the drawing gives the mass.",
+         stored_in(&Scene::drawing, &DrawingSpec::density)},
         {"drawing", "projection", text, plain, any, {"first_angle", "third_angle"}, "\"first_angle\"",
-         "Method of projection: its symbol (ISO 5456-2) and the side from which the section is seen."},
-        {"drawing", "title_block", table, plain, any, {}, "empty", "Text of the title block in addition to the scene's title."},
-        {"drawing.keyway", "width", number, length, positive, {}, "required", "Width of the keyway, below the bore's diameter."},
+         "Method of projection: its symbol (ISO 5456-2) and the side from which the section is seen.",
+         stored_in(&Scene::drawing, &DrawingSpec::projection)},
+        {"drawing", "title_block", table, plain, any, {}, "empty", "Text of the title block in addition to the scene's title.",
+         stored_in(&Scene::drawing, &DrawingSpec::title_block)},
+        {"drawing.keyway", "width", number, length, positive, {}, "required", "Width of the keyway, below the bore's diameter.",
+         stored_in(&Scene::drawing, &DrawingSpec::keyway, &Keyway::width)},
         {"drawing.keyway", "depth", number, length, positive, {}, "required",
-         "How far its floor lies outside the bore's circle: the hub's depth t2 of a parallel key."},
+         "How far its floor lies outside the bore's circle: the hub's depth t2 of a parallel key.",
+         stored_in(&Scene::drawing, &DrawingSpec::keyway, &Keyway::depth)},
         {"drawing.keyway", "at", number, angle, any, {}, "0",
-         "Where its middle is: a cam angle, like `datum`."},
-        {"drawing.title_block", "part", text, plain, any, {}, "the title", "Name of the part."},
-        {"drawing.title_block", "material", text, plain, any, {}, "empty", "Material and treatment."},
-        {"drawing.title_block", "tolerance", text, plain, any, {}, "empty", "General tolerances."},
-        {"drawing.title_block", "drawn_by", text, plain, any, {}, "empty", "Who drew it; the author of STEP files."},
-        {"drawing.title_block", "organisation", text, plain, any, {}, "empty", "Legal owner; also in STEP files."},
-        {"drawing.title_block", "number", text, plain, any, {}, "empty", "Drawing number."},
-        {"drawing.title_block", "revision", text, plain, any, {}, "empty", "Revision index."},
-        {"drawing.title_block", "date", text, plain, any, {}, "empty", "Date of issue, as it is to be printed."},
-        {"drawing.title_block", "surface_finish", text, plain, any, {}, "empty", "Of the cam's surface: `Ra 0.8`."},
-        {"drawing.title_block", "profile_tolerance", text, plain, any, {}, "empty", "Of the cam's outline: `0.02`."},
-        {"drawing.title_block", "bore_fit", text, plain, any, {}, "empty", "Fit, after the diameter of the bore: `H7`."},
-        {"drawing.title_block", "keyway_tolerance", text, plain, any, {}, "empty", "After the width of the keyway: `JS9`."},
+         "Where its middle is: a cam angle, like `datum`.",
+         stored_in(&Scene::drawing, &DrawingSpec::keyway, &Keyway::at)},
+        {"drawing.title_block", "part", text, plain, any, {}, "the title", "Name of the part.",
+         title_text(&TitleBlock::part)},
+        {"drawing.title_block", "material", text, plain, any, {}, "empty", "Material and treatment.",
+         title_text(&TitleBlock::material)},
+        {"drawing.title_block", "tolerance", text, plain, any, {}, "empty", "General tolerances.",
+         title_text(&TitleBlock::tolerance)},
+        {"drawing.title_block", "drawn_by", text, plain, any, {}, "empty", "Who drew it; the author of STEP files.",
+         title_text(&TitleBlock::drawn_by)},
+        {"drawing.title_block", "organisation", text, plain, any, {}, "empty", "Legal owner; also in STEP files.",
+         title_text(&TitleBlock::organisation)},
+        {"drawing.title_block", "number", text, plain, any, {}, "empty", "Drawing number.",
+         title_text(&TitleBlock::number)},
+        {"drawing.title_block", "revision", text, plain, any, {}, "empty", "Revision index.",
+         title_text(&TitleBlock::revision)},
+        {"drawing.title_block", "date", text, plain, any, {}, "empty", "Date of issue, as it is to be printed.",
+         title_text(&TitleBlock::date)},
+        {"drawing.title_block", "surface_finish", text, plain, any, {}, "empty", "Of the cam's surface: `Ra 0.8`.",
+         title_text(&TitleBlock::surface_finish)},
+        {"drawing.title_block", "profile_tolerance", text, plain, any, {}, "empty", "Of the cam's outline: `0.02`.",
+         title_text(&TitleBlock::profile_tolerance)},
+        {"drawing.title_block", "bore_fit", text, plain, any, {}, "empty", "Fit, after the diameter of the bore: `H7`.",
+         title_text(&TitleBlock::bore_fit)},
+        {"drawing.title_block", "keyway_tolerance", text, plain, any, {}, "empty", "After the width of the keyway: `JS9`.",
+         title_text(&TitleBlock::keyway_tolerance)},
     };
 }
 // clang-format on

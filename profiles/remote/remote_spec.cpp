@@ -48,7 +48,7 @@ std::optional<double> default_of(RemoteDimension which) {
 std::vector<KeyRow> remote_rows() {
     return {
         {"", "linkage", table, plain, any, {}, "no linkage",
-         "What leads from the cam's lever to the output, where `cam.type` is `\"remote\"`.", Availability::needs_cam},
+         "What leads from the cam's lever to the output, where `cam.type` is `\"remote\"`.", {}, Availability::needs_cam},
         {"cam", "roller_arm", number_or_range, length, positive, {}, "required for remote",
          "From the lever's pivot to the roller's centre."},
         {"cam", "lever_pivot_x", number_or_range, length, any, {}, "required for remote",

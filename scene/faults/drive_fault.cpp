@@ -8,21 +8,7 @@
 namespace camopt {
 namespace {
 
-Fault drive_number_fault(const DriveSpec& drive) {
-    using ranges::any, ranges::not_negative, ranges::positive;
-    struct Row {
-        const char* member = nullptr;
-        double value = 0.0;
-        Range range;
-    };
-    for (const Row& row :
-         {Row{"load_mass", drive.load, not_negative}, Row{"motor_inertia", drive.motor_inertia, not_negative},
-          Row{"transmission", drive.transmission, positive}, Row{"viscous", drive.viscous, not_negative},
-          Row{"force", drive.force, any}, Row{"friction", drive.friction, not_negative},
-          Row{"cycle", drive.cycle.value_or(units::turn), positive}})
-        if (!row.range.contains(row.value))
-            return SceneFault{fmt::format("drive.{}", row.member), fmt::format("{}", row.value),
-                              row.range.number_text()};
+Fault inertia_fault(const DriveSpec& drive) {
     if (drive.load > 0.0 || drive.motor_inertia > 0.0) return std::nullopt;
     return SceneFault{"drive", "no mass and no inertia",
                       "a load or drive.motor_inertia_kg_m2 > 0: nothing else resists acceleration"};
@@ -114,7 +100,7 @@ Fault drive_fault(const Scene& scene) {
         if (member.empty()) return std::nullopt;
         return SceneFault{member, "a figure of a motor without one", "only together with a [drive] table"};
     }
-    if (Fault fault = drive_number_fault(*scene.drive)) return fault;
+    if (Fault fault = inertia_fault(*scene.drive)) return fault;
     if (!scene.motion.speed)
         return SceneFault{"drive", "a motor without a speed", "only where motion.speed is given"};
     if (scene.cam)

@@ -9,30 +9,18 @@ namespace camopt {
 namespace {
 
 constexpr std::size_t most_stages = 3;
-constexpr double most_damping_ratio = 2.0;
 
-Fault dynamics_out_of(const Range& range, const std::optional<double>& value, const std::string& member) {
-    if (!value || range.contains(*value)) return std::nullopt;
-    return SceneFault{"dynamics." + member, fmt::format("{}", *value), range.number_text()};
-}
-
-Fault train_number_fault(const DynamicsSpec& spec) {
+Fault stage_fault(const DynamicsSpec& spec) {
     using ranges::not_negative, ranges::positive;
-    const Range ratio = Range::between(0.0, most_damping_ratio);
-    if (Fault fault = dynamics_out_of(positive, spec.mass, "mass")) return fault;
-    if (Fault fault = dynamics_out_of(positive, spec.natural_frequency, "natural_frequency")) return fault;
-    if (Fault fault = dynamics_out_of(positive, spec.stiffness, "stiffness")) return fault;
-    if (Fault fault = dynamics_out_of(ratio, spec.damping_ratio, "damping_ratio")) return fault;
-    if (Fault fault = dynamics_out_of(not_negative, spec.damping, "damping")) return fault;
-    if (Fault fault = dynamics_out_of(not_negative, spec.return_stiffness, "return_spring")) return fault;
-    if (Fault fault = dynamics_out_of(not_negative, spec.preload, "preload")) return fault;
     for (std::size_t i = 0; i < spec.stages.size(); ++i) {
-        const auto member = [i](const char* name) { return fmt::format("stage[{}].{}", i, name); };
-        if (Fault fault = dynamics_out_of(positive, spec.stages[i].mass, member("mass"))) return fault;
-        if (Fault fault = dynamics_out_of(positive, spec.stages[i].stiffness, member("stiffness")))
-            return fault;
-        if (Fault fault = dynamics_out_of(not_negative, spec.stages[i].damping, member("damping_ratio")))
-            return fault;
+        const auto out_of = [i](const Range& range, double value, const char* name) -> Fault {
+            if (range.contains(value)) return std::nullopt;
+            return SceneFault{fmt::format("dynamics.stage[{}].{}", i, name), fmt::format("{}", value),
+                              range.number_text()};
+        };
+        if (Fault fault = out_of(positive, spec.stages[i].mass, "mass")) return fault;
+        if (Fault fault = out_of(positive, spec.stages[i].stiffness, "stiffness")) return fault;
+        if (Fault fault = out_of(not_negative, spec.stages[i].damping, "damping_ratio")) return fault;
     }
     return std::nullopt;
 }
@@ -157,7 +145,7 @@ Fault dynamics_fault(const Scene& scene) {
         return SceneFault{asking_member(scene), "a response of an elastic train without one",
                           "only together with a [dynamics] table"};
     }
-    if (Fault fault = train_number_fault(*scene.dynamics)) return fault;
+    if (Fault fault = stage_fault(*scene.dynamics)) return fault;
     if (Fault fault = train_choice_fault(*scene.dynamics)) return fault;
     if (Fault fault = speed_range_fault(scene)) return fault;
     if (!asks_response(scene)) return std::nullopt;

@@ -2,104 +2,32 @@
 // Validation of a scene: numbers against their ranges in the order of the scene's members, then relations
 // between members.
 #include "scene/faults/scene_faults.hpp"
+#include "scene/keys/own_rows.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/ranges.h>
 
 namespace camopt {
 
-// Validates the numbers of a scene against their ranges, in the order of the scene's members.
-
 namespace {
 
-using ranges::any, ranges::not_negative, ranges::positive;
+using ranges::any, ranges::positive;
 
-const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
-
-using Number = std::optional<double>;
-
-struct NumberRule {
-    const char* member = nullptr;
-    Number (*value)(const Scene&) = nullptr;
-    Range range;
-};
-
-Number of_forces(const Scene& scene, double ForceSpec::*member) {
-    return scene.forces ? Number((*scene.forces).*member) : std::nullopt;
+Fault out_of(const Range& range, double value, const std::string& member) {
+    if (range.contains(value)) return std::nullopt;
+    return SceneFault{member, fmt::format("{}", value), range.number_text()};
 }
 
-const std::array motion_numbers = {
-    NumberRule{"motion.lift", [](const Scene& s) { return Number(s.motion.lift); }, positive},
-    NumberRule{"motion.rise", [](const Scene& s) { return Number(s.motion.rise); },
-               Range::above_up_to(0.0, units::turn)},
-    NumberRule{"motion.return_angle", [](const Scene& s) { return s.motion.return_angle; },
-               Range::above_up_to(0.0, units::turn)},
-    NumberRule{"motion.speed", [](const Scene& s) { return s.motion.speed; }, positive},
-};
-
-const std::array force_numbers = {
-    NumberRule{"forces.mass", [](const Scene& s) { return of_forces(s, &ForceSpec::mass); }, not_negative},
-    NumberRule{"forces.spring_rate", [](const Scene& s) { return of_forces(s, &ForceSpec::spring_rate); },
-               not_negative},
-    NumberRule{"forces.damping", [](const Scene& s) { return of_forces(s, &ForceSpec::damping); },
-               not_negative},
-    NumberRule{"forces.preload", [](const Scene& s) { return of_forces(s, &ForceSpec::preload); }, Range{}},
-    NumberRule{"forces.spring_frequency",
-               [](const Scene& s) { return s.forces ? s.forces->spring_frequency : std::nullopt; }, positive},
-    NumberRule{"forces.contact_width",
-               [](const Scene& s) { return s.forces ? s.forces->contact_width : std::nullopt; }, positive},
-    NumberRule{"forces.cam_modulus", [](const Scene& s) { return of_forces(s, &ForceSpec::cam_modulus); },
-               positive},
-    NumberRule{"forces.follower_modulus",
-               [](const Scene& s) { return of_forces(s, &ForceSpec::follower_modulus); }, positive},
-    NumberRule{"forces.cam_poisson", [](const Scene& s) { return of_forces(s, &ForceSpec::cam_poisson); },
-               poisson_ratio},
-    NumberRule{"forces.follower_poisson",
-               [](const Scene& s) { return of_forces(s, &ForceSpec::follower_poisson); }, poisson_ratio},
-};
-
-const std::array solver_numbers = {
-    NumberRule{"solver.tolerance", [](const Scene& s) { return Number(s.solver.tolerance); },
-               Range::between(1e-12, 1e-2)},
-    NumberRule{"solver.gap", [](const Scene& s) { return s.solver.gap; }, Range::between(1e-12, 1e-2)},
-    NumberRule{"solver.max_seconds", [](const Scene& s) { return Number(s.solver.max_seconds); }, positive},
-    NumberRule{"solver.explain_seconds", [](const Scene& s) { return Number(s.solver.explain_seconds); },
-               not_negative},
-    NumberRule{"solver.explain_changes", [](const Scene& s) { return Number(s.solver.explain_changes); },
-               Range::between(1, 1000)},
-};
-
-Fault out_of(const Range& range, const Number& value, const std::string& member) {
-    if (!value || range.contains(*value)) return std::nullopt;
-    return SceneFault{member, fmt::format("{}", *value), range.number_text()};
-}
-
-Fault fault_in(std::span<const NumberRule> rules, const Scene& scene) {
-    for (const NumberRule& rule : rules)
-        if (Fault fault = out_of(rule.range, rule.value(scene), rule.member)) return fault;
-    return std::nullopt;
-}
-
-Fault weight_fault(const ObjectiveSpec& objective) {
-    for (const CostTerm& term : cost_terms())
-        if (Fault fault =
-                out_of(not_negative, objective.*term.weight, fmt::format("objective.{}", term.name())))
-            return fault;
-    for (const ResponseTerm& term : response_terms()) {
-        const std::string key = fmt::format("objective.{}", term.name);
-        if (Fault fault = out_of(not_negative, objective.*term.weight, key)) return fault;
-        const std::string reference = fmt::format("objective.reference.{}", term.name);
-        if (Fault fault = out_of(positive, objective.reference.*term.reference, reference)) return fault;
-    }
-    for (int i = 0; i < dimension_count; ++i)
-        if (Fault fault = out_of(not_negative, objective.dimensions[static_cast<std::size_t>(i)],
-                                 fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(i)))))
-            return fault;
-    for (const CostTerm& term : cost_terms())
-        if (Fault fault = out_of(positive, objective.reference.*term.reference,
-                                 fmt::format("objective.reference.{}", term.name())))
-            return fault;
-    return std::nullopt;
+/// The number of a key against the range of its row.
+Fault row_fault(const KeyRow& row, const Scene& scene) {
+    const std::optional<KeyValue> value = row.place.value(scene);
+    if (!value) return std::nullopt;
+    const std::string member = fmt::format("{}.{}", row.table, row.name);
+    if (const auto* const number = std::get_if<double>(&*value))
+        return out_of(row.range.scaled(row.spellings.front().factor), *number, member);
+    const auto* const integer = std::get_if<long long>(&*value);
+    if (integer == nullptr || row.range.contains(static_cast<double>(*integer))) return std::nullopt;
+    return SceneFault{member, fmt::to_string(*integer), row.range.integer_text()};
 }
 
 Fault limit_number_fault(const LimitSpec& limits) {
@@ -118,15 +46,10 @@ Fault limit_number_fault(const LimitSpec& limits) {
 }  // namespace
 
 Fault number_fault(const Scene& scene) {
-    if (Fault fault = fault_in(motion_numbers, scene)) return fault;
-    if (Fault fault = weight_fault(scene.objective)) return fault;
-    if (Fault fault = fault_in(force_numbers, scene)) return fault;
-    if (Fault fault = limit_number_fault(scene.limits)) return fault;
-    if (Fault fault = fault_in(solver_numbers, scene)) return fault;
-    if (scene.solver.starts && *scene.solver.starts < 1)
-        return SceneFault{"solver.starts", fmt::to_string(*scene.solver.starts),
-                          Range::at_least(1).integer_text()};
-    return std::nullopt;
+    for (const KeyRow& row : own_rows())
+        if (row.place)
+            if (Fault fault = row_fault(row, scene)) return fault;
+    return limit_number_fault(scene.limits);
 }
 
 // Validation of a scene: numbers against their ranges (one table), then relations between members.
@@ -197,9 +120,6 @@ Fault free_knot_fault(const Scene& scene) {
 Fault spline_fault(const SplineSpec& spline) {
     if (spline.degree != 3 && spline.degree != 5)
         return SceneFault{"spline.degree", fmt::to_string(spline.degree), "3 or 5"};
-    const Range segments = Range::between(1, 65536);
-    if (spline.breakpoints.empty() && !segments.contains(spline.segments))
-        return SceneFault{"spline.segments", fmt::to_string(spline.segments), segments.integer_text()};
     const int smoothest = spline.degree - 1;
     if (spline.smoothness() < 2 || spline.smoothness() > smoothest)
         return SceneFault{

@@ -18,10 +18,10 @@ const std::string& unit_of(const SetPointUnits& units, int order) {
 }
 
 std::span<const Spelling> spellings_of(int order) {
-    if (order == 0) return spellings::set_point_displacement;
-    if (order == 1) return spellings::set_point_velocity;
-    if (order == 2) return spellings::set_point_acceleration;
-    return spellings::set_point_jerk;  // of corridors
+    if (order == 0) return spellings::displacement;
+    if (order == 1) return spellings::velocity;
+    if (order == 2) return spellings::acceleration;
+    return spellings::jerk;  // of corridors
 }
 
 const std::optional<double>& value_of(const SetPoint& point, int order) {
@@ -80,7 +80,7 @@ const Spelling& spelling_of_unit(int order, std::string_view unit) {
 }
 
 double unit_of_place(std::string_view unit) {
-    for (const Spelling& spelling : spellings::set_point_place)
+    for (const Spelling& spelling : spellings::place)
         if (spelling.unit == unit) return spelling.factor;
     return 1.0;
 }
@@ -145,6 +145,10 @@ WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, i
     const SetPointScale whole{motion.unit_angle(), motion.lift, motion.speed};
     written.per_normalised = set_point_unit(whole, order, is_unit_of_time(unit)) / spelling.factor;
     return written;
+}
+
+std::string segment_words(std::size_t index) {
+    return fmt::format("segment {}", index + 1);
 }
 
 std::string listed_words(std::string_view key) {

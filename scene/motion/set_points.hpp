@@ -59,6 +59,8 @@ struct WrittenValue {
 /// The spelling of the wanted number of derivative `order`.
 [[nodiscard]] WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, int order);
 
+/// As a person counts: "segment 1" is motion.segments[0].
+[[nodiscard]] std::string segment_words(std::size_t index);
 /// What a key in a list of the motion names, numbered from 1: "motion.segments[1].via[0].velocity_mm_deg" is
 /// "velocity of set point 1 of segment 2", "motion.segments[1].end.velocity" "velocity at the end of segment
 /// 2", "motion.via[0]" "set point 1".

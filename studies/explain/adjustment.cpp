@@ -198,9 +198,9 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
     const double force =
         std::max({std::abs(forces.preload), forces.spring_rate * lift, limit, limit > 0.0 ? 0.0 : 1.0});
     const bool inches = scene.length_unit == LengthUnit::inch;
-    const Spelling rate = swings   ? Spelling{"_nm_rad", "N m/rad", 1.0}
-                          : inches ? Spelling{"_lbf_in", "lbf/in", units::pound_force / units::inch}
-                                   : Spelling{"_n_mm", "N/mm", 1.0 / units::millimetre};
+    const Spelling& rate = swings   ? unit_named<"N m/rad">
+                           : inches ? unit_named<"lbf/in">
+                                    : unit_named<"N/mm">;
     all.push_back(force_adjustment(scene, "forces.preload",
                                    (swings ? spellings::moment : spellings::force)[inches],
                                    &ForceSpec::preload, force));

@@ -2,6 +2,7 @@
 #include "studies/laws/law_motion.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -34,7 +35,8 @@ std::string free_displacement(std::span<const LawStroke> strokes) {
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (strokes[i].from && strokes[i].to) continue;
         return fmt::format(
-            "the scene leaves a displacement of segment {} free, and there is no optimum to take it from", i);
+            "the scene leaves a displacement of {} free, and there is no optimum to take it from",
+            segment_words(i));
     }
     return {};
 }
@@ -43,7 +45,7 @@ std::string free_displacement(std::span<const LawStroke> strokes) {
 std::string moving_neighbour(std::span<const LawStroke> strokes) {
     for (std::size_t i = 0; i < strokes.size(); ++i)
         if (strokes[i].kind == SegmentKind::law && !make_law(strokes[i].law)->info().rests)
-            return fmt::format("rests at its ends, where segment {} moves on", i);
+            return fmt::format("rests at its ends, where {} moves on", segment_words(i));
     return {};
 }
 

@@ -13,10 +13,11 @@ FILE = re.compile(r'"([a-z_]+\.(?:csv|svg|json|html|md|dxf|pdf|step|stl|nc|obj|s
 # Where else a row is demanded: file, a pattern of what is said there, and what it is.
 WORDS = (
     ("output/plc/plc_format.cpp", r"\b(\w+)_format\(\)", "controller"),
-    ("apps/command_line.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
+    ("apps/first_commands.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
+    ("apps/more_commands.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
     ("apps/export_options.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
-    ("input/keys/scene_keys.cpp", r'"type", text, plain, any, \{([^}]*)\}', "type of motion"),
-    ("input/keys/scene_keys.cpp", r'"kind", text, plain, any, \{([^}]*)\}', "kind of segment"),
+    ("scene/keys/motion_rows.cpp", r'"type", text, plain, any, \{([^}]*)\}', "type of motion"),
+    ("scene/keys/motion_rows.cpp", r'"kind", text, plain, any, \{([^}]*)\}', "kind of segment"),
     ("profiles/kinds/cam_kinds.cpp", r"\b(\w+)_kind\(\)", "type of cam"),
     ("scene/follower.hpp", r'\{FollowerType::\w+, ("\w+")', "follower"),
 )
@@ -51,10 +52,10 @@ def main(root):
         path = pathlib.Path(root) / file
         if not path.exists():
             continue
-        for match in re.finditer(pattern, path.read_text(encoding="utf-8")):
-            for word in re.findall(r"\w+", match.group(1)):
-                if word not in names:
-                    faults.append(f"{file}: the {what} {word} has no row in tests/pairs/pairs.py")
+        words = re.findall(r"\w+", " ".join(re.findall(pattern, path.read_text(encoding="utf-8"))))
+        faults += [f"{file}: the {what} {word} has no row in tests/pairs/pairs.py" for word in words if word not in names]
+        if not words:
+            faults.append(f"{file}: names no {what}; WORDS of tests/lint/pairs.py says where they are named")
     source_tree.report("pairs", sorted(set(faults)), seen)
 
 

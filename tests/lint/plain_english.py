@@ -48,7 +48,7 @@ PHRASES = [
 ]
 # (file, or folder with a closing slash; phrase in lower case): why it is right there
 EXCEPTIONS = {
-    ("input/keys/cam_keys.cpp", "presses"): "a force presses the follower on the cam",
+    ("scene/keys/load_rows.cpp", "presses"): "a force presses the follower on the cam",
     ("profiles/disk/disk_kind.cpp", "presses"): "a force presses the follower on the cam",
     ("docs/adding_a_solver.md", "remedy"): "a member of SolverEntry",
     ("docs/nc.md", "beside"): "printed by programs of earlier releases, quoted",

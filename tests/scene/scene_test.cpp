@@ -98,7 +98,8 @@ TEST(Scene, WrongMembersAreNamed) {
         {[](Scene& s) { s.solver.tolerance = 1; },
          "solver.tolerance: found 1; allowed: a number from 1e-12 to 0.01"},
         {[](Scene& s) { s.solver.max_seconds = 0; }, "solver.max_seconds: found 0; allowed: a number > 0"},
-        {[](Scene& s) { s.solver.starts = 0; }, "solver.starts: found 0; allowed: an integer >= 1"},
+        {[](Scene& s) { s.solver.starts = 0; },
+         "solver.starts: found 0; allowed: an integer from 1 to 100000"},
     };
     for (const SceneCase& c : cases) EXPECT_EQ(message_of(c.change), c.message);
 }

@@ -312,7 +312,7 @@ std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
             quantities.push_back(figure_quantity(term.figure, ""));
     }
     const LengthUnit unit = table.columns.length_unit;
-    const ShownUnit length{name_of(unit), metres_of(unit)};
+    const ShownUnit length = length_shown(unit);
     for (const DimensionIndex dimension : table.columns.dimensions)
         quantities.push_back(
             unit_quantity(words_of(name_of(dimension)), length,

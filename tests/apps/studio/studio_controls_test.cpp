@@ -133,6 +133,11 @@ TEST(StudioControls, TakeUnitsOfOneDimension) {
     for (const UnitChoice& one : by_angle)
         EXPECT_EQ(one.unit.find("/s"), std::string::npos) << "by the cam angle, not in time: " << one.unit;
     EXPECT_GE(by_angle.size(), 4U);
+    std::set<std::string> of_angles;
+    for (const UnitChoice& one : units_of_field(*input::find_row("limits", "velocity"),
+                                                *input::match_key("limits", "velocity_deg_deg").spelling))
+        of_angles.insert(one.unit);
+    EXPECT_EQ(of_angles, (std::set<std::string>{"deg/deg", "rad/rad"})) << "not the normalised one";
 }
 
 TEST(StudioScene, IsRewrittenInInchesAndBack) {
@@ -149,6 +154,9 @@ TEST(StudioScene, IsRewrittenInInchesAndBack) {
     EXPECT_EQ(back.scene.cam->middle(), metric.scene.cam->middle());
     const std::string points = text_of("handbook_nine_points.toml");
     EXPECT_NE(scene_in_units(points, LengthUnit::inch).find("acceleration_in_rad2"), std::string::npos);
+    const std::string lobe = scene_in_units(text_of("valve_intake.toml"), LengthUnit::inch);
+    EXPECT_NE(lobe.find("acceleration_in_deg2 = "), std::string::npos) << "not by radians: " << lobe;
+    EXPECT_NE(lobe.find("jerk_in_deg3 = "), std::string::npos) << lobe;
 }
 
 TEST(StudioScene, GainsAndLosesEntriesOfLists) {

@@ -111,7 +111,7 @@ TEST(ConstantVelocity, HasNoRestingNeighbours) {
     for (const ComparisonRow& row : comparison.rows) {
         EXPECT_NE(row.key, "constant_velocity");
         if (row.is_optimum()) continue;
-        EXPECT_EQ(row.misfit, "rests at its ends, where segment 2 moves on") << row.key;
+        EXPECT_EQ(row.misfit, "rests at its ends, where segment 3 moves on") << row.key;
     }
 }
 

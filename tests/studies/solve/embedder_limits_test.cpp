@@ -143,8 +143,7 @@ TEST(LimitsFromCpp, ContradictoryNumbersAreRefused) {
     scene.limits.velocity = PeakLimit(0.0, {}, 5.0, "furlong/s");
     EXPECT_EQ(refused(),
               "limits.velocity: found the unit \"furlong/s\"; allowed: none (normalised), or mm/s, in/s, "
-              "m/s, deg/s, "
-              "rad/s, mm/deg, in/deg, deg/deg");
+              "m/s, deg/s, rad/s, mm/rad, in/rad, m/rad, mm/deg, in/deg, deg/deg, rad/rad");
 }
 
 }  // namespace embedder_limits_test

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// The rows of [forces], [dynamics] and [drive].
+#include "scene/key_place.hpp"
+#include "scene/keys/own_rows.hpp"
+
+namespace camopt::key_rows {
+namespace {
+
+using enum KeyType;
+using namespace spellings;
+
+const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
+const Range damping_ratios = Range::between(0.0, 2.0);
+
+// A row is read as a row.
+// clang-format off
+Rows forces() {
+    return {
+        {"forces", "mass", number, mass, not_negative, {}, "0",
+         "Mass that the cam accelerates; translating followers.",
+         stored_in(&Scene::forces, &ForceSpec::mass)},
+        {"forces", "inertia", number, inertia, not_negative, {}, "0",
+         "Moment of inertia about the pivot; oscillating followers.",
+         stored_in(&Scene::forces, &ForceSpec::mass), Availability::now, "mass"},
+        {"forces", "spring_rate", number, spring_rate, not_negative, {}, "0",
+         "Rate of the return spring: per length for translating, per angle for oscillating followers.",
+         stored_in(&Scene::forces, &ForceSpec::spring_rate)},
+        {"forces", "preload", number, force_or_moment, any, {}, "0",
+         "Force (translating) or moment (oscillating) that presses the follower against the cam at displacement 0, "
+         "at rest: spring, weight, load.",
+         stored_in(&Scene::forces, &ForceSpec::preload)},
+        {"forces", "damping", number, damper, not_negative, {}, "0",
+         "Viscous damping of the follower: force by its velocity, moment by its angular velocity.",
+         stored_in(&Scene::forces, &ForceSpec::damping)},
+        {"forces", "load", number_or_points, force_or_moment, any, {}, "0",
+         "A further force (translating) or moment (oscillating), positive where it presses the follower "
+         "on the cam: a number, or pairs of a cam angle in deg from the start of the motion and the force there, "
+         "linear between them; after the last one it goes on to the first of the next revolution."},
+        {"forces", "spring_frequency", number, frequency, positive, {}, "none",
+         "Natural frequency of the return spring between fixed ends (surge): harmonics of the lift near it are "
+         "reported, and may be limited. For an RR motion or a closed program.",
+         stored_in(&Scene::forces, &ForceSpec::spring_frequency)},
+        {"forces", "speed_range", numbers, speed, not_negative, {}, "motion.speed, or from 0",
+         "Two speeds of the cam: limits of contact force, Hertz pressure and torque hold from the first to the second. "
+         "Default: from 0 to the speed where a spring loads the cam and `limits.hertz_pressure_max` is given, else the speed."},
+        {"forces", "contact_width", number, length, positive, {}, "none",
+         "Width of the line of contact; the Hertz pressure needs it.",
+         stored_in(&Scene::forces, &ForceSpec::contact_width)},
+        {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam.",
+         stored_in(&Scene::forces, &ForceSpec::cam_modulus)},
+        {"forces", "follower_modulus", number, modulus, positive, {}, "210 GPa",
+         "Young's modulus of the roller or the face.",
+         stored_in(&Scene::forces, &ForceSpec::follower_modulus)},
+        {"forces", "cam_poisson", number, plain, poisson_ratio, {}, "0.3", "Poisson's ratio of the cam.",
+         stored_in(&Scene::forces, &ForceSpec::cam_poisson)},
+        {"forces", "follower_poisson", number, plain, poisson_ratio, {}, "0.3",
+         "Poisson's ratio of the roller or the face.",
+         stored_in(&Scene::forces, &ForceSpec::follower_poisson)},
+    };
+}
+
+Rows dynamics() {
+    return {
+        {"dynamics", "mass", number, mass, positive, {}, "needed", "Moved at the output; of a lift that is a length.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::mass)},
+        {"dynamics", "inertia", number, inertia, positive, {}, "needed",
+         "The same where the lift is an angle.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::mass), Availability::now, "mass"},
+        {"dynamics", "natural_frequency", number, frequency, positive, {}, "or a stiffness",
+         "Of the output on its spring, with the cam (or the stage before it) held and the return spring on; undamped.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::natural_frequency)},
+        {"dynamics", "stiffness", number, train_spring, positive, {}, "or a natural frequency",
+         "Of the spring between the output and the mass or cam before it.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::stiffness), Availability::now, "natural_frequency"},
+        {"dynamics", "damping_ratio", number, plain, damping_ratios, {}, "0",
+         "Damping of the output in parts of critical.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::damping_ratio)},
+        {"dynamics", "damping", number, damper, not_negative, {}, "0", "The same as a damper.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::damping),
+         Availability::now, "damping_ratio"},
+        {"dynamics", "return_spring", number, train_spring, not_negative, {}, "0",
+         "Rate of the spring that presses the output back to the cam.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::return_stiffness)},
+        {"dynamics", "preload", number, force_or_moment, not_negative, {}, "0",
+         "What the return spring loads the cam with at displacement 0. Without spring and preload the cam guides the follower in both directions.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::preload)},
+        {"dynamics", "speed_range", numbers, speed, positive, {}, "motion.speed",
+         "Two speeds: terms and limits of the train hold from the first to the second."},
+        {"dynamics", "stage", tables, plain, any, {}, "none",
+         "Masses between cam and output, at most three, from the cam on."},
+        {"dynamics.stage", "mass", number, mass, positive, {}, "needed", "Of this mass."},
+        {"dynamics.stage", "inertia", number, inertia, positive, {}, "needed",
+         "The same where the lift is an angle.", {}, Availability::now, "mass"},
+        {"dynamics.stage", "stiffness", number, train_spring, positive, {}, "required",
+         "Of the spring to the mass or cam before it."},
+        {"dynamics.stage", "damping_ratio", number, plain, damping_ratios, {}, "0",
+         "c / (2 sqrt(k m)) of this mass on this spring."},
+    };
+}
+
+Rows drive() {
+    return {
+        {"drive", "load_mass", number, mass, not_negative, {}, "0",
+         "Moved with the output; of a lift that is a length.",
+         stored_in(&Scene::drive, &DriveSpec::load)},
+        {"drive", "load_inertia", number, inertia, not_negative, {}, "0",
+         "The same where the lift is an angle.",
+         stored_in(&Scene::drive, &DriveSpec::load), Availability::now, "load_mass"},
+        {"drive", "motor_inertia", number, inertia, not_negative, {}, "0",
+         "Of motor, brake and gear, at the motor.",
+         stored_in(&Scene::drive, &DriveSpec::motor_inertia)},
+        {"drive", "transmission", number, travel_per_turn, positive, {}, "required",
+         "Travel of the output a revolution of the motor.",
+         stored_in(&Scene::drive, &DriveSpec::transmission)},
+        {"drive", "viscous", number, damper, not_negative, {}, "0",
+         "Viscous friction of the output: force by its velocity, moment by its angular velocity.",
+         stored_in(&Scene::drive, &DriveSpec::viscous)},
+        {"drive", "force", number, force, any, {}, "0", "Constant force on the output, against positive motion.",
+         stored_in(&Scene::drive, &DriveSpec::force)},
+        {"drive", "moment", number, moment, any, {}, "0", "The same where the lift is an angle.",
+         stored_in(&Scene::drive, &DriveSpec::force),
+         Availability::now, "force"},
+        {"drive", "friction", number, force_or_moment, not_negative, {}, "0",
+         "Dry friction, against the motion in either direction, 0 at rest. The direction must be known: "
+         "`motion.monotone`, and every displacement given.",
+         stored_in(&Scene::drive, &DriveSpec::friction)},
+        {"drive", "cycle", number, cam_angle, positive, {}, "360 deg",
+         "Cam angle of the cycle that the root mean square is taken over; outside the motion the axis rests.",
+         stored_in(&Scene::drive, &DriveSpec::cycle)},
+    };
+}
+// clang-format on
+
+}  // namespace
+
+Rows of_loads() {
+    return joined({forces(), dynamics(), drive()});
+}
+
+}  // namespace camopt::key_rows

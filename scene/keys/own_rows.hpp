@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The rows of the keys that belong to no kind of cam (those of a kind: scene/cam_kind.hpp). Parts are in the
+// order of the manual.
+#pragma once
+
+#include "scene/key_row.hpp"
+
+namespace camopt {
+
+/// All of them, made once.
+[[nodiscard]] const std::vector<KeyRow>& own_rows();
+
+namespace key_rows {
+
+using Rows = std::vector<KeyRow>;
+
+/// In the manual before [cam], and after it.
+[[nodiscard]] Rows before_cam();
+[[nodiscard]] Rows after_cam();
+
+[[nodiscard]] Rows of_motion();
+[[nodiscard]] Rows of_search();  ///< [spline], [objective]
+[[nodiscard]] Rows other_tables();
+[[nodiscard]] Rows of_loads();   ///< [forces], [dynamics], [drive]
+[[nodiscard]] Rows of_limits();  ///< and of the solver
+
+/// One list after the other.
+[[nodiscard]] Rows joined(std::initializer_list<Rows> parts);
+
+}  // namespace key_rows
+}  // namespace camopt
