@@ -3,6 +3,7 @@
 #include "output/chart/sweep/sweep_svg.hpp"
 
 #include "output/chart/studies/study_svg.hpp"
+#include "output/csv/sweep_csv.hpp"
 #include "tests/output/sample_sweeps.hpp"
 #include "tests/output/well_formed.hpp"
 
