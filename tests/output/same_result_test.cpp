@@ -2,6 +2,7 @@
 // A result depends on the scene and its seed, not on what the process did before: the same scene again, in a
 // heap of another shape and with other leftovers in it, gives every digit again.
 #include "output/json/result_json.hpp"
+#include "solvers/registry.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/scene_kit.hpp"
 
