@@ -14,7 +14,7 @@ import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "browser"))
-from studio import studio  # noqa: E402
+from studio import command_line, studio  # noqa: E402
 
 PROGRAM, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
 DRD = SCENES / "drd_cubic_32.toml"
@@ -27,12 +27,6 @@ gap = 1e-12
 starts = 100000
 max_seconds = 600
 """
-
-
-def command_line(scene, *settings):
-    arguments = [word for setting in settings for word in ("--set", setting)]
-    run = subprocess.run([PROGRAM, "solve", str(scene), "--json", *arguments], capture_output=True, text=True, check=False)
-    return json.loads(run.stdout)
 
 
 class Served(unittest.TestCase):
@@ -67,24 +61,24 @@ class Answers(Served):
         again = self.studio.ask("GET", "")[2]["Content-Security-Policy"]
         self.assertNotEqual(again, policy, "each page has a nonce of its own")
 
-    def test_a_solve_is_that_of_the_command_line(self):
+    def test_a_solve_is_that_of_the_command_line(PROGRAM, self):
         for scene, settings in ((DRD, {}), (DRD, {"objective.velocity": 0.7}), (CAM, {"cam.base_radius_mm": 18})):
             status, answer = self.studio.solve(scene.read_text(), set=settings)
             self.assertEqual(status, 200, answer)
-            there = command_line(scene, *(f"{key}={value}" for key, value in settings.items()))
+            there = command_line(PROGRAM, scene, *(f"{key}={value}" for key, value in settings.items()))
             self.assertEqual(answer["verdict"], there["verdict"])
             self.assertAlmostEqual(answer["objective"], there["objective"], delta=1e-8)
 
     def test_a_warm_solve_is_that_of_the_command_line_too(self):
         for value in (0.3, 0.35, 0.42):
             _, answer = self.studio.solve(CAM.read_text(), set={"objective.velocity": value})
-        there = command_line(CAM, "objective.velocity=0.42")
+        there = command_line(PROGRAM, CAM, "objective.velocity=0.42")
         self.assertEqual(answer["verdict"], there["verdict"])
         self.assertAlmostEqual(answer["objective"], there["objective"], delta=1e-8)
 
     def test_a_curve_is_near_and_claims_nothing(self):
         _, answer = self.studio.solve(CAM.read_text(), stage="curve")
-        self.assertAlmostEqual(answer["objective"], command_line(CAM)["objective"], delta=1e-5)
+        self.assertAlmostEqual(answer["objective"], command_line(PROGRAM, CAM)["objective"], delta=1e-5)
         data = answer["data"]
         self.assertEqual((answer["stage"], answer["more"], data["verdict"]["tone"]), ("curve", False, "open"))
         self.assertIn("Not proved yet", data["verdict"]["headline"])
@@ -94,7 +88,7 @@ class Answers(Served):
         scene = (SCENES / "cam_arm_flat.toml").read_text()
         _, proved = self.studio.solve(scene, page="arm", stage="proof")
         _, seen = self.studio.solve(scene, page="arm", stage="curve", set={"objective.velocity": 0.41})
-        there = command_line(SCENES / "cam_arm_flat.toml", "objective.velocity=0.41")
+        there = command_line(PROGRAM, SCENES / "cam_arm_flat.toml", "objective.velocity=0.41")
         self.assertEqual(proved["verdict"], "optimal")
         self.assertEqual(seen["verdict"], "local")
         self.assertAlmostEqual(seen["objective"], there["objective"], delta=1e-5)

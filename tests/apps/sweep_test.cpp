@@ -6,6 +6,7 @@
 #include "program.hpp"
 #include "sweep_run_of_program.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <fmt/format.h>
@@ -30,6 +31,7 @@ using test::run_camopt;
 using test::RunningProgram;
 using test::TemporaryFolder;
 using test::timeless_rows;
+using testing_support::says;
 
 using Words = std::vector<std::string>;
 
@@ -106,7 +108,7 @@ TEST_F(SweepCommand, KeepsResultFolderForEveryRow) {
         const std::string folder = path("map") + fmt::format("/rows/{:06}", row.number);
         ASSERT_EQ(run_sweep({"report", folder}, path("log")), 0) << errors("log");  // reads and checks it
         const std::string certificate = read_text_file(folder + "/certificate.json");
-        EXPECT_NE(certificate.find("optimal"), std::string::npos);
+        EXPECT_TRUE(says(certificate, "optimal"));
     }
 }
 
@@ -153,7 +155,7 @@ TEST_F(SweepCommand, MachinesAreSweptLikeScenes) {
     EXPECT_EQ(table.rows[0].active_limits.front().substr(0, 9), "clearance");
     // The folder of a row is that of camopt machine, and a machine again.
     const std::string row = path("whole") + "/rows/000000/";
-    EXPECT_NE(read_text_file(row + "pusher.toml").find("acceleration_m_s2 = 40"), std::string::npos);
+    EXPECT_TRUE(says(read_text_file(row + "pusher.toml"), "acceleration_m_s2 = 40"));
     ASSERT_EQ(run_sweep({"machine", row + "machine.toml", "--json"}, path("again")), 0) << errors("again");
     const std::string text = output("again");
     const double again = std::stod(text.substr(text.find("\"speed_rpm\": ") + 13));
@@ -198,9 +200,7 @@ TEST_F(SweepCommand, MergeRefusesUnfinishedShards) {
     std::filesystem::remove(path("2") + "/chunks/chunk_000003.csv");
     EXPECT_EQ(run_sweep({"sweep", "merge", path("1"), path("2"), "--out", path("whole")}, path("log")), 2);
     EXPECT_FALSE(std::filesystem::exists(path("whole")));
-    EXPECT_NE(errors("log").find("rows 18 to 23 are missing: " + path("2") + " is not finished"),
-              std::string::npos)
-        << errors("log");
+    EXPECT_TRUE(says(errors("log"), "rows 18 to 23 are missing: " + path("2") + " is not finished"));
 }
 
 /// 231 rows in 58 chunks: long enough to be interrupted in the middle.
@@ -245,10 +245,9 @@ TEST_F(SweepCommand, InterruptKeepsResultsAndSuggestsResume) {
     program.send(SIGINT);
     EXPECT_EQ(program.wait(), 130);
     for (const pid_t worker : workers) EXPECT_NE(::kill(worker, 0), 0) << "a worker lives on";
-    EXPECT_NE(errors("log").find("interrupted; "), std::string::npos) << errors("log");
-    EXPECT_NE(errors("log").find("of 58 chunks are finished and kept in"), std::string::npos)
-        << errors("log");
-    EXPECT_NE(errors("log").find("--resume goes on"), std::string::npos) << errors("log");
+    EXPECT_TRUE(says(errors("log"), "interrupted; "));
+    EXPECT_TRUE(says(errors("log"), "of 58 chunks are finished and kept in"));
+    EXPECT_TRUE(says(errors("log"), "--resume goes on"));
     EXPECT_EQ(output("log"), "");
     EXPECT_FALSE(std::filesystem::exists(path("map") + "/sweep.csv"));
     const int kept = chunk_count(path("map"));
@@ -271,7 +270,7 @@ TEST_F(SweepCommand, TerminationKeepsWhatIsFinishedToo) {
     for (const pid_t worker : program.children()) ::kill(worker, SIGTERM);  // as schedulers do
     program.send(SIGTERM);
     EXPECT_EQ(program.wait(), 130);
-    EXPECT_NE(errors("log").find("interrupted; "), std::string::npos) << errors("log");
+    EXPECT_TRUE(says(errors("log"), "interrupted; "));
     ASSERT_EQ(run_sweep(longer_sweep(path("map")) + Words{"--resume"}, path("log")), 0) << errors("log");
     EXPECT_EQ(timeless_rows(path("map")), timeless_rows(path("whole")));
 }
@@ -321,15 +320,14 @@ TEST_F(SweepCommand, RowKillingTwoWorkersFailsAlone) {
     EXPECT_EQ(table.rows[1].verdict, Verdict::failed);
     EXPECT_EQ(table.rows[1].reason, "worker died: signal 11");
     EXPECT_FALSE(table.rows[1].objective);
-    EXPECT_NE(output("log").find("failed, worker died: signal 11: 1 row"), std::string::npos)
-        << output("log");
+    EXPECT_TRUE(says(output("log"), "failed, worker died: signal 11: 1 row"));
 }
 
 TEST_F(SweepCommand, ProgramsShareNoFolder) {
     RunningProgram program(endless_sweep(path("map")), path("first"));
     ASSERT_TRUE(wait_for([&] { return chunk_count(path("map")) >= 1; }));
     EXPECT_EQ(run_sweep(endless_sweep(path("map")) + Words{"--resume"}, path("log")), 2);
-    EXPECT_NE(errors("log").find("another camopt is running in"), std::string::npos) << errors("log");
+    EXPECT_TRUE(says(errors("log"), "another camopt is running in"));
 }
 
 /// Neither linear nor convex: searches from several seeded starts.

@@ -43,6 +43,13 @@ class Studio:
         return status, json.loads(text)
 
 
+def command_line(program, scene, *settings):
+    """The result of camopt solve."""
+    arguments = [word for setting in settings for word in ("--set", setting)]
+    run = subprocess.run([program, "solve", str(scene), "--json", *arguments], capture_output=True, text=True, check=False)
+    return json.loads(run.stdout)
+
+
 @contextlib.contextmanager
 def studio(program, *arguments):
     process = subprocess.Popen([program, "studio", *map(str, arguments)], stdout=subprocess.PIPE,

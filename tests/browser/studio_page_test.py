@@ -15,18 +15,12 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from browser import browser_of, wait_for  # noqa: E402
-from studio import StudioPage, studio  # noqa: E402
+from studio import StudioPage, command_line, studio  # noqa: E402
 
 PROGRAM, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
 PICTURES = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
 StudioPage.pictures = PICTURES
 DRD, CAM = SCENES / "drd_cubic_32.toml", SCENES / "cam_roller.toml"
-
-
-def command_line(scene, *settings):
-    arguments = [word for setting in settings for word in ("--set", setting)]
-    run = subprocess.run([PROGRAM, "solve", str(scene), "--json", *arguments], capture_output=True, text=True, check=False)
-    return json.loads(run.stdout)
 
 
 class OnePage(unittest.TestCase):
@@ -55,9 +49,9 @@ class CamScene(OnePage):
 
     def test_a_slider_solves_as_the_command_line_does(self):
         page = self.page
-        self.assertAlmostEqual(page.objective(), command_line(CAM)["objective"], delta=1e-8)
+        self.assertAlmostEqual(page.objective(), command_line(PROGRAM, CAM)["objective"], delta=1e-8)
         page.move("cam.base_radius_mm", 18)
-        there = command_line(CAM, "cam.base_radius_mm=18")
+        there = command_line(PROGRAM, CAM, "cam.base_radius_mm=18")
         self.assertAlmostEqual(page.objective(), there["objective"], delta=1e-8)
         self.assertEqual(page.shown("cam.base_radius_mm"), 18)
         peak = max(filter(None, page.run("return Camopt.page.data.curves.find((one) => one.key === 'velocity').values")))
@@ -98,7 +92,7 @@ class CamScene(OnePage):
         page.after(lambda: page.run("""
             document.querySelector('[data-key="objective.velocity"] input[type=range]').dispatchEvent(new Event('change'));"""))
         self.assertEqual([one["stage"] for one in page.run("return Camopt.studio.times")], ["curve"] * 3 + ["proof", "rest"])
-        self.assertAlmostEqual(page.objective(), command_line(CAM, "objective.velocity=0.6")["objective"], delta=1e-8)
+        self.assertAlmostEqual(page.objective(), command_line(PROGRAM, CAM, "objective.velocity=0.6")["objective"], delta=1e-8)
 
     def test_cursor_and_animation(self):
         page = self.page
@@ -274,16 +268,16 @@ class CamScene(OnePage):
             path = pathlib.Path(self.downloads) / file
             wait_for(file, lambda one=path: one.exists() and one.stat().st_size > 0)
         scene = pathlib.Path(self.downloads) / "scene.toml"
-        self.assertAlmostEqual(command_line(scene)["objective"], page.objective(), delta=1e-8)
+        self.assertAlmostEqual(command_line(PROGRAM, scene)["objective"], page.objective(), delta=1e-8)
 
     def test_a_scene_typed_in(self):
         page = self.page
         page.after(lambda: page.run("""document.querySelector('.editor textarea').value = arguments[0];
                     document.querySelector('[data-control=use-scene]').click();""", DRD.read_text()))
-        self.assertAlmostEqual(page.objective(), command_line(DRD)["objective"], delta=1e-8)
+        self.assertAlmostEqual(page.objective(), command_line(PROGRAM, DRD)["objective"], delta=1e-8)
         self.assertIsNone(page.run("return document.querySelector('.group[data-table=cam]')"))
         page.after(lambda: page.click("[data-control=undo]"))
-        self.assertAlmostEqual(page.objective(), command_line(CAM)["objective"], delta=1e-8)
+        self.assertAlmostEqual(page.objective(), command_line(PROGRAM, CAM)["objective"], delta=1e-8)
 
 
 class Narrow(unittest.TestCase):

@@ -16,6 +16,8 @@ from pathlib import Path
 import numpy
 from scipy.optimize import linprog
 
+import checker
+
 SAME = 1e-7       # of objectives, relative
 EXCEEDED = 1e-12  # a bound exceeded by more than this part of its size becomes a row
 GRID = 6          # places of the first grid in a piece
@@ -316,31 +318,39 @@ def solved(camopt, text, place, index):
     return result["verdict"], result["objective"]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+def compared(description, count, seed, draw, program, words_of, enough):
+    """Random scenes through camopt and the program that is independent of it; the exit code. enough(met, count): the verdicts met."""
+    parser = argparse.ArgumentParser(description=description)
     parser.add_argument("camopt")
-    parser.add_argument("--count", type=int, default=20)
-    parser.add_argument("--seed", type=int, default=32)
+    parser.add_argument("--count", type=int, default=count)
+    parser.add_argument("--seed", type=int, default=seed)
     arguments = parser.parse_args()
     numbers, faults, met = random.Random(arguments.seed), [], {"optimal": 0, "infeasible": 0}
     with tempfile.TemporaryDirectory() as place:
         for index in range(arguments.count):
-            scene = RandomScene(numbers, index)
-            expected = Program(scene).solve()
-            verdict, objective = solved(arguments.camopt, scene.text, place, index)
-            words = (f"{index}: {scene.kind}, degree {scene.degree}, {scene.segments} segments: camopt {verdict} {objective}, "
-                     f"HiGHS {expected}")
+            scene = draw(numbers, index)
+            words = f"{index}: {scene.kind}, degree {scene.degree}, {scene.segments} segments{words_of(scene)}: "
+            try:
+                expected = program(scene).solve()
+                verdict, objective = solved(arguments.camopt, scene.text, place, index)
+            except AssertionError as fault:
+                faults.append(f"{words}{fault}\n{scene.text}")
+                continue
+            words += f"camopt {verdict} {objective}, expected {expected}"
             print(words, flush=True)
             met[verdict] = met.get(verdict, 0) + 1
             same = verdict == ("infeasible" if expected is None else "optimal")
             if not same or (expected is not None and abs(objective - expected) > SAME * abs(expected)):
                 faults.append(words + "\n" + scene.text)
     print(met)
-    if min(met["optimal"], met["infeasible"]) < arguments.count // 10:
+    if not enough(met, arguments.count):
         faults.append("too few optima, or too few scenes without a motion")
-    for fault in faults:
-        print("FAULT:", fault)
-    return 1 if faults else 0
+    return checker.end(faults)
+
+
+def main():
+    return compared(__doc__, 20, 32, RandomScene, Program, lambda scene: "",
+                    lambda met, count: min(met["optimal"], met["infeasible"]) >= count // 10)
 
 
 if __name__ == "__main__":

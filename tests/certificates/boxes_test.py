@@ -122,9 +122,7 @@ def main():
     print(f"{proofs} proofs over boxes confirmed")
     if proofs < LEAST_PROOFS:
         faults.append(f"{proofs} proofs over boxes, expected {LEAST_PROOFS}")
-    for fault in faults:
-        print("FAULT:", fault)
-    return 1 if faults else 0
+    return checker.end(faults)
 
 
 if __name__ == "__main__":

@@ -41,3 +41,10 @@ def outcome(module, folder, vipr=None, report=None):
     """("confirmed" | "refuted" | "not verified", why)."""
     code, why = module.outcome_of(Path(folder), report or Silent(), vipr)
     return {0: "confirmed", 1: "refuted", 2: "not verified"}[code], why
+
+
+def end(faults):
+    """Prints what is wrong; the exit code."""
+    for fault in faults:
+        print("FAULT:", fault)
+    return 1 if faults else 0

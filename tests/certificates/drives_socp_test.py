@@ -5,19 +5,14 @@ Random drives (load, friction, limits on torque, its root mean square, speed, to
 any of its code, by CVXOPT. The splines are those of bounds_lp_test.py; root mean squares are sums by Gauss and Legendre; rows are
 added at the exact maxima of each polynomial piece. Objectives must agree to 1e-7, verdicts must be the same.
 """
-import argparse
 import math
-import random
 import sys
-import tempfile
-from pathlib import Path
 
 import numpy
 from cvxopt import matrix, solvers
 
-from bounds_lp_test import Splines, solved
+from bounds_lp_test import Splines, compared
 
-SAME = 1e-7       # of objectives, relative
 EXCEEDED = 1e-10  # a rule exceeded by more than this part of its size becomes a row
 SOLVED = 2e-9     # relative gap and residuals at which CVXOPT's result is taken although it was asked for more
 TRIES = (1e-11, 1e-10, 1e-9)
@@ -345,34 +340,8 @@ class RandomDrive:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("camopt")
-    parser.add_argument("--count", type=int, default=15)
-    parser.add_argument("--seed", type=int, default=34)
-    arguments = parser.parse_args()
-    numbers, faults, met = random.Random(arguments.seed), [], {"optimal": 0, "infeasible": 0}
-    with tempfile.TemporaryDirectory() as place:
-        for index in range(arguments.count):
-            drive = RandomDrive(numbers, index)
-            words = f"{index}: {drive.kind}, degree {drive.degree}, {drive.segments} segments, {', '.join(drive.weights)}: "
-            try:
-                expected = Program(drive).solve()
-                verdict, objective = solved(arguments.camopt, drive.text, Path(place), index)
-            except AssertionError as fault:
-                faults.append(f"{words}{fault}\n{drive.text}")
-                continue
-            words += f"camopt {verdict} {objective}, CVXOPT {expected}"
-            print(words, flush=True)
-            met[verdict] = met.get(verdict, 0) + 1
-            same = verdict == ("infeasible" if expected is None else "optimal")
-            if not same or (expected is not None and abs(objective - expected) > SAME * abs(expected)):
-                faults.append(words + "\n" + drive.text)
-    print(met)
-    if met["optimal"] < arguments.count // 2 or not met["infeasible"]:
-        faults.append("too few optima, or no scene without a motion")
-    for fault in faults:
-        print("FAULT:", fault)
-    return 1 if faults else 0
+    return compared(__doc__, 15, 34, RandomDrive, Program, lambda drive: ", " + ", ".join(drive.weights),
+                    lambda met, count: met["optimal"] >= count // 2 and met["infeasible"])
 
 
 if __name__ == "__main__":

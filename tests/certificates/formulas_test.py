@@ -144,9 +144,7 @@ def slide():
 
 def main():
     faults = [fault for test in (tappet, feeder, barrel, slide) for fault in test()]
-    for fault in faults:
-        print("FAULT:", fault)
-    return 1 if faults else 0
+    return checker.end(faults)
 
 
 if __name__ == "__main__":

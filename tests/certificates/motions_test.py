@@ -221,9 +221,7 @@ def main():
                     count = len(edits) - len(words)
                     faults.append(f"{name}, {edit.__name__ if k < count else words[k - count]}: {found}: {why}")
     print(f"{refuted} changed claims refuted")
-    for fault in faults:
-        print("FAULT:", fault)
-    return 1 if faults else 0
+    return checker.end(faults)
 
 
 if __name__ == "__main__":

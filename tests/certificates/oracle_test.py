@@ -94,9 +94,7 @@ def main():
     print(f"{exact} final linear programs solved exactly")
     if not chosen and exact < LEAST:
         faults.append(f"fewer than {LEAST} scenes")
-    for fault in faults:
-        print("FAULT:", fault)
-    return 1 if faults else 0
+    return checker.end(faults)
 
 
 if __name__ == "__main__":

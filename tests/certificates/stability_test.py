@@ -130,9 +130,7 @@ def main():
             print(f"{group.__name__}: {proved} proofs confirmed")
             if proved < least:
                 faults.append(f"{group.__name__}: {proved} proofs confirmed, expected {least}")
-    for fault in faults:
-        print("FAULT:", fault)
-    return 1 if faults else 0
+    return checker.end(faults)
 
 
 if __name__ == "__main__":

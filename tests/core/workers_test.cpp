@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -219,12 +220,7 @@ TEST(WorkerPool, ExceptionsEndRunWithTheirMessage) {
     task.work = [](int unit, const std::function<void(int)>&) {
         if (unit == 3) throw InputError("cannot write: the disk is full");
     };
-    try {
-        (void)run_workers(task);
-        FAIL() << "no exception";
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "cannot write: the disk is full");
-    }
+    EXPECT_EQ(testing_support::refusal([&] { (void)run_workers(task); }), "cannot write: the disk is full");
     EXPECT_TRUE(no_child_is_left());
     task.work = [](int, const std::function<void(int)>&) { throw std::logic_error(std::string(9000, 'x')); };
     EXPECT_THROW((void)run_workers(task), std::runtime_error);

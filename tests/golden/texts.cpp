@@ -22,6 +22,7 @@
 #include "studies/papers/reference_table.hpp"
 #include "studies/search/plan.hpp"
 #include "tests/output/sample_solution.hpp"
+#include "tests/output/sample_sweeps.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -369,67 +370,24 @@ void write_papers() {
     write_paper("reference", paper_004_report(table));
 }
 
-SweepRow sweep_row(int number, std::vector<double> settings, double size) {
-    SweepRow made;
-    made.number = number;
-    made.settings = std::move(settings);
-    made.verdict = Verdict::optimal;
-    made.objective = size;
-    made.gap = 1e-9;
-    made.any_curve_limit = 0.9 * size;
-    made.figures = {1.5 + 0.1 * size, 6.0 - 0.2 * size, 50.0 + size, 8.0, 4.0, 30.0};
-    made.on_front = number % 2 == 0;
-    return made;
-}
-
 /// Over one key with an infeasible and a failed row, over two keys, over weights with laws.
 void write_sweeps() {
     Scene scene;
     scene.title = "Sweep <of> all & sundry";
-    SweepTable lines;
-    lines.columns.keys = {"cam.base_radius_mm"};
-    lines.columns.dimensions = {DimensionIndex::base_radius};
-    for (int i = 0; i < 6; ++i) {
-        lines.rows.push_back(sweep_row(i, {20.0 + i}, 2.0 - 0.1 * i));
-        lines.rows.back().dimensions[0] = 0.02;
-        lines.rows.back().cam = {0.5 - 0.02 * i, 0.0127 * i, {}};
-    }
-    for (const int shut : {0, 3}) {
-        SweepRow empty;
-        empty.number = shut;
-        empty.settings = lines.rows[static_cast<std::size_t>(shut)].settings;
-        lines.rows[static_cast<std::size_t>(shut)] = empty;
-    }
-    lines.rows[0].verdict = Verdict::infeasible;
-    lines.rows[3].reason = "worker died: signal 11 <&>";
+    SweepTable lines = test::key_table();
     write("sweep_lines.svg", sweep_svg({lines, scene}));
     write("sweep_lines.csv", sweep_csv(lines));
-    lines.rows[2].verdict = Verdict::failed;
-    lines.rows[2].reason = lines.rows[3].reason;
-    lines.rows[2].objective.reset();
+    SweepTable map = test::map_table();
+    for (SweepTable* const table : {&lines, &map}) {
+        table->rows[2].verdict = Verdict::failed;
+        table->rows[2].reason = table->rows[3].reason;
+        table->rows[2].objective.reset();
+    }
     write("sweep_lines.txt", sweep_text(lines, &scene));
-    lines.columns.length_unit = LengthUnit::inch;
-    lines.columns.keys = {"cam.base_radius_mm", "limits.pressure_angle_deg"};
-    for (SweepRow& one : lines.rows) one.settings = {20.0 + one.number / 3, 25.0 + one.number % 3};
-    write("sweep_map.svg", sweep_svg({lines, scene}));
-    SweepTable weights;
-    weights.columns.keys = {"objective.velocity", "objective.acceleration", "objective.jerk"};
-    for (int i = 0; i <= 4; ++i)
-        for (int j = 0; i + j <= 4; ++j)
-            weights.rows.push_back(sweep_row(static_cast<int>(weights.rows.size()),
-                                             {i / 4.0, j / 4.0, (4 - i - j) / 4.0}, 1.0 + i * 0.1 + j * 0.2));
-    LawLosses losses;
-    losses.reference = {1.76, 5.53, 69.0};
-    losses.laws.push_back({"near",
-                           "Near <law>",
-                           {1.7, 5.6, 55.0},
-                           true,
-                           4.0,
-                           ClosestApproach{{0.2, 0.3, 0.5}, 2.5, true},
-                           {1.6, 5.5, 40.0}});
-    losses.laws.push_back({"far", "Far law", {1.6, 6.0, 500.0}, false, std::nullopt, std::nullopt, {}});
-    losses.complete = true;
-    write("sweep_weights.svg", sweep_svg({weights, scene, &losses}));
+    map.columns.length_unit = LengthUnit::inch;
+    write("sweep_map.svg", sweep_svg({map, scene}));
+    const LawLosses losses = test::some_losses();
+    write("sweep_weights.svg", sweep_svg({test::weight_table(), scene, &losses}));
 }
 
 int write_all(const std::filesystem::path& path) {

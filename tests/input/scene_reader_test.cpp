@@ -7,6 +7,7 @@
 #include "profiles/factory/cam_formulas.hpp"
 #include "scene/written_limits.hpp"
 #include "tests/input/scene_cases.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -268,14 +269,10 @@ TEST(SceneReader, CppLimitUsesWordsOfManual) {
 
 /// What stands behind "; did you mean " in the refusal of a scene.
 std::string hint_for(const std::string& toml) {
-    try {
-        (void)read(toml);
-    } catch (const InputError& error) {
-        const std::string message = error.what(), words = "; did you mean ";
-        const std::size_t at = message.find(words);
-        return at == std::string::npos ? "no hint: " + message : message.substr(at + words.size());
-    }
-    return "accepted";
+    const std::string message = testing_support::refusal([&] { (void)read(toml); }),
+                      words = "; did you mean ";
+    const std::size_t at = message.find(words);
+    return at == std::string::npos ? "no hint: " + message : message.substr(at + words.size());
 }
 
 TEST(SceneReader, WordsFromElsewhereGetAHint) {

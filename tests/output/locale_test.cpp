@@ -6,7 +6,6 @@
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
 #include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/certificate_reader.hpp"
 #include "output/nc/post_processor.hpp"
@@ -16,7 +15,8 @@
 #include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "tests/output/temporary_folder.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -34,6 +34,8 @@
 
 namespace camopt {
 namespace locale_test {
+
+using testing_support::refusal;
 
 class CommaPunctuation final : public std::numpunct<char> {
     [[nodiscard]] char do_decimal_point() const override { return ','; }
@@ -75,10 +77,6 @@ class ProcessLocale {
     bool there_ = false;
 };
 
-Scene scene_of(const std::string& name) {
-    return input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names());
-}
-
 /// Without the seconds that a solve took.
 std::string without_times(const std::string& text) {
     const std::regex times(
@@ -91,7 +89,7 @@ using Texts = std::map<std::string, std::string>;
 
 void add_folder(Texts& texts, const std::string& name) {
     const test::TemporaryFolder folder;
-    Solution solution = solve_without_explaining(scene_of(name), {});
+    Solution solution = solve_without_explaining(testing_support::scene_named(name), {});
     WriteOptions options;
     options.points = 720;
     options.dxf = solution.cam.has_value();
@@ -119,17 +117,10 @@ Texts everything() {
         texts["weights"] += fmt::format("{} ", value);
     texts["as written"] = fmt::format("{}", as_written(29.999999999999996));
     texts["paper"] = without_times(paper_report_json(paper_000()));
-    try {
-        (void)post_of_text("block_step = 1234567\nname = 0.5\n", "p.toml", {});
-    } catch (const InputError& error) {
-        texts["post"] = error.what();
-    }
-    try {
-        (void)input::read_scene("motion.type = \"DRD\"\nobjective.jerk = 1\nspline.segments = 1234567.5\n",
-                                "s.toml", known_names());
-    } catch (const InputError& error) {
-        texts["scene"] = error.what();
-    }
+    texts["post"] = refusal([] { (void)post_of_text("block_step = 1234567\nname = 0.5\n", "p.toml", {}); });
+    texts["scene"] = refusal([] {
+        (void)scene_of_toml("motion.type = \"DRD\"\nobjective.jerk = 1\nspline.segments = 1234567.5\n");
+    });
     return texts;
 }
 

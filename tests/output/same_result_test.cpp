@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A result depends on the scene and its seed, not on what the process did before: the same scene again, in a
 // heap of another shape and with other leftovers in it, gives every digit again.
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "output/json/result_json.hpp"
+#include "solvers/registry.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -73,11 +72,9 @@ class Disorder {
 class SameResult : public testing::TestWithParam<Case> {
  protected:
     Scene scene() const {
-        std::vector<std::string> settings = GetParam().settings;
-        settings.emplace_back("solver.max_seconds=1e6");
-        Scene scene = input::read_scene_file(source_folder() + "/scenes/" + GetParam().scene + ".toml",
-                                             known_names(), settings);
-        return scene;
+        return testing_support::scene_named(GetParam().scene)
+            .with_all(GetParam().settings)
+            .with("solver.max_seconds=1e6");
     }
     bool is_available() const {
         for (const std::string& setting : GetParam().settings)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What every kind of cam that is registered must keep: enclosures of its quantities over
-// boxes and along stretches hold the values, slopes and second derivatives at every place within. A kind, a
-// follower or a linkage is tried as soon as an example scene has it; one that none has is a fault.
+// What every kind of cam that is registered must keep: its quantities are those of its point, their partials
+// by the state and by every dimension those of differences, and enclosures over boxes and along stretches
+// hold values, slopes and second derivatives at every place within. A kind, a follower or a linkage is tried
+// as soon as an example scene has it; one that none has is a fault.
 #include "core/errors.hpp"
 #include "input/loading/load_scene.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
@@ -354,41 +355,97 @@ Place moved(Place place, const std::vector<int>& moving, std::size_t variable, d
     return place;
 }
 
-TEST_P(EveryKind, HasThePartialsOfItsDifferences) {
-    constexpr double part = 1e-5, room = 1e-6;  // of a variable's size; of a partial's
-    Trial trial(GetParam(), 4);
-    const int boxes = testing_support::scenes_to_try(50, 1000);
-    for (const MechanismQuantity which : quantities_of(trial)) {
+/// The cam turning either way, a linkage with its pressure angle at either place.
+std::vector<Case> variants_of(const Case& one) {
+    std::vector<Case> all;
+    for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise})
+        for (const char* const place : {"roller_center", "contact_point"}) {
+            Case& variant = all.emplace_back(one);
+            if (cam_kind(one.spec.type)->has_rotation) variant.spec.rotation = rotation;
+            if (!one.spec.choice("linkage").empty()) variant.spec.choices["pressure_angle_at"] = place;
+        }
+    return all;
+}
+
+/// `body` at random places of each variant: the trial, a station, a place, the dimensions that move.
+void at_random_places(
+    unsigned seed,
+    const std::function<void(Trial&, int station, const Place&, const std::vector<int>&)>& body) {
+    const int boxes = testing_support::scenes_to_try(25, 250);
+    for (const Case& variant : variants_of(EveryKind::GetParam())) {
+        Trial trial(variant, ++seed);
         for (int k = 0; k < boxes; ++k) {
             const Box box = random_box(trial);
             const int station = trial.random_station();
-            const Place place = random_place(trial, box);
-            std::vector<double> sizes = {GetParam().lift, trial.velocity(), trial.acceleration()};
-            for (const int i : box.moving)
-                sizes.push_back(std::max(std::abs(place.numbers[static_cast<std::size_t>(i)]), 1e-3));
-            const auto at = [&](const Place& there) {
-                return trial.formulas().quantity(which, there.mechanism(), station, box.moving);
+            SCOPED_TRACE(std::to_string(k) + ", station " + std::to_string(station));
+            body(trial, station, random_place(trial, box), box.moving);
+        }
+    }
+}
+
+TEST_P(EveryKind, HasTheQuantitiesOfItsPoint) {
+    at_random_places(20, [](Trial& trial, int station, const Place& place, const std::vector<int>&) {
+        const MechanismPoint point = trial.formulas().point(place.theta, place.mechanism(), station);
+        const std::vector<MechanismQuantity> all = quantities_of(trial);
+        const auto value = [&](MechanismQuantity which) {
+            return trial.formulas().quantity(which, place.mechanism(), station, {}).value;
+        };
+        const auto expect_same = [&](MechanismQuantity which, double of_point) {
+            if (std::ranges::find(all, which) == all.end()) return;
+            EXPECT_NEAR(value(which), of_point, 1e-10 * (std::abs(of_point) + 1.0))
+                << static_cast<int>(which);
+        };
+        expect_same(regularity, point.regularity);
+        expect_same(pitch_curvature, point.pitch_curvature);
+        expect_same(cam_radius, point.cam_radius);
+        expect_same(contact_offset, point.contact_offset);
+        const double n = value(pressure_numerator), d = value(pressure_denominator);
+        const double across = n * std::cos(point.pressure_angle) - d * std::sin(point.pressure_angle);
+        EXPECT_NEAR(across, 0.0, 1e-10 * std::hypot(n, d));
+    });
+}
+
+TEST_P(EveryKind, HasThePartialsOfItsDifferences) {
+    constexpr double part = 1e-5, room = 1e-6;  // of a variable's size; of a partial's
+    at_random_places(4, [](Trial& trial, int station, const Place& place, const std::vector<int>& moving) {
+        std::vector<double> sizes = {GetParam().lift, trial.velocity(), trial.acceleration()};
+        for (const int i : moving)
+            sizes.push_back(std::max(std::abs(place.numbers[static_cast<std::size_t>(i)]), 1e-3));
+        for (const MechanismQuantity which : quantities_of(trial)) {
+            SCOPED_TRACE("quantity " + std::to_string(static_cast<int>(which)));
+            const auto at = [&](const Place& there, const std::vector<int>& active) {
+                return trial.formulas().quantity(which, there.mechanism(), station, active);
             };
-            const MechanismValue value = at(place);
+            const MechanismValue value = at(place, moving), none = at(place, {});
             for (std::size_t v = 0; v < sizes.size(); ++v) {
                 const double step = part * sizes[v];
-                const MechanismValue above = at(moved(place, box.moving, v, step)),
-                                     below = at(moved(place, box.moving, v, -step));
+                const MechanismValue above = at(moved(place, moving, v, step), moving),
+                                     below = at(moved(place, moving, v, -step), moving);
                 const auto row = static_cast<Eigen::Index>(v);
                 const double size = (std::abs(value.value) + 1e-3) / sizes[v];
                 ASSERT_NEAR((above.value - below.value) / (2.0 * step), value.gradient[row],
                             room * (std::abs(value.gradient[row]) + size))
-                    << "quantity " << static_cast<int>(which) << ", box " << k << ", variable " << v;
+                    << v;
+                if (v < 3) {  // whatever else moves
+                    ASSERT_NEAR(none.gradient[row], value.gradient[row],
+                                1e-10 * (std::abs(value.gradient[row]) + size));
+                }
                 for (std::size_t w = 0; w < sizes.size(); ++w) {
                     const auto column = static_cast<Eigen::Index>(w);
                     const double exact = value.hessian(row, column);
                     ASSERT_NEAR((above.gradient[column] - below.gradient[column]) / (2.0 * step), exact,
                                 room * (std::abs(exact) + size / sizes[w]))
-                        << "quantity " << static_cast<int>(which) << ", box " << k << ", " << v << " " << w;
+                        << v << " " << w;
                 }
             }
+            Place before = place, after = place;
+            before.theta -= part;
+            after.theta += part;
+            ASSERT_NEAR((at(after, {}).value - at(before, {}).value) / (2.0 * part), none.by_angle,
+                        room * (std::abs(none.by_angle) + std::abs(value.value) + 1e-3))
+                << "by the cam angle";
         }
-    }
+    });
 }
 
 /// s = s0 + v0 x + a0 x²/2 + j x³/6 over the cam angle x from 0 to `length`.

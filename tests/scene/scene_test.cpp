@@ -2,8 +2,8 @@
 // Scenes written in C++: what validate() refuses, and with which words.
 #include "scene/scene.hpp"
 
-#include "core/errors.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,13 +25,12 @@ Scene good_scene() {
 
 std::string message_of(const std::function<void(Scene&)>& change) {
     Scene scene = good_scene();
-    try {
-        change(scene);
-        validate(scene);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing_support::refusal(
+        [&] {
+            change(scene);
+            validate(scene);
+        },
+        "accepted");
 }
 
 struct SceneCase {

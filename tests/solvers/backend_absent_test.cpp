@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Compiled together with the door of a part that is absent and with nlopt_absent.cpp, so that what a build
 // without those libraries says is tested in every build.
-#include "core/errors.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
 #include "solvers/nlopt/nlopt_solver.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,13 +19,9 @@ void expect_unavailable(const SolverEntry& entry, Make make) {
     EXPECT_FALSE(entry.available);
     EXPECT_TRUE(entry.version.empty());
     EXPECT_FALSE(entry.options.empty()) << "what could be set is still said";
-    try {
-        (void)make();
-        ADD_FAILURE() << entry.name << " was made";
-    } catch (const UnavailableError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("'" + entry.name + "' is not built into this camopt"),
-                                        HasSubstr("install"), HasSubstr("-dev")));
-    }
+    EXPECT_THAT(testing_support::refusal<UnavailableError>([&] { (void)make(); }),
+                AllOf(HasSubstr("'" + entry.name + "' is not built into this camopt"), HasSubstr("install"),
+                      HasSubstr("-dev")));
 }
 
 TEST(AbsentBackend, IpoptSaysWhatToInstall) {

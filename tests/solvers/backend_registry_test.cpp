@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/registry.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,20 +13,10 @@ namespace backend_registry_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing_support::refusal;
 
-template <class Error, class Function>
-std::string message_of(Function&& function) {
-    try {
-        function();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << "nothing of that type was thrown";
-    return {};
-}
-
-std::string refusal(const char* solver, const char* option, OptionValue value) {
-    return message_of<InputError>([&] { check_native_options(solver, {{option, value}}); });
+std::string option_refusal(const char* solver, const char* option, OptionValue value) {
+    return refusal<InputError>([&] { check_native_options(solver, {{option, value}}); });
 }
 
 TEST(Termination, EveryValueHasItsOwnName) {
@@ -42,15 +32,15 @@ TEST(BackendOptions, NameFoundAndAllowedOnRefusal) {
     BackendOptions options;
     EXPECT_NO_THROW(options.validate());
     options.tolerance = -1.0;
-    EXPECT_THAT(message_of<InputError>([&] { options.validate(); }),
+    EXPECT_THAT(refusal<InputError>([&] { options.validate(); }),
                 AllOf(HasSubstr("'tolerance'"), HasSubstr("found -1"), HasSubstr("(0, 1)")));
     options = {};
     options.max_iterations = 0;
-    EXPECT_THAT(message_of<InputError>([&] { options.validate(); }),
+    EXPECT_THAT(refusal<InputError>([&] { options.validate(); }),
                 AllOf(HasSubstr("'max_iterations'"), HasSubstr("found 0"), HasSubstr(">= 1")));
     options = {};
     options.max_seconds = infinity;
-    EXPECT_THAT(message_of<InputError>([&] { options.validate(); }),
+    EXPECT_THAT(refusal<InputError>([&] { options.validate(); }),
                 AllOf(HasSubstr("'max_seconds'"), HasSubstr("found inf"), HasSubstr("> 0")));
 }
 
@@ -70,7 +60,7 @@ TEST(Registry, KnowsItsBackends) {
 }
 
 TEST(Registry, UnknownNameListsAlternatives) {
-    EXPECT_THAT(message_of<InputError>([] { (void)make_solver("snopt"); }),
+    EXPECT_THAT(refusal<InputError>([] { (void)make_solver("snopt"); }),
                 AllOf(HasSubstr("unknown solver 'snopt'"),
                       HasSubstr("structured, ipopt, nlopt.slsqp, nlopt.cobyla")));
     EXPECT_THROW(check_native_options("snopt", {}), InputError);
@@ -81,7 +71,7 @@ TEST(Registry, MakesKnownAndRefusesUnknown) {
         if (entry.available) {
             EXPECT_EQ(make_solver(entry.name)->name(), entry.name);
         } else {
-            EXPECT_THAT(message_of<UnavailableError>([&] { (void)make_solver(entry.name); }),
+            EXPECT_THAT(refusal<UnavailableError>([&] { (void)make_solver(entry.name); }),
                         AllOf(HasSubstr(entry.name), HasSubstr(entry.remedy)));
         }
     }
@@ -89,34 +79,36 @@ TEST(Registry, MakesKnownAndRefusesUnknown) {
 
 TEST(NativeOptions, UnknownNameListsAlternatives) {
     EXPECT_THAT(
-        refusal("ipopt", "xyz", 1.0),
+        option_refusal("ipopt", "xyz", 1.0),
         AllOf(HasSubstr("unknown option 'xyz' of ipopt; allowed: linear_solver"), HasSubstr("mu_strategy")));
-    EXPECT_THAT(refusal("nlopt.slsqp", "initial_step", 1.0), HasSubstr("unknown option 'initial_step'"));
+    EXPECT_THAT(option_refusal("nlopt.slsqp", "initial_step", 1.0),
+                HasSubstr("unknown option 'initial_step'"));
 }
 
 TEST(NativeOptions, KindIsChecked) {
-    EXPECT_THAT(refusal("ipopt", "mehrotra_algorithm", std::string("yes")),
+    EXPECT_THAT(option_refusal("ipopt", "mehrotra_algorithm", std::string("yes")),
                 AllOf(HasSubstr("found 'yes'"), HasSubstr("bool: true or false")));
-    EXPECT_THAT(refusal("ipopt", "acceptable_iter", 1.5),
+    EXPECT_THAT(option_refusal("ipopt", "acceptable_iter", 1.5),
                 AllOf(HasSubstr("found 1.5"), HasSubstr("integer")));
-    EXPECT_THAT(refusal("ipopt", "mu_init", std::string("small")), AllOf(HasSubstr("number: > 0")));
-    EXPECT_THAT(refusal("nlopt.mma", "dual_algorithm", std::string("slsqp")), HasSubstr("'lbfgs' or 'mma'"));
-    EXPECT_THAT(refusal("ipopt", "mu_strategy", true), HasSubstr("'adaptive' or 'monotone'"));
+    EXPECT_THAT(option_refusal("ipopt", "mu_init", std::string("small")), AllOf(HasSubstr("number: > 0")));
+    EXPECT_THAT(option_refusal("nlopt.mma", "dual_algorithm", std::string("slsqp")),
+                HasSubstr("'lbfgs' or 'mma'"));
+    EXPECT_THAT(option_refusal("ipopt", "mu_strategy", true), HasSubstr("'adaptive' or 'monotone'"));
 }
 
 TEST(NativeOptions, RangeIsChecked) {
-    EXPECT_THAT(refusal("ipopt", "mumps_pivtol", 2.0), HasSubstr("[0, 1]"));
-    EXPECT_THAT(refusal("ipopt", "mu_init", 0.0), HasSubstr("> 0"));
-    EXPECT_THAT(refusal("ipopt", "bound_relax_factor", -1.0), HasSubstr(">= 0"));
-    EXPECT_THAT(refusal("nlopt.slsqp", "restarts", -1LL), HasSubstr("[0, 1000]"));
-    EXPECT_THAT(refusal("nlopt.isres", "search_radius", 0.0), HasSubstr("> 0"));
-    EXPECT_THAT(refusal("nlopt.auglag.lbfgs", "inner_maxeval", 0LL), HasSubstr("[1, 1"));
-    EXPECT_THAT(refusal("structured", "correctors", 11LL), HasSubstr("[0, 10]"));
+    EXPECT_THAT(option_refusal("ipopt", "mumps_pivtol", 2.0), HasSubstr("[0, 1]"));
+    EXPECT_THAT(option_refusal("ipopt", "mu_init", 0.0), HasSubstr("> 0"));
+    EXPECT_THAT(option_refusal("ipopt", "bound_relax_factor", -1.0), HasSubstr(">= 0"));
+    EXPECT_THAT(option_refusal("nlopt.slsqp", "restarts", -1LL), HasSubstr("[0, 1000]"));
+    EXPECT_THAT(option_refusal("nlopt.isres", "search_radius", 0.0), HasSubstr("> 0"));
+    EXPECT_THAT(option_refusal("nlopt.auglag.lbfgs", "inner_maxeval", 0LL), HasSubstr("[1, 1"));
+    EXPECT_THAT(option_refusal("structured", "correctors", 11LL), HasSubstr("[0, 10]"));
 }
 
 // The packaged Ipopt 3.11 ends the whole process on ma97.
 TEST(NativeOptions, IpoptUsesOnlyMumps) {
-    EXPECT_THAT(refusal("ipopt", "linear_solver", std::string("ma97")), HasSubstr("found 'ma97'"));
+    EXPECT_THAT(option_refusal("ipopt", "linear_solver", std::string("ma97")), HasSubstr("found 'ma97'"));
 }
 
 TEST(NativeOptions, UnavailableChoiceIsRefusedWithAlternatives) {
@@ -127,7 +119,7 @@ TEST(NativeOptions, UnavailableChoiceIsRefusedWithAlternatives) {
     entry.options.front().remedy = "install libsuitesparse-dev";
     EXPECT_NO_THROW(check_native_options(entry, {{"factorization", std::string("chain")}}));
     EXPECT_EQ(
-        message_of<UnavailableError>([&] {
+        refusal<UnavailableError>([&] {
             check_native_options(entry, {{"factorization", std::string("klu")}});
         }),
         "option 'factorization' of structured: 'klu' is not built into this camopt; available: auto, chain; "

@@ -2,7 +2,7 @@
 // A file is there whole, or its writing is refused with the reason.
 #include "core/text/text_file.hpp"
 
-#include "core/errors.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,12 +20,7 @@ std::string fault_on_full_disk(Write write, const std::filesystem::path& path, s
     std::filesystem::path temporary = path;
     temporary += "." + std::to_string(::getpid()) + ".tmp";
     std::filesystem::create_symlink("/dev/full", temporary);
-    std::string fault;
-    try {
-        write(path, std::string(bytes, 'x'));
-    } catch (const InputError& error) {
-        fault = error.what();
-    }
+    std::string fault = testing_support::refusal([&] { write(path, std::string(bytes, 'x')); });
     EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(temporary)));
     return fault;
 }

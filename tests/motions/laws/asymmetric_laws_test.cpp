@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -145,12 +146,7 @@ TEST(AsymmetricLaws, NarrowPiecesStayFinite) {
 }
 
 std::string refusal(std::unique_ptr<Law> law, double split) {
-    try {
-        (void)make_asymmetric(std::move(law), split);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no refusal";
+    return testing_support::refusal([&] { (void)make_asymmetric(std::move(law), split); });
 }
 
 TEST(AsymmetricLaws, RefusalsNameFoundAndAllowed) {

@@ -2,28 +2,18 @@
 // The pieces that laws are put together from, away from x = 0 too.
 #include "motions/laws/harmonic_law.hpp"
 
-#include "core/errors.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace camopt {
 namespace harmonic_law_test {
 
 using std::numbers::pi;
-
-/// The message of the ModelError that `action` throws.
-std::string refusal(const auto& action) {
-    try {
-        action();
-    } catch (const ModelError& error) {
-        return error.what();
-    }
-    return "no refusal";
-}
+using testing_support::refusal;
 
 LawInfo info() {
     LawInfo own;
@@ -76,13 +66,15 @@ TEST(HarmonicLaw, PieceShapeIsIndependentOfStart) {
 }
 
 TEST(HarmonicLaw, RefusesPiecesNotFormingRise) {
-    EXPECT_EQ(refusal([] {
+    EXPECT_EQ(refusal<ModelError>([] {
                   HarmonicLaw(info(), {half_sine(0.0, 0.4, 1.0), half_sine(0.5, 1.0, -0.8)});
               }),
               "pieces: a piece [0.5, 1] follows x = 0.4");
-    EXPECT_EQ(refusal([] { HarmonicLaw(info(), {half_cosine(0.0, 0.9, 1.0)}); }),
+    EXPECT_EQ(refusal<ModelError>([] { HarmonicLaw(info(), {half_cosine(0.0, 0.9, 1.0)}); }),
               "pieces: the pieces end at x = 0.9, not 1");
-    EXPECT_NE(refusal([] { HarmonicLaw(info(), {half_sine(0.0, 1.0, 1.0)}); }).find("not at rest above 0"),
+    EXPECT_NE(refusal<ModelError>([] {
+                  HarmonicLaw(info(), {half_sine(0.0, 1.0, 1.0)});
+              }).find("not at rest above 0"),
               std::string::npos);
 }
 

@@ -1,38 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "output/csv/motion_csv.hpp"
 
+#include "output/csv/csv_line.hpp"
 #include "tests/output/sample_solution.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace camopt {
 namespace motion_csv_test {
 
-std::vector<std::vector<std::string>> table_of(const std::string& text) {
-    std::vector<std::vector<std::string>> table;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        std::vector<std::string> cells(1);
-        for (const char letter : line) {
-            if (letter == ',')
-                cells.emplace_back();
-            else
-                cells.back() += letter;
-        }
-        table.push_back(cells);
-    }
-    return table;
-}
-
 TEST(MotionCsv, HeaderCarriesUnits) {
     Solution solution = test::sample_solution();
-    const auto header = [&] { return table_of(motion_csv(solution))[0]; };
+    const auto header = [&] { return csv_records(motion_csv(solution), "motion.csv")[0].cells; };
     EXPECT_EQ(header(), (std::vector<std::string>{"theta_deg", "s_mm", "ds_mm_rad", "dds_mm_rad2",
                                                   "ddds_mm_rad3", "x", "y", "dy", "ddy", "dddy", "t_s",
                                                   "v_mm_s", "a_mm_s2", "j_mm_s3", "a_m_s2", "j_m_s3"}));
@@ -60,17 +44,17 @@ TEST(MotionCsv, JerkJumpTakesTwoRows) {
 
 TEST(MotionCsv, ValuesFollowFromTheNormalisedOnes) {
     const Solution solution = test::sample_solution();
-    const auto table = table_of(motion_csv(solution));
+    const auto table = csv_records(motion_csv(solution), "motion.csv");
     const double rise = std::numbers::pi / 2, omega = 10 * std::numbers::pi;
     for (std::size_t i = 1; i < table.size(); i += 7) {
-        const auto number = [&](std::size_t column) { return std::stod(table[i][column]); };
+        const auto number = [&](std::size_t column) { return std::stod(table[i].cells[column]); };
         EXPECT_NEAR(number(0), 90 * number(5), 1e-12);
         EXPECT_NEAR(number(1), 10 * number(6), 1e-12);
         EXPECT_NEAR(number(3), 10 * number(8) / (rise * rise), 1e-11);
         EXPECT_NEAR(number(10), number(5) * rise / omega, 1e-15);
         EXPECT_NEAR(number(13), 10 * number(9) * std::pow(omega / rise, 3), 1e-6);
     }
-    EXPECT_EQ(table.back()[6], "1");
+    EXPECT_EQ(table.back().cells[6], "1");
 }
 
 TEST(MotionCsv, UnrepresentableBreakpointIsIncluded) {

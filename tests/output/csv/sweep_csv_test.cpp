@@ -2,31 +2,24 @@
 // sweep.csv is written and read back to the last bit; what is damaged is refused.
 #include "output/csv/sweep_csv.hpp"
 
-#include "core/errors.hpp"
 #include "input/loading/load_scene.hpp"
 #include "output/csv/csv_line.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <random>
 #include <string>
 
 namespace camopt {
 namespace sweep_csv_test {
 
-std::string error_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
+using testing_support::refusal;
+using testing_support::says;
 
 SweepRow random_row(int number, std::mt19937_64& generator) {
     std::uniform_real_distribution<double> exponent(-12.0, 12.0);
@@ -125,9 +118,8 @@ TEST(SweepCsv, KeepsFiguresOfTheMotor) {
     for (SweepRow& row : table.rows)
         if (row.number % 4 != 0) row.drive = {1.0 / (row.number + 3), 2.5, 0.1 * row.number};
     const std::string text = sweep_csv(table);
-    EXPECT_NE(text.substr(0, text.find('\n'))
-                  .find(",motor_torque_nm,motor_torque_rms_nm,motor_speed_rpm,active_limits"),
-              std::string::npos);
+    EXPECT_TRUE(says(text.substr(0, text.find('\n')),
+                     ",motor_torque_nm,motor_torque_rms_nm,motor_speed_rpm,active_limits"));
     const SweepTable read = read_sweep_csv(text, "sweep.csv");
     EXPECT_TRUE(read.columns.drive);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -175,24 +167,24 @@ TEST(SweepCsv, RefusesForeignTables) {
     table.rows[0].reason.clear();
     const std::string text = sweep_csv(table);
     const auto said = [](const std::string& wrong) {
-        return error_of([&] { (void)read_sweep_csv(wrong, "s.csv"); });
+        return refusal([&] { (void)read_sweep_csv(wrong, "s.csv"); });
     };
-    ASSERT_EQ(said(text), "no error");
+    ASSERT_EQ(said(text), "no refusal");
     const auto with = [&](const std::string& old, const std::string& replacement) {
         std::string wrong = text;
         wrong.replace(wrong.find(old), old.size(), replacement);
         return said(wrong);
     };
-    EXPECT_NE(said("").find("s.csv:1: found nothing"), std::string::npos);
-    EXPECT_NE(with("torque", "force").find("s.csv:1: found other columns"), std::string::npos);
-    EXPECT_NE(with("verdict", "word").find("s.csv:1: found other columns"), std::string::npos);
-    EXPECT_NE(with("optimal", "best").find("s.csv:2: verdict: found \"best\""), std::string::npos);
-    EXPECT_NE(with("\n0,", "\n,").find("s.csv:2: row: found \"\"; allowed: a number"), std::string::npos);
-    EXPECT_NE(with("\n0,", "\n0.5,").find("s.csv:2: row: found \"0.5\""), std::string::npos);
-    EXPECT_NE(with("\n0,", "\n0,1,").find("s.csv:2: found 34 cells; allowed: 33"), std::string::npos);
-    EXPECT_NE(with("optimal", "\"optimal").find("quote that does not end"), std::string::npos);
+    EXPECT_TRUE(says(said(""), "s.csv:1: found nothing"));
+    EXPECT_TRUE(says(with("torque", "force"), "s.csv:1: found other columns"));
+    EXPECT_TRUE(says(with("verdict", "word"), "s.csv:1: found other columns"));
+    EXPECT_TRUE(says(with("optimal", "best"), "s.csv:2: verdict: found \"best\""));
+    EXPECT_TRUE(says(with("\n0,", "\n,"), "s.csv:2: row: found \"\"; allowed: a number"));
+    EXPECT_TRUE(says(with("\n0,", "\n0.5,"), "s.csv:2: row: found \"0.5\""));
+    EXPECT_TRUE(says(with("\n0,", "\n0,1,"), "s.csv:2: found 34 cells; allowed: 33"));
+    EXPECT_TRUE(says(with("optimal", "\"optimal"), "quote that does not end"));
     for (std::size_t end = text.find('\n') + 2; end < text.size(); ++end)
-        EXPECT_NE(said(text.substr(0, end)), "no error") << "cut off after " << end << " bytes";
+        EXPECT_NE(said(text.substr(0, end)), "no refusal") << "cut off after " << end << " bytes";
 }
 
 TEST(CsvReader, TakesQuotesAndBothLineEndings) {
@@ -204,10 +196,9 @@ TEST(CsvReader, TakesQuotesAndBothLineEndings) {
     EXPECT_EQ(records[1].line, 2);
     EXPECT_EQ(records[2].line, 4);
     EXPECT_TRUE(csv_records("", "t").empty());
-    EXPECT_NE(error_of([] { (void)csv_records("a\n\"b", "t"); }).find("t:2: found a quote that does not end"),
-              std::string::npos);
-    EXPECT_NE(error_of([] { (void)csv_records("\"a\"b", "t"); }).find("behind a closing quote"),
-              std::string::npos);
+    EXPECT_TRUE(
+        says(refusal([] { (void)csv_records("a\n\"b", "t"); }), "t:2: found a quote that does not end"));
+    EXPECT_TRUE(says(refusal([] { (void)csv_records("\"a\"b", "t"); }), "behind a closing quote"));
 }
 
 }  // namespace sweep_csv_test

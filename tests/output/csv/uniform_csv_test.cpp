@@ -4,6 +4,7 @@
 #include "output/csv/csv_line.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "tests/output/sample_solution.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,8 @@
 
 namespace camopt {
 namespace uniform_csv_test {
+
+using testing_support::says;
 
 double number(const std::string& cell) {
     double value = std::nan("");
@@ -26,12 +29,7 @@ std::vector<CsvRecord> records_of(const UniformTable& table) {
 }
 
 std::string fault_of(const Solution& solution, const UniformTableOptions& options) {
-    try {
-        (void)uniform_table(solution, options);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return testing_support::refusal([&] { (void)uniform_table(solution, options); });
 }
 
 TEST(UniformTable, AnglesEndExactlyWithoutDrift) {
@@ -53,7 +51,7 @@ TEST(UniformTable, OpenMotionEndsWithoutWrapping) {
     EXPECT_EQ(records.back().cells[0], "90");
     EXPECT_NEAR(number(records.back().cells[1]), 10.0, 1e-12);
     EXPECT_NEAR(table.last_step_deg, 90.0 - 0.7 * 128, 1e-9);
-    EXPECT_NE(table.words().find("the last step is 0.4 deg"), std::string::npos) << table.words();
+    EXPECT_TRUE(says(table.words(), "the last step is 0.4 deg"));
     EXPECT_EQ(uniform_table(test::sample_solution(), {.step_deg = 0.5}).last_step_deg, 0.0);
 }
 
@@ -88,12 +86,10 @@ TEST(UniformTable, ForcesAddLoadColumns) {
     EXPECT_NEAR(number(top[2]), 0.0, 1e-9);
     EXPECT_NEAR(number(top[3]), 160.0, 1e-9);
     EXPECT_GT(number(top[4]), 100.0);
-    EXPECT_NE(fault_of(test::cam_solution(), {.columns = {"moment_nm"}})
-                  .find("which needs a cam with [forces] and a lift that is an angle"),
-              std::string::npos);
-    EXPECT_NE(fault_of(test::sample_solution(), {.columns = {"torque_nm"}})
-                  .find("which needs a cam with [forces]; allowed: "),
-              std::string::npos);
+    EXPECT_TRUE(says(fault_of(test::cam_solution(), {.columns = {"moment_nm"}}),
+                     "which needs a cam with [forces] and a lift that is an angle"));
+    EXPECT_TRUE(says(fault_of(test::sample_solution(), {.columns = {"torque_nm"}}),
+                     "which needs a cam with [forces]; allowed: "));
 }
 
 TEST(UniformTable, UsesRequestedDigits) {
@@ -106,24 +102,19 @@ TEST(UniformTable, UsesRequestedDigits) {
 
 TEST(UniformTable, RefusalsNameWhatIsAllowed) {
     const Solution solution = test::sample_solution();
-    EXPECT_NE(
-        fault_of(solution, {.columns = {"speed"}}).find("--columns: found \"speed\"; allowed: theta_deg, "),
-        std::string::npos);
-    EXPECT_NE(
-        fault_of(solution, {.columns = {"pressure_angle_deg"}}).find("which needs a plane cam; allowed: "),
-        std::string::npos);
-    EXPECT_NE(fault_of(solution, {.columns = {"s_deg"}}).find("which needs a lift that is an angle"),
-              std::string::npos);
+    EXPECT_TRUE(
+        says(fault_of(solution, {.columns = {"speed"}}), "--columns: found \"speed\"; allowed: theta_deg, "));
+    EXPECT_TRUE(
+        says(fault_of(solution, {.columns = {"pressure_angle_deg"}}), "which needs a plane cam; allowed: "));
+    EXPECT_TRUE(says(fault_of(solution, {.columns = {"s_deg"}}), "which needs a lift that is an angle"));
     Solution slow = solution;
     slow.scene.motion.speed.reset();
-    EXPECT_NE(fault_of(slow, {.columns = {"v_mm_s"}}).find("which needs motion.speed_rpm"),
-              std::string::npos);
-    EXPECT_NE(
-        fault_of(solution, {.step_deg = 91.0}).find("--step-deg: found 91; allowed: a number > 0 and <= 90"),
-        std::string::npos);
-    EXPECT_NE(fault_of(solution, {.step_deg = -1.0}), "");
-    EXPECT_NE(fault_of(solution, {.digits = 18}).find("allowed: 1 to 17"), std::string::npos);
-    EXPECT_NE(fault_of(test::infeasible_solution(), {}), "");
+    EXPECT_TRUE(says(fault_of(slow, {.columns = {"v_mm_s"}}), "which needs motion.speed_rpm"));
+    EXPECT_TRUE(says(fault_of(solution, {.step_deg = 91.0}),
+                     "--step-deg: found 91; allowed: a number > 0 and <= 90"));
+    EXPECT_NE(fault_of(solution, {.step_deg = -1.0}), "no refusal");
+    EXPECT_TRUE(says(fault_of(solution, {.digits = 18}), "allowed: 1 to 17"));
+    EXPECT_NE(fault_of(test::infeasible_solution(), {}), "no refusal");
     EXPECT_THROW((void)column_names("theta_deg,,s_mm"), InputError);
     EXPECT_EQ(column_names("theta_deg, s_mm"), (std::vector<std::string>{"theta_deg", "s_mm"}));
 }

@@ -4,6 +4,7 @@
 #include "output/disk/disk_export.hpp"
 #include "output/nc/spoiled_programs.hpp"
 #include "tests/output/disk/harmonic_disk.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,9 @@
 
 namespace camopt {
 namespace disk_milling_test {
+
+using testing_support::refusal;
+using testing_support::says;
 
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double millimetre = 1e-3;
@@ -97,12 +101,11 @@ TEST(DiskMilling, RoughingLayersLeaveAllowance) {
     const Milled milled(waves(4.0 * millimetre), options);
     EXPECT_EQ(milled.program.fault(), "");
     // 13 mm stand off the hollows: five rings; 21 mm deep: three layers.
-    EXPECT_NE(milled.program.program.text.find("(pass: roughing, layer 3 of 3, ring 5 of 5)"),
-              std::string::npos);
+    EXPECT_TRUE(says(milled.program.program.text, "(pass: roughing, layer 3 of 3, ring 5 of 5)"));
     // The outer rings leave the blank at each of six lobes. Down and up is longer in lower layers, which
     // joins some parts.
-    EXPECT_NE(milled.program.program.text.find("(pass: roughing, layer 1 of 3, ring 1 of 5, part 6 of 6)"),
-              std::string::npos);
+    EXPECT_TRUE(
+        says(milled.program.program.text, "(pass: roughing, layer 1 of 3, ring 1 of 5, part 6 of 6)"));
     EXPECT_EQ(milled.program.travel.passes, 36);
     ASSERT_EQ(milled.program.roughed.size(), 1u);
     const NcSurfaceCheck& rough = milled.program.roughed[0].check;
@@ -153,16 +156,15 @@ TEST(DiskMilling, RoughingBelowItsStockIsRefused) {
     // The same text, of which 0.3 mm more is wanted.
     for (CuttingPass& pass : milled.work.task.passes)
         if (pass.roughs) pass.stock += 0.3 * millimetre;
-    EXPECT_NE(milled.refusal(milled.program.program.text).find("roughing must leave 0.6 mm"),
-              std::string::npos);
+    EXPECT_TRUE(says(milled.refusal(milled.program.program.text), "roughing must leave 0.6 mm"));
     // Another text, whose rings lie 0.1 mm nearer than what is wanted.
     options.milling.finish_allowance = 0.2 * millimetre;
     NcWork deep = disk_nc_work(milled.shape, options);
     ASSERT_EQ(checked_program(*milled.machine, milled.post, deep).fault(), "");
     for (CuttingPass& pass : deep.task.passes)
         if (pass.roughs) pass.stock = 0.3 * millimetre;
-    EXPECT_NE(checked_program(*milled.machine, milled.post, deep).fault().find("roughing must leave 0.3 mm"),
-              std::string::npos);
+    EXPECT_TRUE(
+        says(checked_program(*milled.machine, milled.post, deep).fault(), "roughing must leave 0.3 mm"));
 }
 
 /// Why a program with these ways in is refused; its poses are what is wanted.
@@ -170,11 +172,10 @@ std::string refusal_of_way_in(const Milled& milled, const DiskNcOptions& options
                               const std::function<void(CuttingPass&)>& spoil) {
     NcWork work = disk_nc_work(milled.shape, options);
     spoil(work.task.passes.back());
-    try {
-        return checked_program(*milled.machine, milled.post, work).fault();
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    std::string fault;
+    const std::string refused =
+        refusal([&] { fault = checked_program(*milled.machine, milled.post, work).fault(); }, "");
+    return refused + fault;
 }
 
 TEST(DiskMilling, EntryThroughCamIsRefused) {
@@ -194,8 +195,8 @@ TEST(DiskMilling, EntryThroughCamIsRefused) {
                                  {{-0.1, 0.01, pass.in.poses[0].tip.z()}, -Eigen::Vector3d::UnitZ()});
         });
         if (words == CompensationWords::none) {
-            EXPECT_NE(round.find("enters the finished cam"), std::string::npos) << round;
-            EXPECT_NE(straight.find("enters the finished cam"), std::string::npos) << straight;
+            EXPECT_TRUE(says(round, "enters the finished cam"));
+            EXPECT_TRUE(says(straight, "enters the finished cam"));
         } else {  // or no control takes it
             EXPECT_NE(round, "");
             EXPECT_NE(straight, "");
@@ -234,17 +235,16 @@ TEST(DiskMilling, ClimbAndConventionalAreSo) {
                 const bool right = spindle == SpindleSense::clockwise,
                            climbs = direction == MillingDirection::climb;
                 EXPECT_EQ(area_of_last_pass(text) < 0.0, climbs == right);
-                EXPECT_NE(text.find(right ? "S3000 M3" : "S3000 M4"), std::string::npos);
-                EXPECT_NE(
-                    text.find(climbs ? "(direction: climb, outside" : "(direction: conventional, outside"),
-                    std::string::npos);
+                EXPECT_TRUE(says(text, right ? "S3000 M3" : "S3000 M4"));
+                EXPECT_TRUE(
+                    says(text, climbs ? "(direction: climb, outside" : "(direction: conventional, outside"));
                 EXPECT_EQ(milled.program.direction.climb > 0, climbs);
                 EXPECT_EQ(milled.program.direction.conventional > 0, !climbs);
                 // The spindle the other way round makes climb conventional.
                 const std::size_t place = text.find(right ? "S3000 M3" : "S3000 M4");
                 std::string other = text;
                 other.replace(place, 8, right ? "S3000 M4" : "S3000 M3");
-                EXPECT_NE(milled.refusal(other).find("turns the spindle"), std::string::npos);
+                EXPECT_TRUE(says(milled.refusal(other), "turns the spindle"));
             }
 }
 
@@ -252,8 +252,7 @@ TEST(DiskMilling, WrongDirectionIsRefused) {
     const DiskNcOptions options = coarse();
     Milled milled(waves(4.0 * millimetre), options);
     milled.work.task.passes.back().climbs = false;
-    EXPECT_NE(milled.refusal(milled.program.program.text).find("the block is climb, not conventional"),
-              std::string::npos);
+    EXPECT_TRUE(says(milled.refusal(milled.program.program.text), "the block is climb, not conventional"));
 }
 
 TEST(DiskMilling, ControlCompensationMakesSameCam) {
@@ -267,9 +266,9 @@ TEST(DiskMilling, ControlCompensationMakesSameCam) {
         EXPECT_EQ(milled.program.fault(), "");
         const std::string& text = milled.program.program.text;
         const bool left = direction == MillingDirection::climb;
-        EXPECT_NE(text.find(left ? "\nG41 D7 G1 " : "\nG42 D7 G1 "), std::string::npos);
-        EXPECT_NE(text.find("\nG40 G1 "), std::string::npos);
-        EXPECT_NE(text.find("\nT7 M6\n"), std::string::npos);
+        EXPECT_TRUE(says(text, left ? "\nG41 D7 G1 " : "\nG42 D7 G1 "));
+        EXPECT_TRUE(says(text, "\nG40 G1 "));
+        EXPECT_TRUE(says(text, "\nT7 M6\n"));
         EXPECT_LT(milled.program.surfaces[0].check.gouge, 2e-6);
         EXPECT_LT(milled.program.surfaces[0].check.stock, 2e-6);
         // On the other side of the contour the cutter cuts the cam away; without the words too.
@@ -285,7 +284,7 @@ TEST(DiskMilling, ControlCompensationMakesSameCam) {
                   "");
         std::string without = text;
         without.erase(text.find(left ? "G41 D7 " : "G42 D7 "), 7);
-        EXPECT_NE(milled.refusal(without).find("enters the finished cam"), std::string::npos);
+        EXPECT_TRUE(says(milled.refusal(without), "enters the finished cam"));
     }
 }
 
@@ -316,17 +315,12 @@ TEST(DiskMilling, SaysWhatTheProgramLacks) {
 
 TEST(DiskMilling, RefusesWhatIsOutsideItsRange) {
     const auto machine = plane_milling_machine();
+    const PostProcessor post = generic_post(*machine);
     const ProfileShape shape = waves(0.0);
     const auto words_of_refusal = [&](auto change) -> std::string {
         DiskNcOptions options = coarse();
         change(options.milling);
-        try {
-            static_cast<void>(
-                checked_program(*machine, generic_post(*machine), disk_nc_work(shape, options)));
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "nothing";
+        return refusal([&] { (void)checked_program(*machine, post, disk_nc_work(shape, options)); });
     };
     EXPECT_EQ(
         words_of_refusal([](MillingChoice& m) { m.step_over = 0.02; }),

@@ -2,8 +2,6 @@
 // The drawings of remote and inverse cams, read back by the tests' own small reader and held against exact
 // points between their knots.
 #include "core/errors.hpp"
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/report/result_folder.hpp"
 #include "studies/delivered/delivered.hpp"
@@ -11,7 +9,7 @@
 #include "studies/solve/solve.hpp"
 #include "tests/output/drawing/dxf_text.hpp"
 #include "tests/support/refusal.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,11 +21,8 @@ using testing_support::refusal;
 constexpr double millimetre = 1e-3;
 constexpr int places = 4001;
 
-Solution solved(const std::string& name, const std::vector<std::string>& settings = {}) {
-    std::vector<std::string> quick = {"solver.starts=1"};
-    quick.insert(quick.end(), settings.begin(), settings.end());
-    Scene scene = input::read_scene_file(source_folder() + "/scenes/" + name + ".toml", known_names(), quick);
-    return solve(scene);
+Solution solved(const std::string& name) {
+    return solve(testing_support::scene_named(name).with("solver.starts=1"));
 }
 
 std::vector<test::DxfPolyline> on_layer(const std::string& text, const std::string& layer) {

@@ -5,6 +5,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "studies/delivered/cam_summary.hpp"
+#include "tests/output/well_formed.hpp"
 #include "tests/studies/cam_samples.hpp"
 
 #include <gtest/gtest.h>
@@ -17,11 +18,7 @@
 namespace camopt {
 namespace profile_svg_test {
 
-int count_of(const std::string& text, const std::string& part) {
-    int count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-    return count;
-}
+using testing_support::count_of;
 
 /// Elements are closed and numbers are numbers.
 void expect_sound(const std::string& svg) {

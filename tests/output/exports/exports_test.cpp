@@ -22,6 +22,9 @@
 namespace camopt {
 namespace exports_test {
 
+using testing_support::refusal;
+using testing_support::says;
+
 /// A disk cam of laws alone: solved at once.
 Solution disk(const std::string& more = "") {
     return solve(scene_of_toml(R"(
@@ -77,21 +80,17 @@ TEST(Exports, OptionsReachTheFiles) {
     options.plc.points = 37;
     EXPECT_NE(exported_file(solution, "drawing.svg", options), exported_file(solution, "drawing.svg"));
     const std::string program = exported_file(solution, "cam.nc", options);
-    EXPECT_NE(program.find("4321"), std::string::npos);
-    EXPECT_NE(program.find("diameter 6 mm"), std::string::npos);
+    EXPECT_TRUE(says(program, "4321"));
+    EXPECT_TRUE(says(program, "diameter 6 mm"));
     EXPECT_NE(exported_file(solution, "codesys.st", options), exported_file(solution, "codesys.st"));
     options.plc.points = 1;
-    EXPECT_NE(testing_support::refusal([&] {
-                  (void)exported_file(solution, "codesys.st", options);
-              }).find("points: found 1; allowed: 2 to"),
-              std::string::npos);
+    EXPECT_TRUE(says(refusal([&] { (void)exported_file(solution, "codesys.st", options); }),
+                     "points: found 1; allowed: 2 to"));
 }
 
 TEST(Exports, UnknownNameIsRefusedWithChoices) {
-    const std::string words =
-        testing_support::refusal([] { (void)exported_file(test::program_solution(), "cam.nc"); });
-    EXPECT_NE(words.find("file: found \"cam.nc\"; allowed for this solution: report.html"), std::string::npos)
-        << words;
+    const std::string words = refusal([] { (void)exported_file(test::program_solution(), "cam.nc"); });
+    EXPECT_TRUE(says(words, "file: found \"cam.nc\"; allowed for this solution: report.html"));
     EXPECT_FALSE(has(export_names(test::infeasible_solution()), "motion.csv"));
     EXPECT_TRUE(has(export_names(test::infeasible_solution()), "report.html"));
 }

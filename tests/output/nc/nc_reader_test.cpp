@@ -2,9 +2,9 @@
 // The reader of G-code: what it understands, and that it refuses what it does not.
 #include "output/nc/nc_reader.hpp"
 
-#include "core/errors.hpp"
 #include "core/units.hpp"
 #include "tests/output/nc/nc_samples.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -81,12 +81,8 @@ TEST_F(Reading, TravelKeepsMovesBeforeAllAxesKnown) {
 }
 
 TEST_F(Reading, NamesTheLine) {
-    try {
-        static_cast<void>(moves("G21 G90\n\nG0 X0\nG5 X1\n"));
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("line 4"), std::string::npos) << error.what();
-    }
+    using namespace testing_support;
+    EXPECT_TRUE(says(refusal([&] { (void)moves("G21 G90\n\nG0 X0\nG5 X1\n"); }), "line 4"));
 }
 
 }  // namespace nc_reader_test

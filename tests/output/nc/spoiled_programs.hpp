@@ -2,8 +2,8 @@
 // Programs with one word changed, as a slip of an editor or of a wire would change it.
 #pragma once
 
-#include "core/errors.hpp"
 #include "output/nc/checked_program.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <fmt/format.h>
 
@@ -22,12 +22,8 @@ inline std::string refusal_of(const std::string& text, const CheckedProgram& rig
                               const PostProcessor& post, const NcWork& work) {
     CheckedProgram spoiled = right;
     spoiled.program.text = text;
-    try {
-        verify(spoiled, machine, post, work);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return spoiled.fault();
+    const std::string refused = testing_support::refusal([&] { verify(spoiled, machine, post, work); }, "");
+    return refused.empty() ? spoiled.fault() : refused;
 }
 
 struct TextLine {

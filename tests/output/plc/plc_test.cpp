@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Electronic cams: pieces, what they lose, and the table of formats.
-#include "core/errors.hpp"
 #include "output/plc/plc_export.hpp"
 #include "tests/output/sample_solution.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,8 @@
 
 namespace camopt {
 namespace plc_test {
+
+using testing_support::refusal;
 
 MasterCurve curve_of(const Solution& solution) {
     return {solution.whole_turn(), solution.scene.motion};
@@ -86,14 +88,8 @@ TEST(PlcFormats, HaveRowsThatAreComplete) {
         EXPECT_EQ(format.text_file.empty(), format.write_text == nullptr);
         EXPECT_EQ(format.limit.has_value(), !format.limit_words.empty());
     }
-    try {
-        (void)plc_format("bosch");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_EQ(
-            std::string(error.what()),
-            "--plc: found \"bosch\"; allowed: codesys, twincat, siemens, br, rockwell, omron, lenze, csv");
-    }
+    EXPECT_EQ(refusal([] { (void)plc_format("bosch"); }),
+              "--plc: found \"bosch\"; allowed: codesys, twincat, siemens, br, rockwell, omron, lenze, csv");
 }
 
 TEST(PlcFormats, NoticeASpoiledFile) {
@@ -169,16 +165,9 @@ TEST(PlcExport, FilesAreAscii) {
 
 TEST(PlcExport, RefusesByName) {
     const Solution solution = test::sample_solution();
-    try {
-        (void)plc_export(solution, {"siemens"}, {.points = 100});
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what())
-                      .find("--plc siemens: 99 segments, a technology object TO_Cam holds 50; "
-                            "allowed: --points 51 or fewer"),
-                  std::string::npos)
-            << error.what();
-    }
+    EXPECT_TRUE(testing_support::says(
+        refusal([&] { (void)plc_export(solution, {"siemens"}, {.points = 100}); }),
+        "--plc siemens: 99 segments, a technology object TO_Cam holds 50; allowed: --points 51 or fewer"));
     EXPECT_THROW((void)plc_export(test::infeasible_solution(), {"csv"}, {}), InputError);
 }
 

@@ -6,7 +6,7 @@
 #include "output/report/result_folder.hpp"
 #include "output/view/view.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,7 +96,7 @@ TEST(InchReport, SuggestedKeysAreAsWritten) {
 }
 
 TEST(InchReport, RampsPerDegreeHoldExactly) {
-    const Scene scene = load_scene(source_folder() + "/tests/support/cases/lobe_ramps_in_inches.toml");
+    const Scene scene = testing_support::scene_named("lobe_ramps_in_inches");
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion);
     const double per_degree = units::inch / units::degree;

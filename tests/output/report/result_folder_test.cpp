@@ -4,6 +4,7 @@
 #include "output/report/result_folder_reader.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -140,12 +141,9 @@ TEST(ResultFolder, RefusesAFile) {
     const test::TemporaryFolder folder;
     const std::string path = folder.path() + "/taken";
     write_text_file(path, "x");
-    try {
-        write_result_folder(path, test::sample_solution());
-        FAIL() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("it is a file, not a folder"), std::string::npos);
-    }
+    EXPECT_TRUE(testing_support::says(
+        testing_support::refusal([&] { write_result_folder(path, test::sample_solution()); }),
+        "it is a file, not a folder"));
     EXPECT_EQ(read_text_file(path), "x");
 }
 

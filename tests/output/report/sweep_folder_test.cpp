@@ -18,17 +18,9 @@ namespace camopt {
 namespace sweep_folder_test {
 
 using testing_support::refusal;
+using testing_support::says;
 
 using test::TemporaryFolder;
-
-std::string error_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 StoredSweep sample_sweep() {
     StoredSweep sweep;
@@ -75,8 +67,7 @@ TEST(SweepJson, ReadsBackTheSame) {
     EXPECT_EQ(read.shard.index, 2);
     EXPECT_EQ(read.shard.count, 3);
     for (const char* text : {"", "{", "[]", "{}", "{\"camopt\": 3}"})
-        EXPECT_NE(error_of([&] { (void)read_sweep_json(text, "x"); }).find("x: found no description"),
-                  std::string::npos)
+        EXPECT_TRUE(says(refusal([&] { (void)read_sweep_json(text, "x"); }), "x: found no description"))
             << text;
     sweep.identity.chunking.size = 0;
     EXPECT_EQ(refusal([&] { (void)read_sweep_json(sweep_json(sweep), "x"); }),
@@ -93,9 +84,9 @@ TEST(SweepJson, ReportsDifferencesOfSweeps) {
     EXPECT_EQ(with([](SweepIdentity& i) { i.scene_file = "elsewhere/s.toml"; }), "");
     EXPECT_EQ(with([](SweepIdentity& i) { i.version = "0.2.0"; }), "camopt 0.1.0, not 0.2.0");
     EXPECT_EQ(with([](SweepIdentity& i) { i.scene_text += "#"; }), "another scene");
-    EXPECT_NE(with([](SweepIdentity& i) { i.settings.clear(); }).find("settings"), std::string::npos);
-    EXPECT_NE(with([](SweepIdentity& i) { i.columns.keys = {"a"}; }).find("keys"), std::string::npos);
-    EXPECT_NE(with([](SweepIdentity& i) { i.plan = "0"; }).find("values"), std::string::npos);
+    EXPECT_TRUE(says(with([](SweepIdentity& i) { i.settings.clear(); }), "settings"));
+    EXPECT_TRUE(says(with([](SweepIdentity& i) { i.columns.keys = {"a"}; }), "keys"));
+    EXPECT_TRUE(says(with([](SweepIdentity& i) { i.plan = "0"; }), "values"));
     EXPECT_EQ(with([](SweepIdentity& i) { i.chunking.rows = 11; }), "10 rows, not 11");
     EXPECT_EQ(with([](SweepIdentity& i) { i.chunking.size = 5; }), "chunks of 4 rows, not 5");
 }
@@ -119,9 +110,9 @@ TEST(SweepFolder, KeepsChunksAndMakesTheTable) {
     EXPECT_TRUE(table.rows[3].on_front);  // V rises and J falls with the number: all are
     EXPECT_EQ(read_text_file(path + "/sweep.csv"), sweep_csv(table));
     const std::string text = sweep_text(table);
-    EXPECT_NE(text.find("rows: 10 (10 optimal)"), std::string::npos) << text;
-    EXPECT_NE(text.find("Pareto front: 10 rows, weighing velocity, jerk"), std::string::npos) << text;
-    EXPECT_NE(text.find("least objective: 1.1 in row 9 (objective.velocity 0.9)"), std::string::npos) << text;
+    EXPECT_TRUE(says(text, "rows: 10 (10 optimal)"));
+    EXPECT_TRUE(says(text, "Pareto front: 10 rows, weighing velocity, jerk"));
+    EXPECT_TRUE(says(text, "least objective: 1.1 in row 9 (objective.velocity 0.9)"));
 }
 
 TEST(SweepFolder, AShardHoldsEveryNthChunk) {
@@ -139,16 +130,15 @@ TEST(SweepFolder, RefusesFolderInUse) {
     std::filesystem::create_directories(other);
     write_text_file(other + "/letter.txt", "dear\n");
     const auto create = [&](const std::string& path) {
-        return error_of([&] { (void)SweepFolder::create(path, sample_sweep()); });
+        return refusal([&] { (void)SweepFolder::create(path, sample_sweep()); });
     };
-    EXPECT_NE(create(other).find("is not empty and holds no sweep"), std::string::npos);
+    EXPECT_TRUE(says(create(other), "is not empty and holds no sweep"));
     EXPECT_EQ(read_text_file(other + "/letter.txt"), "dear\n");
-    EXPECT_NE(create(other + "/letter.txt").find("allowed: a new or empty folder"), std::string::npos);
-    EXPECT_EQ(create(sweep), "no error");
-    EXPECT_NE(create(sweep).find("holds a sweep already; allowed: --resume"), std::string::npos);
-    EXPECT_NE(error_of([&] { (void)SweepFolder::open(other); }).find("holds no sweep"), std::string::npos);
-    EXPECT_NE(error_of([&] { (void)SweepFolder::open(other + "/none"); }).find("holds no sweep"),
-              std::string::npos);
+    EXPECT_TRUE(says(create(other + "/letter.txt"), "allowed: a new or empty folder"));
+    EXPECT_EQ(create(sweep), "no refusal");
+    EXPECT_TRUE(says(create(sweep), "holds a sweep already; allowed: --resume"));
+    EXPECT_TRUE(says(refusal([&] { (void)SweepFolder::open(other); }), "holds no sweep"));
+    EXPECT_TRUE(says(refusal([&] { (void)SweepFolder::open(other + "/none"); }), "holds no sweep"));
 }
 
 TEST(SweepFolder, IgnoresRemainsOfKilledRuns) {

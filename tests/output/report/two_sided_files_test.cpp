@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Files of cams that drive both ways: tables of both sides, pieces, what is refused.
-#include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_export.hpp"
 #include "output/disk/disk_solid.hpp"
@@ -11,14 +9,12 @@
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
-#include "tests/support/source_folder.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -27,14 +23,12 @@ namespace camopt {
 namespace two_sided_files_test {
 
 using testing_support::refusal;
+using testing_support::says;
 
 Solution solved(const std::string& name) {
-    const std::vector<std::string> settings = {"solver.starts=1", "spline.segments=6"};
-    const std::string file = source_folder() + "/scenes/" + name + ".toml";
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    Solution solution = solve(input::read_scene(text, file, known_names(), settings));
-    if (solution.cam) solution.cam->forward_check = check_cam(solution, 600);
+    Solution solution =
+        solve(testing_support::scene_named(name).with("solver.starts=1", "spline.segments=6"));
+    solution.cam->forward_check = check_cam(solution, 600);
     return solution;
 }
 
@@ -101,8 +95,8 @@ TEST_F(TwoSidedFiles, UniformTableUsesFirstSide) {
 
 TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
     const ProfileShape shape = delivered_shape(conjugate()).value();
-    EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, {}); }).find("found two disks"), std::string::npos);
-    EXPECT_NE(refusal([&] { (void)disk_volume(shape, {}); }).find("found two disks"), std::string::npos);
+    EXPECT_TRUE(says(refusal([&] { (void)disk_nc_work(shape, {}); }), "found two disks"));
+    EXPECT_TRUE(says(refusal([&] { (void)disk_volume(shape, {}); }), "found two disks"));
     const std::vector<ProfileShape> pieces = made_pieces(shape);
     ASSERT_EQ(pieces.size(), 2u);
     EXPECT_EQ(cam_sheets(conjugate()).size(), 2u);
@@ -147,13 +141,12 @@ TEST_F(TwoSidedFiles, FittingCuttersMillTheGroove) {
     }
     options.milling.full_depth = true;
     options.cutter_diameter = 8e-3;
-    EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }).find("leaves 4.050 mm"),
-              std::string::npos);
+    EXPECT_TRUE(says(refusal([&] { (void)disk_nc_work(shape, options); }), "leaves 4.050 mm"));
     options.cutter_diameter = 20.2e-3;
     EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }), "");
     options.cutter_diameter = 20e-3;
     options.groove_depth = 0.02;
-    EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }).find("less deep"), std::string::npos);
+    EXPECT_TRUE(says(refusal([&] { (void)disk_nc_work(shape, options); }), "less deep"));
 }
 
 }  // namespace two_sided_files_test

@@ -5,6 +5,7 @@
 #include "output/spatial/cam_export.hpp"
 #include "profiles/spatial/reference_cams.hpp"
 #include "tests/output/nc/nc_samples.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@ namespace camopt {
 namespace groove_milling_test {
 
 using test::millimetre;
+using testing_support::says;
 
 NcExportOptions coarse(const SpatialCam& cam, double share) {
     NcExportOptions options;
@@ -71,9 +73,8 @@ TEST(GrooveMilling, RoughingBelowItsStockIsRefused) {
     for (CuttingPass& pass : groove.work.task.passes)
         if (pass.roughs) pass.stock += 0.2 * millimetre;
     const std::string& text = groove.program.program.text;
-    EXPECT_NE(test::refusal_of(text, groove.program, *groove.machine, groove.post, groove.work)
-                  .find("roughing must leave 0.5 mm"),
-              std::string::npos);
+    EXPECT_TRUE(says(test::refusal_of(text, groove.program, *groove.machine, groove.post, groove.work),
+                     "roughing must leave 0.5 mm"));
 }
 
 TEST(GrooveMilling, RollerSizedCutterWorksInLayers) {
@@ -84,8 +85,7 @@ TEST(GrooveMilling, RollerSizedCutterWorksInLayers) {
     options.milling.finish_allowance = 0.0;
     const Grooved groove(cam, test::barrel_motion(), options);
     EXPECT_EQ(groove.program.fault(), "");
-    EXPECT_NE(groove.program.program.text.find("both flanks at once, one climb, one conventional"),
-              std::string::npos);
+    EXPECT_TRUE(says(groove.program.program.text, "both flanks at once, one climb, one conventional"));
     for (const SurfaceFinding& found : groove.program.surfaces) EXPECT_LT(found.check.stock, 5e-5);
 }
 
@@ -120,10 +120,9 @@ TEST(GrooveMilling, ClimbAndConventionalAreSo) {
             groove.work.job.spindle =
                 spindle == SpindleSense::clockwise ? SpindleSense::counterclockwise : SpindleSense::clockwise;
             groove.work.task.surfaces.clear();
-            EXPECT_NE(test::refusal_of(groove.program.program.text, groove.program, *groove.machine,
-                                       groove.post, groove.work)
-                          .find(climbs ? "is conventional, not climb" : "is climb, not conventional"),
-                      std::string::npos);
+            EXPECT_TRUE(says(test::refusal_of(groove.program.program.text, groove.program, *groove.machine,
+                                              groove.post, groove.work),
+                             climbs ? "is conventional, not climb" : "is climb, not conventional"));
         }
 }
 
@@ -159,28 +158,17 @@ TEST(GrooveMilling, RefusesWhatIsOutsideItsRange) {
     const auto refused = [&](double share, auto change) -> std::string {
         NcExportOptions options = coarse(cam, share);
         change(options.milling);
-        try {
-            static_cast<void>(nc_work(cam, test::translating_motion(), options));
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "nothing";
+        return testing_support::refusal([&] { (void)nc_work(cam, test::translating_motion(), options); });
     };
-    EXPECT_NE(refused(1.0, [](MillingChoice& m) { m.direction = MillingDirection::climb; })
-                  .find("both flanks at once"),
-              std::string::npos);
-    EXPECT_NE(refused(1.0, [](MillingChoice& m) { m.full_depth = false, m.finish_allowance = 3e-4; })
-                  .find("roughing cannot leave 0.3 mm"),
-              std::string::npos);
-    EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.compensation = CompensationWords::control; })
-                  .find("for plane cams"),
-              std::string::npos);
-    EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 0.0; }).find("found 0 deg"),
-              std::string::npos);
-    EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 2.0; }).find("<= 90 deg"),
-              std::string::npos);
-    EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 0.001; }).find("passes to and fro"),
-              std::string::npos);
+    EXPECT_TRUE(says(refused(1.0, [](MillingChoice& m) { m.direction = MillingDirection::climb; }),
+                     "both flanks at once"));
+    EXPECT_TRUE(says(refused(1.0, [](MillingChoice& m) { m.full_depth = false, m.finish_allowance = 3e-4; }),
+                     "roughing cannot leave 0.3 mm"));
+    EXPECT_TRUE(says(refused(0.7, [](MillingChoice& m) { m.compensation = CompensationWords::control; }),
+                     "for plane cams"));
+    EXPECT_TRUE(says(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 0.0; }), "found 0 deg"));
+    EXPECT_TRUE(says(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 2.0; }), "<= 90 deg"));
+    EXPECT_TRUE(says(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 0.001; }), "passes to and fro"));
 }
 
 }  // namespace groove_milling_test

@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "output/surface/step/step_file.hpp"
 #include "surface_samples.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -58,12 +59,8 @@ TEST(StepFile, FullDiskIsRefusedWithoutRemains) {
         (std::filesystem::temp_directory_path() / ("camopt_full_" + std::to_string(::getpid()) + ".step"))
             .string();
     std::filesystem::create_symlink("/dev/full", path + "." + std::to_string(::getpid()) + ".tmp");
-    try {
-        write_step_file(path, surfaces());
-        ADD_FAILURE() << "it passed for written";
-    } catch (const InputError& error) {
-        EXPECT_EQ(std::string(error.what()), "cannot write " + path + ": No space left on device");
-    }
+    EXPECT_EQ(testing_support::refusal([&] { write_step_file(path, surfaces()); }),
+              "cannot write " + path + ": No space left on device");
     EXPECT_FALSE(std::filesystem::exists(path));
 }
 

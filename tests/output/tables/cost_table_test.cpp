@@ -28,6 +28,7 @@ namespace camopt {
 namespace cost_table_test {
 
 using namespace tables;
+using testing_support::says;
 using Json = nlohmann::ordered_json;
 
 std::string weighing(const CostTerm& term, double weight) {
@@ -96,15 +97,12 @@ TEST(CostTable, EveryRowRefusesInvalidRange) {
     for (const CostTerm& term : cost_terms()) {
         SCOPED_TRACE(term.name());
         const std::string negative = refusal_of(weighing(term, -1.0));
-        EXPECT_NE(negative.find(fmt::format("objective.{}: found -1; allowed: a number >= 0", term.name())),
-                  std::string::npos)
-            << negative;
+        EXPECT_TRUE(
+            says(negative, fmt::format("objective.{}: found -1; allowed: a number >= 0", term.name())));
         const std::string zero =
             refusal_of(scene_text(false, fmt::format("{0} = 1\nreference = {{ {0} = 0 }}", term.name()), ""));
-        EXPECT_NE(
-            zero.find(fmt::format("objective.reference.{}: found 0; allowed: a number > 0", term.name())),
-            std::string::npos)
-            << zero;
+        EXPECT_TRUE(
+            says(zero, fmt::format("objective.reference.{}: found 0; allowed: a number > 0", term.name())));
         Scene scene = read(weighing(term, 1.0));
         scene.objective.reference.numeric = true;
         ASSERT_TRUE(find_fault(scene));
@@ -112,7 +110,7 @@ TEST(CostTable, EveryRowRefusesInvalidRange) {
         scene.objective.*term.weight = -1.0;
         EXPECT_EQ(find_fault(scene)->member, fmt::format("objective.{}", term.name()));
         scene.objective.*term.weight = 0.0;
-        EXPECT_NE(find_fault(scene)->allowed.find(term.name()), std::string::npos);
+        EXPECT_TRUE(says(find_fault(scene)->allowed, term.name()));
     }
 }
 
@@ -164,7 +162,7 @@ TEST(CostTable, EveryRowIsPaidAndWritten) {
         EXPECT_EQ(json["reference"][term.name()], 1.25 * term.typical);
         EXPECT_TRUE(json["peaks"].contains(term.name()));
         EXPECT_EQ(row.figure(term.figure), term.measured.of(solution.peaks));
-        EXPECT_NE(report.find("0.1 × " + words_of(term.name())), std::string::npos);
+        EXPECT_TRUE(says(report, "0.1 × " + words_of(term.name())));
     }
 }
 
@@ -176,8 +174,8 @@ TEST(CostTable, EveryRowIsAComparisonColumn) {
     const std::string titles = comparison_csv(comparison).substr(0, comparison_csv(comparison).find('\n'));
     const std::string words = objective_words(comparison);
     for (const CostTerm& term : cost_terms()) {
-        EXPECT_NE(("," + titles + ",").find(fmt::format(",{},", term.name())), std::string::npos);
-        EXPECT_NE(words.find(fmt::format("{}/", term.symbol)), std::string::npos) << words;
+        EXPECT_TRUE(says(("," + titles + ","), fmt::format(",{},", term.name())));
+        EXPECT_TRUE(says(words, fmt::format("{}/", term.symbol)));
     }
 }
 

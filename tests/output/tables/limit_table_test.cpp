@@ -26,6 +26,7 @@ namespace camopt {
 namespace limit_table_test {
 
 using namespace tables;
+using testing_support::says;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* least_jerk = "jerk = 1";
@@ -97,9 +98,8 @@ TEST(LimitTable, EveryRowRefusesInvalidRange) {
             refusal_of(scene_text(swings, least_jerk, limit_line(row, swings, spelling, value_outside(row))));
         const input::KeyMatch match = input::match_key("limits", key);
         ASSERT_NE(match.row, nullptr);
-        EXPECT_NE(message.find(fmt::format("limits.{}: found", key)), std::string::npos) << message;
-        EXPECT_NE(message.find("allowed: " + match.row->allowed(*match.spelling)), std::string::npos)
-            << message;
+        EXPECT_TRUE(says(message, fmt::format("limits.{}: found", key)));
+        EXPECT_TRUE(says(message, "allowed: " + match.row->allowed(*match.spelling)));
         Scene scene = read(scene_text(swings, least_jerk, ""));
         row.in(scene.limits) = WrittenLimit{value_outside(row)};
         const std::optional<SceneFault> fault = find_fault(scene);
@@ -167,10 +167,8 @@ TEST(LimitTable, EveryRowIsReportedEverywhere) {
             EXPECT_TRUE(std::ranges::any_of(rows, [&](const Json& one) {
                 return one["name"] == name && one["key"] == key;
             })) << "not in result.json";
-            EXPECT_NE(report.find(key), std::string::npos) << "not in the report";
-            EXPECT_NE(words.find(key_words(key).words + (row.is_least() ? " >= " : " <= ")),
-                      std::string::npos)
-                << words;
+            EXPECT_TRUE(says(report, key)) << "not in the report";
+            EXPECT_TRUE(says(words, key_words(key).words + (row.is_least() ? " >= " : " <= ")));
         }
     }
 }
@@ -196,8 +194,8 @@ TEST(LimitTable, EveryPeakCapIsFullySupported) {
             EXPECT_EQ(limit->key, "limits." + key);
             EXPECT_EQ(limit->physical(), !spelling.unit.empty());
             EXPECT_EQ(limit->in_time(), is_unit_of_time(spelling.unit));
-            EXPECT_NE(refusal_of(scene_text(swings, least_jerk, written + " = 0")).find("limits." + written),
-                      std::string::npos);
+            EXPECT_TRUE(
+                says(refusal_of(scene_text(swings, least_jerk, written + " = 0")), "limits." + written));
             if (limit->physical()) {
                 EXPECT_NE(refusal_of(scene_text(!swings, least_jerk, line)), "") << "unit of another lift";
             }
@@ -221,8 +219,8 @@ TEST(LimitTable, EveryPeakCapIsReported) {
                                                 : side < 0 ? ".min"
                                                            : ".max");
             EXPECT_EQ(std::ranges::count(solution.constraints, row.name(), &ConstraintReport::name), 1);
-            EXPECT_NE(json.find("\"" + key + "\""), std::string::npos) << key;
-            EXPECT_NE(report.find(key), std::string::npos) << key;
+            EXPECT_TRUE(says(json, "\"" + key + "\"")) << key;
+            EXPECT_TRUE(says(report, key)) << key;
         }
     }
 }
@@ -232,8 +230,7 @@ TEST(LimitTable, SynonymsOfRowsAreRecognized) {
     const auto hinted = [&](const char* name, const Spelling& spelling, std::string_view word) {
         const std::string message =
             refusal_of(scene_text(false, least_jerk, fmt::format("{}{} = 1", word, spelling.suffix)));
-        EXPECT_NE(message.find(fmt::format("did you mean '{}{}'?", name, spelling.suffix)), std::string::npos)
-            << message;
+        EXPECT_TRUE(says(message, fmt::format("did you mean '{}{}'?", name, spelling.suffix)));
         ++count;
     };
     for (const LimitRow& row : rows_of_cams())

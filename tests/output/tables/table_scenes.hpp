@@ -2,9 +2,9 @@
 // Scene files that the tests of the tables make for any row, so that a new row is tested without an edit.
 #pragma once
 
-#include "core/errors.hpp"
 #include "input/loading/load_scene.hpp"
 #include "scene/limit_table.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <fmt/format.h>
 
@@ -35,12 +35,7 @@ inline Scene read(const std::string& text) {
 
 /// What the reader says; empty where it takes the scene.
 inline std::string refusal_of(const std::string& text) {
-    try {
-        (void)read(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
+    return testing_support::refusal([&] { (void)read(text); }, "");
 }
 
 /// A number in the range that any good cam keeps, SI.

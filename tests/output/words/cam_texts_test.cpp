@@ -8,6 +8,7 @@
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/sample_solution.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -21,9 +22,7 @@
 namespace camopt {
 namespace cam_texts_test {
 
-bool says(const std::string& text, const std::string& words) {
-    return text.find(words) != std::string::npos;
-}
+using testing_support::says;
 
 std::string remarks_of(const Solution& solution) {
     std::string text;

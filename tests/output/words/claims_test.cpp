@@ -7,6 +7,7 @@
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,8 @@
 
 namespace camopt {
 namespace claims_test {
+
+using testing_support::says;
 
 using enum DimensionIndex;
 using units::degree, units::millimetre;
@@ -49,10 +52,6 @@ std::string told(const Solution& solution) {
     std::string text;
     for (const std::string& remark : infeasible_remarks(solution)) text += remark + "\n";
     return text;
-}
-
-bool says(const std::string& text, const std::string& words) {
-    return text.find(words) != std::string::npos;
 }
 
 struct Change {
@@ -137,9 +136,9 @@ TEST(InfeasibleClaims, OneSplineIsNotEveryMotion) {
     const Solution solution = solve(coarse);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
-    EXPECT_FALSE(says(text, "any motion")) << text;
-    EXPECT_TRUE(says(text, "cannot be satisfied by any spline of 4 quintic segments")) << text;
-    EXPECT_TRUE(says(text, "use ")) << text;
+    EXPECT_FALSE(says(text, "any motion"));
+    EXPECT_TRUE(says(text, "cannot be satisfied by any spline of 4 quintic segments"));
+    EXPECT_TRUE(says(text, "use "));
     EXPECT_GE(expect_each_does(coarse, text), 5);
 }
 
@@ -152,9 +151,9 @@ TEST(InfeasibleClaims, TimeCapConcernsOnlyOneSpline) {
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
-    EXPECT_FALSE(says(text, "any motion")) << text;
-    EXPECT_TRUE(says(text, "any spline of 4 quintic segments")) << text;
-    EXPECT_TRUE(says(text, "use ")) << text;
+    EXPECT_FALSE(says(text, "any motion"));
+    EXPECT_TRUE(says(text, "any spline of 4 quintic segments"));
+    EXPECT_TRUE(says(text, "use "));
     EXPECT_GE(expect_each_does(scene, text), 3);
 }
 
@@ -162,8 +161,7 @@ TEST(InfeasibleClaims, ReportEveryMotionWhenNoneExists) {
     // The smallest prime radius is 24.08 mm (docs/cams.md).
     const Solution solution = solve(roller_scene(8, 14.0));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
-    EXPECT_TRUE(says(told(solution), "cannot be satisfied by any motion that makes the lift in its angle"))
-        << told(solution);
+    EXPECT_TRUE(says(told(solution), "cannot be satisfied by any motion that makes the lift in its angle"));
     EXPECT_TRUE(std::ranges::none_of(changes_in(told(solution)), [](const Change& one) {
         return one.words == "segments";
     })) << told(solution);
@@ -176,7 +174,7 @@ TEST(InfeasibleClaims, MoreSegmentsFixCoarseSpline) {
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
     EXPECT_EQ(expect_each_does(scene, text), 1) << text;
-    EXPECT_TRUE(says(text, "use ")) << text;
+    EXPECT_TRUE(says(text, "use "));
 }
 
 TEST(InfeasibleClaims, EveryReportedChangeWasSolved) {
@@ -202,8 +200,8 @@ TEST(InfeasibleClaims, LimitsImpossibleAloneAreRelaxedTogether) {
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
-    EXPECT_FALSE(says(text, "conflicts with")) << text;
-    EXPECT_TRUE(says(text, "A combined change that suffices: ")) << text;
+    EXPECT_FALSE(says(text, "conflicts with"));
+    EXPECT_TRUE(says(text, "A combined change that suffices: "));
     const std::vector<Change> together = changes_in(text.substr(text.find("A combined change")));
     EXPECT_EQ(together.size(), 3U) << text;
     Scene changed = scene;
@@ -242,8 +240,8 @@ TEST(SmallestCam, TheReturnCountsToo) {
     EXPECT_NEAR(solution.cam->smallest->prime_radius / millimetre, back, 1e-9);
     std::string text;
     for (const std::string& remark : cam_remarks(solution)) text += remark + "\n";
-    EXPECT_TRUE(says(text, "on the return")) << text;
-    EXPECT_FALSE(says(text, "on this rise")) << text;
+    EXPECT_TRUE(says(text, "on the return"));
+    EXPECT_FALSE(says(text, "on this rise"));
 }
 
 }  // namespace claims_test

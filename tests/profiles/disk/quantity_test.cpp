@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quantities against the points, and their partials against fourth-order central differences, at random
-// states.
+// Quantities at random states, in extreme sizes, and as those of a mechanism. Their values against the points
+// and their partials: tests/profiles/every_kind_test.cpp.
 #include "core/errors.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "tests/profiles/test_turn.hpp"
@@ -33,12 +33,6 @@ bool has_quantity(FollowerType follower, MechanismQuantity which) {
 struct Situation {
     DiskCam cam;
     FollowerState state;
-
-    /// By the index of QuantityValue's partials.
-    [[nodiscard]] double& variable(int index) {
-        double* const states[] = {&state.s, &state.velocity, &state.acceleration};
-        return index < 3 ? *states[index] : cam.dimensions[static_cast<std::size_t>(index - 3)];
-    }
 };
 
 /// A cam that can be built, dimensions around 50 mm, in a state of a lively motion.
@@ -51,29 +45,11 @@ Situation random_situation(FollowerType follower, Rotation rotation, std::mt1993
         {{0.03, 0.06}, {0.005, 0.02}, {-0.02, 0.02}, {0.09, 0.11}, {0.07, 0.085}, {-0.01, 0.02}}};
     for (int i = 0; i < dimension_count; ++i)
         if (has_dimension(follower, static_cast<DimensionIndex>(i)))
-            situation.variable(3 + i) = between(ranges[i][0], ranges[i][1]);
+            situation.cam.dimensions[i] = between(ranges[i][0], ranges[i][1]);
     const double size = is_oscillating(follower) ? 0.4 : 0.03;
     situation.state = {between(0.0, size), between(-size, size), between(-2.0 * size, 2.0 * size)};
     EXPECT_EQ(geometry_fault(situation.cam, 0.0, situation.state.s), "");
     return situation;
-}
-
-/// Typical size of each variable, for steps and for tolerances.
-double size_of(const Situation& situation, int variable) {
-    return variable < 3 && is_oscillating(situation.cam.follower) ? 0.4 : 0.03;
-}
-
-/// Fourth-order central difference of any function of the situation by one variable.
-template <class Function>
-auto difference(const Function& function, const Situation& situation, int variable) {
-    const double step = 5e-4 * size_of(situation, variable);
-    const auto at = [&](double steps) {
-        Situation moved = situation;
-        moved.variable(variable) += steps * step;
-        return function(moved);
-    };
-    using Result = decltype(function(situation));
-    return Result((8.0 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12.0 * step));
 }
 
 struct Case {
@@ -95,24 +71,6 @@ QuantityValue value_of(const Situation& situation, MechanismQuantity which) {
     return quantity(situation.cam, situation.state, which);
 }
 
-TEST_P(QuantityOf, AgreesWithThePoint) {
-    repeat([](const Situation& situation) {
-        const ProfilePoint point = profile_point(situation.cam, 0.3, situation.state);
-        const auto value = [&](MechanismQuantity which) { return value_of(situation, which).value; };
-        EXPECT_NEAR(
-            value(MechanismQuantity::pressure_numerator) / value(MechanismQuantity::pressure_denominator),
-            std::tan(point.pressure_angle), 1e-14);
-        EXPECT_NEAR(value(MechanismQuantity::regularity), point.regularity, 1e-14);
-        if (has_flat_face(situation.cam.follower)) {
-            EXPECT_NEAR(value(MechanismQuantity::cam_radius), point.cam_radius,
-                        1e-14 * std::abs(point.cam_radius));
-            EXPECT_NEAR(value(MechanismQuantity::contact_offset), point.contact_offset, 1e-16);
-        } else {
-            EXPECT_NEAR(value(MechanismQuantity::pitch_curvature), point.pitch_curvature, 1e-12);
-        }
-    });
-}
-
 /// The lever is what the principle of virtual work says: the normal's part along the follower's velocity.
 TEST_P(QuantityOf, LeverIsNormalContactVelocity) {
     repeat([](const Situation& situation) {
@@ -124,45 +82,6 @@ TEST_P(QuantityOf, LeverIsNormalContactVelocity) {
         }
         EXPECT_NEAR(value_of(situation, MechanismQuantity::normal_lever).value, point.normal.dot(velocity),
                     1e-15);
-    });
-}
-
-TEST_P(QuantityOf, FirstPartialsMatchDifferences) {
-    repeat([](const Situation& situation) {
-        for (const MechanismQuantity which : every_quantity) {
-            if (!has_quantity(situation.cam.follower, which)) continue;
-            const QuantityValue exact = value_of(situation, which);
-            const auto value = [&](const Situation& moved) { return value_of(moved, which).value; };
-            for (int i = 0; i < quantity_variables; ++i) {
-                const double scale =
-                    std::abs(exact.value) + std::abs(exact.gradient(i)) * size_of(situation, i);
-                EXPECT_NEAR(exact.gradient(i) * size_of(situation, i),
-                            difference(value, situation, i) * size_of(situation, i), 1e-9 * scale + 1e-14)
-                    << static_cast<int>(which) << " " << i;
-            }
-        }
-    });
-}
-
-TEST_P(QuantityOf, SecondPartialsMatchDifferences) {
-    repeat([](const Situation& situation) {
-        Eigen::Matrix<double, quantity_variables, 1> sizes;
-        for (int i = 0; i < quantity_variables; ++i) sizes(i) = size_of(situation, i);
-        for (const MechanismQuantity which : every_quantity) {
-            if (!has_quantity(situation.cam.follower, which)) continue;
-            const QuantityValue exact = value_of(situation, which);
-            const auto gradient = [&](const Situation& moved) { return value_of(moved, which).gradient; };
-            const double scale =
-                std::abs(exact.value) +
-                (sizes.asDiagonal() * exact.hessian * sizes.asDiagonal()).cwiseAbs().maxCoeff();
-            EXPECT_TRUE(exact.hessian.isApprox(exact.hessian.transpose(), 1e-13));
-            for (int i = 0; i < quantity_variables; ++i) {
-                const auto found = difference(gradient, situation, i);
-                const auto error =
-                    ((exact.hessian.col(i) - found).cwiseProduct(sizes) * sizes(i)).cwiseAbs().maxCoeff();
-                EXPECT_LT(error, 1e-9 * scale + 1e-14) << static_cast<int>(which) << " " << i;
-            }
-        }
     });
 }
 

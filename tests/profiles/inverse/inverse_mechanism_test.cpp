@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inverse cam as a mechanism of a scene: against guides of arcs, partials by every number against
-// differences.
+// The inverse cam as a mechanism of a scene, against guides of arcs.
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 #include "core/errors.hpp"
@@ -12,7 +11,6 @@
 
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace camopt {
 
@@ -78,57 +76,7 @@ TEST(InverseMechanism, PointsMatchGuideOfArcs) {
             const Eigen::Vector2d left = Eigen::Vector2d(-outwards.y(), outwards.x()).normalized();
             EXPECT_NEAR((point.contact - point.pitch).head<2>().dot(left), side * 0.5 * inch, 1e-8);
             EXPECT_NEAR((point.pitch - point.contact - 0.5 * inch * point.normal).norm(), 0.0, 1e-15);
-            const auto value = [&](MechanismQuantity which) {
-                return mechanism().quantity(which, state, station, {}).value;
-            };
-            EXPECT_NEAR(
-                value(MechanismQuantity::pressure_numerator) / value(MechanismQuantity::pressure_denominator),
-                std::tan(point.pressure_angle), 1e-12);
-            EXPECT_NEAR(value(MechanismQuantity::pitch_curvature), point.pitch_curvature, 1e-10);
-            EXPECT_NEAR(value(MechanismQuantity::regularity), point.regularity, 1e-12);
         }
-    }
-}
-
-TEST(InverseMechanism, PartialsByEveryNumberAgainstDifferences) {
-    const Numbers numbers = reference_numbers();
-    const FollowerState output{1.0 * inch, 1.7 * inch, 2.5 * inch};
-    std::array<int, inverse_number_count> all{};
-    std::iota(all.begin(), all.end(), 0);
-    const double theta = 0.6;
-    for (const auto which : {MechanismQuantity::pressure_numerator, MechanismQuantity::pressure_denominator,
-                             MechanismQuantity::pitch_curvature, MechanismQuantity::regularity}) {
-        const MechanismValue exact = mechanism().quantity(which, {numbers, output, theta}, 1, all);
-        ASSERT_EQ(exact.gradient.size(), 3 + inverse_number_count);
-        const auto moved = [&](int variable, double by) {
-            Numbers n = numbers;
-            FollowerState s = output;
-            if (variable >= 3)
-                n[static_cast<std::size_t>(variable - 3)] += by;
-            else
-                (variable == 0 ? s.s : variable == 1 ? s.velocity : s.acceleration) += by;
-            return mechanism().quantity(which, {n, s, theta}, 1, all);
-        };
-        for (int i = 0; i < 3 + inverse_number_count; ++i) {
-            const double step = 1e-6;
-            const MechanismValue after = moved(i, step), before = moved(i, -step);
-            const double size = exact.gradient.cwiseAbs().maxCoeff();
-            EXPECT_NEAR(exact.gradient(i), (after.value - before.value) / (2 * step), 1e-7 * size) << i;
-            const Eigen::VectorXd row = (after.gradient - before.gradient) / (2 * step);
-            EXPECT_LT((exact.hessian.col(i) - row).cwiseAbs().maxCoeff(),
-                      1e-6 * (1e-3 + exact.hessian.cwiseAbs().maxCoeff()))
-                << i;
-        }
-        const double turn = 1e-6;
-        const auto at_angle = [&](double angle) {
-            return mechanism().quantity(which, {numbers, output, angle}, 1, {}).value;
-        };
-        const double slope = (at_angle(theta + turn) - at_angle(theta - turn)) / (2 * turn);
-        EXPECT_NEAR(exact.by_angle, slope, 1e-7 * (1.0 + std::abs(slope)));
-        const MechanismValue none = mechanism().quantity(which, {numbers, output, theta}, 1, {});
-        EXPECT_NEAR(none.value, exact.value, 1e-14 * std::abs(exact.value));
-        EXPECT_TRUE(none.gradient.isApprox(exact.gradient.head(3), 1e-13));
-        EXPECT_TRUE(none.hessian.isApprox(exact.hessian.topLeftCorner(3, 3), 1e-12));
     }
 }
 

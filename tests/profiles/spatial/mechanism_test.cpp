@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Barrel and cylindrical cams as a mechanism of a scene: their values follow from where the roller goes, at
-// every station, their partials by every number are those of differences, and the stations that do not bind
+// every station, and the stations that do not bind
 // the pressure angle never have the largest one.
 #include "core/errors.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
@@ -11,10 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <vector>
 
 namespace camopt {
@@ -23,10 +21,6 @@ namespace mechanism_test {
 using testing_support::refusal;
 
 using namespace test;
-
-constexpr std::array every_quantity = {MechanismQuantity::pressure_numerator,
-                                       MechanismQuantity::pressure_denominator,
-                                       MechanismQuantity::regularity};
 
 /// A state of a mechanism with its numbers in one row: s, s', s'', numbers.
 struct Row {
@@ -49,9 +43,7 @@ struct Row {
     [[nodiscard]] std::span<const double> numbers() const { return std::span(values).subspan(3); }
     [[nodiscard]] FollowerState state() const { return {values[0], values[1], values[2]}; }
     [[nodiscard]] MechanismValue value(MechanismQuantity which) const {
-        std::vector<int> active(spatial_number_count);
-        std::iota(active.begin(), active.end(), 0);
-        return mechanism->quantity(which, {numbers(), state()}, station, active);
+        return mechanism->quantity(which, {numbers(), state()}, station, {});
     }
     [[nodiscard]] SpatialPoint point() const {
         const SpatialCam cam = spatial_cam(follower, rotation, numbers());
@@ -152,33 +144,6 @@ TEST_P(SpatialMechanismOf, ValuesMatchRollerPath) {
             EXPECT_NEAR(std::abs(angle), expected.pressure_angle, 1e-6);
             EXPECT_EQ(std::signbit(angle), std::signbit(point.pressure_angle));
             EXPECT_TRUE(std::isnan(point.cam_radius));
-        }
-    });
-}
-
-TEST_P(SpatialMechanismOf, PartialsMatchDifferences) {
-    repeat(GetParam(), [](const Situation& at) {
-        const int station = 2 + at.station.flank;  // 1 and 3: near end and middle, flank −1
-        const Row row(at, station);
-        for (const MechanismQuantity which : every_quantity) {
-            const MechanismValue exact = row.value(which);
-            ASSERT_EQ(exact.gradient.size(), 3 + spatial_number_count);
-            for (std::size_t i = 0; i < row.values.size(); ++i) {
-                constexpr double step = 1e-5;
-                const auto moved = [&](double steps) {
-                    Row other = row;
-                    other.values[i] += steps * step;
-                    return other.value(which);
-                };
-                const MechanismValue f1 = moved(1), m1 = moved(-1), f2 = moved(2), m2 = moved(-2);
-                const auto k = static_cast<Eigen::Index>(i);
-                EXPECT_NEAR(exact.gradient[k],
-                            (8.0 * (f1.value - m1.value) - (f2.value - m2.value)) / (12.0 * step), 1e-7);
-                const Eigen::VectorXd slope =
-                    (8.0 * (f1.gradient - m1.gradient) - (f2.gradient - m2.gradient)) / (12.0 * step);
-                EXPECT_LT((exact.hessian.col(k) - slope).lpNorm<Eigen::Infinity>(),
-                          1e-6 * (1.0 + exact.hessian.lpNorm<Eigen::Infinity>()));
-            }
         }
     });
 }

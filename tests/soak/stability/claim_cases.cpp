@@ -7,8 +7,6 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/soak/stability/mechanism_claims.hpp"
-#include "tests/soak/stability/profile_claims.hpp"
 #include "tests/soak/stability/stability_cases.hpp"
 #include "tests/soak/stability/stability_scenes.hpp"
 

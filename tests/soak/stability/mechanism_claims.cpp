@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "tests/soak/stability/mechanism_claims.hpp"
-
 #include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/drawing/profile_shape.hpp"
@@ -9,6 +7,7 @@
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 #include "tests/soak/scenes/scene_numbers.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
 #include "tests/soak/stability/stability_scenes.hpp"
 
 #include <cmath>

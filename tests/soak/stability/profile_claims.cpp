@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "tests/soak/stability/profile_claims.hpp"
-
 #include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
@@ -9,6 +7,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/soak/stability/stability_cases.hpp"
 #include "tests/soak/stability/stability_scenes.hpp"
 
 #include <fmt/format.h>

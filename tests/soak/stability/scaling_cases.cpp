@@ -26,120 +26,31 @@ SceneText timed_motion(double length, double time) {
                     20 * length, 300 / time, 550 * length / time, 30 * length / (time * time)));
 }
 
-constexpr const char* roller_cam = R"([motion]
-type = "RR"
-lift_mm = 20
-rise_deg = 100
-[spline]
-segments = 16
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = 22
-roller_radius_mm = 8
-offset_mm = 4
-[limits]
-pressure_angle_deg = 25
-)";
-
-constexpr const char* variable_cam = R"([motion]
-type = "DRD"
-lift_mm = 20
-rise_deg = 60
-[spline]
-segments = 24
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = { min = 5, max = 100 }
-roller_radius_mm = 10
-[limits]
-pressure_angle_deg = 30
-[objective]
-base_radius = 0.5
-)";
-
-constexpr const char* flat_cam = R"([motion]
-type = "RR"
-lift_mm = 14
-rise_deg = 70
-[spline]
-segments = 24
-[cam]
-type = "disk"
-follower = "translating_flat"
-base_radius_mm = 30
-[limits]
-cam_radius_min_mm = 5
-)";
-
-constexpr const char* arm_cam = R"([motion]
-type = "DRD"
-lift_deg = 20
-rise_deg = 90
-[spline]
-segments = 16
-[cam]
-type = "disk"
-follower = "oscillating_roller"
-base_radius_mm = 30
-roller_radius_mm = 8
-center_distance_mm = 90
-arm_length_mm = 70
-[limits]
-pressure_angle_deg = 32
-)";
-
-constexpr const char* forces_cam = R"([motion]
-type = "RR"
-lift_mm = 10
-rise_deg = 100
-speed_rpm = 600
-[spline]
-segments = 16
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = 40
-roller_radius_mm = 10
-[forces]
-mass_kg = 0.8
-spring_rate_n_mm = 12
-preload_n = 60
-[limits]
-contact_force_min_n = 30
-)";
-
-constexpr const char* undercut_cam = R"([motion]
-type = "RR"
-lift_mm = 12
-rise_deg = 60
-[spline]
-segments = 12
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = 20
-roller_radius_mm = 10
-[limits]
-cam_radius_min_mm = 1
-)";
-
+/// A scene of scenes/ with one of its limits, and less segments.
 struct ScaledCam {
     const char* name;
     bool convex;
-    const char* text;
+    const char *file, *limit;
+
+    [[nodiscard]] SceneText scene(const std::string& backend = "structured") const {
+        SceneText scene = study_scene(text_of_file(file), backend);
+        const std::string value = scene.find("limits", limit).value();
+        scene.erase("limits");
+        scene.at("limits").set(limit, value);
+        scene.at("spline").set("segments", "16");
+        return scene;
+    }
 };
 
-constexpr ScaledCam scaled_cams[] = {{"roller with offset", true, roller_cam},
-                                     {"free base radius", true, variable_cam},
-                                     {"flat face", true, flat_cam},
-                                     {"arm with roller", true, arm_cam},
-                                     {"least contact force", true, forces_cam},
-                                     {"least cam radius", false, undercut_cam}};
+constexpr ScaledCam scaled_cams[] = {{"roller with offset", true, "cam_roller.toml", "pressure_angle_deg"},
+                                     {"free base radius", true, "cam_smallest.toml", "pressure_angle_deg"},
+                                     {"flat face", true, "cam_flat.toml", "cam_radius_min_mm"},
+                                     {"arm with roller", true, "cam_arm_roller.toml", "pressure_angle_deg"},
+                                     {"least contact force", true, "cam_forces.toml", "contact_force_min_n"},
+                                     {"least cam radius", false, "cam_undercut.toml", "cam_radius_min_mm"}};
 
 StabilityRow against_scale_one(const ScaledCam& cam, double factor, const std::string& backend) {
-    const SceneText one = study_scene(cam.text);
+    const SceneText one = cam.scene();
     Expectation expected;
     if (cam.convex) {
         expected = proved_optimum(one, "the same scene at scale 1, proved");
@@ -149,7 +60,7 @@ StabilityRow against_scale_one(const ScaledCam& cam, double factor, const std::s
         expected.verdicts = {Verdict::local, Verdict::optimal};
     }
     expected.honest_gap = cam.convex;
-    SceneText scaled = study_scene(cam.text, backend);
+    SceneText scaled = cam.scene(backend);
     soak::scale_lengths(scaled, factor);
     return solved_row(scaled, expected);
 }

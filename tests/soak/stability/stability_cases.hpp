@@ -24,6 +24,10 @@ namespace camopt::stability {
 [[nodiscard]] std::vector<StabilityCase> degenerate_cases();
 /// What README.md, docs/ and benchmarks/README.md say about accuracy.
 [[nodiscard]] std::vector<StabilityCase> claim_cases();
+/// Of these about finished cams: the forward check, the polyline of profile.csv, sampled peaks.
+[[nodiscard]] std::vector<StabilityCase> profile_claims();
+/// Of these about remote, barrel, cylindrical and inverse cams: drawings, forward checks, optima.
+[[nodiscard]] std::vector<StabilityCase> mechanism_claims();
 [[nodiscard]] std::vector<StabilityCase> train_cases();
 
 [[nodiscard]] std::vector<StabilityCase> all_cases();

@@ -10,6 +10,7 @@
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "tests/studies/cam_samples.hpp"
+#include "tests/support/forwarding_cam.hpp"
 #include "tests/support/middle_cam.hpp"
 #include "tests/support/scene_kit.hpp"
 
@@ -17,7 +18,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 
 namespace camopt {
 namespace direct_mechanism_test {
@@ -25,57 +25,10 @@ namespace direct_mechanism_test {
 using namespace testing_support;
 
 /// A cam of the program's own, with the formulas of another one.
-class Foreign final : public CamMechanism {
+class Foreign final : public ForwardingCam {
  public:
-    explicit Foreign(std::shared_ptr<const CamMechanism> own) : own_(std::move(own)) {}
-
+    using ForwardingCam::ForwardingCam;
     [[nodiscard]] std::string type() const override { return "foreign"; }
-    [[nodiscard]] bool swings() const override { return own_->swings(); }
-    [[nodiscard]] Rotation rotation() const override { return own_->rotation(); }
-    [[nodiscard]] int stations() const override { return own_->stations(); }
-    [[nodiscard]] std::string station_name(int station) const override { return own_->station_name(station); }
-    [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
-        return own_->binds(which, station);
-    }
-    [[nodiscard]] int roller_radius() const override { return own_->roller_radius(); }
-    [[nodiscard]] int roller_radius_at(int station) const override { return own_->roller_radius_at(station); }
-    [[nodiscard]] double surface_offset(std::span<const double> dimensions, int station) const override {
-        return own_->surface_offset(dimensions, station);
-    }
-    [[nodiscard]] bool planar() const override { return own_->planar(); }
-    [[nodiscard]] bool is_direct() const override { return true; }
-    [[nodiscard]] bool has_pitch_curve() const override { return own_->has_pitch_curve(); }
-    [[nodiscard]] int base_radius_index() const override { return own_->base_radius_index(); }
-    [[nodiscard]] std::optional<double> pushed_offset(std::span<const double> dimensions) const override {
-        return own_->pushed_offset(dimensions);
-    }
-    [[nodiscard]] std::vector<std::vector<SignedIndex>> reach() const override { return own_->reach(); }
-    [[nodiscard]] double length(std::span<const double> dimensions) const override {
-        return own_->length(dimensions);
-    }
-    [[nodiscard]] std::string fault(std::span<const double> dimensions, double least,
-                                    double most) const override {
-        return own_->fault(dimensions, least, most);
-    }
-    [[nodiscard]] double face_turn() const override { return own_->face_turn(); }
-    [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
-                                          std::span<const int> active) const override {
-        return own_->quantity(which, state, station, active);
-    }
-    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
-                                       int station) const override {
-        return own_->point(theta, state, station);
-    }
-    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override {
-        return own_->shapes(state);
-    }
-    [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> dimensions,
-                                                           int station) const override {
-        return own_->follower(dimensions, station);
-    }
-
- private:
-    std::shared_ptr<const CamMechanism> own_;
 };
 
 DrivenMechanism foreign(const DrivenMechanism& cam) {

@@ -3,6 +3,7 @@
 #include "core/units.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/delivered/scene_limits.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@
 
 namespace camopt {
 namespace limit_activity_test {
+
+using testing_support::says;
 
 /// A solution with one limit of a cam, and whether it is active.
 bool is_active(const WrittenLimit& limit, std::optional<WrittenLimit> LimitSpec::*member, const char* name,
@@ -63,10 +66,6 @@ const ConstraintReport& limit_of(const Solution& solution, const std::string& ke
     return *std::ranges::find(solution.constraints, key, &ConstraintReport::key);
 }
 
-bool says(const std::string& text, const std::string& words) {
-    return text.find(words) != std::string::npos;
-}
-
 std::string text_of(const Solution& solution) {
     return summary_text(solution, {});
 }
@@ -80,9 +79,9 @@ TEST(LimitActivity, ActiveUndercutLimitIsCusp) {
     EXPECT_FALSE(solution.cam->summary.undercut());
     EXPECT_FALSE(solution.cam->summary.no_contact);
     const std::string text = text_of(solution);
-    EXPECT_TRUE(says(text, "A CUSP at ")) << text;
-    EXPECT_FALSE(says(text, "UNDERCUT")) << text;
-    EXPECT_TRUE(says(text, "Active limits: the cam radius at ")) << text;
+    EXPECT_TRUE(says(text, "A CUSP at "));
+    EXPECT_FALSE(says(text, "UNDERCUT"));
+    EXPECT_TRUE(says(text, "Active limits: the cam radius at "));
 }
 
 TEST(LimitActivity, ConvexCamHasNoConcaveRadius) {
@@ -91,10 +90,9 @@ TEST(LimitActivity, ConvexCamHasNoConcaveRadius) {
     ASSERT_FALSE(solution.cam->summary.concave_radius);
     EXPECT_FALSE(limit_of(solution, "limits.concave_radius_min_mm").active);
     const std::string text = text_of(solution);
-    EXPECT_TRUE(says(text, "limits.concave_radius_min_mm = 30: the cam is nowhere concave (not active)"))
-        << text;
-    EXPECT_TRUE(says(text, "No limit is active")) << text;
-    EXPECT_FALSE(says(text, "∞")) << text;
+    EXPECT_TRUE(says(text, "limits.concave_radius_min_mm = 30: the cam is nowhere concave (not active)"));
+    EXPECT_TRUE(says(text, "No limit is active"));
+    EXPECT_FALSE(says(text, "∞"));
 }
 
 }  // namespace limit_activity_test

@@ -4,6 +4,7 @@
 #include "output/view/key_words.hpp"
 #include "output/words/solution_text.hpp"
 #include "studies/explain/adjustment.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -81,13 +82,11 @@ TEST(UsefulChange, ServoProgramChangesAngleAndDwell) {
     ASSERT_EQ(first.also.size(), 1U);
     EXPECT_EQ(first.also[0].key, "motion.segments[3].angle_deg");
     EXPECT_NEAR(*first.solved + first.also[0].solved, 90.0, 1e-12);
-    EXPECT_NE(
-        told(solution).find("lengthen the angle of segment 3 (motion.segments[2].angle_deg) from 50 to 54."),
-        std::string::npos);
-    EXPECT_NE(told(solution).find(
-                  "taken from the angle of segment 4 (motion.segments[3].angle_deg), which becomes 35."),
-              std::string::npos);
-    EXPECT_NE(told(solution).find("raise the acceleration limit to 66"), std::string::npos) << told(solution);
+    EXPECT_TRUE(says(told(solution),
+                     "lengthen the angle of segment 3 (motion.segments[2].angle_deg) from 50 to 54."));
+    EXPECT_TRUE(says(told(solution),
+                     "taken from the angle of segment 4 (motion.segments[3].angle_deg), which becomes 35."));
+    EXPECT_TRUE(says(told(solution), "raise the acceleration limit to 66"));
 }
 
 /// Free breakpoints leave what no curve can do: the least rise is that of the quickest jerk-limited motion,
@@ -133,9 +132,7 @@ TEST(UsefulChange, NamesSetPointContradictedByRamp) {
         solution.relaxation, [](const Relaxation& one) { return one.key.starts_with("motion.via[1]."); });
     ASSERT_NE(row, solution.relaxation.end()) << told(solution);
     EXPECT_TRUE(row->solved);
-    EXPECT_NE(told(solution).find("displacement of set point 2 = 0.35 mm at 25 deg (motion.via[1])"),
-              std::string::npos)
-        << told(solution);
+    EXPECT_TRUE(says(told(solution), "displacement of set point 2 = 0.35 mm at 25 deg (motion.via[1])"));
 }
 
 /// Other conditions leave one value: 0.5 mm and 10 deg of 0.012 mm/deg.
@@ -196,11 +193,10 @@ TEST(ExplanationTime, InterruptionIsNotReportedAsTimeout) {
     const Solution solution =
         solve(infeasible_cam.with("spline.segments = 8", "solver.explain_changes = 100"), control);
     ASSERT_TRUE(stop);
-    for (const std::string& note : solution.notes)
-        EXPECT_EQ(note.find("max_seconds"), std::string::npos) << note;
+    for (const std::string& note : solution.notes) EXPECT_FALSE(says(note, "max_seconds"));
     EXPECT_EQ(solution.explanation->end, ExplanationEnd::interrupted);
-    EXPECT_NE(told(solution).find("The search for changes was interrupted after"), std::string::npos);
-    EXPECT_EQ(told(solution).find("max_seconds"), std::string::npos);
+    EXPECT_TRUE(says(told(solution), "The search for changes was interrupted after"));
+    EXPECT_FALSE(says(told(solution), "max_seconds"));
 }
 
 TEST(ExplanationTime, FiveSecondLimitIsReported) {
@@ -214,9 +210,8 @@ TEST(ExplanationTime, FiveSecondLimitIsReported) {
         solve(infeasible_cam.with("spline.segments = 8", "solver.explain_changes = 100"), control);
     EXPECT_EQ(solution.explanation->end, ExplanationEnd::time_limit);
     EXPECT_TRUE(solution.relaxation.front().solved) << "found before";
-    EXPECT_NE(told(solution).find("(solver.explain_seconds)"), std::string::npos) << told(solution);
-    for (const std::string& note : solution.notes)
-        EXPECT_EQ(note.find("max_seconds"), std::string::npos) << note;
+    EXPECT_TRUE(says(told(solution), "(solver.explain_seconds)"));
+    for (const std::string& note : solution.notes) EXPECT_FALSE(says(note, "max_seconds"));
 }
 
 }  // namespace useful_changes_test

@@ -3,6 +3,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/search/planned_solve.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
@@ -62,9 +63,7 @@ TEST(UnbuildableCam, VoidsVerdictOfLastLook) {
     EXPECT_EQ(solution.certificate.reason, "cam_cannot_be_built");
     EXPECT_FALSE(solution.certificate.lower_bound || solution.certificate.proof);
     ASSERT_FALSE(solution.notes.empty());
-    EXPECT_NE(solution.notes.back().find("the offset of 60.1 mm is not below the prime radius of 60 mm"),
-              std::string::npos)
-        << solution.notes.back();
+    EXPECT_TRUE(says(solution.notes.back(), "the offset of 60.1 mm is not below the prime radius of 60 mm"));
 }
 
 }  // namespace unbuildable_cam_test

@@ -4,12 +4,15 @@
 #include "output/json/certificate_reader.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace camopt {
 namespace certificate_json_test {
+
+using testing_support::says;
 
 DualityProof written_and_read(const Certificate& certificate) {
     const test::TemporaryFolder folder;
@@ -22,12 +25,7 @@ std::string refusal(const std::string& text) {
     const test::TemporaryFolder folder;
     const std::string path = folder.path() + "/certificate.json";
     write_text_file(path, text);
-    try {
-        (void)read_certificate(path);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing_support::refusal([&] { (void)read_certificate(path); });
 }
 
 TEST(CertificateJson, ProofRoundTripsBitForBit) {
@@ -60,9 +58,9 @@ TEST(CertificateJson, AnOpenSideIsNull) {
 }
 
 TEST(CertificateJson, RefusesWhatIsNoProof) {
-    EXPECT_NE(refusal(certificate_json(Certificate{})).find("holds no proof"), std::string::npos);
-    EXPECT_NE(refusal("hello").find("not a certificate of camopt"), std::string::npos);
-    EXPECT_NE(refusal("{}").find("not a certificate of camopt"), std::string::npos);
+    EXPECT_TRUE(says(refusal(certificate_json(Certificate{})), "holds no proof"));
+    EXPECT_TRUE(says(refusal("hello"), "not a certificate of camopt"));
+    EXPECT_TRUE(says(refusal("{}"), "not a certificate of camopt"));
     EXPECT_THROW((void)read_certificate("/nowhere/certificate.json"), InputError);
 }
 
@@ -70,13 +68,13 @@ TEST(CertificateJson, RefusesListsThatDoNotMatch) {
     auto json = nlohmann::json::parse(certificate_json(test::sample_solution().certificate));
     auto shorter = json;
     shorter["proof"]["cost"].erase(0);
-    EXPECT_NE(refusal(shorter.dump()).find("cost: expected a list of 3 numbers, found 2"), std::string::npos);
+    EXPECT_TRUE(says(refusal(shorter.dump()), "cost: expected a list of 3 numbers, found 2"));
     auto outside = json;
     outside["proof"]["rows"][1]["indices"] = {3};
-    EXPECT_NE(refusal(outside.dump()).find("index 3, allowed 0 to 2"), std::string::npos);
+    EXPECT_TRUE(says(refusal(outside.dump()), "index 3, allowed 0 to 2"));
     auto missing = json;
     missing["proof"]["rows"][0]["values"].erase(0);
-    EXPECT_NE(refusal(missing.dump()).find("2 indices, but 1 values"), std::string::npos);
+    EXPECT_TRUE(says(refusal(missing.dump()), "2 indices, but 1 values"));
 }
 
 }  // namespace certificate_json_test

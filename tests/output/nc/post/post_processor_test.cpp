@@ -5,12 +5,16 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/nc/nc_program.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
 
 namespace camopt {
 namespace post_processor_test {
+
+using testing_support::refusal;
+using testing_support::says;
 
 PostProcessor five_axes() {
     return generic_post(*table_tilting_machine(0.0));
@@ -82,11 +86,8 @@ TEST(PostProcessor, RefusesWrongFiles) {
           "[axes.x]\nsign = 2", "[axes.x]\noffset_deg = 1", "[axes.x]\noffset_mm = nan", "axes = 3",
           "block_step = -1", "= 3"})
         EXPECT_THROW(static_cast<void>(post_of_text(bad, "bad.toml", five_axes())), InputError) << bad;
-    try {
-        static_cast<void>(post_of_text("\nunit = \"cm\"", "bad.toml", five_axes()));
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "bad.toml:2: unit must be \"mm\" or \"inch\", found 'cm'");
-    }
+    EXPECT_EQ(refusal([] { (void)post_of_text("\nunit = \"cm\"", "bad.toml", five_axes()); }),
+              "bad.toml:2: unit must be \"mm\" or \"inch\", found 'cm'");
     EXPECT_THROW(static_cast<void>(read_post("no/such/file.toml", five_axes())), InputError);
 }
 
@@ -140,26 +141,19 @@ TEST(PostProcessor, ShapesTheText) {
     EXPECT_NEAR(program.seconds, 1.0, 1e-12);
     post.axes["x"].sign = -1;
     post.axes["tilt"].offset = -90.0 * units::degree;
-    EXPECT_NE(nc_program(*machine, post, job)
-                  .text.find("(X = -x in mm, Y = y in mm, Z = z in mm, C = rotary "
-                             "in deg, B = tilt - 90 in deg)\n"),
-              std::string::npos);
+    EXPECT_TRUE(says(nc_program(*machine, post, job).text,
+                     "(X = -x in mm, Y = y in mm, Z = z in mm, C = rotary "
+                     "in deg, B = tilt - 90 in deg)\n"));
 }
 
 TEST(PostProcessor, RefusesLinesThatAreNotAscii) {
     const auto machine = plane_milling_machine();
-    const auto refused = [&](const std::string& text) -> std::string {
-        try {
-            static_cast<void>(post_of_text(text, "post.toml", generic_post(*machine)));
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "nothing";
+    const auto refused = [&](const std::string& text) {
+        return refusal([&] { (void)post_of_text(text, "post.toml", generic_post(*machine)); });
     };
-    EXPECT_EQ(refused("modal = true\nheader = ['%', '(Größe)']")
-                  .find("post.toml:2: header must be one line of ASCII"),
-              0u);
-    EXPECT_EQ(refused("tool_call = \"T1\\nM6\"").find("post.toml:1: tool_call must be one line"), 0u);
+    EXPECT_TRUE(says(refused("modal = true\nheader = ['%', '(Größe)']"),
+                     "post.toml:2: header must be one line of ASCII"));
+    EXPECT_TRUE(says(refused("tool_call = \"T1\\nM6\""), "post.toml:1: tool_call must be one line"));
     EXPECT_THROW(static_cast<void>(read_nc_travel("(Größe)\n", *machine, generic_post(*machine))),
                  InputError);
 }
