@@ -66,9 +66,7 @@ struct SweepRow {
         return dimensions[static_cast<std::size_t>(which)];
     }
     /// It has a motion that satisfies every limit.
-    [[nodiscard]] bool is_feasible() const {
-        return has_feasible_motion(verdict);
-    }
+    [[nodiscard]] bool is_feasible() const { return has_feasible_motion(verdict); }
 };
 
 /// What the rows of one sweep have in common; known before anything is solved.
