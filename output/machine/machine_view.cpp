@@ -45,7 +45,7 @@ Curve axis_curve(const MachineView& view, std::size_t index, const AxisAlong& al
     const MotionUnit unit = shown_units(axis.scene).motion[0].first;
     const AxisSpec& spec = axis_of(view.solution, index);
     const double size = axis.scene.motion.lift / unit.per_normalised;
-    Curve curve{"axis_" + spec.name, "axes", printable(spec.name), "s", {unit.name, size}};
+    Curve curve{"axis_" + spec.name, "axes", printable(spec.name), "s", ShownUnit{unit.name, size}};
     if (spec.phase != 0.0)
         curve.title += fmt::format(", phase {} deg", short_text(degrees_shown.of(spec.phase)));
     for (const double angle : view.angles) curve.values.push_back(along.at(angle * units::degree) / size);
@@ -65,7 +65,7 @@ Curve clearance_curve(const MachineView& view, std::size_t index, const std::vec
                 "clearances",
                 "Clearance: " + names,
                 "c",
-                {spec.unit, spec.unit_value}};
+                ShownUnit{spec.unit, spec.unit_value}};
     for (const double angle : view.angles) {
         double sum = 0.0;
         for (std::size_t k = 0; k < spec.axes.size(); ++k)
