@@ -85,6 +85,9 @@ struct SolveControl {
     }
 };
 
+/// Steps as exact as doubles hold, at several times the cost: where rows are nearly dependent.
+enum class ExactSteps { never, after_failure, always };
+
 struct BackendOptions {
     double tolerance = 1e-9;                    ///< relative optimality and feasibility, > 0
     int max_iterations = 3000;                  ///< iterations (evaluations for the derivative-free), >= 1
@@ -93,9 +96,9 @@ struct BackendOptions {
     /// Warm start for a backend with a central path, in place of the start; of a problem with the same first
     /// rows.
     std::optional<PathPoint> near = {};
-    bool keep_path = false;    ///< requests BackendResult::path
-    bool exact_steps = false;  ///< steps as exact as doubles hold, at several times the cost; structured only
-    void validate() const;     ///< throws InputError
+    bool keep_path = false;                      ///< requests BackendResult::path
+    ExactSteps exact_steps = ExactSteps::never;  ///< structured only
+    void validate() const;                       ///< throws InputError
 };
 
 struct BackendResult {

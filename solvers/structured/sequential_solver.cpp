@@ -325,7 +325,7 @@ InteriorPointLimits interior_point_limits(const BackendOptions& options, const S
     limits.factor = own.factor;
     limits.correctors = own.correctors;
     limits.keep_path = options.keep_path;
-    limits.exact_steps = options.exact_steps;
+    limits.exact_steps = options.exact_steps == ExactSteps::always;
     limits.deadline = control.deadline.sooner(options.max_seconds);
     return limits;
 }

@@ -42,6 +42,7 @@ class StructuredRun {
           control_(control),
           near_(options.near),
           tolerance_(options.tolerance),
+          exact_after_failure_(options.exact_steps == ExactSteps::after_failure),
           limits_(structured::interior_point_limits(options, structured_options(options.native), control)),
           form_(problem, start) {}
 
@@ -73,8 +74,10 @@ class StructuredRun {
                 iterations_ += solved.iterations;
             }
         }
-        if (hopeless() && solved.errors.worst() > acceptable * tolerance_ && proved_unbounded(solved, result))
-            return result;
+        if (hopeless() && solved.errors.worst() > acceptable * tolerance_) {
+            if (proved_unbounded(solved, result)) return result;
+            if (exact_after_failure_) solve_exactly(start, solved);
+        }
         return delivered(solved);
     }
 
@@ -108,6 +111,13 @@ class StructuredRun {
         const bool ended = solved.stop == Stop::converged || solved.stop == Stop::interrupted ||
                            solved.stop == Stop::time_limit;
         return ended ? solved : InteriorPointResult{};
+    }
+    void solve_exactly(const VectorXd& start, InteriorPointResult& solved) {
+        InteriorPointLimits limits = limits_;
+        limits.exact_steps = true;
+        InteriorPointResult exact = interior_point(form_.model(), start, limits, control_);
+        iterations_ += exact.iterations;
+        if (exact.errors.worst() < solved.errors.worst()) solved = std::move(exact);
     }
     BackendResult delivered(const InteriorPointResult& solved) const {
         BackendResult result;
@@ -190,6 +200,7 @@ class StructuredRun {
     const SolveControl& control_;
     const std::optional<PathPoint>& near_;
     double tolerance_;
+    bool exact_after_failure_;
     InteriorPointLimits limits_;  ///< its clock runs while the problem is read
     StandardForm form_;
     int iterations_ = 0;

@@ -96,7 +96,7 @@ void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exc
     try_again(part, solver, exchange, judge, problem, result);
     if (result.certificate.gap.value_or(infinity) <= nearly_proved) return;
     exchange = given;
-    exchange.backend.exact_steps = true;
+    exchange.backend.exact_steps = ExactSteps::always;
     try_again(part, solver, exchange, judge, problem, result);
 }
 
@@ -113,6 +113,7 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.staged = run.known.is_cold();
     const bool structured = run.plan.solver == "structured";
+    if (structured && run.plan.next_solver.empty()) exchange.backend.exact_steps = ExactSteps::after_failure;
     // A round that fails is followed by others that fail: other steps are tried at once.
     if (structured)
         exchange.enough = [](const ExchangeResult& found) {

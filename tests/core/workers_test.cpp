@@ -134,6 +134,16 @@ void kill_and_see_it_dead(pid_t process) {
     see_it_dead(process);
 }
 
+/// Until nothing is left for it to do (proc(5): state S), after at least 50 ms.
+void see_it_wait(pid_t process) {
+    const std::string file = "/proc/" + std::to_string(process) + "/stat";
+    std::string number, name, state;
+    do {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        std::ifstream(file) >> number >> name >> state;
+    } while (state != "S");
+}
+
 /// The second worker dies of unit 1, which goes to the first, who has said that it is done and is dead too.
 TEST(WorkerPool, DeadWorkerDoesNotFailUnit) {
     const TemporaryFolder folder;
@@ -188,7 +198,7 @@ TEST(WorkerPool, DyingWorkerDoesNotFailUnit) {
         remember(number);
         if (heard.told.contains(1)) return;
         stopped = who.last.at(0);
-        std::this_thread::sleep_for(std::chrono::milliseconds(250));  // "done" is sent by then
+        see_it_wait(stopped);  // it has sent "done"
         ::kill(stopped, SIGSTOP);
         pid_t second = 0;
         while (!(std::ifstream(mark) >> second)) std::this_thread::yield();
