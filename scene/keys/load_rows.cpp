@@ -17,8 +17,7 @@ const Range damping_ratios = Range::between(0.0, 2.0);
 Rows forces() {
     return {
         {"forces", "mass", number, mass, not_negative, {}, "0",
-         "Mass that the cam accelerates; translating followers.",
-         stored_in(&Scene::forces, &ForceSpec::mass)},
+         "Mass that the cam accelerates; translating followers.", stored_in(&Scene::forces, &ForceSpec::mass)},
         {"forces", "inertia", number, inertia, not_negative, {}, "0",
          "Moment of inertia about the pivot; oscillating followers.",
          stored_in(&Scene::forces, &ForceSpec::mass), Availability::now, "mass"},
@@ -27,8 +26,7 @@ Rows forces() {
          stored_in(&Scene::forces, &ForceSpec::spring_rate)},
         {"forces", "preload", number, force_or_moment, any, {}, "0",
          "Force (translating) or moment (oscillating) that presses the follower against the cam at displacement 0, "
-         "at rest: spring, weight, load.",
-         stored_in(&Scene::forces, &ForceSpec::preload)},
+         "at rest: spring, weight, load.", stored_in(&Scene::forces, &ForceSpec::preload)},
         {"forces", "damping", number, damper, not_negative, {}, "0",
          "Viscous damping of the follower: force by its velocity, moment by its angular velocity.",
          stored_in(&Scene::forces, &ForceSpec::damping)},
@@ -44,18 +42,15 @@ Rows forces() {
          "Two speeds of the cam: limits of contact force, Hertz pressure and torque hold from the first to the second. "
          "Default: from 0 to the speed where a spring loads the cam and `limits.hertz_pressure_max` is given, else the speed."},
         {"forces", "contact_width", number, length, positive, {}, "none",
-         "Width of the line of contact; the Hertz pressure needs it.",
-         stored_in(&Scene::forces, &ForceSpec::contact_width)},
+         "Width of the line of contact; the Hertz pressure needs it.", stored_in(&Scene::forces, &ForceSpec::contact_width)},
         {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam.",
          stored_in(&Scene::forces, &ForceSpec::cam_modulus)},
         {"forces", "follower_modulus", number, modulus, positive, {}, "210 GPa",
-         "Young's modulus of the roller or the face.",
-         stored_in(&Scene::forces, &ForceSpec::follower_modulus)},
+         "Young's modulus of the roller or the face.", stored_in(&Scene::forces, &ForceSpec::follower_modulus)},
         {"forces", "cam_poisson", number, plain, poisson_ratio, {}, "0.3", "Poisson's ratio of the cam.",
          stored_in(&Scene::forces, &ForceSpec::cam_poisson)},
         {"forces", "follower_poisson", number, plain, poisson_ratio, {}, "0.3",
-         "Poisson's ratio of the roller or the face.",
-         stored_in(&Scene::forces, &ForceSpec::follower_poisson)},
+         "Poisson's ratio of the roller or the face.", stored_in(&Scene::forces, &ForceSpec::follower_poisson)},
     };
 }
 
@@ -73,8 +68,7 @@ Rows dynamics() {
          "Of the spring between the output and the mass or cam before it.",
          stored_in(&Scene::dynamics, &DynamicsSpec::stiffness), Availability::now, "natural_frequency"},
         {"dynamics", "damping_ratio", number, plain, damping_ratios, {}, "0",
-         "Damping of the output in parts of critical.",
-         stored_in(&Scene::dynamics, &DynamicsSpec::damping_ratio)},
+         "Damping of the output in parts of critical.", stored_in(&Scene::dynamics, &DynamicsSpec::damping_ratio)},
         {"dynamics", "damping", number, damper, not_negative, {}, "0", "The same as a damper.",
          stored_in(&Scene::dynamics, &DynamicsSpec::damping),
          Availability::now, "damping_ratio"},
@@ -101,17 +95,13 @@ Rows dynamics() {
 Rows drive() {
     return {
         {"drive", "load_mass", number, mass, not_negative, {}, "0",
-         "Moved with the output; of a lift that is a length.",
-         stored_in(&Scene::drive, &DriveSpec::load)},
+         "Moved with the output; of a lift that is a length.", stored_in(&Scene::drive, &DriveSpec::load)},
         {"drive", "load_inertia", number, inertia, not_negative, {}, "0",
-         "The same where the lift is an angle.",
-         stored_in(&Scene::drive, &DriveSpec::load), Availability::now, "load_mass"},
+         "The same where the lift is an angle.", stored_in(&Scene::drive, &DriveSpec::load), Availability::now, "load_mass"},
         {"drive", "motor_inertia", number, inertia, not_negative, {}, "0",
-         "Of motor, brake and gear, at the motor.",
-         stored_in(&Scene::drive, &DriveSpec::motor_inertia)},
+         "Of motor, brake and gear, at the motor.", stored_in(&Scene::drive, &DriveSpec::motor_inertia)},
         {"drive", "transmission", number, travel_per_turn, positive, {}, "required",
-         "Travel of the output a revolution of the motor.",
-         stored_in(&Scene::drive, &DriveSpec::transmission)},
+         "Travel of the output a revolution of the motor.", stored_in(&Scene::drive, &DriveSpec::transmission)},
         {"drive", "viscous", number, damper, not_negative, {}, "0",
          "Viscous friction of the output: force by its velocity, moment by its angular velocity.",
          stored_in(&Scene::drive, &DriveSpec::viscous)},
@@ -122,8 +112,7 @@ Rows drive() {
          Availability::now, "force"},
         {"drive", "friction", number, force_or_moment, not_negative, {}, "0",
          "Dry friction, against the motion in either direction, 0 at rest. The direction must be known: "
-         "`motion.monotone`, and every displacement given.",
-         stored_in(&Scene::drive, &DriveSpec::friction)},
+         "`motion.monotone`, and every displacement given.", stored_in(&Scene::drive, &DriveSpec::friction)},
         {"drive", "cycle", number, cam_angle, positive, {}, "360 deg",
          "Cam angle of the cycle that the root mean square is taken over; outside the motion the axis rests.",
          stored_in(&Scene::drive, &DriveSpec::cycle)},

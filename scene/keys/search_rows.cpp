@@ -37,12 +37,10 @@ Rows spline() {
          stored_in(&Scene::spline, &SplineSpec::degree)},
         {"spline", "segments", integer, plain, Range::between(1, 65536), {}, "12",
          "Uniform segments over the rise (DRD), over rise and return (RR), or over each spline segment of a "
-         "program. Without the key RR has six over the rise and six over the return.",
-         uniform_segments()},
+         "program. Without the key RR has six over the rise and six over the return.", uniform_segments()},
         {"spline", "breakpoints", numbers, plain, not_negative, {}, "uniform",
          "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a "
-         "program from 0 to 1, in units of each spline segment.",
-         stored_in(&Scene::spline, &SplineSpec::breakpoints),
+         "program from 0 to 1, in units of each spline segment.", stored_in(&Scene::spline, &SplineSpec::breakpoints),
          Availability::now, "segments"},
         {"spline", "knots", text, plain, any, {"fixed", "free"}, "\"fixed\"",
          "`\"free\"` makes the interior breakpoints design variables: those of `segments` or `breakpoints` are "
@@ -54,8 +52,7 @@ Rows spline() {
                       return scene.spline.free_knots ? "free" : "fixed";
                   }}},
         {"spline", "continuity", integer, plain, Range::between(2, 4), {}, "degree - 1",
-         "Highest continuous derivative, from 2 to degree - 1.",
-         stored_in(&Scene::spline, &SplineSpec::continuity)},
+         "Highest continuous derivative, from 2 to degree - 1.", stored_in(&Scene::spline, &SplineSpec::continuity)},
         {"spline", "end_jerk", text, plain, any, {"free", "zero"}, "\"free\"",
          "`\"zero\"`: y''' = 0 at both ends, so that the jerk does not jump at the dwells; degree 5 only.",
          stored_in(&Scene::spline, &SplineSpec::end_jerk)},
@@ -149,12 +146,10 @@ Rows reference() {
     static const std::string first_tie_break = fmt::format("\"{}\"", name_of(tie_breaks.front()));
     Rows rows = {
         {"objective", "reference", text_or_table, plain, any, {}, "\"modified_sine\"",
-         "What every term is divided by: the peaks of a law of the catalogue, or a table of numbers.",
-         reference_place()},
+         "What every term is divided by: the peaks of a law of the catalogue, or a table of numbers.", reference_place()},
         {"objective", "tie_break", text, plain, any, tie_break_words(), first_tie_break,
          "Among curves equally good within the tolerance take the one of least ∫ y'''²; `\"none\"` keeps "
-         "the solver's point.",
-         stored_in(&Scene::objective, &ObjectiveSpec::tie_break)},
+         "the solver's point.", stored_in(&Scene::objective, &ObjectiveSpec::tie_break)},
     };
     for (const CostTerm* term : listed_terms())
         rows.push_back({"objective.reference", term->name(), number, plain, positive, {}, "none",
@@ -198,14 +193,11 @@ Rows limits() {
 Rows solver() {
     return {
         {"solver", "name", text, plain, any, {}, "\"auto\"",
-         "`\"auto\"` or a solver of `camopt list solvers`.",
-         stored_in(&Scene::solver, &SolverSpec::name)},
+         "`\"auto\"` or a solver of `camopt list solvers`.", stored_in(&Scene::solver, &SolverSpec::name)},
         {"solver", "tolerance", number, plain, Range::between(1e-12, 1e-2), {}, "1e-9",
-         "Feasibility and optimality of the solve, relative.",
-         stored_in(&Scene::solver, &SolverSpec::tolerance)},
+         "Feasibility and optimality of the solve, relative.", stored_in(&Scene::solver, &SolverSpec::tolerance)},
         {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7 where convex, 1e-4 otherwise",
-         "Proved relative gap below which the verdict is optimal.",
-         stored_in(&Scene::solver, &SolverSpec::gap)},
+         "Proved relative gap below which the verdict is optimal.", stored_in(&Scene::solver, &SolverSpec::gap)},
         {"solver", "max_seconds", number, plain, positive, {}, "60",
          "Wall time of search, proof, tie-break and explanation together; then the best motion so far is returned.",
          stored_in(&Scene::solver, &SolverSpec::max_seconds)},
@@ -216,11 +208,9 @@ Rows solver() {
          "That search ends as soon as it has found so many useful changes.",
          stored_in(&Scene::solver, &SolverSpec::explain_changes)},
         {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1 where convex, 8 otherwise",
-         "Starting points; a convex scene needs one.",
-         stored_in(&Scene::solver, &SolverSpec::starts)},
+         "Starting points; a convex scene needs one.", stored_in(&Scene::solver, &SolverSpec::starts)},
         {"solver", "seed", integer, plain, Range::between(0, 4294967295), {}, "0",
-         "Seed of the random starting points.",
-         stored_in(&Scene::solver, &SolverSpec::seed)},
+         "Seed of the random starting points.", stored_in(&Scene::solver, &SolverSpec::seed)},
         {"solver", "options", options, plain, any, {}, "none",
          "The solver's own options: any names, values are text, numbers, true or false."},
     };

@@ -62,6 +62,31 @@ TEST(SceneReader, LimitRemembersItsSpelling) {
     EXPECT_NEAR(limit.unit_per_normalised(), 0.02 * 10 / pi / 0.0254, 1e-12);
 }
 
+TEST(SceneReader, LimitsByAngleFitEveryLift) {
+    const auto normalised = [](const std::string& motion, const std::string& limit) {
+        const LimitSpec limits = read(drd + jerk_only + motion + "limits." + limit + "\n").limits;
+        for (const auto* one : {&limits.velocity, &limits.acceleration, &limits.jerk})
+            if (*one) return (*one)->normalised;
+        return 0.0;
+    };
+    const std::string inches = "motion.lift_in = 2\nmotion.rise_rad = 2\n";
+    EXPECT_NEAR(normalised(inches, "velocity_in_rad = 1.5"), 1.5, 1e-14);     // 1.5 · 2 / 2
+    EXPECT_NEAR(normalised(inches, "velocity_mm_rad = 38.1"), 1.5, 1e-14);    // 38.1 · 2 / 50.8
+    EXPECT_NEAR(normalised(inches, "acceleration_in_rad2 = 2"), 4.0, 1e-14);  // 2 · 4 / 2
+    EXPECT_NEAR(normalised(inches, "jerk_m_rad3 = 0.0254"), 4.0, 1e-14);      // 0.0254 · 8 / 0.0508
+    const std::string degrees = "motion.lift_deg = 30\nmotion.rise_deg = 60\n";
+    EXPECT_NEAR(normalised(degrees, "velocity_rad_rad = 0.75"), 1.5, 1e-14);  // 0.75 · 60 / 30
+    EXPECT_NEAR(normalised(degrees, "velocity_deg_deg = 0.75"), 1.5, 1e-14);
+    EXPECT_NEAR(normalised(degrees, "acceleration_rad_rad2 = 1"), 2 * pi / 3, 1e-14);  // (π/3)² / (π/6)
+    EXPECT_NEAR(normalised(degrees, "acceleration_deg_deg2 = 0.05"), 6.0, 1e-13);      // 0.05 · 60² / 30
+    EXPECT_NEAR(normalised(degrees, "jerk_rad_rad3 = 1"), 2 * pi * pi / 9, 1e-14);     // (π/3)³ / (π/6)
+    EXPECT_NEAR(normalised(degrees, "jerk_deg_deg3 = 0.001"), 7.2, 1e-13);             // 0.001 · 60³ / 30
+    const std::string crank = "motion.lift_mm = 20\nmotion.rise_crank_deg = 240\n";
+    EXPECT_NEAR(normalised(crank, "velocity_mm_deg = 0.25"), 1.5, 1e-14);  // of the cam: 0.25 · 120 / 20
+    EXPECT_THROW((void)normalised(degrees, "velocity_mm_rad = 1"), InputError);
+    EXPECT_THROW((void)normalised(inches, "velocity_rad_rad = 1"), InputError);
+}
+
 TEST(SceneReader, OptionsKeepTheirTypes) {
     const auto options =
         read(drd + jerk_only + "[solver.options]\na = 1\nb = 0.5\nc = true\nd = \"e\"\n").solver.options;
