@@ -61,10 +61,7 @@ Curve clearance_curve(const MachineView& view, std::size_t index, const std::vec
         names += fmt::format("{}{}{}", sign, factor == 1.0 ? "" : short_text(factor) + " · ",
                              printable(axis_of(view.solution, static_cast<std::size_t>(spec.axes[k])).name));
     }
-    Curve curve{fmt::format("clearance_{}", index),
-                "clearances",
-                "Clearance: " + names,
-                "c",
+    Curve curve{fmt::format("clearance_{}", index), "clearances", "Clearance: " + names, "c",
                 ShownUnit{spec.unit, spec.unit_value}};
     for (const double angle : view.angles) {
         double sum = 0.0;

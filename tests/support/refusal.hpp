@@ -23,9 +23,9 @@ std::string refusal(const auto& action, const char* otherwise = "no refusal") {
 }
 
 /// Whether the text holds these words; a failure prints it.
-[[nodiscard]] inline testing::AssertionResult says(std::string_view text, std::string_view words) {
+[[nodiscard]] inline ::testing::AssertionResult says(std::string_view text, std::string_view words) {
     const bool found = text.find(words) != std::string_view::npos;
-    return (found ? testing::AssertionSuccess() : testing::AssertionFailure()) << '"' << text << '"';
+    return (found ? ::testing::AssertionSuccess() : ::testing::AssertionFailure()) << '"' << text << '"';
 }
 
 }  // namespace camopt::testing_support

@@ -116,7 +116,8 @@ TEST(ToolPathPicture, DistinguishesRoughingFromFinishing) {
 
 TEST(ToolPathPicture, DrawsThoseLines) {
     const Milled made = milled(with_roughing());
-    const std::string svg = tool_path_svg(made.program, made.work, *made.machine, {"a cam", {"mm", 1e3}});
+    const std::string svg =
+        tool_path_svg(made.program, made.work, *made.machine, {"a cam", ShownUnit{"mm", 1e3}});
     // (Only the head by a regular expression: over a whole view it would take a stack frame for every
     // character.)
     const std::regex head(R"re(<g class="view" data-place="(\S+) (\S+) (\S+) (\S+)">\n)re");
@@ -152,7 +153,8 @@ TEST(ToolPathPicture, ReportsRefusedProgram) {
     text.replace(number, text.find('\n', number) - number, "-5.");
     verify(made.program, *made.machine, generic_post(*made.machine), made.work);
     ASSERT_NE(made.program.fault(), "");
-    EXPECT_NE(tool_path_svg(made.program, made.work, *made.machine, {"a cam", {"mm", 1e3}}).find("REFUSED"),
+    EXPECT_NE(tool_path_svg(made.program, made.work, *made.machine, {"a cam", ShownUnit{"mm", 1e3}})
+                  .find("REFUSED"),
               std::string::npos);
 }
 
