@@ -18,6 +18,7 @@
 #include <poll.h>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -135,14 +136,14 @@ void kill_and_see_it_dead(pid_t process) {
     see_it_dead(process);
 }
 
-/// Until nothing is left for it to do (proc(5): state S), after at least 50 ms.
-void see_it_wait(pid_t process) {
+/// Until proc(5) says so: S, nothing is left for it to do; T, it is stopped.
+void see_its_state(pid_t process, std::string_view wanted) {
     const std::string file = "/proc/" + std::to_string(process) + "/stat";
     std::string number, name, state;
     do {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         std::ifstream(file) >> number >> name >> state;
-    } while (state != "S");
+    } while (state != wanted);
 }
 
 /// The second worker dies of unit 1, which goes to the first, who has said that it is done and is dead too.
@@ -199,8 +200,9 @@ TEST(WorkerPool, DyingWorkerDoesNotFailUnit) {
         remember(number);
         if (heard.told.contains(1)) return;
         stopped = who.last.at(0);
-        see_it_wait(stopped);  // it has sent "done"
+        see_its_state(stopped, "S");  // it has sent "done"
         ::kill(stopped, SIGSTOP);
+        see_its_state(stopped, "T");  // before that it could still read
         pid_t second = 0;
         while (!(std::ifstream(mark) >> second)) std::this_thread::yield();
         kill_and_see_it_dead(second);
