@@ -63,9 +63,9 @@ double weighted_dimensions(const Solution& solution) {
 
 Solution::Solution() = default;
 Solution::Solution(const Solution& other) = default;
-Solution::Solution(Solution&& other) noexcept = default;
+Solution::Solution(Solution&& other) = default;
 Solution& Solution::operator=(const Solution& other) = default;
-Solution& Solution::operator=(Solution&& other) noexcept = default;
+Solution& Solution::operator=(Solution&& other) = default;
 Solution::~Solution() = default;
 
 std::shared_ptr<const MotionFamily> family_of(const Solution& solution) {
