@@ -61,7 +61,7 @@ class Answers(Served):
         again = self.studio.ask("GET", "")[2]["Content-Security-Policy"]
         self.assertNotEqual(again, policy, "each page has a nonce of its own")
 
-    def test_a_solve_is_that_of_the_command_line(PROGRAM, self):
+    def test_a_solve_is_that_of_the_command_line(self):
         for scene, settings in ((DRD, {}), (DRD, {"objective.velocity": 0.7}), (CAM, {"cam.base_radius_mm": 18})):
             status, answer = self.studio.solve(scene.read_text(), set=settings)
             self.assertEqual(status, 200, answer)

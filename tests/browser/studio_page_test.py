@@ -6,7 +6,6 @@ import contextlib
 import http.server
 import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 import threading
