@@ -140,7 +140,7 @@ install(FILES cmake/FindCamoptIpopt.cmake cmake/CamoptPkgConfigPart.cmake cmake/
 # the folders of its run path; a system's own folders (Debian) the linker knows.
 foreach(part IN LISTS CAMOPT_OPENED_PARTS)
   set(part_component camopt_parts)
-  if(part STREQUAL "step")  # a Debian package of its own
+  if(part STREQUAL "step")  # a separate Debian package
     set(part_component camopt_step)
   endif()
   install(TARGETS camopt_part_${part} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/camopt COMPONENT ${part_component})

@@ -44,8 +44,8 @@ void check_backend_input(const SolverEntry& entry, const Nlp& problem, const Eig
 
 [[noreturn]] void throw_unavailable(const SolverEntry& entry);
 
-/// Wraps all evaluations of a backend. The first reason to stop is stored. Virtual is what a backend that is
-/// a part of its own (core/platform/parts.hpp) calls here and has not.
+/// Wraps all evaluations of a backend. The first reason to stop is stored. Virtual is what a backend in a
+/// separate part (core/platform/parts.hpp) calls here, because the part does not contain it.
 class SolveGuard {
  public:
     SolveGuard(const BackendOptions& options, const SolveControl& control);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part "http": a module of its own, or a part of camopt_studio.
+// The part "http": a separate module, or a part of camopt_studio.
 #include "apps/studio/request_room.hpp"
 #include "apps/studio/studio_server.hpp"
 #include "core/errors.hpp"

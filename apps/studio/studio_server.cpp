@@ -19,10 +19,7 @@ constexpr PartInfo http_info = {"http",
                                 PartBuild::CAMOPT_PART_HTTP};
 
 const StudioPart& http_part() {
-    PartEntry linked = nullptr;
-    if constexpr (http_info.build == PartBuild::linked) linked = camopt_part_http;
-    static const void* const table = part_table(http_info, linked);
-    return *static_cast<const StudioPart*>(table);
+    return opened_part<StudioPart, http_info, camopt_part_http>();
 }
 
 }  // namespace

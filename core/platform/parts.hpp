@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parts of camopt that stand on a large library and that most runs do not use: STEP files, PDF drawings, the
-// studio's server, Ipopt. A build has a part linked in, or as a file of its own that is opened when the part
+// studio's server, Ipopt. A build has a part linked in, or as a separate file that is opened when the part
 // is first used, or not at all; who calls the part does not see which.
 //
 // A part is a table of functions. Its file, camopt_part_NAME.so, stands in the folder camopt/ below one of
@@ -44,5 +44,14 @@ using PartEntry = const void* (*)(const char* build);
 /// The part's table. `linked`: its entry where it is linked in. Throws UnavailableError as require_part() and
 /// where the file cannot be opened.
 [[nodiscard]] const void* part_table(const PartInfo& part, PartEntry linked);
+
+/// The same, found once and typed. `entry` exists only where the part is linked in.
+template <class Table, const PartInfo& part, PartEntry entry>
+[[nodiscard]] const Table& opened_part() {
+    PartEntry linked = nullptr;
+    if constexpr (part.build == PartBuild::linked) linked = entry;
+    static const void* const table = part_table(part, linked);
+    return *static_cast<const Table*>(table);
+}
 
 }  // namespace camopt

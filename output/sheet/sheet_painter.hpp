@@ -16,7 +16,7 @@ inline constexpr double thick_line = 0.5e-3, thin_line = 0.25e-3;
 inline constexpr std::array<double, 2> dashed_line = {3.0e-3, 1.0e-3};
 inline constexpr std::array<double, 4> chain_line = {6.0e-3, 1.0e-3, 1.0e-3, 1.0e-3};
 
-// Inline, as bulge_arc: a painter may be a part of its own (core/platform/parts.hpp).
+// Inline, as bulge_arc: a painter may be in a separate part (core/platform/parts.hpp).
 [[nodiscard]] inline PenLook look_of(SheetPen pen) {
     switch (pen) {
         case SheetPen::thick:

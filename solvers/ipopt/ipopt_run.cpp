@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part "ipopt": a module of its own, or a part of camopt_solvers.
+// The part "ipopt": a separate module, or a part of camopt_solvers.
 #include "core/errors.hpp"
 #include "core/platform/part_entry.hpp"
 #include "solvers/ipopt/ipopt_adapter.hpp"

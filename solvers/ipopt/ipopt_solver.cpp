@@ -22,10 +22,7 @@ constexpr PartInfo ipopt_info = {"ipopt",
                                  PartBuild::CAMOPT_PART_IPOPT};
 
 const IpoptPart& ipopt_part() {
-    PartEntry linked = nullptr;
-    if constexpr (ipopt_info.build == PartBuild::linked) linked = camopt_part_ipopt;
-    static const void* const table = part_table(ipopt_info, linked);
-    return *static_cast<const IpoptPart*>(table);
+    return opened_part<IpoptPart, ipopt_info, camopt_part_ipopt>();
 }
 
 /// Number of variables above which chained columns are faster, measured on the states form (three variables

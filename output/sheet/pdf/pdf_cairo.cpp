@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part "pdf": a module of its own, or a part of camopt_output_pdf.
+// The part "pdf": a separate module, or a part of camopt_output_pdf.
 #include "core/errors.hpp"
 #include "core/platform/part_entry.hpp"
 #include "output/sheet/pdf/pdf_part.hpp"

@@ -19,10 +19,7 @@ constexpr PartInfo pdf_info = {"pdf",
                                PartBuild::CAMOPT_PART_PDF};
 
 const PdfPart& pdf_part() {
-    PartEntry linked = nullptr;
-    if constexpr (pdf_info.build == PartBuild::linked) linked = camopt_part_pdf;
-    static const void* const table = part_table(pdf_info, linked);
-    return *static_cast<const PdfPart*>(table);
+    return opened_part<PdfPart, pdf_info, camopt_part_pdf>();
 }
 
 }  // namespace

@@ -24,10 +24,7 @@ constexpr PartInfo step_info = {"step",
                                 PartBuild::CAMOPT_PART_STEP};
 
 const StepPart& step_part() {
-    PartEntry linked = nullptr;
-    if constexpr (step_info.build == PartBuild::linked) linked = camopt_part_step;
-    static const void* const table = part_table(step_info, linked);
-    return *static_cast<const StepPart*>(table);
+    return opened_part<StepPart, step_info, camopt_part_step>();
 }
 
 StepHeader header_of(const std::string& part, const std::string& author = {},

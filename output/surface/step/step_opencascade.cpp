@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part "step": a module of its own, or a part of camopt_output_step.
+// The part "step": a separate module, or a part of camopt_output_step.
 #include "core/errors.hpp"
 #include "core/platform/part_entry.hpp"
 #include "core/units.hpp"
