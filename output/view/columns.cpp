@@ -210,15 +210,8 @@ Columns profile_columns(const Solution& solution) {
 
 Columns default_columns(const Solution& solution) {
     Keys keys = {"theta_deg"};
-    if (solution.scene.length_unit == LengthUnit::inch && !solution.scene.motion.lift_is_angle) {
-        if (solution.scene.motion.speed)
-            keys.insert(keys.end(), {"s_in", "v_in_s", "a_in_s2", "j_in_s3"});
-        else
-            keys.insert(keys.end(), {"s_in", "ds_in_rad", "dds_in_rad2", "ddds_in_rad3"});
-    } else {
-        for (const ShownDerivative& shown : shown_units(solution.scene.motion).motion)
-            keys.push_back(shown.first.column);
-    }
+    for (const ShownDerivative& shown : shown_units(solution.scene).motion)
+        keys.push_back(shown.first.column);
     if (has_plane_cam(solution)) keys.emplace_back("pressure_angle_deg");
     return columns_of(keys);
 }
