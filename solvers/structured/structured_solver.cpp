@@ -50,10 +50,7 @@ class StructuredRun {
         if (form_.status() != StandardForm::Status::ready) return refused();
         const VectorXd start = form_.to_model(start_);
         InteriorPointResult solved = from_near();
-        if (!solved.has_point()) {
-            solved = interior_point(form_.model(), start, limits_, control_);
-            iterations_ += solved.iterations;
-        }
+        if (!solved.has_point()) solved = searched(start, limits_);
         BackendResult result;
         const auto hopeless = [&] {
             return solved.stop != Stop::converged && solved.stop != Stop::interrupted &&
@@ -70,8 +67,7 @@ class StructuredRun {
             if (runs_away) {
                 if (proved_unbounded(solved, result)) return result;
                 limits_.suspicious = false;
-                solved = interior_point(form_.model(), start, limits_, control_);
-                iterations_ += solved.iterations;
+                solved = searched(start, limits_);
             }
         }
         if (hopeless() && solved.errors.worst() > acceptable * tolerance_) {
@@ -82,6 +78,13 @@ class StructuredRun {
     }
 
  private:
+    /// From a point, or along the path from one near it.
+    template <class Start>
+    InteriorPointResult searched(const Start& start, const InteriorPointLimits& limits) {
+        InteriorPointResult solved = interior_point(form_.model(), start, limits, control_);
+        iterations_ += solved.iterations;
+        return solved;
+    }
     BackendResult refused() {
         BackendResult result;
         result.native_status = form_.detail();
@@ -106,8 +109,7 @@ class StructuredRun {
             near_->gap};
         InteriorPointLimits limits = limits_;
         limits.max_iterations = std::min(limits.max_iterations, most_from_near);
-        InteriorPointResult solved = interior_point(form_.model(), near, limits, control_);
-        iterations_ += solved.iterations;
+        InteriorPointResult solved = searched(near, limits);
         const bool ended = solved.stop == Stop::converged || solved.stop == Stop::interrupted ||
                            solved.stop == Stop::time_limit;
         return ended ? solved : InteriorPointResult{};
@@ -115,8 +117,7 @@ class StructuredRun {
     void solve_exactly(const VectorXd& start, InteriorPointResult& solved) {
         InteriorPointLimits limits = limits_;
         limits.exact_steps = true;
-        InteriorPointResult exact = interior_point(form_.model(), start, limits, control_);
-        iterations_ += exact.iterations;
+        InteriorPointResult exact = searched(start, limits);
         if (exact.errors.worst() < solved.errors.worst()) solved = std::move(exact);
     }
     BackendResult delivered(const InteriorPointResult& solved) const {

@@ -113,12 +113,13 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.staged = run.known.is_cold();
     const bool structured = run.plan.solver == "structured";
-    if (structured && run.plan.next_solver.empty()) exchange.backend.exact_steps = ExactSteps::after_failure;
-    // A round that fails is followed by others that fail: other steps are tried at once.
-    if (structured)
+    if (structured) {
+        if (run.plan.next_solver.empty()) exchange.backend.exact_steps = ExactSteps::after_failure;
+        // A round that fails is followed by others that fail: other steps are tried at once.
         exchange.enough = [](const ExchangeResult& found) {
             return found.last.termination == Termination::numerical_failure;
         };
+    }
     ContinuousResult result = solve_continuous(problem, solver, exchange, judge, run.control);
     if (result.certificate.reason == Reason::unbounded) {
         forget_proof(result.certificate);  // of motions up to the farthest that proofs cover
