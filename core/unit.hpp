@@ -16,8 +16,8 @@
 
 namespace camopt {
 
-/// Powers of what a unit measures. Force and pressure are their own: nobody writes kg m/s² for N. A crank
-/// turns twice while the camshaft turns once, so that its degrees are no angle of the cam.
+/// Powers of what a unit measures. Force and pressure are separate: no key is in kg m/s² instead of N. A
+/// crank turns twice while the camshaft turns once, so that its degrees are no angle of the cam.
 struct Quantity {
     signed char length = 0, angle = 0, time = 0, mass = 0, force = 0, pressure = 0, crank = 0;
 
@@ -80,8 +80,9 @@ struct Text {
     char letters[24] = {};
     std::size_t size = 0;
 
+    constexpr void add(char letter) { letters[size++] = letter; }
     constexpr void add(std::string_view text) {
-        for (const char letter : text) letters[size++] = letter;
+        for (const char letter : text) add(letter);
     }
     [[nodiscard]] constexpr std::string_view view() const { return {letters, size}; }
 };
@@ -150,12 +151,12 @@ constexpr void add_suffix(Text& suffix, const Factor& factor) {
     const std::string_view name = factor.symbol->name;
     if (!(factor.before == ' ' && name == "m" && suffix.view() == "_n")) suffix.add("_");
     if (factor.before == '/' && name == "rev") suffix.add("per_");
-    for (const char letter : name) suffix.letters[suffix.size++] = lower(letter);
-    if (factor.power > 1) suffix.letters[suffix.size++] = static_cast<char>('0' + factor.power);
+    for (const char letter : name) suffix.add(lower(letter));
+    if (factor.power > 1) suffix.add(static_cast<char>('0' + factor.power));
 }
 
 constexpr void add_sign(Text& sign, const Factor& factor) {
-    if (factor.before != '\0') sign.letters[sign.size++] = factor.before;
+    if (factor.before != '\0') sign.add(factor.before);
     sign.add(factor.symbol->sign.empty() ? factor.symbol->name : factor.symbol->sign);
     sign.add(factor.power == 2 ? "²" : factor.power == 3 ? "³" : "");
 }

@@ -216,7 +216,7 @@ void read_dynamics(const SceneSource& source, const MotionSpec& motion, Dynamics
     const Node& table = *source.table("dynamics");
     const bool angle = motion.lift_is_angle;
     const DynamicsReader reader(source, table, "dynamics", angle);
-    (void)reader.mass();
+    (void)reader.mass();  // refuses a table without one
     for (const Member& member : table.members)
         if (const KeyMatch key = match_key("dynamics", member.name); key.row != nullptr)
             check_train_unit(source, {&member, key.row, key.spelling}, angle);

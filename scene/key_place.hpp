@@ -20,6 +20,10 @@ template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
+/// A KeyValue holds it as it is.
+template <class T>
+inline constexpr bool is_kept = std::is_same_v<T, bool> || std::is_same_v<T, double> ||
+                                std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<double>>;
 
 template <class Object>
 Object* reached(Object& object) {
@@ -50,8 +54,7 @@ void assign(T& target, const KeyValue& value, std::size_t choices) {
         assign(target.emplace(), value, choices);
     else if constexpr (std::is_enum_v<T>)
         assign_choice(target, std::get<std::string>(value), choices);
-    else if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, double> ||
-                       std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<double>>)
+    else if constexpr (is_kept<T>)
         target = std::get<T>(value);
     else if constexpr (std::is_integral_v<T>)
         target = static_cast<T>(std::get<long long>(value));
@@ -63,8 +66,7 @@ std::optional<KeyValue> value_of(const T& member) {
         return member ? value_of(*member) : std::nullopt;
     else if constexpr (std::is_enum_v<T>)
         return std::string(name_of(member));
-    else if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, double> ||
-                       std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<double>>)
+    else if constexpr (is_kept<T>)
         return member;
     else if constexpr (std::is_integral_v<T>)
         return static_cast<long long>(member);

@@ -236,7 +236,7 @@ struct PeakLimit {
     /// In a unit, in time or by the cam angle: it holds for the motion itself. A normalised one holds for
     /// each segment of a program by its own angle and displacement.
     [[nodiscard]] bool physical() const { return !unit.empty(); }
-    [[nodiscard]] bool in_time() const { return unit.find("/s") != std::string::npos; }
+    [[nodiscard]] bool in_time() const { return is_unit_of_time(unit); }
     friend bool operator==(const PeakLimit&, const PeakLimit&) = default;
 };
 

@@ -13,33 +13,31 @@ namespace {
 
 using ranges::any, ranges::positive;
 
-Fault out_of(const Range& range, double value, const std::string& member) {
+Fault out_of(const Range& range, double value, std::string_view table, std::string_view name) {
     if (range.contains(value)) return std::nullopt;
-    return SceneFault{member, fmt::format("{}", value), range.number_text()};
+    return SceneFault{fmt::format("{}.{}", table, name), fmt::format("{}", value), range.number_text()};
 }
 
 /// The number of a key against the range of its row.
 Fault row_fault(const KeyRow& row, const Scene& scene) {
     const std::optional<KeyValue> value = row.place.value(scene);
     if (!value) return std::nullopt;
-    const std::string member = fmt::format("{}.{}", row.table, row.name);
     if (const auto* const number = std::get_if<double>(&*value))
-        return out_of(row.range.scaled(row.spellings.front().factor), *number, member);
+        return out_of(row.range.scaled(row.spellings.front().factor), *number, row.table, row.name);
     const auto* const integer = std::get_if<long long>(&*value);
     if (integer == nullptr || row.range.contains(static_cast<double>(*integer))) return std::nullopt;
-    return SceneFault{member, fmt::to_string(*integer), row.range.integer_text()};
+    return SceneFault{fmt::format("{}.{}", row.table, row.name), fmt::to_string(*integer),
+                      row.range.integer_text()};
 }
 
 Fault limit_number_fault(const LimitSpec& limits) {
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(limits))
-            if (Fault fault = out_of(row.side == 0 ? positive : any, limit->normalised,
-                                     fmt::format("limits.{}", row.name())))
+            if (Fault fault = out_of(row.side == 0 ? positive : any, limit->normalised, "limits", row.name()))
                 return fault;
     for (const LimitRow& row : limit_rows())
         if (const auto& limit = row.in(limits))
-            if (Fault fault = out_of(row.range, limit->value, fmt::format("limits.{}", row.name)))
-                return fault;
+            if (Fault fault = out_of(row.range, limit->value, "limits", row.name)) return fault;
     return std::nullopt;
 }
 
