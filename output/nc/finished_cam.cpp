@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <span>
+
 namespace camopt {
 
 namespace {
@@ -52,14 +54,8 @@ class GroovedCam final : public FinishedCam {
         last_ = descended(stand, last_);
         const double near = depth_around(stand, last_);
         if (near <= body_.enough) return near;
-        std::size_t best = 0;
-        double least = HUGE_VAL;
-        for (std::size_t i = 0; i < lines_.size(); ++i)
-            if (const double found = depth_in(stand, lines_[i]); found < least) {
-                least = found;
-                best = i;
-            }
-        const double anywhere = std::min(least, depth_around(stand, best));
+        const std::size_t best = index_of_least([&](const Line& line) { return depth_in(stand, line); });
+        const double anywhere = depth_around(stand, best);
         if (anywhere < near) last_ = best;
         return std::min(near, anywhere);
     }
@@ -70,10 +66,8 @@ class GroovedCam final : public FinishedCam {
             const bool beyond = (pose.tip - line.foot).dot(line.direction) > body_.floor + body_.radius;
             return beyond ? HUGE_VAL : across(line, pose.tip).squaredNorm();
         };
-        std::size_t best = 0;
-        for (std::size_t i = 1; i < lines_.size(); ++i)
-            if (square(lines_[i]) < square(lines_[best])) best = i;
-        const int place = static_cast<int>(best), last = static_cast<int>(lines_.size()) - 1;
+        const int place = static_cast<int>(index_of_least(square));
+        const int last = static_cast<int>(lines_.size()) - 1;
         const GoldenSection found =
             golden_maximum([&](double theta) { return -square(line_at(theta)); },
                            angle(std::max(place - 1, 0)), angle(std::min(place + 1, last)), sections);
@@ -91,6 +85,18 @@ class GroovedCam final : public FinishedCam {
         double radius, way;  // of the cutter; up to where it has left the blank
     };
 
+    /// Of lines_; each value is taken once, as std::ranges::min_element would not.
+    template <class Value>
+    [[nodiscard]] std::size_t index_of_least(const Value& value) const {
+        std::size_t best = 0;
+        double least = HUGE_VAL;
+        for (std::size_t i = 0; i < lines_.size(); ++i)
+            if (const double found = value(lines_[i]); found < least) {
+                least = found;
+                best = i;
+            }
+        return best;
+    }
     [[nodiscard]] double angle(int i) const {
         return body_.begin + (body_.end - body_.begin) * i / (body_.poses - 1);
     }
@@ -142,9 +148,39 @@ constexpr int least_points = 16;
 constexpr double looked_at[] = {0.25, 0.5, 0.75};
 constexpr double arc_share = 1.1;  // the largest of those three against the largest of all, with room
 
+constexpr std::size_t run_size = 32;     // edges that one circle encloses
+constexpr double rounding_room = 1e-12;  // of the size and the place of that circle
+
 struct Edge {
     Eigen::Vector2d from, along;
     double inverse_square;  // of its length
+
+    [[nodiscard]] double square_to(const Eigen::Vector2d& point) const {
+        const Eigen::Vector2d away = point - from;
+        const double share = std::clamp(away.dot(along) * inverse_square, 0.0, 1.0);
+        return (away - share * along).squaredNorm();
+    }
+};
+
+/// Edges one after the other, with a circle about them.
+struct Run {
+    std::span<const Edge> edges;
+    Eigen::Vector2d center;
+    double radius, lower, upper;  // lower, upper: of y
+
+    explicit Run(std::span<const Edge> of) : edges(of) {
+        Eigen::AlignedBox2d box;
+        for (const Edge& edge : edges) box.extend(edge.from).extend(edge.from + edge.along);
+        const double size = box.diagonal().norm(), room = rounding_room * (size + box.center().norm());
+        center = box.center();
+        radius = 0.5 * size + room;
+        lower = box.min().y() - room;
+        upper = box.max().y() + room;
+    }
+    [[nodiscard]] bool may_be_within(double square, const Eigen::Vector2d& point) const {
+        const double gap = (point - center).norm() - radius;
+        return gap <= 0.0 || gap * gap <= square;
+    }
 };
 
 class PlaneCam final : public FinishedCam {
@@ -159,6 +195,9 @@ class PlaneCam final : public FinishedCam {
         }
         const Eigen::Vector2d first = edges_.front().from, last = body.contour(body.knots.back()).position;
         add_chord(last, first);  // of no length where the contour closes
+        for (std::size_t i = 0; i < edges_.size(); i += run_size)
+            runs_.emplace_back(
+                std::span<const Edge>(edges_).subspan(i, std::min(run_size, edges_.size() - i)));
     }
 
     double depth(const ToolPose& pose, double cutter_radius) override {
@@ -170,11 +209,10 @@ class PlaneCam final : public FinishedCam {
 
     Eigen::Vector3d towards_flank(const ToolPose& pose) override {
         const Eigen::Vector2d tip = pose.tip.head<2>();
-        const Edge& nearest =
-            *std::ranges::min_element(edges_, {}, [&](const Edge& edge) { return square_to(edge, tip); });
-        const Eigen::Vector2d from = tip - nearest.from;
-        const double share = std::clamp(from.dot(nearest.along) * nearest.inverse_square, 0.0, 1.0);
-        const Eigen::Vector2d way = share * nearest.along - from;
+        const Edge& edge = *nearest(tip).edge;
+        const Eigen::Vector2d from = tip - edge.from;
+        const double share = std::clamp(from.dot(edge.along) * edge.inverse_square, 0.0, 1.0);
+        const Eigen::Vector2d way = share * edge.along - from;
         if (way.isZero(0.0)) return Eigen::Vector3d::Zero();
         return {way.x() / way.norm(), way.y() / way.norm(), 0.0};
     }
@@ -189,31 +227,54 @@ class PlaneCam final : public FinishedCam {
         add_chord(from, to);
         for (const double share : looked_at) {
             const Eigen::Vector2d point = contour(begin + share * (end - begin)).position;
-            error_ = std::max(error_, arc_share * std::sqrt(square_to(edges_.back(), point)));
+            error_ = std::max(error_, arc_share * std::sqrt(edges_.back().square_to(point)));
         }
     }
-    [[nodiscard]] static double square_to(const Edge& edge, const Eigen::Vector2d& point) {
-        const Eigen::Vector2d from = point - edge.from;
-        const double share = std::clamp(from.dot(edge.along) * edge.inverse_square, 0.0, 1.0);
-        return (from - share * edge.along).squaredNorm();
+    struct Nearest {
+        const Edge* edge = nullptr;
+        double square = std::numeric_limits<double>::infinity();
+    };
+    /// The run of the last point first: points follow one another.
+    [[nodiscard]] Nearest nearest(const Eigen::Vector2d& point) {
+        Nearest found;
+        const auto look_at = [&](std::size_t run) {
+            for (const Edge& edge : runs_[run].edges)
+                if (const double square = edge.square_to(point); square < found.square) {
+                    found = {&edge, square};
+                    last_ = run;
+                }
+        };
+        const std::size_t first = last_;
+        look_at(first);
+        for (std::size_t run = 0; run < runs_.size(); ++run)
+            if (run != first && runs_[run].may_be_within(found.square, point)) look_at(run);
+        return found;
+    }
+    /// Of the contour around the point.
+    [[nodiscard]] int turns_around(const Eigen::Vector2d& point) const {
+        int turns = 0;
+        for (const Run& run : runs_) {
+            if (point.y() < run.lower || point.y() > run.upper) continue;
+            for (const Edge& edge : run.edges) {
+                const double begin = edge.from.y() - point.y(), end = begin + edge.along.y();
+                if ((begin <= 0.0) == (end <= 0.0)) continue;
+                const double side = edge.along.x() * -begin - edge.along.y() * (point.x() - edge.from.x());
+                if (begin <= 0.0 && side > 0.0) ++turns;
+                if (begin > 0.0 && side < 0.0) --turns;
+            }
+        }
+        return turns;
     }
     /// To the cam, less than 0 inside it.
-    [[nodiscard]] double distance(const Eigen::Vector2d& point) const {
-        double least = std::numeric_limits<double>::infinity();
-        int turns = 0;  // of the contour around the point
-        for (const Edge& edge : edges_) {
-            least = std::min(least, square_to(edge, point));
-            const double begin = edge.from.y() - point.y(), end = begin + edge.along.y();
-            if ((begin <= 0.0) == (end <= 0.0)) continue;
-            const double side = edge.along.x() * -begin - edge.along.y() * (point.x() - edge.from.x());
-            if (begin <= 0.0 && side > 0.0) ++turns;
-            if (begin > 0.0 && side < 0.0) --turns;
-        }
-        return turns == 0 ? std::sqrt(least) : -std::sqrt(least);
+    [[nodiscard]] double distance(const Eigen::Vector2d& point) {
+        const double away = std::sqrt(nearest(point).square);
+        return turns_around(point) == 0 ? away : -away;
     }
 
     double upper_, error_ = 0.0;
     std::vector<Edge> edges_;
+    std::vector<Run> runs_;
+    std::size_t last_ = 0;
 };
 
 }  // namespace

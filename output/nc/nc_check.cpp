@@ -119,67 +119,72 @@ class Sweep {
     std::vector<Group> groups_;
 };
 
+/// Of one point after the other from the cutter's sweep.
 class PointClearance {
  public:
-    PointClearance(const Sweep& sweep, const CutterShape& cutter, const Eigen::Vector3d& point)
-        : sweep_(sweep),
-          cutter_(cutter),
-          point_(point),
-          values_(sweep.coarse().size(), std::numeric_limits<double>::infinity()) {}
+    PointClearance(const Sweep& sweep, const CutterShape& cutter)
+        : sweep_(sweep), cutter_(cutter), bounds_(sweep.groups().size()) {}
 
-    [[nodiscard]] double least() {
-        double best = best_of_near_poses();
+    [[nodiscard]] double least(const Eigen::Vector3d& point) {
+        double best = best_of_near_groups(point);
         const double worth_a_look = best + candidate_part * cutter_.diameter;
-        for (std::size_t i = 0; i < values_.size(); ++i) {
+        for (std::size_t i = 0; i < near_.size(); ++i) {
             // Of its own block only: the pose before its first may be another, by rounding or by a rapid.
-            const std::size_t step = i % per_segment;
-            const bool falls = step == 0 || values_[i] <= values_[i - 1];
-            const bool rises = step == steps_per_block || values_[i] <= values_[i + 1];
-            if (falls && rises && values_[i] <= worth_a_look) best = std::min(best, refined(i));
+            const std::size_t step = near_[i].pose % per_segment;
+            const bool falls = step == 0 || near_[i].clearance <= near_[i - 1].clearance;
+            const bool rises = step == steps_per_block || near_[i].clearance <= near_[i + 1].clearance;
+            if (falls && rises && near_[i].clearance <= worth_a_look)
+                best = std::min(best, refined(near_[i].pose, point));
         }
         return best;
     }
 
  private:
     static constexpr std::size_t per_segment = steps_per_block + 1;
+    static_assert(group_size % per_segment == 0, "a block lies in one group");
 
-    /// Over all coarse poses; those too far to be worth a look keep the value infinity.
-    [[nodiscard]] double best_of_near_poses() {
+    struct NearPose {
+        std::size_t pose;
+        double clearance;
+    };
+
+    /// Over all coarse poses; near_ holds those of the groups that may be worth a look, whole blocks of them.
+    [[nodiscard]] double best_of_near_groups(const Eigen::Vector3d& point) {
         const std::vector<Sweep::Group>& groups = sweep_.groups();
-        bounds_.reserve(groups.size());
-        for (const Sweep::Group& group : groups) bounds_.push_back(group.least_clearance(point_));
+        std::ranges::transform(groups, bounds_.begin(),
+                               [&](const Sweep::Group& group) { return group.least_clearance(point); });
         const auto nearest = static_cast<std::size_t>(std::ranges::min_element(bounds_) - bounds_.begin());
-        double best = best_of(groups[nearest]);
+        near_.clear();
+        double best = best_of(groups[nearest], point);
         for (std::size_t k = 0; k < groups.size(); ++k)
             if (k != nearest && bounds_[k] <= best + candidate_part * cutter_.diameter)
-                best = std::min(best, best_of(groups[k]));
+                best = std::min(best, best_of(groups[k], point));
         return best;
     }
-    [[nodiscard]] double best_of(const Sweep::Group& group) {
+    [[nodiscard]] double best_of(const Sweep::Group& group, const Eigen::Vector3d& point) {
         double best = std::numeric_limits<double>::infinity();
-        for (std::size_t i = group.begin; i < group.end; ++i)
-            best = std::min(best, values_[i] = cutter_clearance(sweep_.coarse()[i], cutter_, point_));
+        for (std::size_t i = group.begin; i < group.end; ++i) {
+            near_.push_back({i, cutter_clearance(sweep_.coarse()[i], cutter_, point)});
+            best = std::min(best, near_.back().clearance);
+        }
         return best;
     }
-    [[nodiscard]] double at(std::size_t segment, double share) const {
-        return cutter_clearance(sweep_.pose(segment, share), cutter_, point_);
-    }
-    /// Around coarse pose i; either side may belong to another block.
-    [[nodiscard]] double refined(std::size_t i) const {
+    /// Around coarse pose i.
+    [[nodiscard]] double refined(std::size_t i, const Eigen::Vector3d& point) const {
         const std::size_t segment = i / per_segment, step = i % per_segment;
         const double low = step == 0 ? 0.0 : static_cast<double>(step - 1) / steps_per_block;
         const double high = std::min(1.0, static_cast<double>(step + 1) / steps_per_block);
-        return golden(segment, low, high);
-    }
-    [[nodiscard]] double golden(std::size_t segment, double low, double high) const {
-        return -golden_maximum([&](double place) { return -at(segment, place); }, low, high, golden_sections)
+        const auto clearance = [&](double share) {
+            return cutter_clearance(sweep_.pose(segment, share), cutter_, point);
+        };
+        return -golden_maximum([&](double share) { return -clearance(share); }, low, high, golden_sections)
                     .value();
     }
 
     const Sweep& sweep_;
     const CutterShape& cutter_;
-    const Eigen::Vector3d& point_;
-    std::vector<double> values_, bounds_;
+    std::vector<double> bounds_;  // of the groups
+    std::vector<NearPose> near_;
 };
 
 }  // namespace
@@ -243,12 +248,13 @@ NcSurfaceCheck check_surface(std::span<const NcMove> moves, const Machine& machi
     if (points.empty()) throw InputError("NC check: there are no points to check");
     const Sweep sweep(moves, machine, cutter);
     NcSurfaceCheck check;
+    PointClearance clearance(sweep, cutter);
     check.points = points.size();
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!points[i].allFinite())
             throw InputError(fmt::format("NC check: point {} of the surface is not finite", i));
-        const double least = PointClearance(sweep, cutter, points[i]).least();
+        const double least = clearance.least(points[i]);
         if (least < lowest) {
             lowest = least;
             check.gouge_point = i;

@@ -98,6 +98,10 @@ def corners_of(element, look):
 def overlap(one, other, slack):
     """How deep two convex quadrilaterals lie in each other, along the axis where it is least; 0: apart."""
     least = math.inf
+    for axis in (0, 1):  # most boxes are apart along an axis of the picture
+        first, second = [corner[axis] for corner in one], [corner[axis] for corner in other]
+        if max(first) <= min(second) or max(second) <= min(first):
+            return 0.0
     for box in (one, other):
         for i in range(4):
             (ax, ay), (bx, by) = box[i], box[(i + 1) % 4]
