@@ -109,7 +109,15 @@ void expect_true_verdicts(const std::string& solver, int first) {
         scene.solver.name = solver;
         if (solver == "nlopt.cobyla") scene.solver.max_seconds = 0.4;
         if (solver == "nlopt.slsqp") scene.solver.max_seconds = 4.0;
-        const Solution solution = solve(scene);
+        Solution solution = solve(scene);
+        const auto out_of_time = [&] {
+            return solution.certificate.verdict == Verdict::failed &&
+                   solution.certificate.reason == Reason::time_limit;
+        };
+        if (out_of_time()) {  // on a machine with other work
+            scene.solver.max_seconds *= 10.0;
+            solution = solve(scene);
+        }
         const Verdict verdict = solution.certificate.verdict;
         ++verdicts[verdict];
         SCOPED_TRACE("scene " + std::to_string(number) + ": " + name_of(verdict) + " " +
