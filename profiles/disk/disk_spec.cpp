@@ -63,10 +63,10 @@ Fault foreign_number_fault(const DiskSpec& cam) {
 /// In a unit of a scene file: as written, else mm.
 void complete_key(Dimension& dimension, const char* name) {
     if (!dimension.key.empty()) return;
-    const Spelling* spelling = std::ranges::find(spellings::length, dimension.unit, &Spelling::factor);
-    if (spelling == std::ranges::end(spellings::length)) spelling = std::ranges::begin(spellings::length);
-    dimension.key = fmt::format("cam.{}{}", name, spelling->suffix);
-    dimension.unit = spelling->factor;
+    const auto written = std::ranges::find(spellings::length, dimension.unit, &Spelling::factor);
+    const Spelling& spelling = written != spellings::length.end() ? *written : spellings::length.front();
+    dimension.key = fmt::format("cam.{}{}", name, spelling.suffix);
+    dimension.unit = spelling.factor;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ cam, `tilt` leans it.
 import re
 
 from certificate_checker.exact import Unverified
-from certificate_checker.rational import Fraction
+from certificate_checker.rational import Fraction, parsed
 
 KEYS = ("x", "y", "z", "rotary", "tilt")
 LINE = re.compile(r"^[(;]([A-Z] = -?x\b[^()\n]*)\)?$", re.MULTILINE)
@@ -31,7 +31,7 @@ class Axes:
         if len(set(self.letters) & LETTERS) < len(terms):
             raise Unverified("the letters of the axes " + " ".join(self.letters))
         self.signs = [-1 if term[2] else 1 for term in terms]
-        self.offsets = [Fraction((term[4] or "") + (term[5] or "0")) * UNITS[term[6]] for term in terms]
+        self.offsets = [parsed((term[4] or "") + (term[5] or "0")) * UNITS[term[6]] for term in terms]
         self.mirrored = self.signs[0] != self.signs[1]
 
     def value(self, k, printed):

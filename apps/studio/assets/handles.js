@@ -33,8 +33,8 @@
   /** Every handle of a scene. chart: unit, angles and values of the displacement. */
   camopt.handlesOf = function (controls, chart, found) {
     const scene = sceneOf(controls), lift = scene.motion('lift'), type = scene.motion('type').value;
-    // A displacement without a unit counts in lifts.
-    const liftShown = lift.given ? lift.value / factorOf(lift, chart.unit) : 1;
+    // A displacement without a unit counts in lifts; a program whose displacements all have one has no lift.
+    const liftShown = lift?.given ? lift.value / factorOf(lift, chart.unit) : 1;
     const heightOf = (control) => {
       if (!control) return null;
       const size = control.unit ? factorOf(control, chart.unit) : 1 / liftShown;
@@ -236,8 +236,8 @@
         const to = stretch ? stretch.to : rise && rise.given ? rise.value / factorOf(rise, 'deg') : 180;
         const margin = 0.02 * (to - from), inside = cursor > from + margin && cursor < to - margin;
         const at = inside ? cursor : from + (to - from) / 2, value = curveAt(at) ?? 0;
-        const lift = scene.motion('lift'), size = lift.given ? factorOf(lift, unit) : 1;
-        const height = 'displacement_' + (lift.given ? lift.unit : unit);
+        const lift = scene.motion('lift'), size = lift?.given ? factorOf(lift, unit) : 1;
+        const height = 'displacement_' + (lift?.given ? lift.unit : unit);
         return { [list + '[' + scene.points(list) + ']']: { insert: { at_deg: Number((at - from).toPrecision(4)), [height]: Number((value * size).toPrecision(4)) } } };
       },
       remove: (table) => ({ [table]: null }),
