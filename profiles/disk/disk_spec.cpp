@@ -63,8 +63,10 @@ Fault foreign_number_fault(const DiskSpec& cam) {
 /// In a unit of a scene file: as written, else mm.
 void complete_key(Dimension& dimension, const char* name) {
     if (!dimension.key.empty()) return;
-    const auto written = std::ranges::find(spellings::length, dimension.unit, &Spelling::factor);
-    const Spelling& spelling = written != spellings::length.end() ? *written : spellings::length.front();
+    const auto& lengths = spellings::length;
+    const auto written = static_cast<std::size_t>(
+        std::ranges::find(lengths, dimension.unit, &Spelling::factor) - lengths.begin());
+    const Spelling& spelling = lengths[written < lengths.size() ? written : 0];
     dimension.key = fmt::format("cam.{}{}", name, spelling.suffix);
     dimension.unit = spelling.factor;
 }
