@@ -155,10 +155,11 @@ struct Edge {
     Eigen::Vector2d from, along;
     double inverse_square;  // of its length
 
-    [[nodiscard]] double square_to(const Eigen::Vector2d& point) const {
+    /// To its nearest point.
+    [[nodiscard]] Eigen::Vector2d way_from(const Eigen::Vector2d& point) const {
         const Eigen::Vector2d away = point - from;
         const double share = std::clamp(away.dot(along) * inverse_square, 0.0, 1.0);
-        return (away - share * along).squaredNorm();
+        return share * along - away;
     }
 };
 
@@ -208,11 +209,7 @@ class PlaneCam final : public FinishedCam {
     }
 
     Eigen::Vector3d towards_flank(const ToolPose& pose) override {
-        const Eigen::Vector2d tip = pose.tip.head<2>();
-        const Edge& edge = *nearest(tip).edge;
-        const Eigen::Vector2d from = tip - edge.from;
-        const double share = std::clamp(from.dot(edge.along) * edge.inverse_square, 0.0, 1.0);
-        const Eigen::Vector2d way = share * edge.along - from;
+        const Eigen::Vector2d way = way_from(pose.tip.head<2>());
         if (way.isZero(0.0)) return Eigen::Vector3d::Zero();
         return {way.x() / way.norm(), way.y() / way.norm(), 0.0};
     }
@@ -227,28 +224,27 @@ class PlaneCam final : public FinishedCam {
         add_chord(from, to);
         for (const double share : looked_at) {
             const Eigen::Vector2d point = contour(begin + share * (end - begin)).position;
-            error_ = std::max(error_, arc_share * std::sqrt(edges_.back().square_to(point)));
+            error_ = std::max(error_, arc_share * edges_.back().way_from(point).norm());
         }
     }
-    struct Nearest {
-        const Edge* edge = nullptr;
+    /// To the cam's nearest point. The run of the last point first: points follow one another.
+    [[nodiscard]] Eigen::Vector2d way_from(const Eigen::Vector2d& point) {
+        Eigen::Vector2d least = Eigen::Vector2d::Zero();
         double square = std::numeric_limits<double>::infinity();
-    };
-    /// The run of the last point first: points follow one another.
-    [[nodiscard]] Nearest nearest(const Eigen::Vector2d& point) {
-        Nearest found;
         const auto look_at = [&](std::size_t run) {
-            for (const Edge& edge : runs_[run].edges)
-                if (const double square = edge.square_to(point); square < found.square) {
-                    found = {&edge, square};
-                    last_ = run;
-                }
+            for (const Edge& edge : runs_[run].edges) {
+                const Eigen::Vector2d way = edge.way_from(point);
+                if (way.squaredNorm() >= square) continue;
+                least = way;
+                square = way.squaredNorm();
+                last_ = run;
+            }
         };
         const std::size_t first = last_;
         look_at(first);
         for (std::size_t run = 0; run < runs_.size(); ++run)
-            if (run != first && runs_[run].may_be_within(found.square, point)) look_at(run);
-        return found;
+            if (run != first && runs_[run].may_be_within(square, point)) look_at(run);
+        return least;
     }
     /// Of the contour around the point.
     [[nodiscard]] int turns_around(const Eigen::Vector2d& point) const {
@@ -267,7 +263,7 @@ class PlaneCam final : public FinishedCam {
     }
     /// To the cam, less than 0 inside it.
     [[nodiscard]] double distance(const Eigen::Vector2d& point) {
-        const double away = std::sqrt(nearest(point).square);
+        const double away = way_from(point).norm();
         return turns_around(point) == 0 ? away : -away;
     }
 

@@ -78,7 +78,6 @@ class Sweep {
         const Segment& s = segments_[segment];
         return machine_.pose(values_along(*s.from, *s.move, share));
     }
-    [[nodiscard]] std::size_t segments() const { return segments_.size(); }
     /// steps_per_block + 1 poses a segment.
     [[nodiscard]] const std::vector<ToolPose>& coarse() const { return coarse_; }
 
@@ -174,11 +173,10 @@ class PointClearance {
         const std::size_t segment = i / per_segment, step = i % per_segment;
         const double low = step == 0 ? 0.0 : static_cast<double>(step - 1) / steps_per_block;
         const double high = std::min(1.0, static_cast<double>(step + 1) / steps_per_block);
-        const auto clearance = [&](double share) {
-            return cutter_clearance(sweep_.pose(segment, share), cutter_, point);
+        const auto depth = [&](double share) {
+            return -cutter_clearance(sweep_.pose(segment, share), cutter_, point);
         };
-        return -golden_maximum([&](double share) { return -clearance(share); }, low, high, golden_sections)
-                    .value();
+        return -golden_maximum(depth, low, high, golden_sections).value();
     }
 
     const Sweep& sweep_;
