@@ -10,9 +10,10 @@
   /** The controls of an answer, by table and by the key without its unit. */
   function sceneOf(controls) {
     const find = (table, item) => controls.find((one) => one.table === table && one.item === item);
+    const given = (table, item) => { const one = find(table, item); return one?.given ? one : null; };
     const motion = (item) => find('motion', item);
     const count = (pattern) => new Set(controls.map((one) => one.table).filter((table) => pattern.test(table))).size;
-    return { find, motion, segments: count(/^motion\.segments\[\d+\]$/), points: (list) => count(new RegExp('^' + list.replace(/[.[\]]/g, '\\$&') + '\\[\\d+\\]$')) };
+    return { find, given, motion, segments: count(/^motion\.segments\[\d+\]$/), points: (list) => count(new RegExp('^' + list.replace(/[.[\]]/g, '\\$&') + '\\[\\d+\\]$')) };
   }
 
   /** Where each segment lies, deg. Of a searched angle what was found, else the middle of its range. */
@@ -34,7 +35,7 @@
   camopt.handlesOf = function (controls, chart, found) {
     const scene = sceneOf(controls), lift = scene.motion('lift'), type = scene.motion('type').value;
     // A displacement without a unit counts in lifts; a program whose displacements all have one has no lift.
-    const liftShown = lift?.given ? lift.value / factorOf(lift, chart.unit) : 1;
+    const liftShown = scene.given('motion', 'lift') ? lift.value / factorOf(lift, chart.unit) : 1;
     const heightOf = (control) => {
       if (!control) return null;
       const size = control.unit ? factorOf(control, chart.unit) : 1 / liftShown;
@@ -49,7 +50,7 @@
     const add = (kind, words, table, x, y, at) => { if (x || y) handles.push({ kind, words, table, x, y, at: x && x.shown !== null ? x.shown : at }); };
     const points = (list, from, stretch, group) => {
       for (let i = 0; i < scene.points(list); ++i) {
-        const table = list + '[' + i + ']', item = (name) => { const one = scene.find(table, name); return one && one.given ? one : null; };
+        const table = list + '[' + i + ']', item = (name) => scene.given(table, name);
         const words = group + 'set point ' + (i + 1), height = heightOf(item('displacement')), at = item('at');
         if (at) { add('point', words, table, placeOf(at, from, stretch), height); continue; }
         add('point', words + ', beginning', table, placeOf(item('from'), from, stretch), height);
@@ -59,8 +60,8 @@
     if (type === 'valve') {
       // The follower lifts by (valve lift + lash) / ratio; the duration ends where the valve comes down to the checking height.
       const { angles, values } = chart, nose = values.reduce((best, value, i) => (value > values[best] ? i : best), 0);
-      const inChart = (item) => { const one = scene.motion(item); return one && one.given ? one.value / (factorOf(one, chart.unit) ?? NaN) : 0; };
-      const ratio = scene.motion('rocker_ratio')?.given ? scene.motion('rocker_ratio').value : 1;
+      const inChart = (item) => { const one = scene.given('motion', item); return one ? one.value / (factorOf(one, chart.unit) ?? NaN) : 0; };
+      const ratio = scene.given('motion', 'rocker_ratio')?.value ?? 1;
       const size = factorOf(lift, chart.unit);
       if (size) add('joint', 'Nose', 'motion', null, { path: camopt.controlPath(lift), of: (shown) => lift.value + (shown - values[nose]) * ratio * size, shown: values[nose] }, angles[nose]);
       const duration = scene.motion('duration'), checked = (inChart('checking_height') + inChart('lash')) / ratio, last = values.findLastIndex((value) => value >= checked);
@@ -232,12 +233,12 @@
       /** At the cursor where it lies inside, else in the middle of what is free; on the curve as it is. */
       addPoint(table, unit) {
         const list = table + '.via', stretch = table === 'motion' ? null : program().find((one) => one.table === table);
-        const rise = scene.motion('rise'), from = stretch ? stretch.from : 0;
-        const to = stretch ? stretch.to : rise && rise.given ? rise.value / factorOf(rise, 'deg') : 180;
+        const rise = scene.given('motion', 'rise'), from = stretch ? stretch.from : 0;
+        const to = stretch ? stretch.to : rise ? rise.value / factorOf(rise, 'deg') : 180;
         const margin = 0.02 * (to - from), inside = cursor > from + margin && cursor < to - margin;
         const at = inside ? cursor : from + (to - from) / 2, value = curveAt(at) ?? 0;
-        const lift = scene.motion('lift'), size = lift?.given ? factorOf(lift, unit) : 1;
-        const height = 'displacement_' + (lift?.given ? lift.unit : unit);
+        const lift = scene.given('motion', 'lift'), size = lift ? factorOf(lift, unit) : 1;
+        const height = 'displacement_' + (lift ? lift.unit : unit);
         return { [list + '[' + scene.points(list) + ']']: { insert: { at_deg: Number((at - from).toPrecision(4)), [height]: Number((value * size).toPrecision(4)) } } };
       },
       remove: (table) => ({ [table]: null }),
