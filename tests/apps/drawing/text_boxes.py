@@ -98,10 +98,6 @@ def corners_of(element, look):
 def overlap(one, other, slack):
     """How deep two convex quadrilaterals lie in each other, along the axis where it is least; 0: apart."""
     least = math.inf
-    for axis in (0, 1):  # most boxes are apart along an axis of the picture
-        first, second = [corner[axis] for corner in one], [corner[axis] for corner in other]
-        if max(first) <= min(second) or max(second) <= min(first):
-            return 0.0
     for box in (one, other):
         for i in range(4):
             (ax, ay), (bx, by) = box[i], box[(i + 1) % 4]
@@ -112,7 +108,9 @@ def overlap(one, other, slack):
             first = [nx * x + ny * y for x, y in one]
             second = [nx * x + ny * y for x, y in other]
             least = min(least, min(max(first), max(second)) - max(min(first), min(second)))
-    return least if least > slack else 0.0
+            if least <= slack:  # most are apart along the first or second
+                return 0.0
+    return least
 
 
 def faults_of(text):

@@ -33,14 +33,14 @@ def area(points):
 
 
 def distances(path, points):
-    """From places of the cutter to the nearest point of a side, mm; infinite from 20 mm on."""
+    """From places of the cutter to the nearest point of a side, mm."""
     cells = {}
     for point in points:
         cells.setdefault((int(point[0] // 4), int(point[1] // 4)), []).append(point)
     for x, y in path:
         i, j = int(x // 4), int(y // 4)
         near = [point for a in range(i - 5, i + 6) for b in range(j - 5, j + 6) for point in cells.get((a, b), [])]
-        yield min((math.dist((x, y), point) for point in near), default=math.inf)
+        yield min(math.dist((x, y), point) for point in near or points)
 
 
 def cuts(program):
