@@ -374,7 +374,7 @@ struct Scene {
     }
     /// The same of a length.
     [[nodiscard]] Spelling length_spelling_of(const std::string& key) const {
-        return spelling_of(key, spellings::length[length_unit == LengthUnit::inch]);
+        return spelling_of(key, spellings::length[length_unit == LengthUnit::inch ? 1 : 0]);
     }
 
     /// Speeds whose loads enclose those of every speed that limits on loads hold at: that of the scene first,

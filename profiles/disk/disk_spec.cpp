@@ -63,12 +63,11 @@ Fault foreign_number_fault(const DiskSpec& cam) {
 /// In a unit of a scene file: as written, else mm.
 void complete_key(Dimension& dimension, const char* name) {
     if (!dimension.key.empty()) return;
-    const auto& lengths = spellings::length;
-    const auto written = static_cast<std::size_t>(
-        std::ranges::find(lengths, dimension.unit, &Spelling::factor) - lengths.begin());
-    const Spelling& spelling = lengths[written < lengths.size() ? written : 0];
-    dimension.key = fmt::format("cam.{}{}", name, spelling.suffix);
-    dimension.unit = spelling.factor;
+    const Spelling* spelling = &spellings::length.front();
+    for (const Spelling& one : spellings::length)
+        if (one.factor == dimension.unit) spelling = &one;
+    dimension.key = fmt::format("cam.{}{}", name, spelling->suffix);
+    dimension.unit = spelling->factor;
 }
 
 }  // namespace
