@@ -110,11 +110,8 @@ void expect_true_verdicts(const std::string& solver, int first) {
         if (solver == "nlopt.cobyla") scene.solver.max_seconds = 0.4;
         if (solver == "nlopt.slsqp") scene.solver.max_seconds = 4.0;
         Solution solution = solve(scene);
-        const auto out_of_time = [&] {
-            return solution.certificate.verdict == Verdict::failed &&
-                   solution.certificate.reason == Reason::time_limit;
-        };
-        if (out_of_time()) {  // on a machine with other work
+        if (solution.certificate.verdict == Verdict::failed &&
+            solution.certificate.reason == Reason::time_limit) {  // on a machine with other work
             scene.solver.max_seconds *= 10.0;
             solution = solve(scene);
         }
