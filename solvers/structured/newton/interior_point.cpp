@@ -57,6 +57,10 @@ class Iteration {
             if (result.errors.worst() <= limits_.tolerance) {
                 result.stop = Stop::converged;
                 polish_multipliers(result);
+            } else if (only_rounding_is_left(result.errors, since_best)) {
+                result.stop = Stop::converged;
+                return_to_best();
+                polish_multipliers(result);
             } else if (since_best > limits_.patience)
                 result.stop = Stop::stagnated;
             else if (result.iterations >= limits_.max_iterations)
@@ -75,6 +79,18 @@ class Iteration {
             }
             return result;
         }
+    }
+    /// All but the dual residual is as small as asked, and that has stopped to fall: in long sums rounding
+    /// leaves more than the tolerance. Further steps and a new start would bring the same.
+    [[nodiscard]] bool only_rounding_is_left(const Errors& best, int since_best) const {
+        constexpr int waited = 2;
+        constexpr double near = 100.0;
+        return since_best >= waited && std::max(best.primal, best.gap) <= limits_.tolerance &&
+               best.dual <= near * limits_.tolerance;
+    }
+    void return_to_best() {
+        now_ = best_;
+        newton_.residuals(point(), rest_);
     }
     /// One least-squares step from the given start, then gaps and multipliers shifted away from zero.
     bool initialise(const VectorXd& start) {
@@ -148,11 +164,14 @@ class Iteration {
             if (std::isfinite(high)) x[j] = std::min(x[j], high - margin);
         }
     }
-    [[nodiscard]] Errors errors() const {
-        const double size = std::max(model_.cost_unit, std::abs(model_.cost->value(point().x)));
-        return {std::max(largest(rest_.equality), rest_.largest_bound) / (1.0 + largest(point().x)),
-                largest(rest_.dual) / (model_.cost_unit + largest(rest_.gradient)),
-                static_cast<double>(ranges_.sides_present) * rest_.mu / size};
+    [[nodiscard]] Errors errors() const { return errors_of(point(), rest_); }
+    [[nodiscard]] Errors errors_of(const Iterate& at, const Residuals& rest) const {
+        return {std::max(largest(rest.equality), rest.largest_bound) / (1.0 + largest(at.x)),
+                largest(rest.dual) / (model_.cost_unit + largest(rest.gradient)),
+                static_cast<double>(ranges_.sides_present) * rest.mu / cost_size(at)};
+    }
+    [[nodiscard]] double cost_size(const Iterate& at) const {
+        return std::max(model_.cost_unit, std::abs(model_.cost->value(at.x)));
     }
     bool take_step(Stop& reason) {
         bool finite = true;
@@ -233,32 +252,55 @@ class Iteration {
         }
     }
     /// The residual of the dual equations, removed by the multipliers alone: in a proof it is multiplied by
-    /// the size of the box that contains an optimum.
+    /// the size of the box that contains an optimum. With the factorization of the last step, or, where that
+    /// is too close to singular, with one for products g z of a middle size.
     void polish_multipliers(InteriorPointResult& result) {
         constexpr int most = 2;
-        constexpr double rounding = 1e-15, most_shrunk = 0.9;
-        for (int k = 0; k < most && result.errors.dual > rounding; ++k) {
-            // Linear costs: any factorization removes it, also that of the last step.
-            bool finite = true;
-            if (model_.kind != CostKind::linear && !newton_.prepare(point(), finite)) return;
-            tried_rest_ = rest_;
-            tried_rest_.equality.setZero();
-            tried_rest_.bound.setZero();
-            tried_rest_.mu = 0.0;
-            full_direction(ChangeRule::none, 0.0, tried_rest_, direction_);
-            if (!direction_.finite) return;
-            const std::size_t next = spare();
-            Iterate& polished = points_[next];
-            polished = point();
-            polished.lambda += direction_.lambda;
-            polished.dual += direction_.dual.cwiseMax(-most_shrunk * polished.dual);
-            now_ = next;
-            newton_.residuals(polished, rest_);
-            const Errors now = errors();
-            if (!(now.dual < result.errors.dual) || now.worst() > limits_.tolerance) return;
-            best_ = now_;
-            result.errors = now;
+        constexpr double rounding = 1e-15, negligible = 1e-12;
+        bool centred = false;
+        for (int k = 0; k < most && result.errors.dual > rounding;) {
+            if (polish_once(result, centred)) {
+                ++k;
+                continue;
+            }
+            if (centred || result.errors.dual < negligible) return;
+            centred = true;
         }
+    }
+    bool polish_once(InteriorPointResult& result, bool centred) {
+        constexpr double most_shrunk = 0.9;
+        const std::size_t next = spare();
+        Iterate& polished = points_[next];
+        polished = point();
+        if (centred) centre(polished);
+        // Linear costs: any factorization removes it.
+        bool finite = true;
+        const bool current = model_.kind == CostKind::linear && !centred;
+        if (!current && !newton_.prepare(polished, finite)) return false;
+        tried_rest_ = rest_;
+        tried_rest_.equality.setZero();
+        tried_rest_.bound.setZero();
+        tried_rest_.mu = 0.0;
+        full_direction(polished, ChangeRule::none, 0.0, tried_rest_, direction_);
+        if (!direction_.finite) return false;
+        polished.gap = point().gap;
+        polished.lambda += direction_.lambda;
+        polished.dual += direction_.dual.cwiseMax(-most_shrunk * polished.dual);
+        newton_.residuals(polished, tried_rest_);
+        const Errors now = errors_of(polished, tried_rest_);
+        if (!(now.dual < result.errors.dual) || std::max(now.primal, now.gap) > limits_.tolerance)
+            return false;
+        now_ = best_ = next;
+        std::swap(rest_, tried_rest_);
+        result.errors = now;
+        return true;
+    }
+    /// Gaps for which every product g z is that of a relative gap of `size`.
+    void centre(Iterate& at) const {
+        constexpr double size = 1e-4;
+        const double mu = size * cost_size(at) / static_cast<double>(ranges_.sides_present);
+        for (Index b = 0; b < ranges_.sides(); ++b)
+            if (ranges_.present[b] != 0.0) at.gap[b] = mu / at.dual[b];
     }
     /// Mehrotra's choice: the better the affine direction, the smaller the centering parameter.
     [[nodiscard]] double target_after_affine() const {
@@ -297,13 +339,17 @@ class Iteration {
         return place;
     }
     void full_direction(ChangeRule rule, double target, const Residuals& residuals, Direction& out) {
+        full_direction(point(), rule, target, residuals, out);
+    }
+    void full_direction(const Iterate& at, ChangeRule rule, double target, const Residuals& residuals,
+                        Direction& out) {
         DirectionRequest request;
         request.residuals = &residuals;
         request.change.rule = rule;
         request.change.target = target;
         request.change.gap_change = affine_.gap.data();
         request.change.dual_change = affine_.dual.data();
-        newton_.direction(point(), request, out);
+        newton_.direction(at, request, out);
     }
 
     const ConvexModel& model_;
