@@ -14,12 +14,26 @@ constexpr double outward = 1.0 + 1e-12;
 
 }  // namespace
 
+std::optional<RuleOverBox::Product> RuleOverBox::product_of(const RangeOver& range) {
+    std::optional<Product> found;
+    for (int i = 0; i < range.size(); ++i) {
+        for (int j = i; j < range.size(); ++j) {
+            const Interval& second = range.second(i, j);
+            if (magnitude_of(second) == 0.0) continue;
+            if (i == j || found || (second.lower < 0.0 && second.upper > 0.0)) return {};
+            found = Product{static_cast<std::size_t>(i), static_cast<std::size_t>(j), second.lower >= 0.0};
+        }
+    }
+    return found;
+}
+
 std::optional<RuleOverBox> RuleOverBox::make(const PointRule& rule, std::vector<Interval> box, double at) {
     const std::optional<RangeOver> range = rule.range_over(box, at);
     if (!range || !std::isfinite(range->value.lower)) return {};
     RuleOverBox result(rule, std::move(box), at);
     const std::size_t size = result.box_.size();
     result.most_ = range->value.upper;
+    result.product_ = product_of(*range);
     result.curved_.assign(size, 0);
     result.added_.assign(size, 0.0);
     for (const Interval& number : result.box_) {
@@ -49,11 +63,27 @@ double RuleOverBox::secant_error(int i) const {
     return added_[at] == 0.0 ? 0.0 : 0.5 * added_[at] * half_[at] * half_[at];
 }
 
+std::vector<double> RuleOverBox::tangent_point(const Eigen::VectorXd& at) const {
+    std::vector<double> point(box_.size());
+    for (std::size_t i = 0; i < point.size(); ++i)
+        point[i] = std::clamp(at[static_cast<Eigen::Index>(i)], box_[i].lower, box_[i].upper);
+    if (!product_) return point;
+    double &one = point[product_->one], &other = point[product_->other];
+    const Interval &ones = box_[product_->one], &others = box_[product_->other];
+    // Opposite corners: of the two distances from each, the product is what its tangent falls short.
+    const double below = product_->rising ? others.lower : others.upper;
+    const double above = product_->rising ? others.upper : others.lower;
+    const bool upper =
+        (ones.upper - one) * std::abs(above - other) < (one - ones.lower) * std::abs(other - below);
+    one = upper ? ones.upper : ones.lower;
+    other = upper ? above : below;
+    return point;
+}
+
 std::optional<RulePlane> RuleOverBox::plane(const Eigen::VectorXd& at) const {
     const std::size_t size = box_.size();
-    std::vector<Interval> point(size);
-    for (std::size_t i = 0; i < size; ++i)
-        point[i] = std::clamp(at[static_cast<Eigen::Index>(i)], box_[i].lower, box_[i].upper);
+    const std::vector<double> numbers = tangent_point(at);
+    const std::vector<Interval> point(numbers.begin(), numbers.end());
     const std::optional<RangeOver> range = rule_->range_over(point, at_);
     if (!range) return {};
     RulePlane plane{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size)), 0.0};
@@ -61,7 +91,7 @@ std::optional<RulePlane> RuleOverBox::plane(const Eigen::VectorXd& at) const {
     for (std::size_t i = 0; i < size; ++i) {
         const auto k = static_cast<int>(i);
         Interval slope = k < range->size() ? range->first(k) : Interval(0.0);
-        if (added_[i] > 0.0) {
+        if (!product_ && added_[i] > 0.0) {
             const Interval away = point[i] - Interval(middle_[i]), by(added_[i]);
             slope = slope + by * away;
             constant = constant + Interval(0.5) * by * (square(away) - square(Interval(half_[i])));

@@ -563,12 +563,28 @@ class Bound:
         derivative."""
         top = run.top()
         function, constant = run.conditions_in_top().reduced(run.in_top(function), Fraction(0))
-        most = [self.at_start(run, order, supremum) for order in range(top)]
-        size = supremum[top] * run.space.spread(top)
+        most = [self.at_start(run, order, supremum) for order in range(top)] + self.sizes_in_top(run, supremum)
         if any(most[j] is None for j in function if j < top and function[j]):
             raise Unverified("nothing bounds the motion")
         self.remainders.append(None)
-        return -constant, sum((abs(w) * (most[j] if j < top else size) for j, w in function.items() if w), Fraction(0))
+        return -constant, sum((abs(w) * most[j] for j, w in function.items() if w), Fraction(0))
+
+    @staticmethod
+    def sizes_in_top(run, supremum):
+        """What the control points of the derivative top can be: from an end at rest, where the first is 0, they grow by the steps
+        times what those of the next derivative can be."""
+        top, space = run.top(), run.space
+        sizes = [supremum[top] * space.spread(top)] * (space.size - top)
+        if top == 3 or supremum[top + 1] is None:
+            return sizes
+        growth = supremum[top + 1] * space.spread(top + 1)
+        steps = [growth * step for step in space.steps(top + 1)]
+        for rests, places, grown in zip(run.rests, (range(len(sizes)), range(len(sizes) - 1, -1, -1)), (steps, steps[::-1])):
+            reach = Fraction(0)
+            for i, step in zip(places, grown + [Fraction(0)]) if rests else ():
+                sizes[i] = min(sizes[i], reach)
+                reach += step
+        return sizes
 
     def at_start(self, run, order, supremum):
         """|y^(order)| at the start of the run."""

@@ -145,7 +145,9 @@ bool Bounder::add_plane(Node& node, std::size_t place, const Bent& bent, const E
             node.bound_steps[static_cast<std::size_t>(design_size()) + static_cast<std::size_t>(parameter)]);
     step.slope = plane->slope;
     step.constant = plane->constant;
-    add_row(node, log(std::move(step)), true);
+    const int number = log(std::move(step));
+    planes_[number] = {place, bent.rule};
+    add_row(node, number, true);
     return true;
 }
 

@@ -11,6 +11,7 @@ from plane_samples import guide_of
 
 sys.path.insert(0, str(checker.ROOT / "scripts"))
 from certificate_checker import enclosures  # noqa: E402
+from certificate_checker.bound import Bound  # noqa: E402
 from certificate_checker.laws import constant  # noqa: E402
 from certificate_checker.inverse_rules import InverseRules  # noqa: E402
 from certificate_checker.problem import Problem  # noqa: E402
@@ -142,8 +143,21 @@ def slide():
     return near("residual of the modified sine", float(found[0]), expected, 1e-8)
 
 
+def narrow_segment():
+    """y''' of the last of graded segments, at rest at its end, is no larger than the third derivative can be: what rounding
+    leaves of multipliers there is not worth what y'' may be in the middle, over the width."""
+    widths = [Fraction(1, 10**k) for k in range(9)]
+    scene = {"motion": {"type": "DRD"}, "objective": {"velocity": Fraction(2, 5), "acceleration": Fraction(2, 5), "jerk": Fraction(1, 5)},
+             "spline": {"degree": 3, "breakpoints": [sum(widths[:k], Fraction(0)) / sum(widths) for k in range(10)]}}
+    problem = Problem(scene, dict.fromkeys(("velocity", "acceleration", "jerk"), Fraction(1)))
+    bound = Bound(problem, Fraction(100), Fraction(0))
+    run, supremum = problem.runs[0], bound.supremum[0]
+    constant_part, residual = bound.under(run, run.space.functional(Fraction(1), 3, "left"), supremum)
+    return [] if abs(constant_part) + residual <= supremum[3] else [f"y''' of a narrow segment: {float(residual)} of {float(supremum[3])}"]
+
+
 def main():
-    faults = [fault for test in (tappet, feeder, barrel, slide) for fault in test()]
+    faults = [fault for test in (tappet, feeder, barrel, slide, narrow_segment) for fault in test()]
     return checker.end(faults)
 
 
