@@ -90,6 +90,7 @@ void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exc
     const double share = run.plan.next_solver.empty() ? 1.0 : share_of_first;
     const SolveControl timed = run.control.sooner(share * run.control.deadline.seconds_left());
     const PlannedRun part{run.posed, run.plan, timed, run.known};
+    exchange.backend.has_optimum = result.inside.violation <= 0.0;  // the first attempt found no ray
     const ExchangeOptions given = exchange;
     exchange.backend.native.emplace("regularisation", fine_shift);
     exchange.backend.native.emplace("patience", long_patience);
