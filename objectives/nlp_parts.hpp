@@ -33,6 +33,8 @@ class HessianSlots {
      public:
         Adder(const std::vector<int>& slots, std::span<double> out) : slots_(slots), out_(out) {}
         void operator()(double value) { out_[static_cast<std::size_t>(slots_[next_++])] += value; }
+        /// Adds nothing to the next `claims`.
+        void skip(std::ptrdiff_t claims) { next_ += static_cast<std::size_t>(claims); }
 
      private:
         const std::vector<int>& slots_;

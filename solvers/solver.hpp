@@ -98,7 +98,9 @@ struct BackendOptions {
     std::optional<PathPoint> near = {};
     bool keep_path = false;                      ///< requests BackendResult::path
     ExactSteps exact_steps = ExactSteps::never;  ///< structured only
-    void validate() const;                       ///< throws InputError
+    /// It is known that there is an optimum: structured then searches for no proof of the contrary.
+    bool has_optimum = false;
+    void validate() const;  ///< throws InputError
 };
 
 struct BackendResult {

@@ -15,7 +15,8 @@ namespace camopt {
 // Variables: design entries in units of their typical size, then parameters in units of their references.
 // Rows, in this order: equalities of the design vector, rows on the parameters, rows on the design, sampled
 // rules in the order given. A sampled rule's row is g(B x + b; q) <= 0 with the constant map B of its cam
-// angle: Jacobian Bᵀ∂g, Hessian Bᵀ ∂²g B. Rows of linear rules are multiplied out once.
+// angle: Jacobian Bᵀ∂g, Hessian Bᵀ ∂²g B. Rows of linear rules are multiplied out once. Each other row
+// remembers its rule at the last point: one thread at a time may evaluate a grid.
 
 /// Rule `rule` enforced at x, as seen from `side`.
 struct RuleSample {
@@ -58,6 +59,10 @@ class GridNlp final : public Nlp {
         Eigen::MatrixXd map = {};     ///< other nonlinear rows: 4 x design columns
         Eigen::Vector4d map_offset = Eigen::Vector4d::Zero();
         std::shared_ptr<const QuadraticForm> form = {};  ///< nonlinear rows of the whole motion
+        /// Other nonlinear rows: the rule at the last (y … y''', q), for the row, its Jacobian and its
+        /// Hessian.
+        mutable Eigen::VectorXd last_point = {};
+        mutable RuleValue last = {};
     };
     struct RmsTerm {
         int variable = 0;
@@ -76,7 +81,8 @@ class GridNlp final : public Nlp {
     void add_cost_terms();
     void claim_cost();
     void claim_rows(int first);
-    [[nodiscard]] RuleValue rule_value(const Row& row, const ConstVectorRef& x) const;
+    /// Valid until the row is evaluated at another point.
+    [[nodiscard]] const RuleValue& rule_value(const Row& row, const ConstVectorRef& x) const;
     [[nodiscard]] int design_size() const { return model_->design.size(); }
 
     std::shared_ptr<const CamModel> model_;

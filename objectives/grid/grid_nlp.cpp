@@ -299,16 +299,20 @@ void GridNlp::gradient(const ConstVectorRef& x, VectorRef out) const {
     }
 }
 
-RuleValue GridNlp::rule_value(const Row& row, const ConstVectorRef& x) const {
+const RuleValue& GridNlp::rule_value(const Row& row, const ConstVectorRef& x) const {
     const RuleSample& place = samples_[row.sample];
-    const PointRule& rule = *model_->rules[place.rule];
     const Eigen::Index local = row.map.cols();
+    const auto parameters = static_cast<Eigen::Index>(row.columns.size()) - local;
     Eigen::VectorXd entries(local);
     for (Eigen::Index k = 0; k < local; ++k) entries[k] = x[row.columns[k]];
-    const Eigen::Vector4d state = row.map_offset + row.map * entries;
-    Eigen::VectorXd q(static_cast<Eigen::Index>(rule.parameters().size()));
-    for (Eigen::Index k = 0; k < q.size(); ++k) q[k] = x[row.columns[local + k]];
-    return rule.evaluate({place.at, {state[0], state[1], state[2], state[3]}}, q);
+    Eigen::VectorXd point(4 + parameters);
+    point.head<4>() = row.map_offset + row.map * entries;
+    for (Eigen::Index k = 0; k < parameters; ++k) point[4 + k] = x[row.columns[local + k]];
+    if (point.size() == row.last_point.size() && point == row.last_point) return row.last;
+    row.last = model_->rules[place.rule]->evaluate({place.at, {point[0], point[1], point[2], point[3]}},
+                                                   point.tail(parameters));
+    row.last_point = std::move(point);
+    return row.last;
 }
 
 void GridNlp::constraints(const ConstVectorRef& x, VectorRef out) const {
@@ -337,7 +341,7 @@ void GridNlp::jacobian(const ConstVectorRef& x, std::span<double> out) const {
             next = std::ranges::copy(slope, next).out;
             continue;
         }
-        const Eigen::VectorXd partials = rule_value(row, x).gradient;
+        const Eigen::VectorXd& partials = rule_value(row, x).gradient;
         const Eigen::VectorXd by_entry = row.map.transpose() * partials.head<4>();
         next = std::ranges::copy(by_entry, next).out;
         for (Eigen::Index k = 4; k < partials.size(); ++k) *next++ = partials[k];
@@ -365,9 +369,14 @@ void GridNlp::hessian(const ConstVectorRef& x, double sigma, const ConstVectorRe
             visit_lower(row.form->matrix, [&](int, int, double value) { add(multiplier * value); });
             continue;
         }
+        const auto columns = static_cast<Eigen::Index>(row.columns.size());
+        if (multiplier == 0.0) {  // an inactive row: nothing to evaluate
+            add.skip(columns * (columns + 1) / 2);
+            continue;
+        }
         // (y … y''', q) as a linear map of the row's columns: B on top of the identity.
         const Eigen::Index local = row.map.cols();
-        const Eigen::Index parameters = static_cast<Eigen::Index>(row.columns.size()) - local;
+        const Eigen::Index parameters = columns - local;
         Eigen::MatrixXd full = Eigen::MatrixXd::Zero(4 + parameters, local + parameters);
         full.topLeftCorner(4, local) = row.map;
         full.bottomRightCorner(parameters, parameters).setIdentity();

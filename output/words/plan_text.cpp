@@ -68,11 +68,12 @@ std::vector<std::string> plan_lines(const SolvePlan& plan) {
         lines.push_back("Solved: by no solver, " +
                         no_solver_words(plan.reason.empty() ? plan.solver : "auto"));
     else
-        lines.push_back(fmt::format(
-            "Solved: {}by {} ({}), design vector: {}, at most {} s",
-            plan.relaxations.empty() ? "" : "by structured where the convex relaxation decides, else ",
-            plan.solver, plan.reason.empty() ? "named in the scene" : "chosen", name_of(plan.design),
-            short_text(plan.seconds)));
+        lines.push_back(fmt::format("Solved: {}by {} ({}), design vector: {}, at most {} s",
+                                    plan.relaxations.empty() || plan.solver == "structured"
+                                        ? ""
+                                        : "by structured where the convex relaxation decides, else ",
+                                    plan.solver, plan.reason.empty() ? "named in the scene" : "chosen",
+                                    name_of(plan.design), short_text(plan.seconds)));
     if (!plan.reason.empty()) lines.push_back("Reason: " + plan.reason);
     if (plan.angles > 0)
         lines.push_back(
@@ -85,7 +86,8 @@ std::vector<std::string> plan_lines(const SolvePlan& plan) {
             "Strokes: rules of motion.within_lift and motion.monotone are added if the motion leaves a "
             "range");
     if (!plan.next_solver.empty())
-        lines.push_back(fmt::format("Without a proof: {} is tried next", plan.next_solver));
+        lines.push_back(fmt::format("Without a {}: {} is tried next",
+                                    plan.relaxations.empty() ? "proof" : "motion", plan.next_solver));
     if (plan.cost_scale != 1.0)
         lines.push_back(fmt::format("Scale: the objective is divided by {} while it is solved",
                                     short_text(plan.cost_scale)));

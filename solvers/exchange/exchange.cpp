@@ -127,6 +127,9 @@ ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen
                 point_before(result.last.path, (staged ? room_after_stage : room) * added.violation))
             backend.near = *place;
         stage = added.rows > 0 ? next_stage * stage : 0.0;
+        // A bounded cost stays bounded with more rows, and a point within all limits is within these.
+        backend.has_optimum = backend.has_optimum ||
+                              (result.best.violation <= 0.0 && result.termination != Termination::unbounded);
     }
     return result;
 }

@@ -43,8 +43,11 @@ class StructuredRun {
           near_(options.near),
           tolerance_(options.tolerance),
           exact_after_failure_(options.exact_steps == ExactSteps::after_failure),
+          has_optimum_(options.has_optimum),
           limits_(structured::interior_point_limits(options, structured_options(options.native), control)),
-          form_(problem, start) {}
+          form_(problem, start) {
+        limits_.suspicious = !has_optimum_;
+    }
 
     BackendResult run() {
         if (form_.status() != StandardForm::Status::ready) return refused();
@@ -57,7 +60,7 @@ class StructuredRun {
                    solved.stop != Stop::time_limit && solved.stop != Stop::iteration_limit &&
                    solved.stop != Stop::evaluation_error && solved.errors.worst() > limits_.tolerance;
         };
-        if (hopeless()) {
+        if (!has_optimum_ && hopeless()) {
             const bool runs_away =
                 solved.stop == Stop::suspect_infeasible || solved.stop == Stop::suspect_unbounded;
             const bool far_off = solved.errors.worst() > acceptable * tolerance_;
@@ -71,7 +74,7 @@ class StructuredRun {
             }
         }
         if (hopeless() && solved.errors.worst() > acceptable * tolerance_) {
-            if (proved_unbounded(solved, result)) return result;
+            if (!has_optimum_ && proved_unbounded(solved, result)) return result;
             if (exact_after_failure_) solve_exactly(start, solved);
         }
         return delivered(solved);
@@ -202,6 +205,7 @@ class StructuredRun {
     const std::optional<PathPoint>& near_;
     double tolerance_;
     bool exact_after_failure_;
+    bool has_optimum_;
     InteriorPointLimits limits_;  ///< its clock runs while the problem is read
     StandardForm form_;
     int iterations_ = 0;

@@ -19,11 +19,11 @@ constexpr double searched_in_vain = 0.6;
 // tightest that double precision carries.
 constexpr double cone_tolerance = 1e-2, least_tolerance = 1e-12;
 
-/// Who solves a problem that is not convex: Ipopt where this build has it.
-std::string general_solver() {
+/// Who goes on where the structured solver fails: Ipopt where this build has it, else no one.
+std::string solver_after_structured() {
     const bool available = std::ranges::any_of(
         solver_entries(), [](const SolverEntry& entry) { return entry.name == "ipopt" && entry.available; });
-    return available ? "ipopt" : "structured";
+    return available ? "ipopt" : "";
 }
 
 DesignKind design_of(const Scene& scene) {
@@ -39,7 +39,7 @@ bool is_general(const PlacedRule& rule, double least, double most) {
 void plan_solver(SolvePlan& plan, const Scene& scene, bool general) {
     plan.solver = scene.solver.name;
     if (scene.solver.name != "auto") return;
-    plan.solver = general ? general_solver() : "structured";
+    plan.solver = "structured";
     if (plan.prescribed && plan.dimensions == 0) {
         plan.reason = "prescribed motion, nothing to optimize: laws and dwells fix every displacement";
         return;
@@ -48,7 +48,7 @@ void plan_solver(SolvePlan& plan, const Scene& scene, bool general) {
                             "decides it or gives a bound, and then several starts search for the best motion"
                           : "every rule of this scene is linear or convex in the design vector and its cost "
                             "is convex, so the structured interior point finds and proves the global optimum";
-    if (!general && general_solver() != plan.solver) plan.next_solver = general_solver();
+    plan.next_solver = solver_after_structured();
 }
 
 void plan_searched_numbers(SolvePlan& plan, const PosedScene& posed) {

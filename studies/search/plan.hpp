@@ -38,8 +38,9 @@ struct SolvePlan {
 
     // The solve for given angles and breakpoints.
     std::string solver;
-    std::string reason;       ///< why "auto" took it; empty if the scene names it
-    std::string next_solver;  ///< tried if `solver` ends without a proof; empty: none
+    std::string reason;  ///< why "auto" took it; empty if the scene names it
+    /// Tried if `solver` ends without a proof, in a search from several starts without a motion; empty: none.
+    std::string next_solver;
     DesignKind design = DesignKind::states;
     bool contradiction = false;  ///< conditions contradict each other: infeasible without a search
     double cost_scale = 1.0;     ///< the objective is divided by this while it is solved (cost_scale.hpp)

@@ -25,7 +25,6 @@ constexpr double finer = 1e-2, nearly_proved = 1e-4;
 // Where segments differ by two orders of magnitude the default shift hides rows, and errors fall late.
 constexpr double fine_shift = 1e-11;
 constexpr long long long_patience = 60;
-constexpr double share_of_first = 0.5;  // of the time, before the next backend begins
 
 bool is_proved(const ContinuousResult& result) {
     return result.certificate.verdict == Verdict::optimal ||
@@ -90,6 +89,7 @@ void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exc
     const double share = run.plan.next_solver.empty() ? 1.0 : share_of_first;
     const SolveControl timed = run.control.sooner(share * run.control.deadline.seconds_left());
     const PlannedRun part{run.posed, run.plan, timed, run.known};
+    exchange.backend.has_optimum = result.inside.violation <= 0.0;  // the first attempt found no ray
     const ExchangeOptions given = exchange;
     exchange.backend.native.emplace("regularisation", fine_shift);
     exchange.backend.native.emplace("patience", long_patience);
@@ -146,6 +146,10 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
     if (all.starts > 0 && all.starts < run.plan.starts && run.control.stopped())
         solution.notes.push_back(
             fmt::format("interrupted in the search: {} of {} starts were run", all.starts, run.plan.starts));
+    if (all.next_solver_ran)
+        solution.notes.push_back(fmt::format("{} found no motion within the limits; {} was tried next",
+                                             run.plan.solver, run.plan.next_solver));
+    if (all.found_by_next) solution.solver.name = run.plan.next_solver;
     if (all.starts > 0) return std::move(all.result);
     solution.solver.name = "structured";  // the relaxation settled it
     if (all.result.certificate.verdict != Verdict::optimal) return std::move(all.result);

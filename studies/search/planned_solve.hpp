@@ -37,6 +37,9 @@ struct PosedScene {
 /// The exchange as a scene sets it up.
 [[nodiscard]] ExchangeOptions exchange_options(const Scene& scene);
 
+/// Part of the time for a backend that another one follows.
+inline constexpr double share_of_first = 0.5;
+
 /// What takes part in a solve for given angles and breakpoints.
 struct PlannedRun {
     PosedScene& posed;  ///< its model is moved from

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/search/start_search.hpp"
 
+#include "solvers/registry.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/bound/box_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"
@@ -78,7 +79,12 @@ class GeneralSolve {
           solver_(solver),
           exchange_(exchange_options(run.posed.scene())),
           judge_{posed_.scene().solver.tolerance, posed_.scene().solver.wanted_gap(false)},
-          control_(run.control.sooner(exchange_.backend.max_seconds)) {}
+          control_(run.control.sooner(exchange_.backend.max_seconds)),
+          first_control_(control_) {
+        if (plan_.next_solver.empty()) return;
+        const double left = std::min(control_.in_vain.seconds_left(), control_.deadline.seconds_left());
+        first_control_.in_vain = control_.deadline.sooner(share_of_first * left);
+    }
 
     [[nodiscard]] StartsResult run() {
         StartsResult all;
@@ -89,12 +95,14 @@ class GeneralSolve {
             all.result = std::move(relaxed.result);
             return all;
         }
-        StartSearch search(CamProblem(model_), solver_, exchange_, judge_, control_);
+        StartSearch search(CamProblem(model_), solver_, exchange_, judge_, first_control_);
         if (plan_.proof == ProofKind::boxes)
             search_and_bound(search, relaxed.result.x);
         else
-            search.run(0, plan_.starts, plan_.seed, relaxed.result.x);
+            search_to_end(search, 0, relaxed.result.x);
         take_search(all, search);
+        all.next_solver_ran = next_ != nullptr;
+        all.found_by_next = next_ && search.found();
         take_bound(all.result, relaxed);
         take_box_bound(all.result);
         Certificate& certificate = all.result.certificate;
@@ -115,6 +123,8 @@ class GeneralSolve {
     ExchangeOptions exchange_;
     JudgeOptions judge_;
     SolveControl control_;
+    SolveControl first_control_;              ///< of the planned solver, which leaves the next one its time
+    std::unique_ptr<Solver> next_ = {};       ///< once the planned solver has found nothing
     std::optional<CamModel> box_model_ = {};  ///< written in few variables
     std::optional<BoxBound> bound_ = {};      ///< over boxes
 
@@ -170,6 +180,15 @@ class GeneralSolve {
         return relaxed;
     }
 
+    /// The starts from `first` on; of the next solver all, if nothing was found.
+    void search_to_end(StartSearch& search, int first, const Eigen::VectorXd& relaxed) {
+        search.run(first, plan_.starts, plan_.seed, relaxed);
+        if (search.found() || plan_.next_solver.empty() || control_.ending()) return;
+        next_ = make_solver(plan_.next_solver);
+        search.go_on_with(*next_, control_);
+        search.run(0, plan_.starts, plan_.seed, relaxed);
+    }
+
     /// Searches and bounds in turn: two starts, a bound by one part, a start from the bound's own motion, the
     /// other starts, and the boxes halved. Ends where bound and motion meet.
     void search_and_bound(StartSearch& search, const Eigen::VectorXd& relaxed) {
@@ -180,7 +199,7 @@ class GeneralSolve {
         double bounded = objective_of(search);
         start_from_bound(search);
         if (is_settled(search)) return;
-        search.run(first, plan_.starts, plan_.seed, relaxed);
+        search_to_end(search, first, relaxed);
         for (int round = 0; bound_ && round < most_bound_rounds && !is_settled(search); ++round) {
             if (round > 0 && objective_of(search) == bounded) return;
             bounded = objective_of(search);
@@ -285,16 +304,24 @@ void StartSearch::run(int first, int end, unsigned seed, const Eigen::VectorXd& 
 
 void StartSearch::run_from(const Eigen::VectorXd& start) {
     const bool in_vain = !found();
-    keep(search(start, in_vain ? control_.sooner(control_.in_vain.seconds_left()) : beside_best(control_)));
+    keep(
+        search(start, in_vain ? control_->sooner(control_->in_vain.seconds_left()) : beside_best(*control_)));
     // The limit of a search in vain does not hold for one that was on its way.
-    if (in_vain && found() && totals_.termination == Termination::time_limit && !control_.ending())
-        keep(search(best_.found.x, control_));
+    if (in_vain && found() && totals_.termination == Termination::time_limit && !control_->ending())
+        keep(search(best_.found.x, *control_));
     ++ran_;
 }
 
 void StartSearch::continue_from(const Eigen::VectorXd& x) {
-    keep(search(x, control_));
+    keep(search(x, *control_));
     ++ran_;
+}
+
+void StartSearch::go_on_with(const Solver& solver, const SolveControl& control) {
+    solver_ = &solver;
+    control_ = &control;
+    exchange_.backend.native.clear();
+    ran_ = 0;
 }
 
 Eigen::VectorXd StartSearch::start_of(int index, unsigned seed, const Eigen::VectorXd& relaxed) const {
@@ -323,8 +350,8 @@ Eigen::VectorXd StartSearch::start_from(const Eigen::VectorXd& design) const {
 /// Whether the first starts are all there will be: then it is told why.
 bool StartSearch::ends(int done) {
     if (done == 0) return false;
-    std::optional<Termination> ending = control_.ending();
-    if (!ending && !found() && control_.in_vain.passed()) ending = Termination::time_limit;
+    std::optional<Termination> ending = control_->ending();
+    if (!ending && !found() && control_->in_vain.passed()) ending = Termination::time_limit;
     if (ending) totals_.termination = *ending;
     return ending.has_value();
 }
@@ -341,7 +368,7 @@ SearchState StartSearch::search(const Eigen::VectorXd& start, const SolveControl
     // The rows active at the best minimum are likely those of a search that comes near it.
     if (best_.converged && best_.multipliers.size() > 0)
         exchange.backend.near = PathPoint{best_.found.x, best_.multipliers, 0.0, infinity};
-    ExchangeResult ran = minimize_by_exchange(problem_, solver_, start, exchange, control);
+    ExchangeResult ran = minimize_by_exchange(problem_, *solver_, start, exchange, control);
     totals_.rounds += ran.rounds;
     totals_.iterations += ran.iterations;
     if (ran.known) return {};

@@ -8,7 +8,8 @@
 //
 // The searches run one after the other on one grid that keeps what each of them added. One that comes next to
 // the best motion of those before it ends there, where its solver asks (SolveControl::known): it would find
-// the same minimum again.
+// the same minimum again. Where all of them found nothing within the limits, the plan's next solver begins
+// them again.
 #pragma once
 
 #include "studies/search/planned_solve.hpp"
@@ -25,19 +26,21 @@ struct SearchState {
 /// What it is given by reference outlives it.
 class StartSearch {
  public:
-    StartSearch(CamProblem problem, const Solver& solver, const ExchangeOptions& exchange,
-                const JudgeOptions& judge, const SolveControl& control)
+    StartSearch(CamProblem problem, const Solver& solver, ExchangeOptions exchange, const JudgeOptions& judge,
+                const SolveControl& control)
         : problem_(std::move(problem)),
-          solver_(solver),
-          exchange_(exchange),
+          solver_(&solver),
+          exchange_(std::move(exchange)),
           judge_(judge),
-          control_(control) {}
+          control_(&control) {}
 
     /// Starts of these numbers (start_kind()); relaxed: empty if there is none.
     void run(int first, int end, unsigned seed, const Eigen::VectorXd& relaxed);
     void run_from(const Eigen::VectorXd& start);
     /// Of a neighbouring problem's motion: to its end, wherever that lies.
     void continue_from(const Eigen::VectorXd& x);
+    /// Another backend, without the options of the first one; its starts count anew.
+    void go_on_with(const Solver& solver, const SolveControl& control);
 
     [[nodiscard]] const SearchState& best() const { return best_; }
     /// Something that keeps the limits.
@@ -57,10 +60,10 @@ class StartSearch {
     void keep(SearchState search);
 
     CamProblem problem_;
-    const Solver& solver_;
-    const ExchangeOptions& exchange_;
+    const Solver* solver_;
+    ExchangeOptions exchange_;
     const JudgeOptions& judge_;
-    const SolveControl& control_;
+    const SolveControl* control_;
     SearchState best_;
     ExchangeResult totals_;
     int ran_ = 0;
@@ -69,6 +72,7 @@ class StartSearch {
 struct StartsResult {
     ContinuousResult result;
     int starts = 0;  ///< searches that ran; 0 where the relaxation settled everything
+    bool next_solver_ran = false, found_by_next = false;
 };
 
 /// model: that of the run.

@@ -2,7 +2,6 @@
 """The fenced blocks of the documentation, with what a comment right above a block says of it.
 
     <!-- not run: REASON -->     the commands are not run but only looked up: do they and their options exist?
-    <!-- needs ipopt: REASON --> likewise where the build has no Ipopt
     <!-- with: TEXT -->          what the block leaves to the reader: put before it (C++: declarations; TOML: other tables)
     <!-- in: FOLDER -->          the block runs in this folder of the scratch copy
     Save this as `NAME`          in the text above: the block is that file from there on
@@ -12,7 +11,7 @@ import dataclasses
 import re
 
 FENCE = re.compile(r"^( *)(`{3,})(.*)$")
-NOTE = re.compile(r"<!-- (not run|needs ipopt|with|in): (.*?) -->", re.S)
+NOTE = re.compile(r"<!-- (not run|with|in): (.*?) -->", re.S)
 SAVED = re.compile(r"[Ss]ave this as `([^`]+)`")
 
 

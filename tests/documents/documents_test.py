@@ -83,8 +83,6 @@ class Documents:
 
     def sh(self, block):
         reason = block.notes.get("not run")
-        if not reason and "ipopt" not in self.options.has and "needs ipopt" in block.notes:
-            reason = f"this build has no Ipopt, {block.notes['needs ipopt']}"
         if reason:
             self.remarks.append(f"{block.place}: commands looked up, NOT RUN: {reason}")
             return "blocks of commands looked up", "; ".join(commands.faults_of(self.root, self.program, block.text)) or None
@@ -206,7 +204,7 @@ def read_options():
     parser.add_argument("--scratch", type=pathlib.Path, required=True)
     parser.add_argument("--compiler", default="g++")
     parser.add_argument("--flags", default="")
-    parser.add_argument("--has", action="append", default=[], help="an optional library of this build: ipopt, opencascade")
+    parser.add_argument("--has", action="append", default=[], help="an optional library of this build: opencascade")
     parser.add_argument("--python", default=sys.executable)
     parser.add_argument("--part", default="1/1", help="K/N: of the pages K, K + N, …")
     return parser.parse_args()

@@ -20,7 +20,9 @@ class CurvedRule final : public PointRule {
     bool linear() const override { return false; }
     bool limit() const override { return true; }
     double scale() const override { return 1.0; }
+    int evaluations() const { return evaluations_; }
     RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override {
+        ++evaluations_;
         RuleValue result{0.0, Eigen::VectorXd::Zero(5), Eigen::MatrixXd::Zero(5, 5)};
         const double v = point.derivative[1];
         const double a = point.derivative[2];
@@ -36,6 +38,7 @@ class CurvedRule final : public PointRule {
 
  private:
     std::vector<int> parameters_;
+    mutable int evaluations_ = 0;
 };
 
 Scene scene_with_every_term(int degree) {
@@ -162,6 +165,29 @@ INSTANTIATE_TEST_SUITE_P(Forms, GridDerivatives,
                              return "degree" + std::to_string(std::get<0>(form.param)) + "_" +
                                     name_of(std::get<1>(form.param));
                          });
+
+TEST(GridNlp, EvaluatesRuleOncePerPoint) {
+    CamModel model = model_with_every_term(3, DesignKind::states);
+    const auto rule = std::make_shared<CurvedRule>(1);
+    model.rules.push_back(rule);
+    const int index = static_cast<int>(model.rules.size()) - 1;
+    const GridNlp grid(std::make_shared<const CamModel>(std::move(model)), {{index, 0.3, Side::right}});
+    const auto evaluate_all = [&](const Eigen::VectorXd& x, double multiplier) {
+        Eigen::VectorXd rows(grid.shape().constraints());
+        std::vector<double> jacobian(grid.shape().jacobian.size()), hessian(grid.shape().hessian.size());
+        grid.constraints(x, rows);
+        grid.jacobian(x, jacobian);
+        grid.hessian(x, 0.0, Eigen::VectorXd::Constant(rows.size(), multiplier), hessian);
+        return std::ranges::any_of(hessian, [](double value) { return value != 0.0; });
+    };
+    const Eigen::VectorXd one = Eigen::VectorXd::Constant(grid.shape().variables(), 0.7), other = 2.0 * one;
+    EXPECT_TRUE(evaluate_all(one, 1.0));
+    EXPECT_EQ(rule->evaluations(), 1);
+    EXPECT_FALSE(evaluate_all(other, 0.0)) << "multipliers of 0 leave no curvature";
+    EXPECT_EQ(rule->evaluations(), 2);
+    EXPECT_TRUE(evaluate_all(one, 1.0));
+    EXPECT_EQ(rule->evaluations(), 3);
+}
 
 TEST(GridNlp, ContainsOnlyRequestedTerms) {
     Scene scene;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace camopt {
 namespace continuous_solve_test {
@@ -43,6 +44,34 @@ TEST(Exchange, ReachesTheContinuousOptimum) {
     EXPECT_GT(result.rounds, 2);
     EXPECT_NEAR(result.best.objective, -std::sqrt(2.0), 1e-8);
     EXPECT_LE(result.best.violation, 1e-9);
+}
+
+/// The structured solver, whose calls are noted.
+class WatchedSolver final : public Solver {
+ public:
+    std::string_view name() const override { return solver_->name(); }
+    BackendResult minimize(const Nlp& problem, const Eigen::VectorXd& start, const BackendOptions& options,
+                           const SolveControl& control) const override {
+        known.push_back(options.has_optimum);
+        return solver_->minimize(problem, start, options, control);
+    }
+    mutable std::vector<bool> known;
+
+ private:
+    std::unique_ptr<Solver> solver_ = make_structured_solver();
+};
+
+TEST(Exchange, ExaminesOnlyFirstRoundWithPointInside) {
+    const WatchedSolver inside, outside;
+    DiscProblem problem, other;
+    const ExchangeResult result = minimize_by_exchange(problem, inside, problem.start(), {}, {});
+    std::vector<bool> expected(static_cast<std::size_t>(result.rounds), true);
+    expected.front() = false;
+    EXPECT_EQ(inside.known, expected);
+    const Eigen::Vector2d far(2.0, 0.0);
+    EXPECT_TRUE(minimize_by_exchange(other, outside, far, {}, {}).converged);
+    ASSERT_GT(outside.known.size(), 1u);
+    EXPECT_FALSE(outside.known[1]) << "no point inside is known before the second round";
 }
 
 TEST(ContinuousSolve, ProvesTheOptimumByDuality) {

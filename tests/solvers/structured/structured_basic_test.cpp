@@ -237,6 +237,24 @@ TEST(StructuredBasic, NamesUnboundedProblems) {
     EXPECT_EQ(solve(QuadraticNlp(free)).termination, Termination::unbounded);
 }
 
+TEST(StructuredBasic, SkipsProofsIfOptimumIsKnown) {
+    QuadraticData free(1);
+    free.cost << 1.0;
+    QuadraticData crossed(2, 2);  // x0 + x1 <= 0 and x0 + x1 >= 1
+    for (const int row : {0, 1})
+        for (const int column : {0, 1}) crossed.rows.insert(row, column) = 1.0;
+    crossed.upper[0] = 0.0;
+    crossed.lower[1] = 1.0;
+    BackendOptions options;
+    for (const auto& [data, word] :
+         {std::pair(free, Termination::unbounded), {crossed, Termination::infeasible}}) {
+        options.has_optimum = false;
+        EXPECT_EQ(solve(QuadraticNlp(data), options).termination, word);
+        options.has_optimum = true;
+        EXPECT_EQ(solve(QuadraticNlp(data), options).termination, Termination::numerical_failure);
+    }
+}
+
 TEST(StructuredBasic, AcceptsLinearProblemsDeclaredNonlinear) {
     // x² − 2 x with −1 <= x <= 3 as a row: the flags alone choose the sequential method.
     QuadraticData data(1, 1);

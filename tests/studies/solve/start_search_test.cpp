@@ -4,6 +4,7 @@
 #include "studies/search/start_search.hpp"
 
 #include "objectives/scene_model.hpp"
+#include "scene/written_limits.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/scene_kit.hpp"
@@ -78,6 +79,37 @@ TEST(StartSearch, FoundPointIsReported) {
     EXPECT_TRUE(control.in_vain.passed()) << "nothing was shown";
     EXPECT_EQ(struck.starts, 3);
     EXPECT_NEAR(struck.objective, searched(scene, 3).objective, 1e-8);
+}
+
+/// A backend that never finds a point.
+class IdleSolver final : public Solver {
+ public:
+    std::string_view name() const override { return "idle"; }
+    BackendResult minimize(const Nlp&, const Eigen::VectorXd&, const BackendOptions&,
+                           const SolveControl&) const override {
+        BackendResult result;
+        result.termination = Termination::numerical_failure;
+        return result;
+    }
+};
+
+TEST(StartSearch, NextSolverFollowsFailedOne) {
+    const Scene scene = with_written_limits(sharp_cam(12));
+    PosedScene posed(scene);
+    const SolveControl control;
+    KnownSolutions none;
+    SolvePlan plan = plan_of(posed);
+    plan.proof = ProofKind::none;
+    plan.starts = 2;
+    plan.next_solver.clear();
+    const StartsResult alone = solve_from_starts({posed, plan, control, none}, posed.model, IdleSolver());
+    EXPECT_FALSE(alone.next_solver_ran);
+    EXPECT_EQ(alone.result.certificate.reason, Reason::no_feasible_point);
+    plan.next_solver = "structured";
+    const StartsResult found = solve_from_starts({posed, plan, control, none}, posed.model, IdleSolver());
+    EXPECT_TRUE(found.next_solver_ran && found.found_by_next);
+    EXPECT_EQ(found.starts, plan.starts);
+    EXPECT_NEAR(found.result.certificate.objective, searched(scene, 1).objective, 1e-7);
 }
 
 TEST(StartSearch, SearchesOnceFromAStart) {
