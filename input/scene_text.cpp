@@ -247,13 +247,13 @@ class SceneWriter {
     /// As the value or the scene remembers it; null: neither does.
     [[nodiscard]] const Spelling* known_spelling(const KeyRow& row, const std::string& path,
                                                  const KeyAt& at) const {
-        const auto written = scene_.written.find(path);
+        const auto in_scene = scene_.written.find(path);
         const bool remembers = static_cast<bool>(row.place.unit);
-        const std::string unit = remembers                         ? row.place.unit(scene_, at)
-                                 : written != scene_.written.end() ? std::string(written->second.unit)
-                                                                   : std::string();
+        const std::string unit = remembers                          ? row.place.unit(scene_, at)
+                                 : in_scene != scene_.written.end() ? std::string(in_scene->second.unit)
+                                                                    : std::string();
         for (const Spelling& spelling : row.spellings)
-            if (spelling.unit == unit && (remembers || written != scene_.written.end())) return &spelling;
+            if (spelling.unit == unit && (remembers || in_scene != scene_.written.end())) return &spelling;
         return nullptr;
     }
     [[nodiscard]] bool is_known(const Spelling& spelling, const KeyRow& row, const std::string& path,

@@ -98,7 +98,8 @@ struct CamKey {
     /// The dimension that the key says; null: none does.
     [[nodiscard]] const Dimension* dimension(const CamSpec& cam, const CamVariant& variant) const {
         for (const CamNumber& number : variant.numbers)
-            if (is(number) && number.index >= 0) return &cam.dimensions.at(number.index).value;
+            if (is(number) && number.index >= 0)
+                return &cam.dimensions.at(static_cast<std::size_t>(number.index)).value;
         return cam.find(name);
     }
     [[nodiscard]] std::optional<KeyValue> value(const Scene& scene) const {

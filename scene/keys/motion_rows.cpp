@@ -2,7 +2,7 @@
 // The rows of [motion] and [measured].
 #include "scene/key_place.hpp"
 #include "scene/keys/own_rows.hpp"
-#include "scene/motion/set_points.hpp"
+#include "scene/set_point_scale.hpp"
 
 namespace camopt::key_rows {
 namespace {

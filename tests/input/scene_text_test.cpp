@@ -42,17 +42,17 @@ Scene made_scene() {
 TEST(SceneText, SaysWhatDiffersFromItsDefault) {
     Scene scene = made_scene();
     EXPECT_EQ(scene_text(scene),
-              "\n[motion]\ntype = \"DRD\"\nlift_mm = 20\nrise_deg = 90\n\n[objective]\njerk = 1\n");
+              "[motion]\ntype = \"DRD\"\nlift_mm = 20\nrise_deg = 90\n\n[objective]\njerk = 1\n");
     scene.motion.speed = 12.0;
     scene.motion.rise = 1.25;
     scene.length_unit = LengthUnit::inch;
     scene.motion.lift = 0.75 * units::inch;
     EXPECT_EQ(scene_text(scene),
-              "\n[motion]\ntype = \"DRD\"\nlift_in = 0.75\nrise_rad = 1.25\n"
+              "[motion]\ntype = \"DRD\"\nlift_in = 0.75\nrise_rad = 1.25\n"
               "speed_rad_s = 12\n\n[objective]\njerk = 1\n");
 }
 
-TEST(SceneText, KeepsEveryBitOfNumbersOfPrograms) {
+TEST(SceneText, KeepsNumbersOfPrograms) {
     std::mt19937_64 random(20261129);
     std::uniform_real_distribution<double> angle(0.1, 3.0), length(1e-4, 1.0);
     for (int trial = 0; trial < 300; ++trial) {
@@ -69,7 +69,7 @@ TEST(SceneText, KeepsEveryBitOfNumbersOfPrograms) {
     }
 }
 
-TEST(SceneText, KeepsEveryBitOfNumbersInUnitsOfFiles) {
+TEST(SceneText, KeepsNumbersInUnitsOfFiles) {
     std::mt19937_64 random(20261130);
     std::uniform_real_distribution<double> any(0.0, 1.0);
     for (int trial = 0; trial < 300; ++trial) {
@@ -110,7 +110,7 @@ const char* const valve_lines =
     "opening_ramp = { height_mm = 0.3, velocity_mm_deg = 0.02 }\n"
     "[objective]\njerk = 1\n";
 
-TEST(SceneText, SaysAValveLobeByItsWords) {
+TEST(SceneText, SaysALobeByItsWords) {
     const Scene scene = scene_of(valve_lines);
     const std::string text = scene_text(scene);
     EXPECT_FALSE(says(text, "segments")) << text;
@@ -118,7 +118,7 @@ TEST(SceneText, SaysAValveLobeByItsWords) {
     EXPECT_EQ(testing_support::differing_parts(scene, scene_of(text)), "");
 }
 
-TEST(SceneText, WritesAChangedLobeAsItsSegments) {
+TEST(SceneText, WritesAChangedLobeAsSegments) {
     Scene scene = scene_of(valve_lines);
     scene.motion.segments[2].angle += 0.01;
     scene.motion.segments.back().angle -= 0.01;
@@ -127,7 +127,7 @@ TEST(SceneText, WritesAChangedLobeAsItsSegments) {
     EXPECT_EQ(again.motion.segments, scene.motion.segments);
 }
 
-TEST(SceneText, WritesAMeasuredMotionOfAProgram) {
+TEST(SceneText, WritesMeasuredMotionsOfPrograms) {
     Scene scene = made_scene();
     scene.measured.emplace();
     scene.measured->name = "old cam";
