@@ -582,12 +582,13 @@ Rows other_tables() {
 // clang-format on
 
 Rows of_motion() {
-    const SetPointPlaces via(whole_angle, &Scene::motion, &MotionSpec::via, each),
-        start(first_angle, &Scene::motion, &MotionSpec::start),
-        end(last_angle, &Scene::motion, &MotionSpec::end),
-        of_segment(segment_angle, &Scene::motion, &MotionSpec::segments, each, &ProgramSegment::via,
-                   each_inner),
-        joint(segment_angle, &Scene::motion, &MotionSpec::segments, each, &ProgramSegment::end);
+    const SetPointPlaces via(whole_angle, &Scene::motion, &MotionSpec::via, each);
+    const SetPointPlaces start(first_angle, &Scene::motion, &MotionSpec::start);
+    const SetPointPlaces end(last_angle, &Scene::motion, &MotionSpec::end);
+    const SetPointPlaces of_segment(segment_angle, &Scene::motion, &MotionSpec::segments, each,
+                                    &ProgramSegment::via, each_inner);
+    const SetPointPlaces joint(segment_angle, &Scene::motion, &MotionSpec::segments, each,
+                               &ProgramSegment::end);
     return joined({top_level(), motion(), set_points("motion.via", "rise", via),
                    end_state("motion.start", start), end_state("motion.end", end),
                    valve_ramp("motion.opening_ramp"), valve_ramp("motion.closing_ramp"), corridor(),
