@@ -290,11 +290,11 @@ KeyPlace of_measured(Member member) {
 KeyPlace zero_place() {
     return {.assign =
                 [](Scene& scene, const KeyValue& value, const KeyAt&) {
-                    MeasuredRows& rows = scene.measured_rows.value();
+                    if (!scene.measured_rows) return;
                     if (const auto* const word = std::get_if<std::string>(&value))
-                        rows.zero = *word;
+                        scene.measured_rows->zero = *word;
                     else
-                        rows.zero_angle.emplace();
+                        scene.measured_rows->zero_angle.emplace();
                 },
             .value = [](const Scene& scene, const KeyAt&) -> std::optional<KeyValue> {
                 if (!scene.measured_rows) return std::nullopt;

@@ -21,7 +21,9 @@ bool is_of_valve(const KeyRow& row) {
 Scene whole_scene() {
     Scene scene;
     scene.motion.speed = 1.0;
-    for (const KeyRow& row : own_rows()) {
+    std::vector<KeyRow> rows = own_rows();
+    std::ranges::stable_partition(rows, [](const KeyRow& row) { return row.table.empty(); });
+    for (const KeyRow& row : rows) {
         if (!row.place.assign) continue;
         if (row.type == KeyType::tables) row.place.assign(scene, 1LL, {});
         if (is_table(row)) row.place.assign(scene, {}, {});
