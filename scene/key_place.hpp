@@ -130,4 +130,18 @@ template <class Absent>
     return place;
 }
 
+/// The unit of a number that remembers it: where the number is normalised it is empty.
+[[nodiscard]] inline KeyPlace in_unit(KeyPlace place, const KeyPlace& unit) {
+    place.assign = [assign = place.assign, unit](Scene& scene, const KeyValue& value, const KeyAt& at) {
+        assign(scene, value, at);
+        if (at.spelling != nullptr && !at.spelling->unit.empty())
+            unit.assign(scene, std::string(at.spelling->unit), at);
+    };
+    place.unit = [unit](const Scene& scene, const KeyAt& at) {
+        const std::optional<KeyValue> known = unit.value(scene, at);
+        return known ? std::get<std::string>(*known) : std::string();
+    };
+    return place;
+}
+
 }  // namespace camopt
