@@ -133,6 +133,7 @@ struct ReportRequest {
 struct CheckRequest {
     std::string scene;
     std::vector<std::string> settings;
+    std::string write;  ///< file for the scene as read; empty: none
     std::string units;  ///< as of solve
 };
 [[nodiscard]] ExitCode check_command(const CheckRequest& request);

@@ -30,6 +30,8 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
         *program.add_subcommand("check", "Parse and validate a scene and check its derivatives; no solve");
     add_scene(command, request.scene);
     add_settings(command, request.settings);
+    add_option(command, "--write", request.write, "FILE",
+               "Write the scene here, settings included: each key that differs from its default; a new file");
     add_units(command, request.units);
     return command;
 }
@@ -59,6 +61,7 @@ void add_first_commands(Commands& commands) {
         "  camopt solve scene.toml --set spline.segments=24 --set limits.velocity=1.7\n"
         "  camopt solve scene.toml --solver ipopt       another backend; `camopt list solvers`\n"
         "  camopt check scene.toml                      validate the scene; no solve\n"
+        "  camopt check scene.toml --write short.toml   and write it without what is default\n"
         "  camopt table spline-vs-modified-sine         the published table and the proved optima\n");
 }
 

@@ -4,7 +4,9 @@
 #include "apps/program_parts.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
+#include "core/text/text_file.hpp"
 #include "core/word_of.hpp"
+#include "input/scene_text.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/plan_text.hpp"
 #include "output/words/solution_text.hpp"
@@ -88,6 +90,16 @@ std::string derivative_line(const DerivativeError& error) {
         error.wrong, error.entries, short_text(error.error, 2), short_text(error.beyond, 2), where);
 }
 
+/// A file that is there stays.
+void write_scene(const Scene& scene, const std::string& file) {
+    std::error_code error;
+    if (std::filesystem::exists(file, error))
+        throw InputError(fmt::format("--write {}: found a file of this name; allowed: a new one", file));
+    const std::string text = input::scene_text(scene);
+    (void)load_scene(SceneText{file, text}, {});  // what cannot be read is not written
+    write_text_file(file, text);
+}
+
 }  // namespace
 
 ExitCode solve_command(const SolveRequest& request) {
@@ -106,6 +118,7 @@ ExitCode solve_command(const SolveRequest& request) {
 
 ExitCode check_command(const CheckRequest& request) {
     Scene scene = load_scene(request.scene, request.settings);
+    if (!request.write.empty()) write_scene(scene, request.write);
     show_in(scene, request.units);
     const SceneCheck check = check_scene(scene);
     std::string text = fmt::format("{}: the scene is valid\n", request.scene);
@@ -120,6 +133,7 @@ ExitCode check_command(const CheckRequest& request) {
     for (const std::string& condition : check.contradictions)
         text += fmt::format("  infeasible: {} contradicts other conditions\n", condition);
     if (!check.derivatives_agree) text += "  the derivatives are wrong\n";
+    if (!request.write.empty()) text += fmt::format("  written: {}\n", request.write);
     print(text);
     if (!check.derivatives_agree) return failure;
     return check.contradictions.empty() ? success : proved_infeasible;

@@ -217,12 +217,13 @@ can come, and whether its derivatives agree with differences. Throws InputError 
 camopt_promise(scene_file [[
 Scene files: TOML in, Scene out, ready to be solved: load_scene(file), scene_of_toml(text). Behind them the
 reader itself (input::read_scene_file, input::read_scene), scenes made key by key (input::SceneDocument),
-and every key such a file may have (input::scene_keys) with its type, unit, range and default. Files are in
-the unit of the key, scenes in SI. Errors: InputError "FILE:LINE:COLUMN: key: found …; allowed: …".]]
+any scene as a file (input::scene_text), and every key such a file may have (input::scene_keys) with its
+type, unit, range and default. Files are in the unit of the key, scenes in SI. Errors: InputError "FILE:LINE:COLUMN: key: found …; allowed: …".]]
   input/scene_document.hpp
   input/keys/scene_keys.hpp
   input/loading/load_scene.hpp
-  input/scene_reader.hpp)
+  input/scene_reader.hpp
+  input/scene_text.hpp)
 camopt_promise(smallest_cam [[
 The least prime radius with which any motion at all can keep a pressure angle:
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "input/row_reader.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
@@ -34,65 +35,66 @@ void check_force_unit(const SceneSource& source, std::string_view table, std::st
                            oscillating ? "oscillates" : "translates", allowed));
 }
 
-/// `side`: "min" or "max" of a table; null: the number itself.
-std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_view name,
-                                       const char* side = nullptr) {
-    const auto given = source.find("limits", name);
-    if (!given || (side != nullptr) == given->value().is_number()) return std::nullopt;
-    const Member* const bound = side != nullptr ? given->value().find(side) : given->member;
-    if (bound == nullptr) return std::nullopt;
-    std::string key = joined_key("limits", given->member->name);
-    if (side != nullptr) key = joined_key(key, side);
-    const double unit = given->spelling->factor;
-    return WrittenLimit(bound->value.as_number() * unit, key, unit, std::string(given->spelling->unit));
+/// A cap on a peak: in a unit of the lift, in time with a speed.
+void check_peak_limit(const SceneSource& source, const GivenAt& key, const MotionSpec& motion) {
+    const std::string_view unit = key.unit();
+    const Node& value = key.given.value();
+    const std::string own =
+        value.is_number() ? key.key : joined_key(key.key, value.find("min") != nullptr ? "min" : "max");
+    const Place& place = key.given.member->place;
+    if (unit.empty()) return;
+    if (is_angle_unit(unit) != motion.lift_is_angle)
+        source.fail(place, own,
+                    fmt::format("found a limit in {} where the lift is {}; allowed: {}", unit,
+                                motion.lift_is_angle ? "an angle" : "a length",
+                                motion.lift_is_angle ? "a limit in deg or rad, or a normalised one"
+                                                     : "a limit in mm, in or m, or a normalised one"));
+    if (!motion.speed && is_unit_of_time(unit))
+        source.fail(place, own,
+                    fmt::format("found a limit in {} without a speed; allowed: together with "
+                                "motion.speed_rpm or motion.speed_rad_s",
+                                unit));
 }
 
 }  // namespace
 
-std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion,
-                                const KnownNames& known) {
+void read_cam(const SceneSource& source, const KnownNames& known, Scene& scene) {
+    if (!scene.cam) return;
     const auto type = source.find("cam", "type");
     const CamKind* const kind = type ? cam_kind(type->value().text) : nullptr;
-    if (!source.table("cam") || !kind) return std::nullopt;
-    CamSpec cam = read_mechanism(source, *kind, motion);
+    if (!kind) return scene.cam.reset();
+    CamSpec cam = read_mechanism(source, *kind, scene.motion);
+    cam.rotation = scene.cam->rotation;
     cam.make = kind->formulas ? kind->formulas : known.cam_formulas;
     if (!cam.make)
         source.fail_member("cam.type", fmt::format("found \"{}\", whose formulas this program does not have; "
                                                    "allowed: a cam whose formulas are linked",
                                                    kind->type));
-    return cam;
+    scene.cam = std::move(cam);
 }
 
-std::optional<std::array<double, 2>> speed_range(const SceneSource& source, std::string_view table) {
+void check_speed_range(const SceneSource& source, std::string_view table) {
     const auto range = source.find(table, "speed_range");
-    if (!range) return std::nullopt;
-    const auto& items = range->value().items;
-    if (items.size() != 2)
+    if (range && range->value().items.size() != 2)
         source.fail(range->value().place, joined_key(table, "speed_range"),
-                    fmt::format("found {} numbers; allowed: two speeds, the lower first", items.size()));
-    const double unit = range->spelling->factor;
-    return std::array{items[0].as_number() * unit, items[1].as_number() * unit};
+                    fmt::format("found {} numbers; allowed: two speeds, the lower first",
+                                range->value().items.size()));
 }
 
-void read_forces(const SceneSource& source, Scene& scene) {
+void check_forces(const SceneSource& source, const Scene& scene) {
     if (!scene.forces) return;
-    ForceSpec& forces = *scene.forces;
     if (scene.cam) {
         const bool swings = scene.cam->formulas()->swings();
         for (const char* quantity : {"mass", "inertia", "spring_rate", "preload", "damping", "load"})
             check_force_unit(source, "forces", quantity, swings);
     }
-    if (const auto load = source.find("forces", "load")) {
-        const double unit = load->spelling->factor;
-        if (load->value().is_number()) forces.load = {{0.0, load->number()}};
-        for (const Node& pair : load->value().items)
-            forces.load.push_back(
-                {pair.items[0].as_number() * units::degree, pair.items[1].as_number() * unit});
-        if (!forces.load.empty() && forces.load.back()[0] - forces.load.front()[0] > units::turn)
-            source.fail(load->value().place, joined_key("forces", load->member->name),
-                        "found angles over more than 360 deg; allowed: those of one revolution");
+    const KeyPairs& pairs = scene.forces->load;
+    if (!pairs.empty() && pairs.back()[0] - pairs.front()[0] > units::turn) {
+        const Given load = source.find("forces", "load").value();
+        source.fail(load.value().place, joined_key("forces", load.member->name),
+                    "found angles over more than 360 deg; allowed: those of one revolution");
     }
-    forces.speed_range = speed_range(source, "forces");
+    check_speed_range(source, "forces");
 }
 
 void check_drive(const SceneSource& source, const MotionSpec& motion) {
@@ -118,7 +120,7 @@ void check_drive(const SceneSource& source, const MotionSpec& motion) {
                                                                      : "transmission_mm_per_rev"));
 }
 
-void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits) {
+void read_limits(const SceneSource& source, Scene& scene) {
     if (scene.cam) {
         const bool swings = scene.cam->formulas()->swings();
         for (const LimitRow& row : limit_rows()) {
@@ -127,23 +129,20 @@ void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& l
                 check_force_unit(source, "limits", quantity, swings);
         }
     }
-    for (const LimitRow& row : limit_rows()) {
-        std::optional<WrittenLimit>& limit = row.in(limits);
-        limit = read_limit(source, row.side != nullptr ? row.table : row.name, row.side);
-        if (!limit && row.swinging.name != nullptr) limit = read_limit(source, row.swinging.name);
-    }
-    if (const auto curve = source.find("limits", "motor_curve"))
-        for (const Node& pair : curve->value().items)
-            limits.motor_curve.push_back(
-                {pair.items[0].as_number() * units::revolution_per_minute, pair.items[1].as_number()});
     if (const auto harmonics = source.find("limits", "spring_harmonics")) {
         const Dimension range = harmonics->dimension();
         for (const double order : {range.low, range.high})
             if (order != std::round(order))
                 source.fail(harmonics->value().place, "limits.spring_harmonics",
                             fmt::format("found {}; allowed: integers from 1 to {}", order, most_harmonic));
-        limits.spring_harmonics = {static_cast<int>(range.low), static_cast<int>(range.high)};
     }
+    const auto is_peak = [](std::string_view name) {
+        return std::ranges::any_of(peak_limit_rows(),
+                                   [&](const PeakLimitRow& row) { return row.term().name() == name; });
+    };
+    read_scaled_rows(source, "limits", scene, [&](const GivenAt& key) {
+        if (is_peak(key.given.row->name)) check_peak_limit(source, key, scene.motion);
+    });
 }
 
 }  // namespace camopt::input

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/robust_fit.hpp"
 #include "core/text/parsing.hpp"
+#include "input/row_reader.hpp"
 #include "input/scene_parts.hpp"
 
 #include <fmt/format.h>
@@ -50,18 +51,16 @@ Node array_of(const std::vector<double>& numbers, const Place& place) {
     return array;
 }
 
-TableForm table_form(const Node& measured) {
+TableForm table_form(const MeasuredRows& rows) {
     TableForm form;
-    const auto find = [&](const char* name) { return SceneSource::find_in(measured, "measured", name); };
-    if (const auto columns = find("columns"))
-        for (const Node& item : columns->value().items) form.columns.push_back(item.text);
-    for (const auto& [name, numbers] : {std::pair{"scale", &form.scale}, {"offset", &form.offset}})
-        if (const auto given = find(name)) *numbers = numbers_of(*given);
-    if (const auto decimal = find("decimal")) form.decimal = decimal->value().text.front();
-    if (const auto skipped = find("skip_lines")) form.skipped = static_cast<int>(skipped->value().integer);
-    form.by_step = find("step").has_value();
+    form.columns = rows.columns;
+    form.scale = rows.scale;
+    form.offset = rows.offset;
+    form.decimal = rows.decimal.front();
+    form.skipped = rows.skip_lines;
+    form.by_step = rows.step.has_value();
     form.points = true;
-    if (const auto angles = find("angles")) form.crank = angles->value().text == "crank";
+    form.crank = rows.angles == "crank";
     return form;
 }
 
@@ -84,13 +83,12 @@ std::optional<double> nose_angle(const MotionSpec& motion) {
 }
 
 /// The cam angle from the start of the motion that is 0 in the table, rad.
-double zero_angle(const SceneSource& source, const MotionSpec& motion) {
-    const auto zero = source.find("measured", "zero");
-    if (!zero || zero->value().text == "start") return 0.0;
-    if (zero->value().kind == NodeKind::table) return source.number("measured.zero", "deg").value();
+double zero_angle(const SceneSource& source, const MotionSpec& motion, const MeasuredRows& rows) {
+    if (rows.zero_angle) return *rows.zero_angle;
+    if (rows.zero == "start") return 0.0;
     const std::optional<double> nose = nose_angle(motion);
     if (!nose)
-        source.fail(zero->value().place, "measured.zero",
+        source.fail(source.find("measured", "zero")->value().place, "measured.zero",
                     "found \"nose\" in a program that gives no displacement above 0; allowed: \"start\" or "
                     "{ deg = … }");
     return *nose;
@@ -165,16 +163,38 @@ void arrange(MeasuredInput& input, const MotionSpec& motion) {
     reorder(rows, before.rows);
 }
 
-MeasuredTable rows_of_table(const SceneSource& source, const Given& table, const KnownNames& known,
-                            MeasuredInput& input) {
+/// The numbers of the table in the place of its name.
+MeasuredTable rows_of_table(const SceneSource& source, const KnownNames& known, MeasuredInput& input,
+                            Scene& scene) {
+    MeasuredRows& rows = *scene.measured_rows;
     if (!known.folder)
-        source.fail(table.value().place, "measured.table",
+        source.fail(source.find("measured", "table")->value().place, "measured.table",
                     "found a file name in a scene that was not read from a file; allowed: the numbers, "
                     "theta_deg and s_mm, or a scene file that names its table");
-    input.table =
-        read_measured_table(*known.folder / table.value().text, table_form(*source.table("measured")));
-    input.motion.name = std::filesystem::path(table.value().text).filename().string();
-    return *input.table;
+    input.table = read_measured_table(*known.folder / rows.table, table_form(rows));
+    input.motion.name = std::filesystem::path(rows.table).filename().string();
+    if (rows.name.empty()) rows.name = input.motion.name;
+    rows.table.clear();
+    rows.columns.clear();
+    rows.scale.clear();
+    rows.offset.clear();
+    rows.decimal = MeasuredRows().decimal;
+    rows.skip_lines = 0;
+    const MeasuredTable& table = *input.table;
+    const auto keep = [&](const std::string& key, const std::vector<double>& numbers, const Spelling& unit) {
+        for (const auto& [name, target] : {std::pair{"theta", &rows.theta},
+                                           {"s", &rows.s},
+                                           {"x", &rows.x},
+                                           {"y", &rows.y},
+                                           {"r", &rows.r}}) {
+            if (!key.starts_with(name)) continue;
+            for (const double number : numbers) target->push_back(number * unit.factor);
+            scene.written[joined_key("measured", name)] = unit;
+        }
+    };
+    if (!table.theta_key.empty()) keep(table.theta_key, table.theta, table.theta_unit);
+    keep(table.s_key, table.s, table.s_unit);
+    return table;
 }
 
 /// The arrays as a table without a file.
@@ -208,12 +228,11 @@ MeasuredTable rows_of_scene(const SceneSource& source, const Node& measured) {
     return rows;
 }
 
-RegisterRequest asked_for(const SceneSource& source) {
-    RegisterRequest request;
-    if (const auto asked = source.find("measured", "register"))
-        for (const Node& item : asked->value().items)
-            (item.text == "angle" ? request.angle : request.radius) = true;
-    return request;
+RegisterRequest asked_for(const MeasuredRows& rows) {
+    const auto asks = [&](const char* word) {
+        return std::ranges::find(rows.registered, word) != rows.registered.end();
+    };
+    return {asks("angle"), asks("radius")};
 }
 
 /// Points → the motion of the scene's follower.
@@ -223,7 +242,8 @@ void roll(const SceneSource& source, const Scene& scene, const MeasuredTable& ta
         source.fail(place, "measured",
                     "found points of a cam where the scene has no cam; allowed: s_mm, or [cam]");
     for (const CamDimension& dimension : scene.cam->dimensions)
-        if (dimension.value.is_variable() && !(dimension.name == "base_radius" && asked_for(source).radius))
+        if (dimension.value.is_variable() &&
+            !(dimension.name == "base_radius" && asked_for(*scene.measured_rows).radius))
             source.fail_member(
                 "cam." + dimension.name,
                 "found a range with points of the cam in [measured]; allowed: a number; for the "
@@ -237,8 +257,7 @@ void roll(const SceneSource& source, const Scene& scene, const MeasuredTable& ta
         source.fail(place, "measured",
                     fmt::format("found {} numbers in {} and {} in {}; allowed: as many", table.theta.size(),
                                 table.theta_key, table.s.size(), table.s_key));
-    const SurfaceProbe probe =
-        surface_probe(*scene.cam, source.number("measured", "probe_radius").value_or(0.0));
+    const SurfaceProbe probe = surface_probe(*scene.cam, scene.measured_rows->probe_radius);
     SurfaceMotion motion = motion_on_surface(points_of(table), probe);
     input.motion.angle = std::move(motion.angle);
     input.motion.displacement = std::move(motion.displacement);
@@ -247,25 +266,26 @@ void roll(const SceneSource& source, const Scene& scene, const MeasuredTable& ta
 }
 
 /// Displacements over the angle from the start of the motion.
-void place_rows(const SceneSource& source, const MotionSpec& motion, const MeasuredTable& table,
+void place_rows(const SceneSource& source, const Scene& scene, const MeasuredTable& table,
                 MeasuredInput& input) {
+    const MeasuredRows& rows = *scene.measured_rows;
     const auto written = source.find("measured", "table"), s = source.find("measured", "s");
     require_unit_of_lift(source, written ? written->value().place : s->member->place,
                          joined_key("measured", written ? written->member->name : s->member->name),
-                         table.s_unit, motion);
+                         table.s_unit, scene.motion);
     if (const auto given = source.find("measured", "probe_radius"))
         source.fail(given->member->place, "measured." + given->member->name,
                     "found with displacements; allowed: with points of the cam");
-    const auto angles = source.find("measured", "angles");
-    const bool halved = angles && angles->value().text == "crank" && table.theta_unit.unit != "crank deg";
-    const double zero = zero_angle(source, motion), factor = table.theta_unit.factor * (halved ? 0.5 : 1.0);
+    const bool halved = rows.angles == "crank" && table.theta_unit.unit != "crank deg";
+    const double zero = zero_angle(source, scene.motion, rows),
+                 factor = table.theta_unit.factor * (halved ? 0.5 : 1.0);
     for (const double theta : table.theta) input.motion.angle.push_back(zero + theta * factor);
     for (const double lift : table.s) input.motion.displacement.push_back(lift * table.s_unit.factor);
 }
 
 void register_table(const SceneSource& source, const Scene& scene, const KnownNames& known, bool points,
                     MeasuredMotion& measured) {
-    const RegisterRequest request = asked_for(source);
+    const RegisterRequest request = asked_for(*scene.measured_rows);
     if (!request.angle && !request.radius) return;
     if (const auto zero = source.find("measured", "zero"); zero && request.angle)
         source.fail(zero->member->place, "measured.zero",
@@ -285,10 +305,9 @@ void register_table(const SceneSource& source, const Scene& scene, const KnownNa
 constexpr std::size_t least_judged = 16;  // rows: fewer have no neighbourhood to judge them by
 
 /// Rows far from their neighbours: named, or left out as well.
-void judge_rows(const SceneSource& source, MeasuredInput& input) {
+void judge_rows(bool exclude, MeasuredInput& input) {
     std::vector<double>&angle = input.motion.angle, &displacement = input.motion.displacement;
-    const auto rule = source.find("measured", "outliers");
-    input.motion.excluded = rule && rule->value().text == "exclude";
+    input.motion.excluded = exclude;
     if (angle.size() != displacement.size() || angle.size() < least_judged || !std::ranges::is_sorted(angle))
         return;
     const double span = angle.back() - angle.front(), step = span / static_cast<double>(angle.size() - 1);
@@ -308,15 +327,14 @@ void judge_rows(const SceneSource& source, MeasuredInput& input) {
 
 }  // namespace
 
-std::optional<MeasuredInput> read_measured(const SceneSource& source, const Scene& scene,
-                                           const KnownNames& known) {
+std::optional<MeasuredInput> read_measured(const SceneSource& source, Scene& scene, const KnownNames& known) {
     const Node* const node = source.table("measured");
-    if (!node) return std::nullopt;
+    if (!node || !scene.measured_rows) return std::nullopt;
     MeasuredInput input;
-    if (const auto use = source.find("measured", "use")) input.motion.start = use->value().text == "start";
-    const auto written = source.find("measured", "table");
+    const MeasuredRows& rows = *scene.measured_rows;
+    input.motion.start = rows.use == "start";
     MeasuredTable table =
-        written ? rows_of_table(source, *written, known, input) : rows_of_scene(source, *node);
+        rows.table.empty() ? rows_of_scene(source, *node) : rows_of_table(source, known, input, scene);
     if (const auto step = source.find("measured", "step")) {
         for (std::size_t i = 0; i < table.s.size(); ++i)
             table.theta.push_back(static_cast<double>(i) * step->value().as_number());
@@ -326,14 +344,14 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, const Scen
         if (table.is_points())
             roll(source, scene, table, input);
         else
-            place_rows(source, scene.motion, table, input);
+            place_rows(source, scene, table, input);
         register_table(source, scene, known, table.is_points(), input.motion);
         arrange(input, scene.motion);
     } catch (const SceneError& error) {
         fail_in_measured(source, input, error.fault());
     }
-    judge_rows(source, input);
-    if (const auto name = source.find("measured", "name")) input.motion.name = name->value().text;
+    judge_rows(rows.outliers == "exclude", input);
+    if (!rows.name.empty()) input.motion.name = rows.name;
     return input;
 }
 
@@ -367,15 +385,22 @@ void write_out_tables(Node& root, const std::filesystem::path& folder) {
     if (written == members.end() || written->value.kind != NodeKind::text) return;
     const std::string file = written->value.text;
     const Place place = written->place;
-    const MeasuredTable table = read_measured_table(folder / file, table_form(measured->value));
+    Scene scene;
+    SceneSource source;
+    source.root.members.push_back(*measured);
+    try {
+        check_given_keys(source);
+    } catch (const InputError&) {
+        return;  // its reader says what is wrong
+    }
+    read_rows(source, scene);
+    const MeasuredTable table = read_measured_table(folder / file, table_form(*scene.measured_rows));
     std::erase_if(members, [](const Member& member) {
         return member.name == "table" || std::ranges::find(file_keys, member.name) != file_keys.end();
     });
     if (!measured->value.find("name")) {
-        Node name;
-        name.kind = NodeKind::text;
+        Node name = text_node(std::filesystem::path(file).filename().string());
         name.place = place;
-        name.text = std::filesystem::path(file).filename().string();
         members.push_back({"name", place, std::move(name)});
     }
     if (!table.theta_key.empty()) members.push_back({table.theta_key, place, array_of(table.theta, place)});

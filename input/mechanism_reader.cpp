@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "input/row_reader.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "scene/limit_table.hpp"
-#include "scene/written_limits.hpp"
 
 #include <fmt/format.h>
 
@@ -23,9 +22,6 @@ class MechanismReader {
                                                         "motion \"DRD\"",
                                                         kind_.type, name_of(motion.type)));
         CamSpec spec = variant_.spec();
-        if (kind_.has_rotation)
-            source_.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise},
-                                spec.rotation);
         refuse_foreign();
         for (const CamNumber& number : variant_.numbers)
             if (number.owned && number.index >= 0)
@@ -107,37 +103,6 @@ class MechanismReader {
     }
 };
 
-/// A number, or one side of a table.
-std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec& motion,
-                                    const PeakLimitRow& row) {
-    const std::optional<Given> given = source.find("limits", row.term().name());
-    if (!given || (row.side == 0) != given->value().is_number()) return std::nullopt;
-    const char* const side = row.side < 0 ? "min" : "max";
-    const Member* const bound = row.side == 0 ? given->member : given->value().find(side);
-    if (!bound) return std::nullopt;
-    const double number = bound->value.as_number();
-    PeakLimit limit(number, joined_key("limits", given->member->name), number,
-                    std::string(given->spelling->unit));
-    if (row.side != 0) limit.key = joined_key(limit.key, side);
-    limit.one_normalised = 1.0;
-    if (limit.unit.empty()) return limit;
-    if (is_angle_unit(limit.unit) != motion.lift_is_angle)
-        source.fail(given->member->place, limit.key,
-                    fmt::format("found a limit in {} where the lift is {}; allowed: {}", limit.unit,
-                                motion.lift_is_angle ? "an angle" : "a length",
-                                motion.lift_is_angle ? "a limit in deg or rad, or a normalised one"
-                                                     : "a limit in mm, in or m, or a normalised one"));
-    if (!motion.speed && limit.in_time())
-        source.fail(
-            given->member->place, limit.key,
-            fmt::format("found a limit in {} without a speed; allowed: together with motion.speed_rpm or "
-                        "motion.speed_rad_s",
-                        limit.unit));
-    limit.one_normalised = one_normalised_peak(motion, row.order(), *given->spelling);
-    limit.normalised = number / limit.one_normalised;
-    return limit;
-}
-
 /// Masses and springs for a length, inertias and torsion springs for an angle.
 void check_train_unit(const SceneSource& source, const Given& given, bool angle) {
     const std::string_view unit = given.spelling->unit;
@@ -150,41 +115,18 @@ void check_train_unit(const SceneSource& source, const Given& given, bool angle)
                         angle ? "kg m^2, N m/rad, N m and lbf in" : "kg, N/mm and N, or lb, lbf/in and lbf"));
 }
 
-class DynamicsReader {
- public:
-    DynamicsReader(const SceneSource& source, const Node& table, std::string_view path, bool angle)
-        : source_(source), table_(table), path_(path), angle_(angle) {}
-
-    [[nodiscard]] std::optional<double> find(std::string_view name) const {
-        const std::optional<Given> given = SceneSource::find_in(table_, path_, name);
-        if (!given) return std::nullopt;
-        check_train_unit(source_, *given, angle_);
-        return given->number();
+/// The keys of the train or of one of its stages: units, and a mass.
+void check_train(const SceneSource& source, const Node& table, std::string_view path, bool angle) {
+    bool has_mass = false;
+    for (const Member& member : table.members) {
+        const KeyMatch key = match_key(path, member.name);
+        if (key.row == nullptr) continue;
+        check_train_unit(source, {&member, key.row, key.spelling}, angle);
+        has_mass = has_mass || key.row->name == "mass" || key.row->name == "inertia";
     }
-    [[nodiscard]] double mass() const {
-        if (const auto mass = find("mass")) return *mass;
-        if (const auto inertia = find("inertia")) return *inertia;
-        source_.fail(table_.place, path_,
-                     fmt::format("missing {}; allowed: a number > 0", angle_ ? "inertia_kg_m2" : "mass_kg"));
-    }
-
- private:
-    const SceneSource& source_;
-    const Node& table_;
-    std::string_view path_;
-    bool angle_;
-};
-
-TrainStage read_stage(const SceneSource& source, const Node& table, bool angle) {
-    const DynamicsReader reader(source, table, "dynamics.stage", angle);
-    TrainStage stage;
-    stage.mass = reader.mass();
-    const std::optional<double> stiffness = reader.find("stiffness");
-    if (!stiffness) source.fail(table.place, "dynamics.stage", "missing stiffness; allowed: a number > 0");
-    stage.stiffness = *stiffness;
-    stage.damping =
-        2.0 * reader.find("damping_ratio").value_or(0.0) * std::sqrt(stage.stiffness * stage.mass);
-    return stage;
+    if (!has_mass)
+        source.fail(table.place, path,
+                    fmt::format("missing {}; allowed: a number > 0", angle ? "inertia_kg_m2" : "mass_kg"));
 }
 
 }  // namespace
@@ -206,24 +148,17 @@ CamSpec read_mechanism(const SceneSource& source, const CamKind& kind, const Mot
     return MechanismReader(source, kind).read(motion);
 }
 
-LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion) {
-    LimitSpec limits;
-    for (const PeakLimitRow& row : peak_limit_rows()) row.in(limits) = read_limit(source, motion, row);
-    return limits;
-}
-
-void read_dynamics(const SceneSource& source, const MotionSpec& motion, DynamicsSpec& spec) {
-    const Node& table = *source.table("dynamics");
-    const bool angle = motion.lift_is_angle;
-    const DynamicsReader reader(source, table, "dynamics", angle);
-    (void)reader.mass();  // refuses a table without one
-    for (const Member& member : table.members)
-        if (const KeyMatch key = match_key("dynamics", member.name); key.row != nullptr)
-            check_train_unit(source, {&member, key.row, key.spelling}, angle);
-    if (const auto range = speed_range(source, "dynamics")) spec.speed_range = *range;
+void read_dynamics(const SceneSource& source, Scene& scene) {
+    const bool angle = scene.motion.lift_is_angle;
+    check_train(source, *source.table("dynamics"), "dynamics", angle);
+    check_speed_range(source, "dynamics");
     if (const auto stages = source.find("dynamics", "stage"))
-        for (const Node& stage : stages->value().items)
-            spec.stages.push_back(read_stage(source, stage, angle));
+        for (const Node& stage : stages->value().items) {
+            check_train(source, stage, "dynamics.stage", angle);
+            if (!SceneSource::find_in(stage, "dynamics.stage", "stiffness"))
+                source.fail(stage.place, "dynamics.stage", "missing stiffness; allowed: a number > 0");
+        }
+    read_scaled_rows(source, "dynamics", scene, {});
 }
 
 }  // namespace camopt::input

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "input/row_reader.hpp"
 #include "input/scene_parts.hpp"
-#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -8,192 +8,61 @@ namespace camopt::input {
 
 namespace {
 
-// Set points, regions and searched angles of a validated scene file, once the rest of the motion is read.
-// Errors: InputError for units that do not fit the lift or need a speed, angles that cannot add up to 360
-// deg. Internal to input/.
-
 // Of a revolution: the rounding of angles written with ten digits.
 constexpr double turn_rounding = 1e-9;
-constexpr std::string_view valve_type = "valve";
 
-/// In lifts; `key`: as written by the user.
-double displacement_in_lifts(const SceneSource& source, const Given& given, const std::string& key,
-                             const MotionSpec& motion) {
-    const std::string_view unit = given.spelling->unit;
-    if (unit.empty()) return given.number();
-    if (is_angle_unit(unit) != motion.lift_is_angle) {
-        const std::string_view name = given.row->name;
-        source.fail(
-            given.member->place, key,
-            motion.lift_is_angle
-                ? fmt::format("found {0} where the lift is an angle; allowed: {1}, {1}_deg or {1}_rad",
-                              given.member->name, name)
-                : fmt::format("found {0} where the lift is a length; allowed: {1}, {1}_mm, {1}_in or "
-                              "{1}_m",
-                              given.member->name, name));
-    }
-    return given.number() / motion.lift;
+/// Of a displacement that a set point has, or the end of a segment.
+void check_displacement(const SceneSource& source, const GivenAt& key, bool lift_is_angle) {
+    if (key.unit().empty() || is_angle_unit(key.unit()) == lift_is_angle) return;
+    const std::string_view name = key.given.row->name;
+    source.fail(key.given.member->place, key.key,
+                fmt::format("found {} where the lift is {}; allowed: {}", key.given.member->name,
+                            lift_is_angle ? "an angle" : "a length",
+                            lift_is_angle ? fmt::format("{0}, {0}_deg or {0}_rad", name)
+                                          : fmt::format("{0}, {0}_mm, {0}_in or {0}_m", name)));
 }
 
-/// The set points of one stretch.
-class SetPointReader {
- public:
-    SetPointReader(const SceneSource& source, const MotionSpec& motion, double angle, std::string table)
-        : source_(source), motion_(motion), angle_(angle), table_(std::move(table)) {}
+/// A derivative, or bounds, in a unit of the lift; in time with a speed.
+void check_derivative(const SceneSource& source, const GivenAt& key, const MotionSpec& motion) {
+    const std::string_view unit = key.unit();
+    const Place& place = key.given.member->place;
+    if (unit.empty()) return;
+    if (is_angle_unit(unit) != motion.lift_is_angle)
+        source.fail(place, key.key,
+                    fmt::format("found a value in {} where the lift is {}; allowed: a unit with {}, or a "
+                                "normalised value",
+                                unit, motion.lift_is_angle ? "an angle" : "a length",
+                                motion.lift_is_angle ? "deg or rad" : "mm, in or m"));
+    if (is_unit_of_time(unit) && !motion.speed)
+        source.fail(place, key.key,
+                    fmt::format("found a value in {} without a speed; allowed: together with "
+                                "motion.speed_rpm or motion.speed_rad_s, or by the cam angle ({})",
+                                unit, motion.lift_is_angle ? "velocity_rad_rad" : "velocity_mm_rad"));
+}
 
-    /// `path`: as written by the user, "motion.segments[1].via[0]".
-    [[nodiscard]] SetPoint read(const Node& node, const std::string& path) const {
-        const auto find = [&](std::string_view name) { return SceneSource::find_in(node, table_, name); };
-        const auto key = [&](const Given& given) { return joined_key(path, given.member->name); };
-        SetPoint point;
-        const auto at = find("at"), from = find("from"), to = find("to");
-        if (from || to) {
-            if (!from || !to)
-                source_.fail(node.place, joined_key(path, from ? "to" : "from"),
-                             "missing; allowed: both ends of a region, from and to");
-            point.at = place(*from, point);
-            point.until = place(*to, point);
-        } else if (at) {
-            point.at = place(*at, point);
-        } else {
-            source_.fail(node.place, joined_key(path, "at"),
-                         "missing; allowed: at (at_deg, at_rad) of a point, or from and to of a region");
-        }
-        if (const auto given = find("displacement")) {
-            point.units.displacement = given->spelling->unit;
-            point.displacement = displacement_in_lifts(source_, *given, key(*given), motion_);
-        }
-        if (const auto given = find("velocity")) {
-            point.units.velocity = given->spelling->unit;
-            point.velocity = derivative(*given, key(*given), 1);
-        }
-        if (const auto given = find("acceleration")) {
-            point.units.acceleration = given->spelling->unit;
-            point.acceleration = derivative(*given, key(*given), 2);
-        }
-        return point;
-    }
+void check_unit(const SceneSource& source, const GivenAt& key, const MotionSpec& motion) {
+    const KeyRow& row = *key.given.row;
+    const bool place = row.spellings.data() == spellings::place.data();
+    if (place) return;
+    if (row.type == KeyType::number && (row.name == "displacement" || row.name == "to"))
+        return check_displacement(source, key, motion.lift_is_angle);
+    check_derivative(source, key, motion);
+}
 
-    /// Velocity and acceleration at a location, in units of the stretch.
-    [[nodiscard]] SetPoint read_state(const Node& node, const std::string& path, double at) const {
-        SetPoint point;
-        point.at = at;
-        for (const int order : {1, 2}) {
-            const auto given = SceneSource::find_in(node, table_, order == 1 ? "velocity" : "acceleration");
-            if (!given) continue;
-            (order == 1 ? point.units.velocity : point.units.acceleration) = given->spelling->unit;
-            value_of(point, order) = derivative(*given, joined_key(path, given->member->name), order);
-        }
-        return point;
-    }
-
-    /// SI value of one normalised unit of a quantity in the unit it was written in; 1: normalised.
-    [[nodiscard]] double unit_of(const Given& given, const std::string& key, int order) const {
-        if (given.spelling->unit.empty()) return 1.0;
-        check_unit(given, key);
-        return set_point_unit({angle_, motion_.lift, motion_.speed}, order,
-                              is_unit_of_time(given.spelling->unit)) /
-               given.spelling->factor;
-    }
-
- private:
-    const SceneSource& source_;
-    const MotionSpec& motion_;
-    double angle_;  ///< rad, of the unit of locations
-    std::string table_;
-
-    [[nodiscard]] double place(const Given& given, SetPoint& point) const {
-        if (given.spelling->unit.empty()) return given.number();
-        point.units.place = given.spelling->unit;
-        return given.number() / angle_;
-    }
-
-    [[nodiscard]] double derivative(const Given& given, const std::string& key, int order) const {
-        return given.value().as_number() / unit_of(given, key, order);
-    }
-
-    void check_unit(const Given& given, const std::string& key) const {
-        const std::string_view unit = given.spelling->unit;
-        if (is_angle_unit(unit) != motion_.lift_is_angle)
-            source_.fail(
-                given.member->place, key,
-                fmt::format("found a value in {} where the lift is {}; allowed: a unit with {}, or a "
-                            "normalised value",
-                            unit, motion_.lift_is_angle ? "an angle" : "a length",
-                            motion_.lift_is_angle ? "deg or rad" : "mm, in or m"));
-        const bool in_time = is_unit_of_time(unit);
-        if (in_time && !motion_.speed)
-            source_.fail(given.member->place, key,
-                         fmt::format("found a value in {} without a speed; allowed: together with "
-                                     "motion.speed_rpm or motion.speed_rad_s, or by the cam angle ({})",
-                                     unit, motion_.lift_is_angle ? "velocity_rad_rad" : "velocity_mm_rad"));
-    }
-};
-
-/// motion.corridor: in lifts, by x of the whole motion.
-void read_corridors(const SceneSource& source, MotionSpec& motion) {
-    constexpr std::array names = {"displacement", "velocity", "acceleration", "jerk"};
-    const auto tables = source.find("motion", "corridor");
-    if (!tables) return;
-    const SetPointReader reader(source, motion, motion.unit_angle(), "motion.corridor");
-    for (const Node& node : tables->value().items) {
-        const std::string path = fmt::format("motion.corridor[{}]", motion.corridors.size());
-        const auto find = [&](std::string_view name) {
-            return SceneSource::find_in(node, "motion.corridor", name);
+/// A point has one location, a region two.
+void check_points(const SceneSource& source, const Given& via, const std::string& path) {
+    for (std::size_t i = 0; i < via.value().items.size(); ++i) {
+        const Node& point = via.value().items[i];
+        const std::string own = fmt::format("{}[{}]", path, i);
+        const auto has = [&](std::string_view name) {
+            return SceneSource::find_in(point, joined_key(via.row->table, via.row->name), name).has_value();
         };
-        Corridor corridor;
-        corridor.to = motion.length() * motion.unit_angle();
-        if (const auto from = find("from")) corridor.from = from->number();
-        if (const auto to = find("to")) corridor.to = to->number();
-        for (std::size_t order = 0; order < names.size(); ++order) {
-            const auto given = find(names[order]);
-            if (!given) continue;
-            const std::string key = joined_key(path, given->member->name);
-            const double unit = reader.unit_of(*given, key, static_cast<int>(order));
-            Corridor::Bounds& bounds = corridor.bounds[order];
-            bounds.key = given->member->name;
-            bounds.unit = given->spelling->unit;
-            if (const Member* const least = given->value().find("min"))
-                bounds.least = least->value.as_number() / unit;
-            if (const Member* const most = given->value().find("max"))
-                bounds.most = most->value.as_number() / unit;
-        }
-        motion.corridors.push_back(std::move(corridor));
-    }
-}
-
-/// motion.via, and via of every segment, in units of their stretch.
-void read_set_points(const SceneSource& source, MotionSpec& motion) {
-    if (const auto via = source.find("motion", "via")) {
-        const SetPointReader reader(source, motion, motion.unit_angle(), "motion.via");
-        for (const Node& point : via->value().items)
-            motion.via.push_back(reader.read(point, fmt::format("motion.via[{}]", motion.via.size())));
-    }
-    const auto read_end = [&](const char* name, double angle, double at) -> std::optional<SetPoint> {
-        const auto given = source.find("motion", name);
-        if (!given) return std::nullopt;
-        const std::string path = joined_key("motion", name);
-        return SetPointReader(source, motion, angle, path).read_state(given->value(), path, at);
-    };
-    const bool program = motion.type == MotionType::program && !motion.segments.empty();
-    motion.start = read_end("start", program ? motion.segments.front().angle : motion.unit_angle(), 0.0);
-    motion.end = read_end("end", program ? motion.segments.back().angle : motion.unit_angle(),
-                          program ? 1.0 : motion.length());
-    const auto segments = source.find("motion", "segments");
-    if (!segments) return;
-    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
-        const Node& own = segments->value().items[i];
-        if (const auto end = SceneSource::find_in(own, "motion.segments", "end"))
-            motion.segments[i].end =
-                SetPointReader(source, motion, motion.segments[i].angle, "motion.segments.end")
-                    .read_state(end->value(), fmt::format("motion.segments[{}].end", i), 1.0);
-        const auto via = SceneSource::find_in(own, "motion.segments", "via");
-        if (!via) continue;
-        std::vector<SetPoint>& points = motion.segments[i].via;
-        const SetPointReader reader(source, motion, motion.segments[i].angle, "motion.segments.via");
-        for (const Node& point : via->value().items)
-            points.push_back(
-                reader.read(point, fmt::format("motion.segments[{}].via[{}]", i, points.size())));
+        if (has("from") != has("to"))
+            source.fail(point.place, joined_key(own, has("from") ? "to" : "from"),
+                        "missing; allowed: both ends of a region, from and to");
+        if (!has("from") && !has("at"))
+            source.fail(point.place, joined_key(own, "at"),
+                        "missing; allowed: at (at_deg, at_rad) of a point, or from and to of a region");
     }
 }
 
@@ -232,25 +101,16 @@ void repeat_segments(MotionSpec& motion) {
 
 /// type = "valve": makes the motion that of the lobe. The lift is the valve's.
 void read_valve(const SceneSource& source, MotionSpec& motion) {
-    ValveSpec valve;
-    const auto needed = [&](std::string_view table, const char* name) {
-        const std::optional<double> number = source.number(table, name);
-        if (!number)
-            source.fail_member(joined_key(table, name), "missing; allowed: needed by type \"valve\"");
-        return *number;
+    const auto need = [&](std::string_view table, std::initializer_list<const char*> names) {
+        for (const char* const name : names)
+            if (!source.find(table, name))
+                source.fail_member(joined_key(table, name), "missing; allowed: needed by type \"valve\"");
     };
     if (motion.lift_is_angle)
         source.fail_member("motion.lift", "found an angle; allowed: a length, the lift of the valve");
-    valve.lift = needed("motion", "lift");
-    source.read_number("motion", "rocker_ratio", valve.ratio);
-    source.read_number("motion", "valve_arm", valve.ratio);
-    source.read_number("motion", "lash", valve.lash);
-    valve.checking_height = needed("motion", "checking_height");
-    valve.duration = needed("motion", "duration");
-    valve.opening = source.number("motion", "opening").value_or(0.5 * valve.duration);
-    valve.centerline = source.number("motion", "centerline");
+    need("motion", {"lift", "checking_height", "duration"});
     const bool swings = source.find("motion", "valve_arm").has_value();
-    const auto read_ramp = [&](const std::string& table) {
+    const auto check_ramp = [&](const std::string& table) {
         for (const char* name : {"height", "velocity"})
             if (const auto given = source.find(table, name);
                 given && is_angle_unit(given->spelling->unit) != swings)
@@ -258,11 +118,15 @@ void read_valve(const SceneSource& source, MotionSpec& motion) {
                             swings ? "found a length; allowed: an angle of the follower, which swings by "
                                      "motion.valve_arm"
                                    : "found an angle; allowed: a length");
-        return ValveRamp{needed(table, "height"), needed(table, "velocity"), source.number(table, "end")};
+        need(table, {"height", "velocity"});
     };
-    valve.opening_ramp = read_ramp("motion.opening_ramp");
-    valve.closing_ramp =
-        source.table("motion.closing_ramp") ? read_ramp("motion.closing_ramp") : valve.opening_ramp;
+    ValveSpec valve = *motion.valve;
+    if (!source.find("motion", "opening")) valve.opening = 0.5 * valve.duration;
+    check_ramp("motion.opening_ramp");
+    if (source.table("motion.closing_ramp"))
+        check_ramp("motion.closing_ramp");
+    else
+        valve.closing_ramp = valve.opening_ramp;
     if (const std::optional<SceneFault> fault = find_valve_fault(valve))
         source.fail_member(fault->member, words_of(*fault));
     motion.lift_is_angle = swings;
@@ -278,35 +142,20 @@ class MotionReader {
  public:
     MotionReader(const SceneSource& source, const KnownNames& known) : source_(source), known_(known) {}
 
-    void read(MotionSpec& motion) const {
-        source_.read_choice("motion", "type", {MotionType::drd, MotionType::rr, MotionType::program},
-                            motion.type);
-        const auto type = source_.find("motion", "type");
-        const bool is_valve = type && type->value().text == valve_type;
-        refuse_keys_of_other_types(is_valve ? valve_type : name_of(motion.type));
-        if (const auto lift = source_.find("motion", "lift")) {
-            motion.lift = lift->number();
-            motion.lift_is_angle = is_angle_unit(lift->spelling->unit);
-        }
-        if (const auto stops = source_.find("motion", "stops")) {
-            motion.lift = units::turn / static_cast<double>(stops->value().integer);
-            motion.lift_is_angle = true;
-        }
-        if (const auto engine = source_.number("motion", "engine_speed")) motion.speed = 0.5 * *engine;
-        if (const auto closed = source_.find("motion", "closed")) {
-            motion.relative = closed->value().kind == NodeKind::text;
-            motion.closed = closed->value().kind == NodeKind::boolean && closed->value().boolean;
-        }
-        if (const auto segments = source_.find("motion", "segments"))
-            for (const Node& segment : segments->value().items)
-                motion.segments.push_back(read_segment(segment, motion));
-        check_stops(motion);
-        if (is_valve) read_valve(source_, motion);
+    void read(Scene& scene) const {
+        MotionSpec& motion = scene.motion;
+        refuse_keys_of_other_types(motion.valve ? "valve" : name_of(motion.type));
+        check_segments();
+        if (motion.valve) read_valve(source_, motion);
         settle_angle_ranges(source_, motion);
         check_turn(motion);
-        read_set_points(source_, motion);
+        place_states(motion);
+        read_scaled_rows(source_, "motion", scene,
+                         [&](const GivenAt& key) { check_unit(source_, key, motion); });
+        check_stops(motion);
         repeat_segments(motion);
-        read_corridors(source_, motion);
+        for (Corridor& corridor : motion.corridors)  // one without an end
+            if (corridor.to == 0.0) corridor.to = motion.length() * motion.unit_angle();
     }
 
  private:
@@ -340,31 +189,28 @@ class MotionReader {
         }
     }
 
-    ProgramSegment read_segment(const Node& table, const MotionSpec& motion) const {
-        const auto find = [&](std::string_view name) {
-            return SceneSource::find_in(table, "motion.segments", name);
-        };
-        const auto key = [&](const Given& given) {
-            return fmt::format("motion.segments[{}].{}", motion.segments.size(), given.member->name);
-        };
-        ProgramSegment segment;
-        for (const SegmentKind kind : {SegmentKind::dwell, SegmentKind::law, SegmentKind::spline})
-            if (const auto given = find("kind"); given && given->value().text == name_of(kind))
-                segment.kind = kind;
-        if (const auto angle = find("angle")) {
-            const Dimension written = angle->dimension();
-            segment.angle = written.low;
-            if (written.is_variable()) segment.angle_range = AngleRange{written.low, written.high};
+    /// Names of laws, and the locations of set points.
+    void check_segments() const {
+        if (const auto via = source_.find("motion", "via")) check_points(source_, *via, "motion.via");
+        const auto segments = source_.find("motion", "segments");
+        if (!segments) return;
+        for (std::size_t i = 0; i < segments->value().items.size(); ++i) {
+            const Node& segment = segments->value().items[i];
+            const std::string path = fmt::format("motion.segments[{}]", i);
+            if (const auto law = SceneSource::find_in(segment, "motion.segments", "law"))
+                check_name(source_, *law, joined_key(path, law->member->name),
+                           {known_.laws, "a law of the catalogue: ", ""});
+            if (const auto via = SceneSource::find_in(segment, "motion.segments", "via"))
+                check_points(source_, *via, joined_key(path, "via"));
         }
-        if (const auto law = find("law")) {
-            check_name(source_, *law, key(*law), {known_.laws, "a law of the catalogue: ", ""});
-            segment.law = law->value().text;
-        }
-        if (const auto to = find("to")) {
-            segment.to = displacement_in_lifts(source_, *to, key(*to), motion);
-            segment.to_unit = to->spelling->unit;
-        }
-        return segment;
+    }
+
+    /// Of the ends of the motion, and of joints.
+    static void place_states(MotionSpec& motion) {
+        const bool program = motion.type == MotionType::program && !motion.segments.empty();
+        if (motion.end) motion.end->at = program ? 1.0 : motion.length();
+        for (ProgramSegment& segment : motion.segments)
+            if (segment.end) segment.end->at = 1.0;
     }
 
     /// core/ checks this too, but in radians.
@@ -387,8 +233,8 @@ class MotionReader {
 
 }  // namespace
 
-void read_motion(const SceneSource& source, const KnownNames& known, MotionSpec& motion) {
-    MotionReader(source, known).read(motion);
+void read_motion(const SceneSource& source, const KnownNames& known, Scene& scene) {
+    MotionReader(source, known).read(scene);
 }
 
 }  // namespace camopt::input

@@ -51,43 +51,20 @@ class KeyCollector {
     }
 };
 
-Node scalar_node(double value) {
-    // Larger integers may not be exact doubles.
-    constexpr double exact_integers = 9007199254740992.0;
-    Node node;
-    const bool is_integer = value == std::trunc(value) && std::abs(value) <= exact_integers;
-    node.kind = is_integer ? NodeKind::integer : NodeKind::number;
-    if (is_integer)
-        node.integer = static_cast<long long>(value);
-    else
-        node.number = value;
-    return node;
-}
-
 /// Makes a node of each kind of value.
 struct NodeOf {
     std::string_view key;
     const Place& place;
 
-    Node operator()(bool value) const {
-        Node node;
-        node.kind = NodeKind::boolean;
-        node.boolean = value;
-        return node;
-    }
-    Node operator()(int value) const { return scalar_node(value); }
-    Node operator()(double value) const { return scalar_node(value); }
-    Node operator()(const std::string& value) const {
-        Node node;
-        node.kind = NodeKind::text;
-        node.text = value;
-        return node;
-    }
+    Node operator()(bool value) const { return boolean_node(value); }
+    Node operator()(int value) const { return integer_node(value); }
+    Node operator()(double value) const { return number_node(value); }
+    Node operator()(const std::string& value) const { return text_node(value); }
     Node operator()(const std::vector<double>& values) const {
         Node node;
         node.kind = NodeKind::array;
         for (const double value : values) {
-            node.items.push_back(scalar_node(value));
+            node.items.push_back(number_node(value));
             node.items.back().place = place;
         }
         return node;

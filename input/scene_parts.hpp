@@ -15,17 +15,16 @@ namespace camopt::input {
 
 // The rows of a table read what they say where it lives; the rest of it follows.
 
-void read_motion(const SceneSource& source, const KnownNames& known, MotionSpec& motion);
+void read_motion(const SceneSource& source, const KnownNames& known, Scene& scene);
 
 /// Complete; none if the scene has no cam.
-[[nodiscard]] std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion,
-                                              const KnownNames& known);
+void read_cam(const SceneSource& source, const KnownNames& known, Scene& scene);
 
-/// speed_range of a table: two speeds, rad/s.
-[[nodiscard]] std::optional<std::array<double, 2>> speed_range(const SceneSource& source,
-                                                               std::string_view table);
+/// speed_range of a table: two speeds.
+void check_speed_range(const SceneSource& source, std::string_view table);
 
-void read_forces(const SceneSource& source, Scene& scene);
+/// Throws for units that do not fit the follower, and loads over more than a revolution.
+void check_forces(const SceneSource& source, const Scene& scene);
 
 /// Of inertias, moments and rates of an output that swings; others are those of one that is pushed straight.
 [[nodiscard]] constexpr bool is_turning_unit(std::string_view unit) {
@@ -35,8 +34,9 @@ void read_forces(const SceneSource& source, Scene& scene);
 /// Throws for units that do not fit the lift, and without a transmission.
 void check_drive(const SceneSource& source, const MotionSpec& motion);
 
-/// Adds to the limits on the peaks.
-void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits);
+/// In time: v = (lift·ω/β) V, a = lift (ω/β)² A, j = lift (ω/β)³ J with ω in rad/s and β = the unit angle of
+/// the motion in rad. Throws for a missing speed, or a unit that does not fit the lift.
+void read_limits(const SceneSource& source, Scene& scene);
 
 // Cams: their numbers and choices, as their kind describes them. Internal to input/.
 
@@ -48,12 +48,8 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
 [[nodiscard]] CamSpec read_mechanism(const SceneSource& source, const CamKind& kind,
                                      const MotionSpec& motion);
 
-// Caps of [limits] on normalised peaks. In time: v = (lift·ω/β) V, a = lift (ω/β)² A, j = lift (ω/β)³ J with
-// ω in rad/s and β = the unit angle of the motion in rad. Errors: InputError for a missing speed or a unit
-// that does not fit the lift. Internal to input/.
-[[nodiscard]] LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion);
-
-void read_dynamics(const SceneSource& source, const MotionSpec& motion, DynamicsSpec& spec);
+/// Throws for units that do not fit the lift, and for what is missing.
+void read_dynamics(const SceneSource& source, Scene& scene);
 
 // [measured] of a checked scene file → MeasuredMotion: numbers of the scene itself, or of a CSV file in its
 // folder. Internal to input/.
@@ -145,7 +141,8 @@ struct MeasuredInput {
 };
 
 /// Throws InputError for a missing key, a file that cannot be read, units that do not fit the lift.
-[[nodiscard]] std::optional<MeasuredInput> read_measured(const SceneSource& source, const Scene& scene,
+/// The numbers of a table are kept in the place of its name (Scene::measured_rows).
+[[nodiscard]] std::optional<MeasuredInput> read_measured(const SceneSource& source, Scene& scene,
                                                          const KnownNames& known);
 
 /// Throws for a fault of the scene: one of the measured motion at its row as written, in its file if it has

@@ -3,6 +3,7 @@
 
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
+#include "input/row_reader.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/cost_table.hpp"
@@ -15,41 +16,6 @@ namespace camopt::input {
 
 namespace {
 
-KeyValue key_value(const Given& given) {
-    const Node& node = given.value();
-    const double factor = given.spelling->factor;
-    switch (node.kind) {
-        case NodeKind::text:
-            return node.text;
-        case NodeKind::boolean:
-            return node.boolean;
-        case NodeKind::integer:
-            if (given.row->type == KeyType::integer) return node.integer;
-            return given.number();
-        case NodeKind::number:
-            return given.number();
-        case NodeKind::array: {
-            std::vector<double> numbers;
-            for (const Node& item : node.items) numbers.push_back(item.as_number() * factor);
-            return numbers;
-        }
-        case NodeKind::table:
-        case NodeKind::date_or_time:
-            break;
-    }
-    return {};
-}
-
-/// The keys whose rows say where their values live.
-void read_rows(const Node& table, const std::string& path, Scene& scene) {
-    for (const Member& member : table.members) {
-        const auto [row, spelling] = match_key(path, member.name);
-        if (row == nullptr || !row->place.assign) continue;
-        row->place.assign(scene, key_value({&member, row, spelling}), row->choices.size());
-        if (member.value.kind == NodeKind::table) read_rows(member.value, joined_key(path, row->name), scene);
-    }
-}
-
 // A scene with a breakpoint in every micrometre of a metre is smaller.
 constexpr std::uintmax_t most_scene_bytes = std::uintmax_t{1} << 28U;
 
@@ -60,23 +26,23 @@ class SceneReader {
 
     Scene read() const {
         Scene scene;
-        read_rows(source_.root, "", scene);
+        scene.spline.by_stroke = true;  // without a number of segments
+        read_rows(source_, scene);
         scene.length_unit = written_length_unit();
         scene.written = written_spellings();
-        read_motion(source_, known_, scene.motion);
-        read_spline(scene.spline);
+        read_motion(source_, known_, scene);
+        check_breakpoints(scene.spline);
         if (!source_.table("objective") && !scene.motion.prescribed() && !is_nearest())
             source_.fail({}, "objective", "missing; allowed: a [objective] table");
         check_reference();
-        scene.cam = read_cam(source_, scene.motion, known_);
-        read_forces(source_, scene);
+        read_cam(source_, known_, scene);
+        check_forces(source_, scene);
         if (scene.cam && scene.cam->face_radius && scene.forces && scene.forces->contact_width)
             scene.cam->set_round_face(*scene.cam->face_radius, *scene.forces->contact_width);
-        scene.limits = read_peak_limits(source_, scene.motion);
-        read_cam_limits(source_, scene, scene.limits);
-        if (scene.dynamics) read_dynamics(source_, scene.motion, *scene.dynamics);
+        read_limits(source_, scene);
+        if (scene.dynamics) read_dynamics(source_, scene);
         if (scene.drive) check_drive(source_, scene.motion);
-        read_solver(scene.solver);
+        check_solver();
         const std::optional<MeasuredInput> measured = read_measured(source_, scene, known_);
         if (measured) scene.measured = measured->motion;
         weigh_deviation(scene);
@@ -116,12 +82,11 @@ class SceneReader {
         return all;
     }
 
-    void read_spline(SplineSpec& spline) const {
+    void check_breakpoints(const SplineSpec& spline) const {
         const auto breakpoints = source_.find("spline", "breakpoints");
         if (breakpoints && spline.breakpoints.size() < 2)
             source_.fail(breakpoints->value().place, "spline.breakpoints",
                          "found fewer than 2 breakpoints; allowed: 2 to 65537");
-        spline.by_stroke = !breakpoints && !source_.find("spline", "segments");
     }
 
     bool is_nearest() const {
@@ -131,10 +96,9 @@ class SceneReader {
 
     /// measured.use = "nearest" is a weight; one that is given stays.
     void weigh_deviation(Scene& scene) const {
-        const auto norm = source_.find("measured", "norm");
         ObjectiveSpec& objective = scene.objective;
         if (!is_nearest() || objective.deviation > 0.0 || objective.deviation_rms > 0.0) return;
-        (norm && norm->value().text == "rms" ? objective.deviation_rms : objective.deviation) = 1.0;
+        (scene.measured_rows->norm == "rms" ? objective.deviation_rms : objective.deviation) = 1.0;
     }
 
     void check_reference() const {
@@ -146,22 +110,12 @@ class SceneReader {
                    {laws, "a law of the catalogue: ", ", or a table of numbers"});
     }
 
-    void read_solver(SolverSpec& solver) const {
-        if (const auto given = source_.find("solver", "name"); given && given->value().text != "auto") {
-            std::vector<std::string> solvers = {"auto"};
-            solvers.insert(solvers.end(), known_.solvers.begin(), known_.solvers.end());
-            check_name(source_, *given, "solver.name", {solvers});
-        }
-        if (const auto options = source_.find("solver", "options"))
-            for (const Member& option : options->value().members)
-                solver.options.emplace(option.name, option_value(option.value));
-    }
-
-    static OptionValue option_value(const Node& node) {
-        if (node.kind == NodeKind::boolean) return node.boolean;
-        if (node.kind == NodeKind::integer) return node.integer;
-        if (node.kind == NodeKind::number) return node.number;
-        return node.text;
+    void check_solver() const {
+        const auto given = source_.find("solver", "name");
+        if (!given || given->value().text == "auto") return;
+        std::vector<std::string> solvers = {"auto"};
+        solvers.insert(solvers.end(), known_.solvers.begin(), known_.solvers.end());
+        check_name(source_, *given, "solver.name", {solvers});
     }
 };
 

@@ -2,9 +2,11 @@
 // The keys of scene files: ranges of numbers, and one row a key.
 #pragma once
 
+#include "core/text/names.hpp"
 #include "core/unit.hpp"
 
 #include <functional>
+#include <map>
 #include <variant>
 
 namespace camopt {
@@ -82,14 +84,39 @@ enum class Availability {
     needs_drive,     ///< only together with a [drive] table
 };
 
-/// A number in SI, an integer, true or false, a text, a list of numbers; of a table nothing.
-using KeyValue = std::variant<std::monostate, bool, long long, double, std::string, std::vector<double>>;
+/// A table { min = …, max = … }.
+struct KeyBounds {
+    std::optional<double> least = {}, most = {};
+    friend bool operator==(const KeyBounds&, const KeyBounds&) = default;
+};
+
+using KeyPairs = std::vector<std::array<double, 2>>;
+using KeyOptions = std::map<std::string, OptionValue>;
+
+/// A number, an integer (of an array of tables their number), true or false, a text, lists of them, a range;
+/// of a table nothing. Numbers are as they are stored: in SI, or as KeyPlace::stored makes them.
+using KeyValue = std::variant<std::monostate, bool, long long, double, std::string, std::vector<double>,
+                              std::vector<std::string>, KeyBounds, KeyPairs, KeyOptions>;
+
+/// Which key of a scene is meant, and how it is written.
+struct KeyAt {
+    std::array<std::size_t, 2> entry = {};  ///< of arrays of tables: motion.segments[3].via[1] is {3, 1}
+    const Spelling* spelling = nullptr;     ///< null: not known
+    std::size_t choices = 0;                ///< of the row, for a text that is one of them
+};
 
 /// Where the value of a key lives in a Scene (scene/key_place.hpp). Empty: other keys say what it means.
 struct KeyPlace {
-    /// `choices`: of the row, for a text that is one of them.
-    std::function<void(Scene&, const KeyValue&, std::size_t choices)> assign = {};
-    std::function<std::optional<KeyValue>(const Scene&)> value = {};  ///< none: absent in this scene
+    std::function<void(Scene&, const KeyValue&, const KeyAt&)> assign = {};
+    /// None: absent in this scene.
+    std::function<std::optional<KeyValue>(const Scene&, const KeyAt&)> value = {};
+    /// What a written number is stored as, in proportion to it; other keys say how, which are read before.
+    /// None: its SI value.
+    std::function<double(const Scene&, const KeyAt&, double written)> stored = {};
+    /// The unit that the value itself remembers; none: Scene::written does.
+    std::function<std::string(const Scene&, const KeyAt&)> unit = {};
+    int entries = 0;          ///< arrays of tables on the way to it
+    double first_unit = 1.0;  ///< SI value of one unit of the first numbers of pairs
 
     [[nodiscard]] explicit operator bool() const { return static_cast<bool>(value); }
 };

@@ -116,6 +116,26 @@ struct MeasuredMotion {
     friend bool operator==(const MeasuredMotion&, const MeasuredMotion&) = default;
 };
 
+/// What a scene file says about its measured motion; of a table its numbers. SI units and radians, as
+/// written: before `zero` and `registered` are looked at.
+struct MeasuredRows {
+    std::string table = {};                       ///< a file whose numbers are not here yet
+    std::vector<std::string> columns = {};        ///< of the table
+    std::string decimal = ".";                    ///< of the table
+    std::vector<double> scale = {}, offset = {};  ///< of the table, a number for each column
+    int skip_lines = 0;                           ///< of the table
+    std::vector<double> theta = {}, s = {};       ///< angles and displacements
+    std::vector<double> x = {}, y = {}, r = {};   ///< points of the cam; r with theta
+    double probe_radius = 0.0;
+    std::optional<double> step = {};           ///< from row to row, in place of theta
+    std::string zero = "start";                ///< or "nose"
+    std::optional<double> zero_angle = {};     ///< in place of the word
+    std::string angles = "cam";                ///< or "crank"
+    std::vector<std::string> registered = {};  ///< "angle", "radius": searched
+    std::string outliers = "keep", use = "compare", norm = "peak", name = {};
+    friend bool operator==(const MeasuredRows&, const MeasuredRows&) = default;
+};
+
 struct MotionSpec {
     MotionType type = MotionType::drd;
     double lift = 1e-3;                    ///< m, or rad where lift_is_angle; > 0
@@ -359,9 +379,10 @@ struct Scene {
     std::optional<CamSpec> cam;       ///< of any kind; none: no profile exists, no profile code runs
     std::optional<ForceSpec> forces;  ///< needs a cam and a speed
     LimitSpec limits;
-    std::optional<DynamicsSpec> dynamics;    ///< an elastic follower train; needs a speed
-    std::optional<DriveSpec> drive;          ///< a motor in place of a cam; needs a speed
-    std::optional<MeasuredMotion> measured;  ///< beside the optimum, or where its search begins
+    std::optional<DynamicsSpec> dynamics;       ///< an elastic follower train; needs a speed
+    std::optional<DriveSpec> drive;             ///< a motor in place of a cam; needs a speed
+    std::optional<MeasuredMotion> measured;     ///< beside the optimum, or where its search begins
+    std::optional<MeasuredRows> measured_rows;  ///< of a scene file: what `measured` was made from
     std::optional<DrawingSpec> drawing;  ///< of a disk cam: what drawings and solids need beside the profile
     std::vector<OwnTerm> own_terms;      ///< beside those of `objective`
     std::vector<OwnLimit> own_limits;    ///< beside `limits`

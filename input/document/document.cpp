@@ -80,13 +80,58 @@ std::string list_text(const Node& node) {
     return "{" + text + "}";
 }
 
+bool is_tables(const Node& node) {
+    return node.kind == NodeKind::array && !node.items.empty() && node.items.front().kind == NodeKind::table;
+}
+
+std::string lines_text(const Node& node) {
+    if (!is_tables(node)) return value_text(node);
+    std::string text = "[\n";
+    for (const Node& item : node.items) text += "    " + value_text(item) + ",\n";
+    return text + "]";
+}
+
 void append(std::string& text, const std::vector<Member>& members, bool tables) {
     for (const Member& member : members)
         if (tables || member.value.kind != NodeKind::table)
-            text += key_text(member.name) + " = " + value_text(member.value) + "\n";
+            text += key_text(member.name) + " = " + lines_text(member.value) + "\n";
+}
+
+Node node_of(NodeKind kind) {
+    Node node;
+    node.kind = kind;
+    return node;
 }
 
 }  // namespace
+
+Node boolean_node(bool value) {
+    Node node = node_of(NodeKind::boolean);
+    node.boolean = value;
+    return node;
+}
+
+Node integer_node(long long value) {
+    Node node = node_of(NodeKind::integer);
+    node.integer = value;
+    return node;
+}
+
+Node number_node(double value) {
+    // Larger integers may not be exact doubles.
+    constexpr double exact_integers = 9007199254740992.0;
+    if (value == std::trunc(value) && std::abs(value) <= exact_integers)
+        return integer_node(static_cast<long long>(value));
+    Node node = node_of(NodeKind::number);
+    node.number = value;
+    return node;
+}
+
+Node text_node(std::string_view text) {
+    Node node = node_of(NodeKind::text);
+    node.text = text;
+    return node;
+}
 
 std::string Node::shown() const {
     switch (kind) {

@@ -56,6 +56,12 @@ struct Member {
     Node value;
 };
 
+[[nodiscard]] Node boolean_node(bool value);
+[[nodiscard]] Node integer_node(long long value);
+/// An integer where it is one.
+[[nodiscard]] Node number_node(double value);
+[[nodiscard]] Node text_node(std::string_view text);
+
 /// `source_name` begins every message.
 [[nodiscard]] Node parse_document(std::string_view toml, std::string_view source_name);
 
@@ -71,8 +77,9 @@ struct Member {
 // Writes a document as TOML: parse_document(document_text(root)) is the same tree except for locations.
 // Comments and layout are lost. Internal to input/.
 
-/// The tables of the root as sections, each key on one line. Numbers with the fewest digits that read back as
-/// the same double. Throws InputError for a date or time, which no scene has.
+/// The tables of the root as sections, each key on one line, of an array of tables each on its own. Numbers
+/// with the fewest digits that read back as the same double. Throws InputError for a date or time, which no
+/// scene has.
 [[nodiscard]] std::string document_text(const Node& root);
 
 /// One value of it: 30.0, "DRD", [0.0, 0.5], {min = 20, max = 60}.

@@ -7,8 +7,6 @@
 #include "input/keys/scene_keys.hpp"
 #include "scene/cam_spec.hpp"
 
-#include <initializer_list>
-
 namespace camopt::input {
 
 /// A quantity as it was written.
@@ -38,20 +36,6 @@ class SceneSource {
                                                       std::string_view quantity);
 
     [[nodiscard]] std::optional<double> number(std::string_view table_path, std::string_view quantity) const;
-
-    /// A given value replaces the target.
-    void read_number(std::string_view table_path, std::string_view quantity, double& target) const {
-        target = number(table_path, quantity).value_or(target);
-    }
-    /// The value of `values` whose name_of is the text.
-    template <typename Choice>
-    void read_choice(std::string_view table_path, std::string_view quantity,
-                     std::initializer_list<Choice> values, Choice& target) const {
-        const auto given = find(table_path, quantity);
-        if (!given) return;
-        for (const Choice value : values)
-            if (given->value().text == name_of(value)) target = value;
-    }
 
     /// Throws InputError "LOCATION: key: what".
     [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const {

@@ -2,6 +2,7 @@
 #include "input/keys/scene_keys.hpp"
 
 #include "profiles/kinds/cam_kinds.hpp"
+#include "scene/key_place.hpp"
 #include "scene/keys/own_rows.hpp"
 
 #include <fmt/format.h>
@@ -78,6 +79,90 @@ std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
     return types;
 }
 
+const CamVariant* variant_of(const CamKind& kind, const CamSpec& cam) {
+    const auto is_own = [&](const CamVariant& variant) {
+        return kind.variants.size() == 1 ||
+               std::ranges::any_of(cam.choices, [&](const auto& one) { return one.second == variant.word; });
+    };
+    const auto found = std::ranges::find_if(kind.variants, is_own);
+    return found == kind.variants.end() ? nullptr : &*found;
+}
+
+/// A key of a scene's cam, as its kind describes it.
+struct CamKey {
+    std::string table, name;
+
+    [[nodiscard]] bool is(const auto& entry) const {
+        return entry.owned && entry.table == table && entry.key == name;
+    }
+    /// The dimension that the key says; null: none does.
+    [[nodiscard]] const Dimension* dimension(const CamSpec& cam, const CamVariant& variant) const {
+        for (const CamNumber& number : variant.numbers)
+            if (is(number) && number.index >= 0)
+                return &cam.dimensions.at(static_cast<std::size_t>(number.index)).value;
+        return cam.find(name);
+    }
+    [[nodiscard]] std::optional<KeyValue> value(const Scene& scene) const {
+        if (!scene.cam) return std::nullopt;
+        const CamSpec& cam = *scene.cam;
+        const CamKind* const kind = cam_kind(cam.type);
+        if (kind == nullptr || !kind->knows(table, name)) return std::nullopt;
+        if (table.empty()) return KeyValue();
+        if (table == "cam" && name == "type") return cam.type;
+        const CamVariant* const variant = variant_of(*kind, cam);
+        if (variant == nullptr) return std::nullopt;
+        if (table == kind->choosing_table && name == kind->choosing_key) return variant->word;
+        for (const CamChoice& choice : variant->choices)
+            if (is(choice)) return chosen_word(cam, *variant);
+        for (const CamNumber& number : variant->numbers)
+            if (is(number)) return of_number(number, scene, *variant);
+        return std::nullopt;
+    }
+
+ private:
+    /// None: the default.
+    [[nodiscard]] std::optional<KeyValue> chosen_word(const CamSpec& cam, const CamVariant& variant) const {
+        const std::string word = cam.choice(name);
+        return word == variant.spec().choice(name) ? std::nullopt : std::optional<KeyValue>(word);
+    }
+    [[nodiscard]] std::optional<KeyValue> of_number(const CamNumber& number, const Scene& scene,
+                                                    const CamVariant& variant) const {
+        const CamSpec& cam = *scene.cam;
+        if (name == "face_radius") return key_place::value_of(cam.face_radius);
+        if (name == "face_half_width")
+            return cam.face_radius ? std::nullopt : key_place::value_of(cam.face_half_width);
+        const Dimension* const given = dimension(cam, variant);
+        if (given == nullptr || is_default(number, *given, scene)) return std::nullopt;
+        return given->is_variable() ? KeyValue(KeyBounds{given->low, given->high}) : KeyValue(given->low);
+    }
+    [[nodiscard]] bool is_default(const CamNumber& number, const Dimension& given, const Scene& scene) const {
+        const KeyRow* const row = find_row(table, name);
+        const bool first = given.key.empty() || row == nullptr ||
+                           given.key == fmt::format("{}.{}", table, row->key(row->spellings.front()));
+        if (number.index < 0) return given.low == 0.0;  // of a number that a kind adds itself
+        return first && number.value && !given.is_variable() &&
+               given.low == *number.value + number.per_lift * scene.motion.lift;
+    }
+};
+
+/// As the cam's dimensions say how they are written.
+KeyPlace cam_place(const KeyRow& row) {
+    const CamKey key{std::string(row.table), std::string(row.name)};
+    KeyPlace place;
+    place.value = [key](const Scene& scene, const KeyAt&) { return key.value(scene); };
+    place.unit = [key, spellings = row.spellings](const Scene& scene, const KeyAt&) {
+        const CamKind* const kind = cam_kind(scene.cam->type);
+        const CamVariant* const variant = kind != nullptr ? variant_of(*kind, *scene.cam) : nullptr;
+        const Dimension* const given = variant != nullptr ? key.dimension(*scene.cam, *variant) : nullptr;
+        for (const Spelling& spelling : spellings)
+            if (given != nullptr &&
+                given->key == fmt::format("{}.{}{}", key.table, key.name, spelling.suffix))
+                return std::string(spelling.unit);
+        return std::string();
+    };
+    return place;
+}
+
 KeyTable all_rows() {
     KeyTable all;
     all.add(key_rows::before_cam());
@@ -86,7 +171,10 @@ KeyTable all_rows() {
         for (const KeyRow& row : kind.rows) all.add_of_kind(row);
     all.add(key_rows::after_cam());
     add_words_of_variants(all.rows);
-    for (KeyRow& row : all.rows) row.cam_types = kinds_that_know(row);
+    for (KeyRow& row : all.rows) {
+        row.cam_types = kinds_that_know(row);
+        if (!row.place) row.place = cam_place(row);
+    }
     return all;
 }
 

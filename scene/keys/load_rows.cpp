@@ -8,9 +8,42 @@ namespace {
 
 using enum KeyType;
 using namespace spellings;
+using key_place::each;
 
 const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
 const Range damping_ratios = Range::between(0.0, 2.0);
+
+/// A number, or pairs of an angle and a number.
+KeyPlace load_place() {
+    const KeyPlace pairs = stored_in(&Scene::forces, &ForceSpec::load);
+    KeyPlace place = pairs;
+    place.first_unit = units::degree;
+    place.assign = [pairs](Scene& scene, const KeyValue& value, const KeyAt& at) {
+        const auto* const load = std::get_if<double>(&value);
+        pairs.assign(scene, load != nullptr ? KeyPairs{{0.0, *load}} : value, at);
+    };
+    place.value = [](const Scene& scene, const KeyAt&) -> std::optional<KeyValue> {
+        if (!scene.forces || scene.forces->load.empty()) return std::nullopt;
+        const KeyPairs& load = scene.forces->load;
+        return load.size() == 1 && load[0][0] == 0.0 ? KeyValue(load[0][1]) : KeyValue(load);
+    };
+    return place;
+}
+
+template <class Member>
+KeyPlace of_stage(Member member) {
+    return stored_in(&Scene::dynamics, &DynamicsSpec::stages, each, member);
+}
+
+/// c = 2 ζ √(k m).
+KeyPlace stage_damping_place() {
+    KeyPlace place = of_stage(&TrainStage::damping);
+    place.stored = [](const Scene& scene, const KeyAt& at, double ratio) {
+        const TrainStage& stage = scene.dynamics.value().stages.at(at.entry[0]);
+        return 2.0 * ratio * std::sqrt(stage.stiffness * stage.mass);
+    };
+    return place;
+}
 
 // A row is read as a row.
 // clang-format off
@@ -33,14 +66,15 @@ Rows forces() {
         {"forces", "load", number_or_points, force_or_moment, any, {}, "0",
          "A further force (translating) or moment (oscillating), positive where it presses the follower "
          "on the cam: a number, or pairs of a cam angle in deg from the start of the motion and the force there, "
-         "linear between them; after the last one it goes on to the first of the next revolution."},
+         "linear between them; after the last one it goes on to the first of the next revolution.", load_place()},
         {"forces", "spring_frequency", number, frequency, positive, {}, "none",
          "Natural frequency of the return spring between fixed ends (surge): harmonics of the lift near it are "
          "reported, and may be limited. For an RR motion or a closed program.",
          stored_in(&Scene::forces, &ForceSpec::spring_frequency)},
         {"forces", "speed_range", numbers, speed, not_negative, {}, "motion.speed, or from 0",
          "Two speeds of the cam: limits of contact force, Hertz pressure and torque hold from the first to the second. "
-         "Default: from 0 to the speed where a spring loads the cam and `limits.hertz_pressure_max` is given, else the speed."},
+         "Default: from 0 to the speed where a spring loads the cam and `limits.hertz_pressure_max` is given, else the speed.",
+         stored_in(&Scene::forces, &ForceSpec::speed_range)},
         {"forces", "contact_width", number, length, positive, {}, "none",
          "Width of the line of contact; the Hertz pressure needs it.", stored_in(&Scene::forces, &ForceSpec::contact_width)},
         {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam.",
@@ -79,16 +113,17 @@ Rows dynamics() {
          "What the return spring loads the cam with at displacement 0. Without spring and preload the cam guides the follower in both directions.",
          stored_in(&Scene::dynamics, &DynamicsSpec::preload)},
         {"dynamics", "speed_range", numbers, speed, positive, {}, "motion.speed",
-         "Two speeds: terms and limits of the train hold from the first to the second."},
+         "Two speeds: terms and limits of the train hold from the first to the second.",
+         stored_in(&Scene::dynamics, &DynamicsSpec::speed_range)},
         {"dynamics", "stage", tables, plain, any, {}, "none",
-         "Masses between cam and output, at most three, from the cam on."},
-        {"dynamics.stage", "mass", number, mass, positive, {}, "needed", "Of this mass."},
+         "Masses between cam and output, at most three, from the cam on.", stored_in(&Scene::dynamics, &DynamicsSpec::stages)},
+        {"dynamics.stage", "mass", number, mass, positive, {}, "needed", "Of this mass.", of_stage(&TrainStage::mass)},
         {"dynamics.stage", "inertia", number, inertia, positive, {}, "needed",
-         "The same where the lift is an angle.", {}, Availability::now, "mass"},
+         "The same where the lift is an angle.", of_stage(&TrainStage::mass), Availability::now, "mass"},
         {"dynamics.stage", "stiffness", number, train_spring, positive, {}, "required",
-         "Of the spring to the mass or cam before it."},
+         "Of the spring to the mass or cam before it.", of_stage(&TrainStage::stiffness)},
         {"dynamics.stage", "damping_ratio", number, plain, damping_ratios, {}, "0",
-         "c / (2 sqrt(k m)) of this mass on this spring."},
+         "c / (2 sqrt(k m)) of this mass on this spring.", stage_damping_place()},
     };
 }
 

@@ -17,7 +17,7 @@ Rows joined(std::initializer_list<Rows> parts) {
 }
 
 Rows before_cam() {
-    return joined({of_motion(), of_search()});
+    return joined({of_motion(), of_measured(), of_search()});
 }
 
 Rows after_cam() {

@@ -18,7 +18,10 @@ using Rows = std::vector<KeyRow>;
 [[nodiscard]] Rows before_cam();
 [[nodiscard]] Rows after_cam();
 
-[[nodiscard]] Rows of_motion();
+[[nodiscard]] Rows of_motion();  ///< and of the top level
+[[nodiscard]] Rows points_of_motion();
+[[nodiscard]] Rows points_of_segments();  ///< and corridors
+[[nodiscard]] Rows of_measured();
 [[nodiscard]] Rows of_search();  ///< [spline], [objective]
 [[nodiscard]] Rows other_tables();
 [[nodiscard]] Rows of_loads();   ///< [forces], [dynamics], [drive]

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The rows of [spline], [objective], [limits] and [solver].
+// The rows of [spline] and [objective].
+#include "scene/cost_table.hpp"
 #include "scene/key_place.hpp"
 #include "scene/keys/own_rows.hpp"
-#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
@@ -12,25 +12,38 @@ namespace {
 using enum KeyType;
 using namespace spellings;
 
-/// From SI to the unit of the spelling: 90 deg, not 90.00000000000001.
-Range range_in(Range range, const Spelling& spelling) {
-    for (double* bound : {&range.low, &range.high})
-        if (std::isfinite(*bound)) *bound = as_written(*bound / spelling.factor);
-    return range;
-}
-
-// A row is read as a row.
-// clang-format off
-/// Given breakpoints replace them.
+/// Given breakpoints replace them; without the key an RR motion has as many over each stroke.
 KeyPlace uniform_segments() {
     KeyPlace place = stored_in(&Scene::spline, &SplineSpec::segments);
-    place.value = [](const Scene& scene) -> std::optional<KeyValue> {
-        if (!scene.spline.breakpoints.empty()) return std::nullopt;
-        return static_cast<long long>(scene.spline.segments);
+    place.assign = [assign = place.assign](Scene& scene, const KeyValue& value, const KeyAt& at) {
+        assign(scene, value, at);
+        scene.spline.by_stroke = false;
+    };
+    return unless(std::move(place), [](const Scene& scene, const KeyAt&) {
+        const SplineSpec& spline = scene.spline;
+        return (spline.by_stroke && spline.segments == SplineSpec().segments) || !spline.breakpoints.empty();
+    });
+}
+
+KeyPlace breakpoints_place() {
+    KeyPlace place = stored_in(&Scene::spline, &SplineSpec::breakpoints);
+    place.assign = [assign = place.assign](Scene& scene, const KeyValue& value, const KeyAt& at) {
+        assign(scene, value, at);
+        scene.spline.by_stroke = false;
     };
     return place;
 }
 
+KeyPlace knots_place() {
+    return {.assign = [](Scene& scene, const KeyValue& value,
+                         const KeyAt&) { scene.spline.free_knots = value == KeyValue("free"); },
+            .value = [](const Scene& scene, const KeyAt&) -> std::optional<KeyValue> {
+                return scene.spline.free_knots ? "free" : "fixed";
+            }};
+}
+
+// A row is read as a row.
+// clang-format off
 Rows spline() {
     return {
         {"spline", "degree", integer, plain, any, {"3", "5"}, "3", "Degree of the spline.",
@@ -40,17 +53,11 @@ Rows spline() {
          "program. Without the key RR has six over the rise and six over the return.", uniform_segments()},
         {"spline", "breakpoints", numbers, plain, not_negative, {}, "uniform",
          "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a "
-         "program from 0 to 1, in units of each spline segment.", stored_in(&Scene::spline, &SplineSpec::breakpoints),
-         Availability::now, "segments"},
+         "program from 0 to 1, in units of each spline segment.", breakpoints_place(), Availability::now, "segments"},
         {"spline", "knots", text, plain, any, {"fixed", "free"}, "\"fixed\"",
          "`\"free\"` makes the interior breakpoints design variables: those of `segments` or `breakpoints` are "
          "where the search starts. DRD and RR, at most 256 segments.",
-         KeyPlace{.assign = [](Scene& scene, const KeyValue& value, std::size_t) {
-                      scene.spline.free_knots = value == KeyValue("free");
-                  },
-                  .value = [](const Scene& scene) -> std::optional<KeyValue> {
-                      return scene.spline.free_knots ? "free" : "fixed";
-                  }}},
+         knots_place()},
         {"spline", "continuity", integer, plain, Range::between(2, 4), {}, "degree - 1",
          "Highest continuous derivative, from 2 to degree - 1.", stored_in(&Scene::spline, &SplineSpec::continuity)},
         {"spline", "end_jerk", text, plain, any, {"free", "zero"}, "\"free\"",
@@ -127,12 +134,12 @@ Rows dimension_weights() {
 /// The name of a law, or a table of numbers.
 KeyPlace reference_place() {
     return {.assign =
-                [](Scene& scene, const KeyValue& value, std::size_t) {
+                [](Scene& scene, const KeyValue& value, const KeyAt&) {
                     Reference& reference = scene.objective.reference;
                     reference.numeric = !std::holds_alternative<std::string>(value);
                     if (!reference.numeric) reference.law = std::get<std::string>(value);
                 },
-            .value = [](const Scene& scene) -> std::optional<KeyValue> {
+            .value = [](const Scene& scene, const KeyAt&) -> std::optional<KeyValue> {
                 const Reference& reference = scene.objective.reference;
                 return reference.numeric ? KeyValue() : KeyValue(reference.law);
             }};
@@ -159,72 +166,12 @@ Rows reference() {
                         term.reference_meaning, reference_number(term.reference), needs_of(term)});
     return rows;
 }
-
-Rows limits() {
-    Rows rows;
-    for (const PeakLimitRow& row : peak_limit_rows())
-        if (row.side == 0)
-            rows.push_back({"limits", row.name(), number_or_bounds, row.spellings, any, {}, "none", row.meaning});
-    for (const LimitRow& row : limit_rows()) {
-        if (row.side != nullptr) continue;
-        const Availability needs = row.needs_dynamics ? Availability::needs_dynamics
-                                   : row.needs_drive  ? Availability::needs_drive
-                                   : row.needs_forces ? Availability::needs_forces
-                                                      : Availability::needs_cam;
-        const KeyType type = row.figure == LimitedFigure::motor_torque ? number_or_bounds : number;
-        rows.push_back({"limits", row.name, type, row.spellings, type == number ? range_in(row.range, row.spellings.front()) : any,
-                        {}, row.default_text, row.meaning, {}, needs});
-        if (const LimitRow::Swinging& swinging = row.swinging; swinging.name != nullptr)
-            rows.push_back({"limits", swinging.name, number, swinging.spellings,
-                            range_in(row.range, swinging.spellings.front()), {}, row.default_text,
-                            swinging.meaning, {}, needs, row.name});
-    }
-    rows.push_back({"limits", "motor_curve", points, plain, any, {}, "none",
-                    "The torque-speed curve of the motor: pairs of a speed in rpm, from 0 on, and the largest "
-                    "magnitude of the torque there in N m. Linear between them, concave and never rising; the last "
-                    "speed is the largest.", {}, Availability::needs_drive});
-    rows.push_back({"limits", "spring_harmonics", number_or_range, plain, Range::between(1, most_harmonic), {},
-                    "the nearest 3", "The harmonics that `spring_harmonic` holds for: one, or a range `{ min, max }`. "
-                    "Default: the nearest to `forces.spring_frequency`, and one to either side.",
-                    {}, Availability::needs_forces});
-    return rows;
-}
-
-Rows solver() {
-    return {
-        {"solver", "name", text, plain, any, {}, "\"auto\"",
-         "`\"auto\"` or a solver of `camopt list solvers`.", stored_in(&Scene::solver, &SolverSpec::name)},
-        {"solver", "tolerance", number, plain, Range::between(1e-12, 1e-2), {}, "1e-9",
-         "Feasibility and optimality of the solve, relative.", stored_in(&Scene::solver, &SolverSpec::tolerance)},
-        {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7 where convex, 1e-4 otherwise",
-         "Proved relative gap below which the verdict is optimal.", stored_in(&Scene::solver, &SolverSpec::gap)},
-        {"solver", "max_seconds", number, plain, positive, {}, "60",
-         "Wall time of search, proof, tie-break and explanation together; then the best motion so far is returned.",
-         stored_in(&Scene::solver, &SolverSpec::max_seconds)},
-        {"solver", "explain_seconds", number, plain, not_negative, {}, "5",
-         "Part of this time: for the search for changes that make an infeasible scene feasible.",
-         stored_in(&Scene::solver, &SolverSpec::explain_seconds)},
-        {"solver", "explain_changes", integer, plain, Range::between(1, 1000), {}, "3",
-         "That search ends as soon as it has found so many useful changes.",
-         stored_in(&Scene::solver, &SolverSpec::explain_changes)},
-        {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1 where convex, 8 otherwise",
-         "Starting points; a convex scene needs one.", stored_in(&Scene::solver, &SolverSpec::starts)},
-        {"solver", "seed", integer, plain, Range::between(0, 4294967295), {}, "0",
-         "Seed of the random starting points.", stored_in(&Scene::solver, &SolverSpec::seed)},
-        {"solver", "options", options, plain, any, {}, "none",
-         "The solver's own options: any names, values are text, numbers, true or false."},
-    };
-}
 // clang-format on
 
 }  // namespace
 
 Rows of_search() {
     return joined({spline(), objective(), dimension_weights(), reference()});
-}
-
-Rows of_limits() {
-    return joined({limits(), solver()});
 }
 
 }  // namespace camopt::key_rows

@@ -89,12 +89,6 @@ std::optional<double>& value_of(SetPoint& point, int order) {
     return order == 0 ? point.displacement : order == 1 ? point.velocity : point.acceleration;
 }
 
-double set_point_unit(const SetPointScale& scale, int order, bool in_time) {
-    if (in_time && !scale.speed)
-        throw InputError("a set point in time: found no speed; allowed: together with motion.speed");
-    return scale.lift * std::pow((in_time ? *scale.speed : 1.0) / scale.angle, order);
-}
-
 std::vector<PlacedPoint> placed_points(const MotionSpec& motion) {
     std::vector<PlacedPoint> all;
     PlacedPoint stretch;

@@ -9,15 +9,9 @@
 #pragma once
 
 #include "scene/key_row.hpp"
-#include "scene/scene.hpp"
+#include "scene/set_point_scale.hpp"
 
 namespace camopt {
-
-/// The normalisation of a stretch's set points. SI, rad.
-struct SetPointScale {
-    double angle = 1.0, lift = 1e-3;
-    std::optional<double> speed;
-};
 
 /// The spelling of a set point's derivative of `order` in this unit. Throws InputError if there is none.
 [[nodiscard]] const Spelling& spelling_of_unit(int order, std::string_view unit);
@@ -26,10 +20,6 @@ struct SetPointScale {
 
 /// The wanted number of derivative `order`.
 [[nodiscard]] std::optional<double>& value_of(SetPoint& point, int order);
-
-/// SI value of one normalised unit of the derivative of `order` (0 to 2), by time or by the cam angle.
-/// Throws InputError by time without a speed.
-[[nodiscard]] double set_point_unit(const SetPointScale& scale, int order, bool in_time);
 
 /// A set point on the whole motion.
 struct PlacedPoint {

@@ -2,11 +2,13 @@
 // Every key of a scene file in every unit arrives in the Scene: tests/input/accepted.
 #include "core/text/parsing.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "input/scene_reader.hpp"
+#include "input/scene_document.hpp"
+#include "input/scene_text.hpp"
 #include "profiles/factory/cam_formulas.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "tests/input/cam_points.hpp"
 #include "tests/input/scene_cases.hpp"
+#include "tests/support/same_scene.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -258,6 +260,46 @@ TEST_P(AcceptedScenes, ArriveInSiUnits) {
     }
 }
 
+/// "motion.segments[0].angle_deg" as its row is named: "motion.segments.angle_deg".
+std::string without_indices(std::string_view key) {
+    std::string plain;
+    bool inside = false;
+    for (const char letter : key) {
+        inside = letter == '[' || (inside && letter != ']');
+        if (!inside && letter != ']') plain += letter;
+    }
+    return plain;
+}
+
+const KeyRow* row_of(std::string_view key) {
+    const std::size_t dot = key.rfind('.');
+    return dot == std::string_view::npos ? match_key("", key).row
+                                         : match_key(key.substr(0, dot), key.substr(dot + 1)).row;
+}
+
+TEST_P(AcceptedScenes, AreWrittenAsTheyWereRead) {
+    const KnownNames names = reaching();
+    std::size_t in_their_units = 0;
+    const std::vector<AcceptedScene> all = accepted_scenes(GetParam());
+    for (const AcceptedScene& one : all) {
+        SCOPED_TRACE(one.place + ": " + one.key + "\n" + one.toml);
+        const Scene scene = read_scene(one.toml, "s.toml", names, {});
+        const std::string text = scene_text(scene);
+        SCOPED_TRACE(text);
+        const Scene again = read_scene(text, "again.toml", names, {});
+        EXPECT_EQ(testing_support::differing_parts(scene, again), "");
+        EXPECT_EQ(scene_text(again), text);
+        for (const WrittenKey& key : keys_written_in(text, "again.toml"))
+            if (row_of(without_indices(key.key)) == row_of(one.key)) {
+                EXPECT_EQ(without_indices(key.key), one.key);
+                ++in_their_units;
+                break;
+            }
+    }
+    // Others have their default, or are numbers of a table.
+    EXPECT_GE(in_their_units, all.size() * 3 / 4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Files, AcceptedScenes,
                          testing::ValuesIn(case_files(source_folder() + "/tests/input/accepted")),
                          [](const auto& info) { return info.param.stem().string(); });
@@ -266,7 +308,10 @@ TEST(SceneReader, CamPointsArriveInEveryUnit) {
     const KnownNames names = reaching();
     for (const CamPointKey& one : cam_point_keys()) {
         SCOPED_TRACE(one.key);
-        const MeasuredMotion measured = read_scene(one.toml, "s.toml", names, {}).measured.value();
+        const Scene scene = read_scene(one.toml, "s.toml", names, {});
+        const Scene again = read_scene(scene_text(scene), "again.toml", names, {});
+        EXPECT_EQ(testing_support::differing_parts(scene, again), "");
+        const MeasuredMotion& measured = scene.measured.value();
         const double angle = 20.0 * std::numbers::pi / 36.0;
         const auto row =
             std::ranges::min_element(measured.angle, {}, [&](double at) { return std::abs(at - angle); });

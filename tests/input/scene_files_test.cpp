@@ -4,7 +4,9 @@
 #include "input/keys/scene_keys.hpp"
 #include "input/machine/machine_reader.hpp"
 #include "input/scene_reader.hpp"
+#include "input/scene_text.hpp"
 #include "profiles/factory/cam_formulas.hpp"
+#include "tests/support/same_scene.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -46,6 +48,20 @@ TEST(Scenes, EveryExampleReadsAndStatesItsPurpose) {
             ADD_FAILURE() << error.what();
         }
         EXPECT_NE(text_of(entry.path()).find("\n# "), std::string::npos) << "no comment line";
+        ++count;
+    }
+    EXPECT_GE(count, 20);
+}
+
+TEST(Scenes, AreWrittenAsTheyWereRead) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(sources / "scenes")) {
+        if (entry.path().extension() != ".toml") continue;
+        if (text_of(entry.path()).find("\n[machine]") != std::string::npos) continue;
+        const Scene scene = read_scene_file(entry.path(), known);
+        const std::string text = scene_text(scene);
+        SCOPED_TRACE(entry.path().string() + "\n" + text);
+        EXPECT_EQ(testing_support::differing_parts(scene, read_scene(text, "again.toml", known)), "");
         ++count;
     }
     EXPECT_GE(count, 20);

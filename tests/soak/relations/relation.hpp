@@ -101,6 +101,7 @@ struct Comparison {
 
 // The checks.
 [[nodiscard]] Finding check_accepted(const Solved& solved);
+[[nodiscard]] Finding check_written(const Solved& solved);
 [[nodiscard]] Finding check_json(const Solved& solved);
 [[nodiscard]] Finding check_time(const Solved& solved);
 [[nodiscard]] Finding check_peaks(const Solved& solved);

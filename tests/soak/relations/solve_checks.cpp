@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Checks of a solve as a whole: texts, time, bounds and proofs.
+#include "input/loading/load_scene.hpp"
+#include "input/scene_text.hpp"
 #include "tests/soak/relations/relation.hpp"
+#include "tests/support/same_scene.hpp"
 
 #include <fmt/format.h>
 
@@ -47,6 +50,13 @@ bool holds_word(const std::string& text, const std::string& word) {
 Finding check_accepted(const Solved& solved) {
     const std::string& refusal = solved.outcome.refusal;
     return refusal.empty() ? holds : Finding("refused: " + refusal);
+}
+
+Finding check_written(const Solved& solved) {
+    const Scene scene = scene_of_toml(solved.text.text(), {}, "soak");
+    const std::string text = input::scene_text(scene);
+    const std::string parts = testing_support::differing_parts(scene, scene_of_toml(text, {}, "written"));
+    return parts.empty() ? holds : Finding("differs in " + parts);
 }
 
 Finding check_json(const Solved& solved) {

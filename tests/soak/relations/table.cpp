@@ -8,6 +8,7 @@ namespace {
 
 constexpr Check check_rows[] = {
     {"accepted", "a valid scene is read and solved without an exception", check_accepted},
+    {"written", "the scene that was read, written and read again, is the same in every bit", check_written},
     {"json", "both texts can be read, hold no NaN, and no number is missing that the verdict needs",
      check_json},
     {"time", "solver.max_seconds is kept within 10 %", check_time},

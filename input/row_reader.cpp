@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "input/row_reader.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt::input {
+namespace {
+
+OptionValue option_value(const Node& node) {
+    if (node.kind == NodeKind::boolean) return node.boolean;
+    if (node.kind == NodeKind::integer) return node.integer;
+    if (node.kind == NodeKind::number) return node.number;
+    return node.text;
+}
+
+bool is_pairs(KeyType type) {
+    return type == KeyType::points || type == KeyType::number_or_points;
+}
+
+/// A value of a checked file as its row stores it.
+class ValueReader {
+ public:
+    ValueReader(const Scene& scene, const GivenAt& key)
+        : scene_(scene), key_(key), row_(*key.given.row), node_(key.given.value()) {}
+
+    [[nodiscard]] KeyValue read() const {
+        switch (node_.kind) {
+            case NodeKind::text:
+                return node_.text;
+            case NodeKind::boolean:
+                return node_.boolean;
+            case NodeKind::integer:
+                if (row_.type == KeyType::integer) return node_.integer;
+                return stored(node_);
+            case NodeKind::number:
+                return stored(node_);
+            case NodeKind::array:
+                return list();
+            case NodeKind::table:
+                return table();
+            case NodeKind::date_or_time:
+                break;
+        }
+        return {};
+    }
+
+ private:
+    const Scene& scene_;
+    const GivenAt& key_;
+    const KeyRow& row_;
+    const Node& node_;
+
+    [[nodiscard]] double stored(const Node& number) const {
+        const double written = number.as_number();
+        return row_.place.stored ? row_.place.stored(scene_, key_.at, written)
+                                 : written * key_.given.spelling->factor;
+    }
+    [[nodiscard]] KeyValue list() const {
+        if (row_.type == KeyType::tables) return static_cast<long long>(node_.items.size());
+        if (row_.type == KeyType::texts) {
+            std::vector<std::string> texts;
+            for (const Node& item : node_.items) texts.push_back(item.text);
+            return texts;
+        }
+        if (is_pairs(row_.type)) {
+            KeyPairs pairs;
+            for (const Node& pair : node_.items)
+                pairs.push_back({pair.items[0].as_number() * row_.place.first_unit, stored(pair.items[1])});
+            return pairs;
+        }
+        std::vector<double> numbers;
+        for (const Node& item : node_.items) numbers.push_back(stored(item));
+        return numbers;
+    }
+    [[nodiscard]] KeyValue table() const {
+        if (row_.type == KeyType::options) {
+            KeyOptions options;
+            for (const Member& option : node_.members)
+                options.emplace(option.name, option_value(option.value));
+            return options;
+        }
+        if (row_.type == KeyType::table || row_.type == KeyType::text_or_table) return {};
+        KeyBounds bounds;
+        if (const Member* const least = node_.find("min")) bounds.least = stored(least->value);
+        if (const Member* const most = node_.find("max")) bounds.most = stored(most->value);
+        return bounds;
+    }
+};
+
+class RowReader {
+ public:
+    RowReader(Scene& scene, bool scaled, const KeyVisit& check)
+        : scene_(scene), scaled_(scaled), check_(check) {}
+
+    /// `table`: the name in the key table; `path`: as the user would write it.
+    void read(const Node& node, const std::string& table, const std::string& path, const KeyAt& at,
+              std::size_t depth = 0) const {
+        std::vector<Given> all;
+        for (const Member& member : node.members)
+            if (const KeyMatch match = match_key(table, member.name); match.row != nullptr)
+                all.push_back({&member, match.row, match.spelling});
+        // In the order of the manual: a type before what it decides.
+        std::ranges::sort(all, {}, &Given::row);
+        for (const Given& given : all) {
+            GivenAt key{given, at, joined_key(path, given.member->name)};
+            key.at.spelling = given.spelling;
+            key.at.choices = given.row->choices.size();
+            read_one(key);
+            read_inner(key, joined_key(table, given.row->name), depth);
+        }
+    }
+
+ private:
+    Scene& scene_;
+    bool scaled_;
+    const KeyVisit& check_;
+
+    void read_one(const GivenAt& key) const {
+        const KeyPlace& place = key.given.row->place;
+        if (!place.assign || static_cast<bool>(place.stored) != scaled_) return;
+        if (check_) check_(key);
+        place.assign(scene_, ValueReader(scene_, key).read(), key.at);
+    }
+    void read_inner(const GivenAt& key, const std::string& table, std::size_t depth) const {
+        const Node& value = key.given.value();
+        const KeyType type = key.given.row->type;
+        if (value.kind == NodeKind::table && (type == KeyType::table || type == KeyType::text_or_table))
+            return read(value, table, key.key, key.at, depth);
+        if (type != KeyType::tables) return;
+        for (std::size_t i = 0; i < value.items.size(); ++i) {
+            KeyAt at = key.at;
+            at.entry[depth] = i;
+            read(value.items[i], table, fmt::format("{}[{}]", key.key, i), at, depth + 1);
+        }
+    }
+};
+
+}  // namespace
+
+void read_rows(const SceneSource& source, Scene& scene) {
+    RowReader(scene, false, {}).read(source.root, "", "", {});
+}
+
+void read_scaled_rows(const SceneSource& source, std::string_view table, Scene& scene,
+                      const KeyVisit& check) {
+    if (const Node* const node = source.table(table))
+        RowReader(scene, true, check).read(*node, std::string(table), std::string(table), {});
+}
+
+}  // namespace camopt::input
