@@ -4,6 +4,8 @@
 #include "scene/keys/own_rows.hpp"
 #include "scene/set_point_scale.hpp"
 
+#include <tuple>
+
 namespace camopt::key_rows {
 namespace {
 
