@@ -105,6 +105,7 @@ class RowReader {
             GivenAt key{given, at, joined_key(path, given.member->name)};
             key.at.spelling = given.spelling;
             key.at.choices = given.row->choices.size();
+            if (!scaled_) scene_.written[joined_key(path, given.row->name)] = *given.spelling;
             read_one(key);
             read_inner(key, joined_key(table, given.row->name), depth);
         }

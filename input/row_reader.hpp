@@ -18,7 +18,7 @@ struct GivenAt {
 /// Called before a key is read: throws for one that does not fit.
 using KeyVisit = std::function<void(const GivenAt& key)>;
 
-/// What is stored as it is written, or in SI, of the whole file.
+/// What is stored as it is written, or in SI, of the whole file; and Scene::written of every key.
 void read_rows(const SceneSource& source, Scene& scene);
 
 /// The keys of one table, "motion", that are stored by others which were read before: set points by their

@@ -29,7 +29,6 @@ class SceneReader {
         scene.spline.by_stroke = true;  // without a number of segments
         read_rows(source_, scene);
         scene.length_unit = written_length_unit();
-        scene.written = written_spellings();
         read_motion(source_, known_, scene);
         check_breakpoints(scene.spline);
         if (!source_.table("objective") && !scene.motion.prescribed() && !is_nearest())
@@ -66,20 +65,6 @@ class SceneReader {
                     return LengthUnit::millimetre;
             }
         return LengthUnit::millimetre;
-    }
-
-    /// Scene::written.
-    std::map<std::string, Spelling> written_spellings() const {
-        std::map<std::string, Spelling> all;
-        for (const KeyRow& row : scene_keys())
-            if (const auto given = source_.find(row.table, row.name))
-                all[joined_key(row.table, row.name)] = *given->spelling;
-        if (const auto segments = source_.find("motion", "segments"))
-            for (std::size_t i = 0; i < segments->value().items.size(); ++i)
-                if (const auto angle =
-                        SceneSource::find_in(segments->value().items[i], "motion.segments", "angle"))
-                    all[fmt::format("motion.segments[{}].angle", i)] = *angle->spelling;
-        return all;
     }
 
     void check_breakpoints(const SplineSpec& spline) const {

@@ -344,7 +344,7 @@ std::string scene_text(const Scene& given) {
     check_writable(scene);
     if (scene.motion.valve && !are_of_lobe(scene.motion)) scene.motion.valve.reset();
     if (scene.measured && !scene.measured_rows) scene.measured_rows = rows_of(*scene.measured);
-    return document_text(SceneWriter(scene).write());
+    return document_text(SceneWriter(scene).write(), TableEntries::on_lines);
 }
 
 }  // namespace camopt::input

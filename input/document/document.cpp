@@ -84,17 +84,17 @@ bool is_tables(const Node& node) {
     return node.kind == NodeKind::array && !node.items.empty() && node.items.front().kind == NodeKind::table;
 }
 
-std::string lines_text(const Node& node) {
-    if (!is_tables(node)) return value_text(node);
+std::string lines_text(const Node& node, TableEntries entries) {
+    if (entries == TableEntries::in_one_line || !is_tables(node)) return value_text(node);
     std::string text = "[\n";
     for (const Node& item : node.items) text += "    " + value_text(item) + ",\n";
     return text + "]";
 }
 
-void append(std::string& text, const std::vector<Member>& members, bool tables) {
+void append(std::string& text, const std::vector<Member>& members, bool tables, TableEntries entries) {
     for (const Member& member : members)
         if (tables || member.value.kind != NodeKind::table)
-            text += key_text(member.name) + " = " + lines_text(member.value) + "\n";
+            text += key_text(member.name) + " = " + lines_text(member.value, entries) + "\n";
 }
 
 Node node_of(NodeKind kind) {
@@ -181,13 +181,13 @@ std::string value_text(const Node& node) {
     throw InputError("a scene is written as TOML: found a date or time; allowed: the value types of a scene");
 }
 
-std::string document_text(const Node& root) {
+std::string document_text(const Node& root, TableEntries entries) {
     std::string text;
-    append(text, root.members, false);
+    append(text, root.members, false, entries);
     for (const Member& member : root.members) {
         if (member.value.kind != NodeKind::table) continue;
         text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key_text(member.name));
-        append(text, member.value.members, true);
+        append(text, member.value.members, true, entries);
     }
     return text;
 }

@@ -77,10 +77,12 @@ struct Member {
 // Writes a document as TOML: parse_document(document_text(root)) is the same tree except for locations.
 // Comments and layout are lost. Internal to input/.
 
-/// The tables of the root as sections, each key on one line, of an array of tables each on its own. Numbers
-/// with the fewest digits that read back as the same double. Throws InputError for a date or time, which no
-/// scene has.
-[[nodiscard]] std::string document_text(const Node& root);
+/// The entries of an array of tables: after one another, or each on a line.
+enum class TableEntries { in_one_line, on_lines };
+
+/// The tables of the root as sections, each key on one line. Numbers with the fewest digits that read back as
+/// the same double. Throws InputError for a date or time, which no scene has.
+[[nodiscard]] std::string document_text(const Node& root, TableEntries entries = TableEntries::in_one_line);
 
 /// One value of it: 30.0, "DRD", [0.0, 0.5], {min = 20, max = 60}.
 [[nodiscard]] std::string value_text(const Node& node);
