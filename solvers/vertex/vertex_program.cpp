@@ -15,8 +15,6 @@ constexpr double kept_side = 1e-10;
 constexpr double least_multiplier = 1e-10;
 // Smaller pivots amplify round-off.
 constexpr double least_pivot = 1e-9;
-// A step may leave rows violated, or multipliers negative, by this: less than what counts as satisfied.
-constexpr double passed_by = 0.5e-10;
 // Right-hand sides are perturbed by up to twice this.
 constexpr double moved_by = 1e-9;
 // Costs of the first phase are perturbed by this part of the largest, so that multipliers are distinct.
@@ -25,29 +23,6 @@ constexpr double moved_cost = 1e-5;
 constexpr int refactor_every = 50;
 constexpr int most_steps_a_variable = 60;
 constexpr int clock_every = 32;
-// Rows a variable that steps look at, and violated ones a variable that join them at once.
-constexpr int most_live = 8, most_woken = 1;
-
-/// The longest step that passes no row by more than `passed_by`, and of the rows met within it that of
-/// largest pivot: nearly parallel rows, met at nearly the same step, make a singular corner otherwise.
-/// Source: P. Harris, Pivot selection methods of the Devex LP code, Math. Program. 5 (1973).
-class RatioTest {
- public:
-    /// First of all rows: the room and the speed at which a step uses it up.
-    void limit(double room, double speed) {
-        if (speed > least_pivot && std::max(0.0, room) + passed_by < longest_ * speed)
-            longest_ = (std::max(0.0, room) + passed_by) / speed;
-    }
-    /// Then of all rows: the best yet.
-    [[nodiscard]] bool takes(double room, double speed) {
-        if (speed <= steepest_ || room > longest_ * speed) return false;
-        steepest_ = speed;
-        return true;
-    }
-
- private:
-    double longest_ = infinity, steepest_ = least_pivot;
-};
 
 }  // namespace
 
@@ -72,56 +47,9 @@ void VertexProgram::add_row(const Eigen::VectorXd& a, double b) {
     const double share = 1.0 + static_cast<double>(noise_ >> 11) * 0x1p-53;
     moved_.push_back(side_.back() + moved_by * share * std::max(1.0, std::abs(side_.back())));
     row_on_.push_back(0);
-    is_live_.push_back(0);
-    if (!corner_.empty()) make_live(row);
-}
-
-void VertexProgram::make_live(int row) {
-    is_live_[static_cast<std::size_t>(row)] = 1;
-    live_.push_back(row);
-    live_normals_.add(normals_, row);
-    activity_.conservativeResize(activity_.size() + 1);
-    activity_[activity_.size() - 1] = normals_.dot(row, x_);
-}
-
-void VertexProgram::keep_live(const std::vector<int>& rows) {
-    std::ranges::fill(is_live_, 0);
-    live_.clear();
-    live_normals_.clear();
-    activity_.resize(0);
-    for (const int row : rows) make_live(row);
-}
-
-/// Of too many live rows those of the most room, apart from the corner's.
-void VertexProgram::rest_idle_rows() {
-    const int most = most_live * variables();
-    if (static_cast<int>(live_.size()) <= 2 * most) return;
-    std::vector<std::pair<double, int>> rooms;
-    for (std::size_t k = 0; k < live_.size(); ++k) {
-        const auto row = static_cast<std::size_t>(live_[k]);
-        const double room = moved_[row] - activity_[static_cast<Eigen::Index>(k)];
-        rooms.emplace_back(row_on_[row] != 0 ? -infinity : room, live_[k]);
-    }
-    std::ranges::nth_element(rooms, rooms.begin() + most);
-    std::vector<int> stay;
-    for (int k = 0; k < most; ++k) stay.push_back(rooms[static_cast<std::size_t>(k)].second);
-    std::ranges::sort(stay);
-    keep_live(stay);
-}
-
-/// The rows that the corner violates most, of those that steps have not looked at. False: there is none.
-bool VertexProgram::wake_violated_rows() {
-    const Eigen::VectorXd activity = normals_.times(x_);
-    std::vector<std::pair<double, int>> violated;
-    for (int i = 0; i < rows(); ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        if (!is_live_[row] && activity[i] - moved_[row] > kept_side)
-            violated.emplace_back(moved_[row] - activity[i], i);
-    }
-    const auto most = std::min(violated.size(), static_cast<std::size_t>(most_woken * variables()));
-    std::ranges::partial_sort(violated, violated.begin() + static_cast<std::ptrdiff_t>(most));
-    for (std::size_t k = 0; k < most; ++k) make_live(violated[k].second);
-    return most > 0;
+    if (corner_.empty()) return;
+    activity_.conservativeResize(row + 1);
+    activity_[row] = normals_.dot(row, x_);
 }
 
 std::vector<int> VertexProgram::drop_rows(std::vector<char> kept) {
@@ -138,17 +66,15 @@ std::vector<int> VertexProgram::drop_rows(std::vector<char> kept) {
         side_[at] = side_[from];
         moved_[at] = moved_[from];
         row_on_[at] = row_on_[from];
+        if (!corner_.empty()) activity_[to] = activity_[i];
     }
     normals_.keep(stay);
+    const auto left = static_cast<Eigen::Index>(stay.size());
     for (std::vector<double>* values : {&factor_, &side_, &moved_}) values->resize(stay.size());
     row_on_.resize(stay.size());
-    is_live_.resize(stay.size());
+    if (!corner_.empty()) activity_.conservativeResize(left);
     for (Face& face : corner_)
         if (face >= 0) face = place[static_cast<std::size_t>(face)];
-    std::vector<int> live;
-    for (const int row : live_)
-        if (place[static_cast<std::size_t>(row)] >= 0) live.push_back(place[static_cast<std::size_t>(row)]);
-    if (!corner_.empty()) keep_live(live);
     return stay;
 }
 
@@ -212,7 +138,7 @@ void VertexProgram::start_at_bounds(const Eigen::VectorXd& cost) {
         inverse_(j, j) = low ? -1.0 : 1.0;
         x_[j] = low ? lower_[j] : upper_[j];
     }
-    keep_live({});
+    activity_ = normals_.times(x_);
     since_refactor_ = 0;
 }
 
@@ -228,15 +154,16 @@ bool VertexProgram::refactor() {
     if (!inverse_.allFinite()) return false;
     x_ = inverse_ * sides;
     x_ += inverse_ * (sides - faces * x_);
-    activity_ = live_normals_.times(x_);
+    activity_ = normals_.times(x_);
     since_refactor_ = 0;
     return true;
 }
 
-bool VertexProgram::exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& shares,
-                             const Eigen::VectorXd& rise) {
+bool VertexProgram::exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& rise) {
+    const Eigen::VectorXd a = normal(entering);
+    const Eigen::VectorXd shares = inverse_.transpose() * a;
     const Eigen::VectorXd column = inverse_.col(leaving) / shares[leaving];
-    const double step = side(entering) - normal(entering).dot(x_);
+    const double step = side(entering) - a.dot(x_);
     x_ += step * column;
     activity_ -= (step / shares[leaving]) * rise;
     inverse_ -= column * shares.transpose();
@@ -252,25 +179,16 @@ bool VertexProgram::exchange(Eigen::Index leaving, Face entering, const Eigen::V
 /// Dual simplex steps: the corner is optimal for the cost, but violates rows.
 VertexProgram::Outcome VertexProgram::reach_feasible(const Eigen::VectorXd& cost,
                                                      const SolveControl& control) {
-    for (;;) {
-        const Outcome outcome = reach_feasible_among_live(cost, control);
-        if (outcome != Outcome::done || !wake_violated_rows()) return outcome;
-    }
-}
-
-VertexProgram::Outcome VertexProgram::reach_feasible_among_live(const Eigen::VectorXd& cost,
-                                                                const SolveControl& control) {
     const int most = most_steps_a_variable * variables();
     for (int count = 0; count < most; ++count) {
         if (count % clock_every == clock_every - 1 && control.ending()) return Outcome::ended;
         double worst = kept_side;
         std::optional<Face> entering;
-        for (std::size_t k = 0; k < live_.size(); ++k) {
-            const auto row = static_cast<std::size_t>(live_[k]);
-            const double excess = activity_[static_cast<Eigen::Index>(k)] - moved_[row];
-            if (excess > worst && !row_on_[row]) {
+        for (int i = 0; i < rows(); ++i) {
+            const double excess = activity_[i] - moved_[static_cast<std::size_t>(i)];
+            if (excess > worst && !row_on_[static_cast<std::size_t>(i)]) {
                 worst = excess;
-                entering = live_[k];
+                entering = i;
             }
         }
         for (Eigen::Index j = 0; j < lower_.size(); ++j) {
@@ -286,22 +204,27 @@ VertexProgram::Outcome VertexProgram::reach_feasible_among_live(const Eigen::Vec
         const Eigen::VectorXd multipliers = face_multipliers(cost);
         const Eigen::VectorXd shares = inverse_.transpose() * normal(*entering);
         Eigen::Index leaving = -1;
-        RatioTest test;
-        for (Eigen::Index k = 0; k < shares.size(); ++k) test.limit(multipliers[k], shares[k]);
-        for (Eigen::Index k = 0; k < shares.size(); ++k)
-            if (test.takes(multipliers[k], shares[k])) leaving = k;
+        double least = infinity;
+        for (Eigen::Index k = 0; k < shares.size(); ++k) {
+            if (shares[k] <= least_pivot) continue;
+            const double ratio = std::max(0.0, multipliers[k]) / shares[k];
+            const bool tie = leaving >= 0 && ratio <= least + 1e-12;
+            if (ratio < least - 1e-12 || (tie && shares[k] > shares[leaving])) {
+                least = std::min(ratio, least);
+                leaving = k;
+            }
+        }
         if (leaving < 0) {
             ray_ = -shares;
             ray_face_ = *entering;
             return Outcome::infeasible;
         }
-        if (!exchange(leaving, *entering, shares, live_normals_.times(-inverse_.col(leaving))))
-            return Outcome::stuck;
+        if (!exchange(leaving, *entering, normals_.times(-inverse_.col(leaving)))) return Outcome::stuck;
     }
     return Outcome::stuck;
 }
 
-/// Primal simplex steps: the corner satisfies all rows, of which those that are not live may be passed.
+/// Primal simplex steps: the corner satisfies all rows.
 VertexProgram::Outcome VertexProgram::reach_optimal(const Eigen::VectorXd& cost,
                                                     const SolveControl& control) {
     const int most = most_steps_a_variable * variables();
@@ -314,29 +237,29 @@ VertexProgram::Outcome VertexProgram::reach_optimal(const Eigen::VectorXd& cost,
         (multipliers.array().min(0.0).square() / inverse_.colwise().squaredNorm().transpose().array())
             .maxCoeff(&leaving);
         const Eigen::VectorXd along = -inverse_.col(leaving);
-        const Eigen::VectorXd rise = live_normals_.times(along);
+        const Eigen::VectorXd rise = normals_.times(along);
         std::optional<Face> entering;
-        RatioTest test;
-        const auto each = [&](const auto& visit) {
-            for (Eigen::Index k = 0; k < rise.size(); ++k) {
-                const int row = live_[static_cast<std::size_t>(k)];
-                if (rise[k] > least_pivot && !row_on_[static_cast<std::size_t>(row)])
-                    visit(row, moved_[static_cast<std::size_t>(row)] - activity_[k], rise[k]);
-            }
-            for (Eigen::Index j = 0; j < lower_.size(); ++j) {
-                if (along[j] > 0.0 && !on_face(upper_face(j)))
-                    visit(upper_face(j), upper_[j] - x_[j], along[j]);
-                if (along[j] < 0.0 && !on_face(lower_face(j)))
-                    visit(lower_face(j), x_[j] - lower_[j], -along[j]);
+        double least = infinity, steepest = 0.0;
+        const auto meet = [&](Face face, double room, double speed) {
+            if (speed <= least_pivot) return;
+            const double ratio = std::max(0.0, room) / speed;
+            const bool tie = ratio <= least + 1e-12;
+            if (ratio < least - 1e-12 || (tie && speed > steepest)) {
+                least = std::min(least, ratio);
+                steepest = speed;
+                entering = face;
             }
         };
-        each([&](Face, double room, double speed) { test.limit(room, speed); });
-        each([&](Face face, double room, double speed) {
-            if (test.takes(room, speed)) entering = face;
-        });
+        for (int i = 0; i < rows(); ++i) {
+            if (!row_on_[static_cast<std::size_t>(i)])
+                meet(i, moved_[static_cast<std::size_t>(i)] - activity_[i], rise[i]);
+        }
+        for (Eigen::Index j = 0; j < lower_.size(); ++j) {
+            if (along[j] > 0.0 && !on_face(upper_face(j))) meet(upper_face(j), upper_[j] - x_[j], along[j]);
+            if (along[j] < 0.0 && !on_face(lower_face(j))) meet(lower_face(j), x_[j] - lower_[j], -along[j]);
+        }
         if (!entering) return Outcome::stuck;
-        const Eigen::VectorXd shares = inverse_.transpose() * normal(*entering);
-        if (!exchange(leaving, *entering, shares, rise)) return Outcome::stuck;
+        if (!exchange(leaving, *entering, rise)) return Outcome::stuck;
     }
     return Outcome::stuck;
 }
@@ -403,42 +326,36 @@ VertexBound VertexProgram::infeasible_bound() const {
     return result;
 }
 
-/// At a corner of the box, optimal for nearly the cost: perturbed so that multipliers are distinct.
-void VertexProgram::start_anew(const Eigen::VectorXd& cost) {
-    last_cost_ = cost;
-    const double size = std::max(1e-300, cost.cwiseAbs().maxCoeff());
-    for (Eigen::Index j = 0; j < cost.size(); ++j) {
-        noise_ ^= noise_ << 13;
-        noise_ ^= noise_ >> 7;
-        noise_ ^= noise_ << 17;
-        const double share = 0.5 + static_cast<double>(noise_ >> 11) * 0x1p-54;
-        last_cost_[j] +=
-            (cost[j] < 0.0 ? -1.0 : 1.0) * moved_cost * size * share / std::max(1.0, upper_[j] - lower_[j]);
-    }
-    start_at_bounds(last_cost_);
-}
-
-/// From the last corner to one that satisfies all rows, and from there to that of the cost.
-VertexProgram::Outcome VertexProgram::reach(const Eigen::VectorXd& cost, const SolveControl& control) {
-    Outcome outcome = reach_feasible(last_cost_, control);
-    if (outcome == Outcome::done) outcome = reach_optimal(cost, control);
-    if (outcome != Outcome::done) return outcome;
-    last_cost_ = cost;
-    return reach_feasible(cost, control);  // of the rows that those steps passed
-}
-
 VertexBound VertexProgram::minimize(const Eigen::VectorXd& cost, const SolveControl& control) {
-    for (const bool again : {true, false}) {
-        if (corner_.empty() || !again)
-            start_anew(cost);
-        else
-            rest_idle_rows();
-        const Outcome outcome = reach(cost, control);
-        if (outcome == Outcome::stuck && again) continue;
-        VertexBound result = outcome == Outcome::infeasible ? infeasible_bound() : bound_at_corner(cost);
-        if (outcome == Outcome::infeasible && again && result.status != VertexBound::Status::infeasible)
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        if (corner_.empty() || attempt > 0) {
+            Eigen::VectorXd first = cost;
+            const double size = std::max(1e-300, cost.cwiseAbs().maxCoeff());
+            for (Eigen::Index j = 0; j < first.size(); ++j) {
+                noise_ ^= noise_ << 13;
+                noise_ ^= noise_ >> 7;
+                noise_ ^= noise_ << 17;
+                const double share = 0.5 + static_cast<double>(noise_ >> 11) * 0x1p-54;
+                first[j] += (first[j] < 0.0 ? -1.0 : 1.0) * moved_cost * size * share /
+                            std::max(1.0, upper_[j] - lower_[j]);
+            }
+            start_at_bounds(first);
+            last_cost_ = first;
+        }
+        const Outcome feasible = reach_feasible(last_cost_, control);
+        if (feasible == Outcome::infeasible) {
+            VertexBound result = infeasible_bound();
+            if (result.status == VertexBound::Status::infeasible || attempt > 0) {
+                corner_.clear();
+                return result;
+            }
             continue;
-        if (outcome == Outcome::done)
+        }
+        const Outcome optimal = feasible == Outcome::done ? reach_optimal(cost, control) : feasible;
+        if (optimal == Outcome::done) last_cost_ = cost;
+        if (optimal == Outcome::stuck && attempt == 0) continue;
+        VertexBound result = bound_at_corner(cost);
+        if (optimal == Outcome::done)
             result.status = VertexBound::Status::optimal;
         else
             corner_.clear();

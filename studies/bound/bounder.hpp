@@ -61,14 +61,6 @@ struct Node {
     int depth = 0;
 };
 
-/// A number whose interval may be halved: a parameter, or a derivative of y at a place.
-struct Halved {
-    int variable = -1;  ///< −1: a derivative
-    int order = 0;
-    std::size_t place = 0;
-    double error = 0.0;
-};
-
 /// Not linear, of one place, and with an enclosure over boxes.
 [[nodiscard]] bool can_be_bounded(const PointRule& rule);
 
@@ -134,13 +126,8 @@ class Bounder {
     int linear_step(int row, int side, const BoxStep& step);
     bool tighten_variable(Node& node, int variable);
     bool exchange_places(Node& node);
-    bool pass(Node& node);
     void close(Node& node);
-    [[nodiscard]] std::map<std::pair<std::size_t, int>, double> plane_weights(const Node& node) const;
-    [[nodiscard]] std::vector<Halved> worth_halving(const Node& node) const;
-    void halve(Node& part, const Halved& number, bool upper);
-    [[nodiscard]] std::vector<Node> halves(const Node& node, const Halved& number);
-    [[nodiscard]] std::vector<Node> best_halves(const Node& node);
+    [[nodiscard]] std::vector<Node> halves(const Node& node);
 
     CamProblem whole_, linear_;
     double incumbent_;
@@ -154,7 +141,6 @@ class Bounder {
     BoxBound result_;
     BoxProof proof_;
     std::map<std::pair<int, int>, int> linear_steps_;
-    std::map<int, std::pair<std::size_t, int>> planes_;  ///< place and rule of a step that is a plane
 };
 
 }  // namespace camopt::box_bound

@@ -145,9 +145,7 @@ bool Bounder::add_plane(Node& node, std::size_t place, const Bent& bent, const E
             node.bound_steps[static_cast<std::size_t>(design_size()) + static_cast<std::size_t>(parameter)]);
     step.slope = plane->slope;
     step.constant = plane->constant;
-    const int number = log(std::move(step));
-    planes_[number] = {place, bent.rule};
-    add_row(node, number, true);
+    add_row(node, log(std::move(step)), true);
     return true;
 }
 

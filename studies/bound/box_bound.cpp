@@ -13,13 +13,6 @@ constexpr int most_cut_rounds = 30;
 // slowly at first may close in at once later.
 constexpr double worth_a_pass = 5e-3;
 constexpr int most_in_vain = 2;
-// A pass that gains less than this, relative, ends them at once: what is left takes a halved box.
-constexpr double no_gain = 1e-6;
-// Errors this near, relative, are equal: the first of them is halved, whatever the last digit.
-constexpr double tie = 1e-6;
-// Numbers whose halves are tried, by a pass each, and the least share of a number worth it, of the largest.
-constexpr std::size_t most_trials = 4;
-constexpr double worth_a_trial = 1e-2;
 // Halves in a row that do not lift the least bound by this part of what is left, until it is given up.
 constexpr double worth_a_half = 1e-2;
 constexpr int most_halves_in_vain = 8;
@@ -66,13 +59,6 @@ bool Bounder::settle(Node& node) {
     return true;
 }
 
-/// The boxes tightened, and the planes anew. False: nothing is in the node.
-bool Bounder::pass(Node& node) {
-    if (!tighten(node)) return false;
-    rebuild_all(node);
-    return settle(node);
-}
-
 void Bounder::close(Node& node) {
     sync_linear(node);
     sync_places(node);
@@ -80,146 +66,84 @@ void Bounder::close(Node& node) {
     int passes = 0, in_vain = 0;
     while (!is_done(node) && !control_.ending() && passes < options_.most_passes) {
         const double before = node.bound;
-        if (!pass(node) || is_done(node)) return;
+        if (!tighten(node)) return;
+        rebuild_all(node);
+        if (!settle(node)) return;
         ++passes;
+        if (is_done(node)) return;
         const double left = bounded() ? incumbent_ - node.bound : infinity;
         const double whole = bounded() ? left : std::max(1.0, std::abs(before));
-        const double gain = node.bound - before;
-        in_vain = gain < worth_a_pass * whole ? in_vain + 1 : 0;
+        const bool idle = node.bound - before < worth_a_pass * whole;
+        in_vain = idle ? in_vain + 1 : 0;
         const bool more = passes >= 2 && exchange_places(node);
-        if (!more && bounded() && gain < no_gain * std::max(1.0, std::abs(before))) return;
         if (in_vain >= (more ? most_in_vain + 1 : most_in_vain)) return;
     }
 }
 
-/// The multipliers that the bound has of planes, by place and rule.
-std::map<std::pair<std::size_t, int>, double> Bounder::plane_weights(const Node& node) const {
-    std::map<std::pair<std::size_t, int>, double> weights;
-    for (const auto& [step, multiplier] : node.multipliers) {
-        const auto plane = planes_.find(step);
-        if (plane != planes_.end()) weights[plane->second] += multiplier;
-    }
-    return weights;
-}
-
-/// The numbers whose halves promise most: those of the largest shares of the gap, multipliers of planes times
-/// their secant errors; of each derivative that at one place, of a parameter those of all places. And the
-/// number of the largest error, for it may lie under a plane that has no multiplier yet.
-std::vector<Halved> Bounder::worth_halving(const Node& node) const {
-    const std::map<std::pair<std::size_t, int>, double> weights = plane_weights(node);
-    std::vector<Halved> numbers;
-    Halved widest;
-    const auto take = [&](Halved number, double weight) {
-        const bool parameter = number.variable >= 0;  // it is in the boxes of many places
-        if (number.error > widest.error * (parameter ? 1.0 - tie : 1.0 + tie)) widest = number;
-        number.error *= weight;
-        const auto same = std::ranges::find_if(numbers, [&](const Halved& one) {
-            return one.variable == number.variable && one.order == number.order;
-        });
-        if (same == numbers.end())
-            numbers.push_back(number);
-        else if (parameter)
-            same->error += number.error;
-        else if (number.error > same->error * (1.0 + tie))
-            *same = number;
-    };
+std::vector<Node> Bounder::halves(const Node& node) {
+    // The number whose part of the secant errors is greatest; parameters stand in the boxes of many places.
+    double most = 0.0;
+    int variable = -1, order = -1;
+    std::size_t where = 0;
+    std::vector<double> of_variable(static_cast<std::size_t>(node.program.variables()), 0.0);
     for (std::size_t place = 0; place < node.boxes.size(); ++place) {
+        if (!node.boxes[place].bites) continue;
         for (const Bent& bent : node.boxes[place].bent) {
-            if (!node.boxes[place].bites || !bent.over || bent.over->most() <= 0.0) continue;
-            const auto found = weights.find({place, bent.rule});
-            const double weight = found == weights.end() ? 0.0 : found->second;
+            if (!bent.over || bent.over->most() <= 0.0) continue;
+            for (int i = 0; i < 4; ++i) {
+                const double error = bent.over->secant_error(i);
+                if (error > most) {
+                    most = error;
+                    variable = -1;
+                    order = i;
+                    where = place;
+                }
+            }
             const std::vector<int>& parameters =
                 whole_.model().rules[static_cast<std::size_t>(bent.rule)]->parameters();
-            for (int i = 0; i < 4; ++i) take({-1, i, place, bent.over->secant_error(i)}, weight);
-            for (std::size_t k = 0; k < parameters.size(); ++k)
-                take({design_size() + parameters[k], 4, place,
-                      bent.over->secant_error(4 + static_cast<int>(k))},
-                     weight);
+            for (std::size_t k = 0; k < parameters.size(); ++k) {
+                const double error = bent.over->secant_error(4 + static_cast<int>(k));
+                if (error >= most && error > 0.0) {
+                    most = error;
+                    variable = design_size() + parameters[k];
+                }
+            }
         }
     }
-    std::vector<Halved> best;
-    while (!numbers.empty() && best.size() + 1 < most_trials) {
-        const double most = std::ranges::max_element(numbers, {}, &Halved::error)->error;
-        if (!(most > 0.0) || (!best.empty() && most < worth_a_trial * best.front().error)) break;
-        const auto first =
-            std::ranges::find_if(numbers, [&](const Halved& one) { return one.error >= most * (1.0 - tie); });
-        best.push_back(*first);
-        numbers.erase(first);
-    }
-    const bool known = std::ranges::any_of(best, [&](const Halved& one) {
-        return one.variable == widest.variable && one.order == widest.order &&
-               (widest.variable >= 0 || one.place == widest.place);
-    });
-    if (widest.error > 0.0 && !known) best.push_back(widest);
-    return best;
-}
-
-void Bounder::halve(Node& part, const Halved& number, bool upper) {
-    BoxStep step;
-    step.kind = BoxStep::Kind::split;
-    const auto log_side = [&](const Eigen::VectorXd& weights, double middle) {
-        step.weights = upper ? Eigen::VectorXd(-weights) : weights;
-        step.side = upper ? -middle : middle;
-        part.splits.push_back(log(std::move(step)));
-        return part.splits.back();
-    };
-    if (number.variable >= 0) {
-        const int variable = number.variable;
-        const double low = part.program.lower(variable), high = part.program.upper(variable);
-        const double middle = 0.5 * (low + high);
-        const int own = log_side(Eigen::VectorXd::Unit(part.program.variables(), variable), middle);
-        part.program.set_bounds(variable, upper ? middle : low, upper ? high : middle);
-        part.bound_steps[static_cast<std::size_t>(variable)][upper ? 0 : 1] = own;
-        return;
-    }
-    const auto order = static_cast<std::size_t>(number.order);
-    Interval& box = part.boxes[number.place].state[order];
-    const StateRow& row = places_[number.place].state[order];
-    const double middle = 0.5 * (box.lower + box.upper) - row.offset;
-    const int own = log_side(row.weights, middle);
-    const Interval at = Interval(middle) + Interval(row.offset);
-    (upper ? box.lower : box.upper) = upper ? at.lower : at.upper;
-    part.boxes[number.place].steps[order][upper ? 0 : 1] = own;
-    add_row(part, own);
-}
-
-std::vector<Node> Bounder::halves(const Node& node, const Halved& number) {
     std::vector<Node> parts;
+    if (!(most > 0.0)) return parts;
     for (const bool upper : {false, true}) {
         Node part = node;
         ++part.depth;
         sync_linear(part);
         sync_places(part);
-        halve(part, number, upper);
+        BoxStep step;
+        step.kind = BoxStep::Kind::split;
+        if (variable >= 0) {
+            const double low = part.program.lower(variable), high = part.program.upper(variable);
+            const double middle = 0.5 * (low + high);
+            step.weights = (upper ? -1.0 : 1.0) * Eigen::VectorXd::Unit(part.program.variables(), variable);
+            step.side = upper ? -middle : middle;
+            part.splits.push_back(log(std::move(step)));
+            part.program.set_bounds(variable, upper ? middle : low, upper ? high : middle);
+            part.bound_steps[static_cast<std::size_t>(variable)][upper ? 0 : 1] = part.splits.back();
+        } else {
+            PlaceBox& place = part.boxes[where];
+            Interval& box = place.state[static_cast<std::size_t>(order)];
+            const StateRow& row = places_[where].state[static_cast<std::size_t>(order)];
+            const double middle = 0.5 * (box.lower + box.upper) - row.offset;
+            step.weights = upper ? Eigen::VectorXd(-row.weights) : row.weights;
+            step.side = upper ? -middle : middle;
+            part.splits.push_back(log(std::move(step)));
+            const Interval at = Interval(middle) + Interval(row.offset);
+            (upper ? box.lower : box.upper) = upper ? at.lower : at.upper;
+            place.steps[static_cast<std::size_t>(order)][upper ? 0 : 1] = part.splits.back();
+            add_row(part, part.splits.back());
+        }
         rebuild_all(part);
         parts.push_back(std::move(part));
     }
     return parts;
-}
-
-/// Strong branching: of the numbers that promise most, that whose halves have the greatest least bound after
-/// a pass. Source: T. Achterberg, T. Koch and A. Martin, Branching rules revisited, Oper. Res. Lett. 33
-/// (2005).
-std::vector<Node> Bounder::best_halves(const Node& node) {
-    std::vector<Node> best;
-    double greatest = -infinity;
-    const std::vector<Halved> numbers = worth_halving(node);
-    for (const Halved& number : numbers) {
-        if (!best.empty() && control_.ending()) break;
-        std::vector<Node> parts = halves(node, number);
-        if (numbers.size() == 1) return parts;
-        double least = infinity;
-        for (Node& part : parts) {
-            if (settle(part) && !is_done(part)) pass(part);
-            if (!is_done(part)) least = std::min(least, part.bound);
-        }
-        if (best.empty() || least > greatest + no_gain * std::max(1.0, std::abs(greatest))) {
-            best = std::move(parts);
-            greatest = least;
-        }
-        if (least == infinity) break;
-    }
-    return best;
 }
 
 std::optional<BoxBound> Bounder::run() {
@@ -288,14 +212,14 @@ std::optional<BoxBound> Bounder::run() {
         }
         Node node = std::move(*worst);
         open.erase(worst);
-        std::vector<Node> parts = best_halves(node);
+        std::vector<Node> parts = halves(node);
         if (parts.empty()) {
             open.push_back(std::move(node));
             break;
         }
         ++result_.parts;
         for (Node& part : parts) {
-            if (!is_done(part)) close(part);
+            close(part);
             put(std::move(part));
         }
     }

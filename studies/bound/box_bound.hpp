@@ -8,8 +8,7 @@
 //    the cost at most that of a motion at hand, is one linear program each. Smaller boxes, better planes,
 //    again.
 // 3. Where the bound's own motion breaks a rule between those angles, angles are added.
-// 4. Where that stalls, a number is halved: of the few that take most of the gap (secant error times
-//    multiplier), that whose halves are bounded best after a pass. The part of the least bound comes first.
+// 4. Where that stalls, the box of greatest secant error is halved, dimensions first, best bound first.
 //
 // Every bound of a linear program is proved from its multipliers (solvers/vertex/vertex_program.hpp).
 #pragma once

@@ -73,29 +73,6 @@ TEST(VertexProgram, ReachesBoundForEveryCost) {
     }
 }
 
-// Planes around a ball, far more than steps look at, some of them nearly parallel.
-TEST(VertexProgram, FewLiveRowsSatisfyAll) {
-    std::mt19937 random(11);
-    constexpr int variables = 6, planes = 800;
-    VertexProgram program(Eigen::VectorXd::Constant(variables, -2.0),
-                          Eigen::VectorXd::Constant(variables, 2.0));
-    std::vector<Eigen::VectorXd> rows;
-    for (int k = 0; k < planes; ++k) {
-        Eigen::VectorXd a = random_vector(random, variables).normalized();
-        if (k % 3 == 2) a = rows.back() + 1e-10 * a;
-        rows.push_back(a);
-        program.add_row(a, 1.0);
-    }
-    for (int ask = 0; ask < 100; ++ask) {
-        const Eigen::VectorXd cost = random_vector(random, variables);
-        const VertexBound found = program.minimize(cost, {});
-        ASSERT_EQ(found.status, VertexBound::Status::optimal) << ask;
-        EXPECT_NEAR(found.bound, cost.dot(found.x), 1e-6);
-        EXPECT_LE(found.bound, -cost.norm() + 1e-9);  // the ball lies within
-        for (const Eigen::VectorXd& row : rows) EXPECT_LE(row.dot(found.x), 1.0 + 1e-7);
-    }
-}
-
 TEST(VertexProgram, ProvesThatThereIsNothing) {
     VertexProgram program(Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0));
     program.add_row(Eigen::Vector2d(1.0, 1.0), 1.0);
