@@ -8,6 +8,8 @@
 
 #include <Eigen/QR>
 
+#include <cmath>
+
 namespace camopt {
 
 namespace {
@@ -209,6 +211,14 @@ class GeneralSolve {
         }
     }
 
+    /// By up to 2.4e-7 of it: the last digit can change the order in which boxes are halved, and with it
+    /// their number, and a search's last digits are those of its solver.
+    [[nodiscard]] static double rounded_up(double objective) {
+        constexpr int bits = 22;
+        if (!std::isfinite(objective)) return objective;
+        const double unit = std::ldexp(1.0, std::ilogb(std::max(1.0, std::abs(objective))) - bits);
+        return std::ceil(objective / unit) * unit;
+    }
     [[nodiscard]] static double objective_of(const StartSearch& search) {
         if (!search.found()) return infinity;
         return search.best().found.objective;
@@ -226,7 +236,7 @@ class GeneralSolve {
         options.gap = box_part_of_gap * judge_.gap;
         options.most_parts = parts;
         bound_ =
-            bound_over_boxes(*box_model_, objective_of(search), options,
+            bound_over_boxes(*box_model_, rounded_up(objective_of(search)), options,
                              search.found() ? control_ : control_.sooner(control_.in_vain.seconds_left()));
     }
     /// From the bound's own motion, which breaks limits, as a point of another form of the problem.
