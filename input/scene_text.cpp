@@ -249,11 +249,11 @@ class SceneWriter {
                                                  const KeyAt& at) const {
         const auto in_scene = scene_.written.find(path);
         const bool remembers = static_cast<bool>(row.place.unit);
-        const std::string unit = remembers                          ? row.place.unit(scene_, at)
-                                 : in_scene != scene_.written.end() ? std::string(in_scene->second.unit)
-                                                                    : std::string();
+        const std::string unit = remembers ? row.place.unit(scene_, at) : std::string();
         for (const Spelling& spelling : row.spellings)
-            if (spelling.unit == unit && (remembers || in_scene != scene_.written.end())) return &spelling;
+            if (remembers ? spelling.unit == unit
+                          : in_scene != scene_.written.end() && spelling.suffix == in_scene->second.suffix)
+                return &spelling;
         return nullptr;
     }
     [[nodiscard]] bool is_known(const Spelling& spelling, const KeyRow& row, const std::string& path,

@@ -95,12 +95,12 @@ struct CamKey {
     [[nodiscard]] bool is(const auto& entry) const {
         return entry.owned && entry.table == table && entry.key == name;
     }
-    /// The dimension that the key says; null: none does.
+    /// The dimension that the key says; null: none does, or one that the kind adds itself.
     [[nodiscard]] const Dimension* dimension(const CamSpec& cam, const CamVariant& variant) const {
         for (const CamNumber& number : variant.numbers)
             if (is(number) && number.index >= 0)
                 return &cam.dimensions.at(static_cast<std::size_t>(number.index)).value;
-        return cam.find(name);
+        return nullptr;
     }
     [[nodiscard]] std::optional<KeyValue> value(const Scene& scene) const {
         if (!scene.cam) return std::nullopt;
@@ -131,7 +131,8 @@ struct CamKey {
         if (name == "face_radius") return key_place::value_of(cam.face_radius);
         if (name == "face_half_width")
             return cam.face_radius ? std::nullopt : key_place::value_of(cam.face_half_width);
-        const Dimension* const given = dimension(cam, variant);
+        const Dimension* const own = dimension(cam, variant);
+        const Dimension* const given = own != nullptr ? own : cam.find(name);
         if (given == nullptr || is_default(number, *given, scene)) return std::nullopt;
         return given->is_variable() ? KeyValue(KeyBounds{given->low, given->high}) : KeyValue(given->low);
     }
@@ -154,9 +155,10 @@ KeyPlace cam_place(const KeyRow& row) {
         const CamKind* const kind = cam_kind(scene.cam->type);
         const CamVariant* const variant = kind != nullptr ? variant_of(*kind, *scene.cam) : nullptr;
         const Dimension* const given = variant != nullptr ? key.dimension(*scene.cam, *variant) : nullptr;
+        if (given == nullptr)
+            return std::string(scene.spelling_of(fmt::format("{}.{}", key.table, key.name), {}).unit);
         for (const Spelling& spelling : spellings)
-            if (given != nullptr &&
-                given->key == fmt::format("{}.{}{}", key.table, key.name, spelling.suffix))
+            if (given->key == fmt::format("{}.{}{}", key.table, key.name, spelling.suffix))
                 return std::string(spelling.unit);
         return std::string();
     };

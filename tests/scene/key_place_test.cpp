@@ -39,6 +39,7 @@ double allowed_number(const Range& range) {
 }
 
 std::vector<KeyValue> samples_of(const KeyRow& row) {
+    if (row.type == KeyType::texts) return {std::vector<std::string>{"one", "two"}};
     std::vector<KeyValue> samples;
     for (const std::string_view choice : row.choices)
         samples.push_back(row.type == KeyType::integer ? KeyValue(integer_in(choice).value())
@@ -46,7 +47,6 @@ std::vector<KeyValue> samples_of(const KeyRow& row) {
     if (!samples.empty()) return samples;
     if (row.type == KeyType::boolean_or_text) return {true, false, std::string("relative")};
     if (row.type == KeyType::text) return {std::string("two words")};
-    if (row.type == KeyType::texts) return {std::vector<std::string>{"one", "two"}};
     if (row.type == KeyType::options) return {KeyOptions{{"name", 1.5}}};
     if (row.type == KeyType::points) return {KeyPairs{{0.0, 1.0}, {2.0, 0.5}}};
     if (row.type == KeyType::number_or_points) return {1.5, KeyPairs{{0.5, 1.0}, {2.0, 0.5}}};
