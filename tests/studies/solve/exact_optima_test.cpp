@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, ExactOptima, testing::Values("auto", "structu
                              return name;
                          });
 
-TEST(ExactOptima, LongCurvesNeedNoIterationsInVain) {
+TEST(ExactOptima, LongCurvesNeedFewIterations) {
     // Steps alone leave a dual residual of 1e-9 here, from a warm start and from a cold one: it is removed
     // from the multipliers at once. The spaces are nested, and no curve is below the limit of any curve.
     double before = 0.9371969945;  // of 1024 segments

@@ -112,6 +112,16 @@ TEST(StartSearch, NextSolverFollowsFailedOne) {
     EXPECT_NEAR(found.result.certificate.objective, searched(scene, 1).objective, 1e-7);
 }
 
+/// Boxes are halved in an order that a last digit of the motion at hand could change.
+TEST(StartSearch, LastDigitsDoNotChangeBound) {
+    const Certificate usual = solve(scene_named("drd_torque")).certificate;
+    const Certificate loose = solve(scene_named("drd_torque").with("solver.tolerance = 1e-8")).certificate;
+    EXPECT_NE(usual.objective, loose.objective);
+    EXPECT_NEAR(usual.objective, loose.objective, 1e-7);
+    EXPECT_EQ(usual.verdict, Verdict::optimal);
+    EXPECT_EQ(usual.lower_bound, loose.lower_bound);
+}
+
 TEST(StartSearch, SearchesOnceFromAStart) {
     const Scene scene = sharp_cam(12);
     CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
