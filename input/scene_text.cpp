@@ -83,11 +83,13 @@ class NodeWriter {
     Node operator()(const std::string& text) const { return text_node(text); }
     Node operator()(const std::vector<double>& numbers) const {
         std::vector<Node> items;
+        items.reserve(numbers.size());
         for (const double stored : numbers) items.push_back((*this)(stored));
         return array_node(std::move(items));
     }
     Node operator()(const std::vector<std::string>& texts) const {
         std::vector<Node> items;
+        items.reserve(texts.size());
         for (const std::string& text : texts) items.push_back(text_node(text));
         return array_node(std::move(items));
     }
@@ -107,8 +109,7 @@ class NodeWriter {
     Node operator()(const KeyOptions& options) const {
         std::vector<Member> members;
         for (const auto& [name, value] : options)
-            members.push_back(
-                member(name, std::visit([this](const auto& one) { return plain(one); }, value)));
+            members.push_back(member(name, std::visit([](const auto& one) { return plain(one); }, value)));
         return table_node(std::move(members));
     }
 
@@ -184,8 +185,8 @@ class SceneWriter {
 
     struct Entries {
         KeyAt at;
-        std::size_t depth;
-        long long count;
+        std::size_t depth = 0;
+        long long count = 0;
     };
     void add_tables(std::vector<Member>& members, const KeyRow& row, const std::string& path,
                     Entries entries) const {
@@ -339,12 +340,12 @@ MeasuredRows rows_of(const MeasuredMotion& measured) {
 
 }  // namespace
 
-std::string scene_text(const Scene& given) {
-    Scene scene = with_written_limits(given);
-    check_writable(scene);
-    if (scene.motion.valve && !are_of_lobe(scene.motion)) scene.motion.valve.reset();
-    if (scene.measured && !scene.measured_rows) scene.measured_rows = rows_of(*scene.measured);
-    return document_text(SceneWriter(scene).write(), TableEntries::on_lines);
+std::string scene_text(const Scene& scene) {
+    Scene all = with_written_limits(scene);
+    check_writable(all);
+    if (all.motion.valve && !are_of_lobe(all.motion)) all.motion.valve.reset();
+    if (all.measured && !all.measured_rows) all.measured_rows = rows_of(*all.measured);
+    return document_text(SceneWriter(all).write(), TableEntries::on_lines);
 }
 
 }  // namespace camopt::input

@@ -47,7 +47,7 @@ KeyPlace peak_limit_place(const PeakLimitRow& both) {
             own.normalised = number / own.one_normalised;
         };
         if (const auto* const number = std::get_if<double>(&value)) return limit(*rows[0], *number, "");
-        const KeyBounds& bounds = std::get<KeyBounds>(value);
+        const auto& bounds = std::get<KeyBounds>(value);
         if (bounds.least) limit(*rows[1], *bounds.least, "min");
         if (bounds.most) limit(*rows[2], *bounds.most, "max");
     };
@@ -90,7 +90,7 @@ KeyPlace limit_place(const LimitRow& number, std::string_view name) {
                 .emplace(si, limit_key(name, at, side), spelling.factor, std::string(spelling.unit));
         };
         if (const auto* const si = std::get_if<double>(&value)) return limit(*rows[0], *si, "");
-        const KeyBounds& bounds = std::get<KeyBounds>(value);
+        const auto& bounds = std::get<KeyBounds>(value);
         if (bounds.least) limit(*rows[1], *bounds.least, rows[1]->side);
         if (bounds.most) limit(*rows[2], *bounds.most, rows[2]->side);
     };

@@ -137,7 +137,7 @@ KeyPlace segment_angle_place() {
             scene.motion.segments[at.entry[0]].angle_range = AngleRange{*range->least, *range->most};
     };
     place.value = [angle](const Scene& scene, const KeyAt& at) -> std::optional<KeyValue> {
-        const std::optional<KeyValue> number = angle.value(scene, at);
+        std::optional<KeyValue> number = angle.value(scene, at);
         if (!number || !scene.motion.segments[at.entry[0]].angle_range) return number;
         const AngleRange& range = *scene.motion.segments[at.entry[0]].angle_range;
         return KeyBounds{range.least, range.most};

@@ -99,7 +99,7 @@ KeyPlace corridor_bounds(std::string_view name, std::size_t order) {
     KeyPlace place = in_unit(of(&Bounds::least), of(&Bounds::unit));
     place.assign = [=, unit = place.assign](Scene& scene, const KeyValue& value, const KeyAt& at) {
         Bounds& bounds = scene.motion.corridors.at(at.entry[0]).bounds[order];
-        const KeyBounds& given = std::get<KeyBounds>(value);
+        const auto& given = std::get<KeyBounds>(value);
         unit(scene, 0.0, at);
         bounds.least = given.least;
         bounds.most = given.most;
