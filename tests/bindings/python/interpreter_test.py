@@ -14,7 +14,7 @@ import camopt
 import numpy as np
 import program
 
-LONG = program.scene_path("barrel_smallest.toml")  # a search of many seconds
+LONG = program.scene_path("tappet_90.toml")  # a search of many seconds
 
 
 class Threads(unittest.TestCase):
