@@ -17,7 +17,7 @@ namespace camopt::input {
 
 void read_motion(const SceneSource& source, const KnownNames& known, Scene& scene);
 
-/// Complete; none if the scene has no cam.
+/// Makes the scene's cam complete; none where the scene has no cam.
 void read_cam(const SceneSource& source, const KnownNames& known, Scene& scene);
 
 /// speed_range of a table: two speeds.
@@ -140,8 +140,8 @@ struct MeasuredInput {
     std::vector<std::size_t> rows;       ///< of the motion: each one's place in the table or the arrays
 };
 
-/// Throws InputError for a missing key, a file that cannot be read, units that do not fit the lift.
-/// The numbers of a table are kept in the place of its name (Scene::measured_rows).
+/// Throws InputError for a missing key, a file that cannot be read, units that do not fit the lift. The
+/// numbers of a table are kept in the place of its name (Scene::measured_rows).
 [[nodiscard]] std::optional<MeasuredInput> read_measured(const SceneSource& source, Scene& scene,
                                                          const KnownNames& known);
 

@@ -25,6 +25,20 @@ std::string limit_key(std::string_view name, const KeyAt& at, std::string_view s
                        side.empty() ? "" : ".", side);
 }
 
+/// A number goes to the first of the rows, the bounds of a table to the other two.
+template <class Row, class Assign>
+void assign_sides(const KeyValue& value, const std::vector<const Row*>& rows, const Assign& assign) {
+    if (const auto* const number = std::get_if<double>(&value)) return assign(*rows[0], *number, "");
+    const auto& bounds = std::get<KeyBounds>(value);
+    if (bounds.least) assign(*rows[1], *bounds.least, "min");
+    if (bounds.most) assign(*rows[2], *bounds.most, "max");
+}
+
+std::optional<KeyValue> value_of_sides(const std::optional<double>& both, const KeyBounds& sides) {
+    if (both) return *both;
+    return sides == KeyBounds() ? std::nullopt : std::optional<KeyValue>(sides);
+}
+
 /// Of this figure, in the order of peak_limit_rows(): of both sides, least, most.
 std::vector<const PeakLimitRow*> sides_of(const PeakLimitRow& both) {
     std::vector<const PeakLimitRow*> rows;
@@ -46,19 +60,14 @@ KeyPlace peak_limit_place(const PeakLimitRow& both) {
                 own.unit.empty() ? 1.0 : one_normalised_peak(scene.motion, row.order(), *at.spelling);
             own.normalised = number / own.one_normalised;
         };
-        if (const auto* const number = std::get_if<double>(&value)) return limit(*rows[0], *number, "");
-        const auto& bounds = std::get<KeyBounds>(value);
-        if (bounds.least) limit(*rows[1], *bounds.least, "min");
-        if (bounds.most) limit(*rows[2], *bounds.most, "max");
+        assign_sides(value, rows, limit);
     };
     place.value = [rows = sides_of(both)](const Scene& scene, const KeyAt&) -> std::optional<KeyValue> {
         const auto given = [&](std::size_t side) -> std::optional<double> {
             const auto& limit = rows[side]->in(scene.limits);
             return limit ? std::optional(limit->given) : std::nullopt;
         };
-        if (const auto number = given(0)) return *number;
-        const KeyBounds bounds{given(1), given(2)};
-        return bounds == KeyBounds() ? std::nullopt : std::optional<KeyValue>(bounds);
+        return value_of_sides(given(0), {given(1), given(2)});
     };
     place.unit = [rows = sides_of(both)](const Scene& scene, const KeyAt&) {
         for (const PeakLimitRow* const row : rows)
@@ -89,10 +98,7 @@ KeyPlace limit_place(const LimitRow& number, std::string_view name) {
             row.in(scene.limits)
                 .emplace(si, limit_key(name, at, side), spelling.factor, std::string(spelling.unit));
         };
-        if (const auto* const si = std::get_if<double>(&value)) return limit(*rows[0], *si, "");
-        const auto& bounds = std::get<KeyBounds>(value);
-        if (bounds.least) limit(*rows[1], *bounds.least, rows[1]->side);
-        if (bounds.most) limit(*rows[2], *bounds.most, rows[2]->side);
+        assign_sides(value, rows, limit);
     };
     // A limit of a swinging follower has another name than the same limit of others.
     const auto own = [prefix = fmt::format("limits.{}", name)](const LimitRow& row,
@@ -109,9 +115,7 @@ KeyPlace limit_place(const LimitRow& number, std::string_view name) {
             const WrittenLimit* const limit = side < rows.size() ? own(*rows[side], scene) : nullptr;
             return limit != nullptr ? std::optional(limit->value) : std::nullopt;
         };
-        if (const auto one = si(0)) return *one;
-        const KeyBounds bounds{si(1), si(2)};
-        return bounds == KeyBounds() ? std::nullopt : std::optional<KeyValue>(bounds);
+        return value_of_sides(si(0), {si(1), si(2)});
     };
     place.unit = [=](const Scene& scene, const KeyAt&) {
         for (const LimitRow* const row : rows)
