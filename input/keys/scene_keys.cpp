@@ -24,13 +24,13 @@ struct KeyTable {
     std::deque<std::string> texts;
 
     /// After the others of its table, so that a table is listed once.
-    void add(const KeyRow& row) {
+    void add(KeyRow row) {
         const auto last = std::find_if(rows.rbegin(), rows.rend(),
                                        [&](const KeyRow& other) { return other.table == row.table; });
-        rows.insert(last == rows.rend() ? rows.end() : last.base(), row);
+        rows.insert(last == rows.rend() ? rows.end() : last.base(), std::move(row));
     }
-    void add(const Rows& all) {
-        for (const KeyRow& row : all) add(row);
+    void add(Rows all) {
+        for (KeyRow& row : all) add(std::move(row));
     }
     /// Joined with that of an earlier kind, where there is one.
     void add_of_kind(const KeyRow& row) {

@@ -212,7 +212,7 @@ Rows solver() {
 }  // namespace
 
 Rows of_limits() {
-    return joined({limits(), solver()});
+    return joined(limits(), solver());
 }
 
 }  // namespace camopt::key_rows

@@ -158,7 +158,7 @@ Rows drive() {
 }  // namespace
 
 Rows of_loads() {
-    return joined({forces(), dynamics(), drive()});
+    return joined(forces(), dynamics(), drive());
 }
 
 }  // namespace camopt::key_rows

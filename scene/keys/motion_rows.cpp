@@ -311,8 +311,8 @@ Rows other_tables() {
 // clang-format on
 
 Rows of_motion() {
-    return joined({top_level(), motion(), points_of_motion(), valve_ramp("motion.opening_ramp"),
-                   valve_ramp("motion.closing_ramp"), points_of_segments()});
+    return joined(top_level(), motion(), points_of_motion(), valve_ramp("motion.opening_ramp"),
+                  valve_ramp("motion.closing_ramp"), points_of_segments());
 }
 
 }  // namespace camopt::key_rows

@@ -4,24 +4,18 @@
 namespace camopt {
 
 const std::vector<KeyRow>& own_rows() {
-    static const std::vector<KeyRow> rows = key_rows::joined({key_rows::before_cam(), key_rows::after_cam()});
+    static const std::vector<KeyRow> rows = key_rows::joined(key_rows::before_cam(), key_rows::after_cam());
     return rows;
 }
 
 namespace key_rows {
 
-Rows joined(std::initializer_list<Rows> parts) {
-    Rows all;
-    for (const Rows& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
-}
-
 Rows before_cam() {
-    return joined({of_motion(), of_measured(), of_search()});
+    return joined(of_motion(), of_measured(), of_search());
 }
 
 Rows after_cam() {
-    return joined({other_tables(), of_loads(), of_limits()});
+    return joined(other_tables(), of_loads(), of_limits());
 }
 
 }  // namespace key_rows

@@ -5,6 +5,9 @@
 
 #include "scene/key_row.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace camopt {
 
 /// All of them, made once.
@@ -28,7 +31,12 @@ using Rows = std::vector<KeyRow>;
 [[nodiscard]] Rows of_limits();  ///< and of the solver
 
 /// One list after the other.
-[[nodiscard]] Rows joined(std::initializer_list<Rows> parts);
+template <class... Part>
+[[nodiscard]] Rows joined(Part... parts) {
+    Rows all;
+    (std::ranges::move(parts, std::back_inserter(all)), ...);
+    return all;
+}
 
 }  // namespace key_rows
 }  // namespace camopt

@@ -171,7 +171,7 @@ Rows reference() {
 }  // namespace
 
 Rows of_search() {
-    return joined({spline(), objective(), dimension_weights(), reference()});
+    return joined(spline(), objective(), dimension_weights(), reference());
 }
 
 }  // namespace camopt::key_rows

@@ -196,8 +196,8 @@ Rows points_of_motion() {
     const SetPointPlaces via(whole_angle, &Scene::motion, &MotionSpec::via, each);
     const SetPointPlaces start(first_angle, &Scene::motion, &MotionSpec::start);
     const SetPointPlaces end(last_angle, &Scene::motion, &MotionSpec::end);
-    return joined({set_points("motion.via", "rise", via), end_state("motion.start", start),
-                   end_state("motion.end", end)});
+    return joined(set_points("motion.via", "rise", via), end_state("motion.start", start),
+                  end_state("motion.end", end));
 }
 
 Rows points_of_segments() {
@@ -205,8 +205,8 @@ Rows points_of_segments() {
                                     &ProgramSegment::via, each_inner);
     const SetPointPlaces joint(segment_angle, &Scene::motion, &MotionSpec::segments, each,
                                &ProgramSegment::end);
-    return joined({corridor(), set_points("motion.segments.via", "segment", of_segment),
-                   end_state("motion.segments.end", joint)});
+    return joined(corridor(), set_points("motion.segments.via", "segment", of_segment),
+                  end_state("motion.segments.end", joint));
 }
 
 }  // namespace camopt::key_rows
