@@ -198,13 +198,16 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
     };
     own.enough = [&](const ExchangeResult& result) {
         const double deepest = deep_enough * elastic.grid().cost(result.last.x);
-        return result.latest.x.size() > 0 && result.latest.objective <= std::min(deep_inside, deepest);
+        const double enough = options.decides_only ? 0.0 : std::min(deep_inside, deepest);
+        return result.latest.x.size() > 0 && result.latest.objective <= enough;
     };
     own.tolerance = std::max(own.tolerance, first_look);
     own.backend.tolerance = std::max(own.backend.tolerance, first_look);
+    const double inside = options.decides_only ? 0.0 : deep_inside;
     Feasibility found = look_from(begin);
-    if (found.point.x.size() > 0 && found.point.violation <= deep_inside) return found;
-    if (control.ending()) return found;
+    if (found.point.x.size() > 0 && found.point.violation <= inside) return found;
+    if (control.ending() || (options.decides_only && found.proof && found.proof->bound > options.tolerance))
+        return found;
     own.enough = {};
     own.tolerance = options.tolerance;
     own.backend.tolerance = options.backend.tolerance;

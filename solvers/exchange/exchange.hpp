@@ -20,6 +20,8 @@ struct ExchangeOptions {
     /// Of large problems and the structured solver: the first rounds end early on the central path, where the
     /// maxima are found already. False on a grid that had its rows before.
     bool staged = true;
+    /// Of find_feasible: ends with the first proof; the least violation is then a rough one.
+    bool decides_only = false;
     /// Called after each round; true ends the exchange. Empty: never.
     std::function<bool(const ExchangeResult& found)> enough = {};
 };

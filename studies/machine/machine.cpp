@@ -66,6 +66,20 @@ class MachineSearch {
         return std::move(result_);
     }
 
+    /// FixedMachine::passing: from the least speed upwards, by steps that double.
+    std::optional<double> passing() {
+        std::optional<double> passed;
+        if (contradicts_itself()) return passed;
+        decides_only_ = true;
+        double step = options_.speed_gap;
+        for (double speed = machine().least_speed; trial(speed).feasible() && !control_.ending();
+             speed *= 1.0 + step, step *= 2.0) {
+            passed = speed;
+            if (speed >= machine().most_speed / (1.0 + step)) break;
+        }
+        return passed;
+    }
+
  private:
     [[nodiscard]] const MachineSpec& machine() const { return result_.spec; }
     [[nodiscard]] static double rpm(double speed) { return speed / units::revolution_per_minute; }
@@ -99,6 +113,7 @@ class MachineSearch {
         ExchangeOptions exchange = machine_exchange(machine(), options_.max_seconds);
         const double tight = exchange.tolerance;
         exchange.tolerance = exchange.backend.tolerance = std::max(tight, trial_tolerance);
+        exchange.decides_only = decides_only_;
         constexpr int attempts = 3;  // the second to a tighter tolerance, the third by another backend
         for (int attempt = 0; attempt < attempts; ++attempt) {
             const std::unique_ptr<Solver> other = attempt == attempts - 1 ? other_backend() : nullptr;
@@ -439,6 +454,7 @@ class MachineSearch {
     MachineMemory memory_;
     std::vector<std::array<double, 2>> high_;  ///< of infeasible trials: (log ω, steepness), ascending
     MachineSolution result_;
+    bool decides_only_ = false;  ///< least violations are not asked for
 };
 
 }  // namespace
@@ -472,12 +488,10 @@ MachineSolution solve_machine(const MachineSpec& machine, const MachineOptions& 
                               error.fault().allowed});
         }
     }
-    const FixedMachineSolve solve = [](const MachineSpec& fixed, const MachineOptions& own,
-                                       const SolveControl& until) {
-        return MachineSearch(fixed, own, until).run();
-    };
-    return searches_timing(machine) ? solve_with_timing(machine, options, control, solve)
-                                    : solve(machine, options, control);
+    if (!searches_timing(machine)) return MachineSearch(machine, options, control).run();
+    const FixedMachine fixed{[](const auto&... asked) { return MachineSearch(asked...).run(); },
+                             [](const auto&... asked) { return MachineSearch(asked...).passing(); }};
+    return solve_with_timing(machine, options, control, fixed);
 }
 
 }  // namespace camopt

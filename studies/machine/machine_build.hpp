@@ -60,12 +60,17 @@ void ask_what_is_needed(const MachineSpec& machine, const std::vector<Scene>& sc
 /// One axis as solve() delivers it. `x`: of the machine.
 [[nodiscard]] Solution delivered_axis(PosedMachine& machine, int index, const Eigen::VectorXd& x);
 
-using FixedMachineSolve =
-    std::function<MachineSolution(const MachineSpec&, const MachineOptions&, const SolveControl&)>;
+/// Of a machine whose angles are fixed.
+struct FixedMachine {
+    std::function<MachineSolution(const MachineSpec&, const MachineOptions&, const SolveControl&)> solve;
+    /// A speed of motions, no less than the machine's least one, without the search for the largest; none: at
+    /// the least there are none, or that is not decided.
+    std::function<std::optional<double>(const MachineSpec&, const MachineOptions&, const SolveControl&)>
+        passing;
+};
 /// Whether an axis has two segments or more whose angles are ranges.
 [[nodiscard]] bool searches_timing(const MachineSpec& machine);
-/// `solve`: of a machine whose angles are fixed.
 [[nodiscard]] MachineSolution solve_with_timing(const MachineSpec& machine, const MachineOptions& options,
-                                                const SolveControl& control, const FixedMachineSolve& solve);
+                                                const SolveControl& control, const FixedMachine& fixed);
 
 }  // namespace camopt

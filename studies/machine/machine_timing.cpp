@@ -3,7 +3,8 @@
 // angles.
 //
 // A step takes an angle d from one segment of an axis and gives it to another one; d is halved where no step
-// helps. From several starts; the result is a local optimum, its proof is that of the angles found.
+// helps. From several starts; the result is a local optimum, its proof is that of the angles found. Where the
+// speed is searched, other angles are asked one thing first: is there a motion at a speed above the best one?
 #include "studies/machine/machine_build.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ constexpr int most_starts = 3;
 constexpr double first_part = 0.25;                 // of the widest range: the first step
 constexpr double least_step = 0.1 * units::degree;  // the last one
 constexpr double rough_gap = 2e-3, telling = 1e-6;  // relative: of trials; what counts as better
+constexpr double least_gain = 2e-4;                 // relative: of a speed, to be worth other angles
 constexpr double part_of_time = 0.7;                // of the whole, for the search
 
 /// A pair of segments of one axis that an angle can be moved between.
@@ -64,8 +66,8 @@ MachineSpec with_fixed_angles(MachineSpec machine) {
 
 class TimingSearch {
  public:
-    TimingSearch(const MachineOptions& options, const SolveControl& control, const FixedMachineSolve& solve)
-        : options_(options), control_(control.sooner(part_of_time * options_.max_seconds)), solve_(solve) {
+    TimingSearch(const MachineOptions& options, const SolveControl& control, const FixedMachine& fixed)
+        : options_(options), control_(control.sooner(part_of_time * options_.max_seconds)), fixed_(fixed) {
         options_.explain = false;
         options_.speed_gap = std::max(options_.speed_gap, rough_gap);
     }
@@ -77,11 +79,11 @@ class TimingSearch {
             const AngleRange& range = *given.axes[pair.axis].scene.motion.segments[pair.from].angle_range;
             widest_ = std::max(widest_, range.most - range.least);
         }
-        Scored best = scored(given);
+        Scored best = scored(given, {});
         timing.given = best.value;
         best = improved(std::move(best), pairs);
         for (unsigned start = 1; start < most_starts && !control_.ending(); ++start) {
-            Scored other = improved(scored(shuffled(given, pairs, start)), pairs);
+            Scored other = improved(scored(shuffled(given, pairs, start), {}), pairs);
             if (better(other, best)) best = std::move(other);
         }
         timing.tried = tried_;
@@ -95,11 +97,19 @@ class TimingSearch {
         std::optional<double> value;  ///< speed, or total objective; none: no motions
     };
 
-    [[nodiscard]] Scored scored(MachineSpec machine) {
+    /// `to_pass`: what does not come above this speed needs no value.
+    [[nodiscard]] Scored scored(MachineSpec machine, std::optional<double> to_pass) {
         ++tried_;
         Scored result{std::move(machine), {}};
+        MachineSpec fixed = with_fixed_angles(result.machine);
         try {
-            const MachineSolution found = solve_(with_fixed_angles(result.machine), options_, control_);
+            if (to_pass && fixed.searches_speed()) {
+                fixed.least_speed = *to_pass * (1.0 + least_gain);
+                if (fixed.least_speed < fixed.most_speed)
+                    result.value = fixed_.passing(fixed, options_, control_);
+                return result;
+            }
+            const MachineSolution found = fixed_.solve(fixed, options_, control_);
             if (!found.axes.empty())
                 result.value = result.machine.searches_speed() ? found.speed : found.certificate.objective;
         } catch (const InputError&) {  // these angles make no scene: a stroke too short for its set points
@@ -124,7 +134,7 @@ class TimingSearch {
                     if (control_.ending()) break;
                     MachineSpec moved = best.machine;
                     if (move(moved, pair, step) < 0.5 * std::min(step, least_step)) continue;
-                    Scored next = scored(std::move(moved));
+                    Scored next = scored(std::move(moved), best.value);
                     if (!better(next, best)) continue;
                     best = std::move(next);
                     helped = true;
@@ -146,7 +156,7 @@ class TimingSearch {
 
     MachineOptions options_;
     SolveControl control_;
-    const FixedMachineSolve& solve_;
+    const FixedMachine& fixed_;
     double widest_ = 0.0;
     int tried_ = 0;
 };
@@ -158,10 +168,11 @@ bool searches_timing(const MachineSpec& machine) {
 }
 
 MachineSolution solve_with_timing(const MachineSpec& machine, const MachineOptions& options,
-                                  const SolveControl& control, const FixedMachineSolve& solve) {
+                                  const SolveControl& control, const FixedMachine& fixed) {
     MachineTiming timing;
-    const MachineSpec best = TimingSearch(options, control, solve).run(machine, timing);
-    MachineSolution solution = solve(with_fixed_angles(best), options, control.sooner(options.max_seconds));
+    const MachineSpec best = TimingSearch(options, control, fixed).run(machine, timing);
+    MachineSolution solution =
+        fixed.solve(with_fixed_angles(best), options, control.sooner(options.max_seconds));
     for (const AxisSpec& axis : machine.axes) {
         std::vector<bool>& searched = timing.searched.emplace_back();
         for (const ProgramSegment& segment : axis.scene.motion.segments)

@@ -56,6 +56,7 @@ class TappetMotion {
     TappetMotion(const std::string& law, double dwell_deg) : law_(make_law(law)), dwell_(dwell_deg) {}
 
     [[nodiscard]] FollowerState at(double theta_deg) const {
+        theta_deg -= 360.0 * std::floor(theta_deg / 360.0);
         constexpr double lift = 0.08;
         const bool second = theta_deg >= 180.0;
         const double within = second ? theta_deg - 180.0 : theta_deg, width = 180.0 - dwell_;
