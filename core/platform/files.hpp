@@ -41,7 +41,7 @@ class FolderLock {
     void leave_to_parent();
 
  private:
-    int file_ = -1;
+    [[maybe_unused]] int file_ = -1;  // of platforms that know locks
 };
 
 }  // namespace camopt
