@@ -54,6 +54,7 @@ class Views(unittest.TestCase):
         lines = [f"{i},{i * i}" for i in range(100)] + ["units: mm"]
         kept = thinned(lines)
         self.assertEqual(kept, ["0,0", "33,1089", "66,4356", "99,9801", "units: mm", "… 100 alike: #,#"])
+        self.assertEqual(thinned(lines, sums=True)[-1], "… 100 alike, sum 333300: #,#")
 
     def test_kinds_of_files(self):
         self.assertEqual(lines_of("a.json", b'{"a": [1, 2], "b": {"c": "mm"}}'), ['{"a": [1, 2], "b": {"c": "mm"}}'])

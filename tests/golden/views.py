@@ -77,13 +77,17 @@ def kept_places(count):
     return sorted({*range(0, count, step), count - 1})
 
 
-def thinned(lines, key=alike):
-    """Lines, or blocks of them, of which those that are alike are thinned; each group's number stands at the end."""
+def thinned(lines, key=alike, sums=False):
+    """Lines, or blocks of them, of which those that are alike are thinned; each group's number stands at the end, with `sums` the sum
+    of all their numbers too."""
+    def sum_of(places):
+        return f", sum {sum(value_of(text) for place in places for text in NUMBER.findall(lines[place])):.6g}" if sums else ""
+
     groups = {}
     for place, line in enumerate(lines):
         groups.setdefault(key(line), []).append(place)
     kept = sorted(places[i] for places in groups.values() for i in kept_places(len(places)))
-    counts = [f"… {len(places)} alike: {name.strip()[:100]}" for name, places in groups.items() if len(places) > FEW]
+    counts = [f"… {len(places)} alike{sum_of(places)}: {name.strip()[:100]}" for name, places in groups.items() if len(places) > FEW]
     return [lines[place] for place in kept] + counts
 
 
@@ -165,7 +169,7 @@ def of_xml(text):
                 lines.append(indent + " " + child.tail.strip())
 
     walk(xml.etree.ElementTree.fromstring(text), "")
-    return thinned(lines)
+    return thinned(lines, sums=True)
 
 
 def of_page(text):
@@ -186,7 +190,7 @@ def of_dxf(text):
         if code.strip() in ("0", "9") or not entities:
             entities.append("")
         entities[-1] += f" {code.strip()}={value.strip()}"
-    return thinned([entity.strip() for entity in entities])
+    return thinned([entity.strip() for entity in entities], sums=True)
 
 
 HANDLES = ("5", "105", "330", "340", "360", "390")  # numbers of entities of DXF
