@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/sweep_plan.hpp"
 
+#include "scene/limit_table.hpp"
 #include "solvers/registry.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
@@ -26,6 +27,23 @@ double* weight_slot(ObjectiveSpec& objective, std::string_view key) {
         if (key == fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(i))))
             return &objective.dimensions[i];
     return nullptr;
+}
+
+/// Numbers on which nothing else depends in a scene that was read: weights, and limits on peaks under the key
+/// that they were written with. False: it is none.
+bool set_number(Scene& scene, std::string_view key, double value) {
+    if (double* const weight = weight_slot(scene.objective, key)) {
+        *weight = value;
+        return true;
+    }
+    for (const PeakLimitRow& row : peak_limit_rows()) {
+        std::optional<PeakLimit>& limit = row.in(scene.limits);
+        if (row.side != 0 || !limit || limit->key != key || !(limit->one_normalised > 0.0)) continue;
+        limit->given = value;
+        limit->normalised = value / limit->one_normalised;
+        return true;
+    }
+    return false;
 }
 
 void check_keys(std::span<const SweepAxis> axes) {
@@ -190,18 +208,10 @@ std::string row_text(const SweepPlan& plan, int row) {
     return fmt::format("row {} ({})", row, fmt::join(settings_of(plan, row), ", "));
 }
 
-bool SweepScenes::only_weights_differ(int row) const {
+bool SweepScenes::set_numbers(int row) {
     const std::span<const double> now = plan_->row(row), before = plan_->row(*row_);
-    ObjectiveSpec probe;
     for (std::size_t i = 0; i < plan_->keys.size(); ++i)
-        if (now[i] != before[i] && !weight_slot(probe, plan_->keys[i])) return false;
-    return true;
-}
-
-bool SweepScenes::set_weights(int row) {
-    const std::span<const double> values = plan_->row(row);
-    for (std::size_t i = 0; i < plan_->keys.size(); ++i)
-        if (double* weight = weight_slot(scene_.objective, plan_->keys[i])) *weight = values[i];
+        if (now[i] != before[i] && !set_number(scene_, plan_->keys[i], now[i])) return false;
     return !find_fault(scene_);
 }
 
@@ -217,9 +227,9 @@ void SweepScenes::read(int row) {
 
 const Scene& SweepScenes::scene(int row) {
     if (row_ == row) return scene_;
-    const bool cheap = row_ && only_weights_differ(row);
+    const bool set = row_ && set_numbers(row);
     row_.reset();  // until it is there: whatever throws below leaves no half-made scene
-    if (!cheap || !set_weights(row)) read(row);
+    if (!set) read(row);
     row_ = row;
     return scene_;
 }

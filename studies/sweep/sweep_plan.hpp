@@ -42,8 +42,8 @@ struct SweepPlan {
 /// Reads the scene of the sweep with some settings "KEY=VALUE" on top; throws InputError.
 using SceneReading = std::function<Scene(std::span<const std::string> settings)>;
 
-/// The scene of every row. A row that differs from the one asked for before in weights only costs no reading:
-/// the weights are set in place.
+/// The scene of every row. A row that differs from the one asked for before in weights and limits on peaks
+/// only costs no reading: they are set in place.
 class SweepScenes {
  public:
     /// The plan must outlive it.
@@ -54,8 +54,7 @@ class SweepScenes {
     [[nodiscard]] const SweepPlan& plan() const { return *plan_; }
 
  private:
-    [[nodiscard]] bool only_weights_differ(int row) const;
-    [[nodiscard]] bool set_weights(int row);
+    [[nodiscard]] bool set_numbers(int row);
     void read(int row);
 
     const SweepPlan* plan_;

@@ -125,6 +125,21 @@ TEST(SweepScenes, WeightsAreReadOnce) {
     EXPECT_EQ(reader.count, 2);  // once a roller
 }
 
+TEST(SweepScenes, LimitsOnPeaksAreReadOnce) {
+    const std::string limited = std::string(plain_scene) + "[limits]\nvelocity = 2\njerk = 80\n";
+    Reader reader(limited.c_str());
+    const SweepPlan plan =
+        sweep_grid(std::vector{varied_key("limits.velocity=1.6:2:3"), varied_key("limits.jerk=60,70")});
+    SweepScenes scenes(plan, reader.reading());
+    for (int i = 0; i < plan.rows(); ++i) {
+        SCOPED_TRACE(i);
+        const Scene scene = scenes.scene(i);
+        const Scene read = Reader(limited.c_str()).reading()(settings_of(plan, i));
+        EXPECT_EQ(scene.limits, read.limits);
+    }
+    EXPECT_EQ(reader.count, 1);
+}
+
 TEST(SweepScenes, NamesInvalidRowWithItsValues) {
     const auto said = [](const std::vector<SweepAxis>& axes, const char* text = plain_scene) {
         Reader reader(text);
