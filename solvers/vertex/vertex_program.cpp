@@ -13,16 +13,44 @@ namespace {
 constexpr double kept_side = 1e-10;
 // Multipliers above minus this count as 0: the bound accounts for it.
 constexpr double least_multiplier = 1e-10;
-// Smaller pivots amplify round-off.
-constexpr double least_pivot = 1e-9;
+// A step may leave rows violated, or multipliers negative, by this: half of what counts as satisfied.
+constexpr double passed_by = 0.5e-10;
+// Smaller pivots, relative to the largest entry, are round-off: taken, they make a singular corner.
+constexpr double least_pivot = 1e-7;
 // Right-hand sides are perturbed by up to twice this.
 constexpr double moved_by = 1e-9;
-// Costs of the first phase are perturbed by this part of the largest, so that multipliers are distinct.
-constexpr double moved_cost = 1e-5;
+// Costs of dual steps are perturbed by up to twice this part of the largest, so that multipliers are
+// distinct.
+constexpr double moved_cost = 0.5e-5;
 // Steps after which the inverse is recomputed.
 constexpr int refactor_every = 50;
 constexpr int most_steps_a_variable = 60;
 constexpr int clock_every = 32;
+// Live rows a variable to begin with; violated ones join them at once by this part of the variables.
+constexpr int most_live = 8;
+constexpr double most_woken = 0.1;
+
+/// The longest step that passes no row by more than `passed_by`, and of the rows met within it that of the
+/// largest pivot: of nearly parallel rows, met at nearly the same step, two would make a singular corner.
+/// Source: P. Harris, Pivot selection methods of the Devex LP code, Math. Program. 5 (1973).
+class RatioTest {
+ public:
+    explicit RatioTest(double least) : steepest_(least) {}
+    /// First of all rows: the room and the speed at which a step uses it up.
+    void limit(double room, double speed) {
+        const double most = std::max(0.0, room) + passed_by;
+        if (most < longest_ * speed && speed > steepest_) longest_ = most / speed;
+    }
+    /// Then of all rows: the best yet.
+    [[nodiscard]] bool takes(double room, double speed) {
+        if (speed <= steepest_ || room > longest_ * speed) return false;
+        steepest_ = speed;
+        return true;
+    }
+
+ private:
+    double longest_ = infinity, steepest_;
+};
 
 }  // namespace
 
@@ -34,6 +62,13 @@ VertexProgram::VertexProgram(Eigen::VectorXd lower, Eigen::VectorXd upper)
     upper_on_ = lower_on_;
 }
 
+double VertexProgram::noise() {
+    noise_ ^= noise_ << 13;
+    noise_ ^= noise_ >> 7;
+    noise_ ^= noise_ << 17;
+    return 1.0 + static_cast<double>(noise_ >> 11) * 0x1p-53;
+}
+
 void VertexProgram::add_row(const Eigen::VectorXd& a, double b) {
     const int row = rows();
     const double largest = a.size() > 0 ? a.cwiseAbs().maxCoeff() : 0.0;
@@ -41,15 +76,56 @@ void VertexProgram::add_row(const Eigen::VectorXd& a, double b) {
     normals_.add(factor * a);
     factor_.push_back(factor);
     side_.push_back(factor * b);
-    noise_ ^= noise_ << 13;
-    noise_ ^= noise_ >> 7;
-    noise_ ^= noise_ << 17;
-    const double share = 1.0 + static_cast<double>(noise_ >> 11) * 0x1p-53;
-    moved_.push_back(side_.back() + moved_by * share * std::max(1.0, std::abs(side_.back())));
+    moved_.push_back(side_.back() + moved_by * noise() * std::max(1.0, std::abs(side_.back())));
     row_on_.push_back(0);
-    if (corner_.empty()) return;
-    activity_.conservativeResize(row + 1);
-    activity_[row] = normals_.dot(row, x_);
+    is_live_.push_back(0);
+    if (!corner_.empty()) make_live(row);
+}
+
+void VertexProgram::make_live(int row) {
+    is_live_[static_cast<std::size_t>(row)] = 1;
+    live_.push_back(row);
+    live_normals_.add(normals_, row);
+    room_.conservativeResize(room_.size() + 1);
+    room_[room_.size() - 1] = moved_[static_cast<std::size_t>(row)] - normals_.dot(row, x_);
+}
+
+void VertexProgram::keep_live(const std::vector<int>& rows) {
+    std::ranges::fill(is_live_, 0);
+    live_.clear();
+    live_normals_ = {};
+    room_.resize(0);
+    for (const int row : rows) make_live(row);
+}
+
+/// Of too many live rows those of the most room, apart from the corner's.
+void VertexProgram::rest_idle_rows() {
+    const int most = most_live * variables();
+    if (static_cast<int>(live_.size()) <= 2 * most) return;
+    std::vector<std::pair<double, int>> rooms;
+    for (std::size_t k = 0; k < live_.size(); ++k)
+        rooms.emplace_back(on_face(live_[k]) ? -infinity : room_[static_cast<Eigen::Index>(k)], live_[k]);
+    std::ranges::nth_element(rooms, rooms.begin() + most);
+    std::vector<int> stay;
+    for (int k = 0; k < most; ++k) stay.push_back(rooms[static_cast<std::size_t>(k)].second);
+    std::ranges::sort(stay);
+    keep_live(stay);
+}
+
+/// The rows that the corner violates most, of those that steps have not looked at. False: there is none.
+bool VertexProgram::wake_violated_rows() {
+    const Eigen::VectorXd activity = normals_.times(x_);
+    std::vector<std::pair<double, int>> violated;
+    for (int i = 0; i < rows(); ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        const double room = moved_[row] - activity[i];
+        if (room < -kept_side && !is_live_[row]) violated.emplace_back(room, i);
+    }
+    const auto most =
+        std::min(violated.size(), static_cast<std::size_t>(std::ceil(most_woken * variables())));
+    std::ranges::partial_sort(violated, violated.begin() + static_cast<std::ptrdiff_t>(most));
+    for (std::size_t k = 0; k < most; ++k) make_live(violated[k].second);
+    return most > 0;
 }
 
 std::vector<int> VertexProgram::drop_rows(std::vector<char> kept) {
@@ -66,15 +142,17 @@ std::vector<int> VertexProgram::drop_rows(std::vector<char> kept) {
         side_[at] = side_[from];
         moved_[at] = moved_[from];
         row_on_[at] = row_on_[from];
-        if (!corner_.empty()) activity_[to] = activity_[i];
     }
     normals_.keep(stay);
-    const auto left = static_cast<Eigen::Index>(stay.size());
     for (std::vector<double>* values : {&factor_, &side_, &moved_}) values->resize(stay.size());
     row_on_.resize(stay.size());
-    if (!corner_.empty()) activity_.conservativeResize(left);
+    is_live_.resize(stay.size());
     for (Face& face : corner_)
         if (face >= 0) face = place[static_cast<std::size_t>(face)];
+    std::vector<int> live;
+    for (const int row : live_)
+        if (place[static_cast<std::size_t>(row)] >= 0) live.push_back(place[static_cast<std::size_t>(row)]);
+    keep_live(live);
     return stay;
 }
 
@@ -138,7 +216,7 @@ void VertexProgram::start_at_bounds(const Eigen::VectorXd& cost) {
         inverse_(j, j) = low ? -1.0 : 1.0;
         x_[j] = low ? lower_[j] : upper_[j];
     }
-    activity_ = normals_.times(x_);
+    keep_live({});
     since_refactor_ = 0;
 }
 
@@ -154,18 +232,19 @@ bool VertexProgram::refactor() {
     if (!inverse_.allFinite()) return false;
     x_ = inverse_ * sides;
     x_ += inverse_ * (sides - faces * x_);
-    activity_ = normals_.times(x_);
+    room_ = -live_normals_.times(x_);
+    for (std::size_t k = 0; k < live_.size(); ++k)
+        room_[static_cast<Eigen::Index>(k)] += moved_[static_cast<std::size_t>(live_[k])];
     since_refactor_ = 0;
     return true;
 }
 
-bool VertexProgram::exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& rise) {
-    const Eigen::VectorXd a = normal(entering);
-    const Eigen::VectorXd shares = inverse_.transpose() * a;
+bool VertexProgram::exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& shares,
+                             const Eigen::VectorXd& rise) {
     const Eigen::VectorXd column = inverse_.col(leaving) / shares[leaving];
-    const double step = side(entering) - a.dot(x_);
+    const double step = side(entering) - normal(entering).dot(x_);
     x_ += step * column;
-    activity_ -= (step / shares[leaving]) * rise;
+    room_ += (step / shares[leaving]) * rise;
     inverse_ -= column * shares.transpose();
     inverse_.col(leaving) = column;
     Face& face = corner_[static_cast<std::size_t>(leaving)];
@@ -184,11 +263,11 @@ VertexProgram::Outcome VertexProgram::reach_feasible(const Eigen::VectorXd& cost
         if (count % clock_every == clock_every - 1 && control.ending()) return Outcome::ended;
         double worst = kept_side;
         std::optional<Face> entering;
-        for (int i = 0; i < rows(); ++i) {
-            const double excess = activity_[i] - moved_[static_cast<std::size_t>(i)];
-            if (excess > worst && !row_on_[static_cast<std::size_t>(i)]) {
-                worst = excess;
-                entering = i;
+        for (Eigen::Index k = 0; k < room_.size(); ++k) {
+            const int row = live_[static_cast<std::size_t>(k)];
+            if (room_[k] < -worst && !on_face(row)) {
+                worst = -room_[k];
+                entering = row;
             }
         }
         for (Eigen::Index j = 0; j < lower_.size(); ++j) {
@@ -204,22 +283,17 @@ VertexProgram::Outcome VertexProgram::reach_feasible(const Eigen::VectorXd& cost
         const Eigen::VectorXd multipliers = face_multipliers(cost);
         const Eigen::VectorXd shares = inverse_.transpose() * normal(*entering);
         Eigen::Index leaving = -1;
-        double least = infinity;
-        for (Eigen::Index k = 0; k < shares.size(); ++k) {
-            if (shares[k] <= least_pivot) continue;
-            const double ratio = std::max(0.0, multipliers[k]) / shares[k];
-            const bool tie = leaving >= 0 && ratio <= least + 1e-12;
-            if (ratio < least - 1e-12 || (tie && shares[k] > shares[leaving])) {
-                least = std::min(ratio, least);
-                leaving = k;
-            }
-        }
+        RatioTest test(least_pivot * shares.cwiseAbs().maxCoeff());
+        for (Eigen::Index k = 0; k < shares.size(); ++k) test.limit(multipliers[k], shares[k]);
+        for (Eigen::Index k = 0; k < shares.size(); ++k)
+            if (test.takes(multipliers[k], shares[k])) leaving = k;
         if (leaving < 0) {
             ray_ = -shares;
             ray_face_ = *entering;
             return Outcome::infeasible;
         }
-        if (!exchange(leaving, *entering, normals_.times(-inverse_.col(leaving)))) return Outcome::stuck;
+        if (!exchange(leaving, *entering, shares, live_normals_.times(-inverse_.col(leaving))))
+            return Outcome::stuck;
     }
     return Outcome::stuck;
 }
@@ -237,29 +311,24 @@ VertexProgram::Outcome VertexProgram::reach_optimal(const Eigen::VectorXd& cost,
         (multipliers.array().min(0.0).square() / inverse_.colwise().squaredNorm().transpose().array())
             .maxCoeff(&leaving);
         const Eigen::VectorXd along = -inverse_.col(leaving);
-        const Eigen::VectorXd rise = normals_.times(along);
+        const Eigen::VectorXd rise = live_normals_.times(along);
         std::optional<Face> entering;
-        double least = infinity, steepest = 0.0;
-        const auto meet = [&](Face face, double room, double speed) {
-            if (speed <= least_pivot) return;
-            const double ratio = std::max(0.0, room) / speed;
-            const bool tie = ratio <= least + 1e-12;
-            if (ratio < least - 1e-12 || (tie && speed > steepest)) {
-                least = std::min(least, ratio);
-                steepest = speed;
-                entering = face;
+        RatioTest test(least_pivot * along.cwiseAbs().maxCoeff());
+        const auto each = [&](const auto& visit) {
+            for (Eigen::Index k = 0; k < rise.size(); ++k)
+                visit(live_[static_cast<std::size_t>(k)], room_[k], rise[k]);
+            for (Eigen::Index j = 0; j < lower_.size(); ++j) {
+                visit(upper_face(j), upper_[j] - x_[j], along[j]);
+                visit(lower_face(j), x_[j] - lower_[j], -along[j]);
             }
         };
-        for (int i = 0; i < rows(); ++i) {
-            if (!row_on_[static_cast<std::size_t>(i)])
-                meet(i, moved_[static_cast<std::size_t>(i)] - activity_[i], rise[i]);
-        }
-        for (Eigen::Index j = 0; j < lower_.size(); ++j) {
-            if (along[j] > 0.0 && !on_face(upper_face(j))) meet(upper_face(j), upper_[j] - x_[j], along[j]);
-            if (along[j] < 0.0 && !on_face(lower_face(j))) meet(lower_face(j), x_[j] - lower_[j], -along[j]);
-        }
+        each([&](Face, double room, double speed) { test.limit(room, speed); });
+        each([&](Face face, double room, double speed) {
+            if (test.takes(room, speed)) entering = face;
+        });
         if (!entering) return Outcome::stuck;
-        if (!exchange(leaving, *entering, rise)) return Outcome::stuck;
+        const Eigen::VectorXd shares = inverse_.transpose() * normal(*entering);
+        if (!exchange(leaving, *entering, shares, rise)) return Outcome::stuck;
     }
     return Outcome::stuck;
 }
@@ -326,36 +395,42 @@ VertexBound VertexProgram::infeasible_bound() const {
     return result;
 }
 
+/// Near to the given cost, and the corner is optimal for it: all its multipliers are above 0 and distinct, so
+/// that dual steps do not stall.
+Eigen::VectorXd VertexProgram::cost_of_corner(const Eigen::VectorXd& cost) {
+    const double size = moved_cost * std::max(1e-300, cost.cwiseAbs().maxCoeff());
+    const Eigen::VectorXd multipliers = face_multipliers(cost);
+    Eigen::VectorXd moved = cost;
+    for (Eigen::Index k = 0; k < multipliers.size(); ++k)
+        moved -=
+            (std::max(0.0, -multipliers[k]) + size * noise()) * normal(corner_[static_cast<std::size_t>(k)]);
+    return moved;
+}
+
+/// From the last corner to one that satisfies the live rows, from there to that of the cost, and on while it
+/// violates others.
+VertexProgram::Outcome VertexProgram::reach(const Eigen::VectorXd& cost, const SolveControl& control) {
+    do {
+        if (control.ending()) return Outcome::ended;
+        Outcome outcome = reach_feasible(cost_of_corner(cost), control);
+        if (outcome == Outcome::done) outcome = reach_optimal(cost, control);
+        if (outcome != Outcome::done) return outcome;
+    } while (wake_violated_rows());
+    return Outcome::done;
+}
+
 VertexBound VertexProgram::minimize(const Eigen::VectorXd& cost, const SolveControl& control) {
-    for (int attempt = 0; attempt < 2; ++attempt) {
-        if (corner_.empty() || attempt > 0) {
-            Eigen::VectorXd first = cost;
-            const double size = std::max(1e-300, cost.cwiseAbs().maxCoeff());
-            for (Eigen::Index j = 0; j < first.size(); ++j) {
-                noise_ ^= noise_ << 13;
-                noise_ ^= noise_ >> 7;
-                noise_ ^= noise_ << 17;
-                const double share = 0.5 + static_cast<double>(noise_ >> 11) * 0x1p-54;
-                first[j] += (first[j] < 0.0 ? -1.0 : 1.0) * moved_cost * size * share /
-                            std::max(1.0, upper_[j] - lower_[j]);
-            }
-            start_at_bounds(first);
-            last_cost_ = first;
-        }
-        const Outcome feasible = reach_feasible(last_cost_, control);
-        if (feasible == Outcome::infeasible) {
-            VertexBound result = infeasible_bound();
-            if (result.status == VertexBound::Status::infeasible || attempt > 0) {
-                corner_.clear();
-                return result;
-            }
+    for (const bool again : {true, false}) {
+        if (corner_.empty() || !again)
+            start_at_bounds(cost);
+        else
+            rest_idle_rows();
+        const Outcome outcome = reach(cost, control);
+        if (outcome == Outcome::stuck && again) continue;
+        VertexBound result = outcome == Outcome::infeasible ? infeasible_bound() : bound_at_corner(cost);
+        if (outcome == Outcome::infeasible && again && result.status != VertexBound::Status::infeasible)
             continue;
-        }
-        const Outcome optimal = feasible == Outcome::done ? reach_optimal(cost, control) : feasible;
-        if (optimal == Outcome::done) last_cost_ = cost;
-        if (optimal == Outcome::stuck && attempt == 0) continue;
-        VertexBound result = bound_at_corner(cost);
-        if (optimal == Outcome::done)
+        if (outcome == Outcome::done)
             result.status = VertexBound::Status::optimal;
         else
             corner_.clear();

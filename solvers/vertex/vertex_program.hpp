@@ -16,6 +16,11 @@ class SparseRowList {
         }
         begin_.push_back(entries_.size());
     }
+    /// A row of another list.
+    void add(const SparseRowList& other, int row) {
+        other.each(row, [&](int column, double value) { entries_.push_back({column, value}); });
+        begin_.push_back(entries_.size());
+    }
     /// `stay`: ascending.
     void keep(const std::vector<int>& stay) {
         std::size_t to = 0, rows = 0;
@@ -59,8 +64,10 @@ class SparseRowList {
 //
 //     min c·x   subject to   a_i·x <= b_i,   l <= x <= u,   l and u finite
 //
-// Another cost starts at the last corner (primal steps), new rows from the last optimum (dual steps).
-// Right-hand sides are perturbed to avoid degeneracy. The reported bound uses the unperturbed values.
+// Another cost starts at the last corner (primal steps), new rows from the last optimum (dual steps). Steps
+// look at the live rows, a few of all; those of the others that the optimum violates join them, and the
+// steps go on. Right-hand sides are perturbed to avoid degeneracy. The reported bound uses the unperturbed
+// values.
 //
 // The bound is valid regardless of the steps: for any multipliers λ >= 0 of the rows,
 //     c·x >= −Σ λ_i b_i + Σ_j min(r_j l_j, r_j u_j),   r = c + Σ λ_i a_i,
@@ -114,9 +121,19 @@ class VertexProgram {
     [[nodiscard]] Eigen::VectorXd normal(Face face) const;
     [[nodiscard]] double side(Face face) const;
     void start_at_bounds(const Eigen::VectorXd& cost);
+    void make_live(int row);
+    void keep_live(const std::vector<int>& rows);
+    void rest_idle_rows();
+    [[nodiscard]] bool wake_violated_rows();
+    [[nodiscard]] Outcome reach(const Eigen::VectorXd& cost, const SolveControl& control);
     [[nodiscard]] bool refactor();
-    /// `rise`: −(normals of all rows) · (column `leaving` of the inverse) if known already.
-    [[nodiscard]] bool exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& rise);
+    /// `shares`: of the corner's normals in the entering one; `rise`: −(normals of the live rows) · (column
+    /// `leaving` of the inverse).
+    [[nodiscard]] bool exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& shares,
+                                const Eigen::VectorXd& rise);
+    [[nodiscard]] Eigen::VectorXd cost_of_corner(const Eigen::VectorXd& cost);
+    /// From 1 to 2, the same in every run.
+    [[nodiscard]] double noise();
     [[nodiscard]] Outcome reach_feasible(const Eigen::VectorXd& cost, const SolveControl& control);
     [[nodiscard]] Outcome reach_optimal(const Eigen::VectorXd& cost, const SolveControl& control);
     [[nodiscard]] Eigen::VectorXd face_multipliers(const Eigen::VectorXd& cost) const {
@@ -135,9 +152,12 @@ class VertexProgram {
     std::vector<Face> corner_;    ///< empty: none yet
     std::vector<char> row_on_, lower_on_, upper_on_;
     Eigen::MatrixXd inverse_;  ///< of the matrix whose rows are the normals of the corner's faces
-    Eigen::VectorXd x_, activity_;
-    Eigen::VectorXd last_cost_;  ///< the corner is optimal for it, apart from rows added since
-    Eigen::VectorXd ray_;        ///< multipliers of the faces that prove infeasibility
+    Eigen::VectorXd x_;
+    std::vector<int> live_;  ///< rows that steps look at, those of the corner among them
+    std::vector<char> is_live_;
+    SparseRowList live_normals_;
+    Eigen::VectorXd room_;  ///< of the live rows at x, to their perturbed right-hand sides
+    Eigen::VectorXd ray_;   ///< multipliers of the faces that prove infeasibility
     Face ray_face_ = 0;
     int since_refactor_ = 0;
     long steps_ = 0;

@@ -61,6 +61,14 @@ struct Node {
     int depth = 0;
 };
 
+/// A number whose interval may be halved: a parameter, or a derivative of y at a place.
+struct Halved {
+    int variable = -1;  ///< −1: a derivative
+    int order = 0;
+    std::size_t place = 0;
+    double error = 0.0;
+};
+
 /// Not linear, of one place, and with an enclosure over boxes.
 [[nodiscard]] bool can_be_bounded(const PointRule& rule);
 
@@ -127,6 +135,10 @@ class Bounder {
     bool tighten_variable(Node& node, int variable);
     bool exchange_places(Node& node);
     void close(Node& node);
+    [[nodiscard]] std::vector<double> violations_at_places(const Node& node) const;
+    void add_numbers_of(const Node& node, std::size_t place, std::vector<Halved>& numbers) const;
+    [[nodiscard]] std::vector<Halved> worth_halving(const Node& node) const;
+    [[nodiscard]] Node half(const Node& node, const Halved& number, bool upper);
     [[nodiscard]] std::vector<Node> halves(const Node& node);
 
     CamProblem whole_, linear_;

@@ -3,6 +3,8 @@
 
 #include "studies/bound/bounder.hpp"
 
+#include <numeric>
+
 namespace camopt::box_bound {
 
 namespace {
@@ -13,6 +15,11 @@ constexpr int most_cut_rounds = 30;
 // slowly at first may close in at once later.
 constexpr double worth_a_pass = 5e-3;
 constexpr int most_in_vain = 2;
+// A pass that gains less than this, relative, ends them at once: what is left takes a halved box.
+constexpr double no_gain = 1e-6;
+// Numbers whose halves are bounded before one is halved, and the least error of one beside the largest there.
+constexpr std::size_t most_trials = 4;
+constexpr double worth_a_trial = 0.5;
 // Halves in a row that do not lift the least bound by this part of what is left, until it is given up.
 constexpr double worth_a_half = 1e-2;
 constexpr int most_halves_in_vain = 8;
@@ -60,6 +67,7 @@ bool Bounder::settle(Node& node) {
 }
 
 void Bounder::close(Node& node) {
+    if (node.empty) return;
     sync_linear(node);
     sync_places(node);
     if (!settle(node)) return;
@@ -73,77 +81,133 @@ void Bounder::close(Node& node) {
         if (is_done(node)) return;
         const double left = bounded() ? incumbent_ - node.bound : infinity;
         const double whole = bounded() ? left : std::max(1.0, std::abs(before));
-        const bool idle = node.bound - before < worth_a_pass * whole;
-        in_vain = idle ? in_vain + 1 : 0;
+        const double gain = node.bound - before;
+        in_vain = gain < worth_a_pass * whole ? in_vain + 1 : 0;
         const bool more = passes >= 2 && exchange_places(node);
+        if (bounded() && gain < no_gain * std::max(1.0, std::abs(before))) return;
         if (in_vain >= (more ? most_in_vain + 1 : most_in_vain)) return;
     }
 }
 
-std::vector<Node> Bounder::halves(const Node& node) {
-    // The number whose part of the secant errors is greatest; parameters stand in the boxes of many places.
-    double most = 0.0;
-    int variable = -1, order = -1;
-    std::size_t where = 0;
-    std::vector<double> of_variable(static_cast<std::size_t>(node.program.variables()), 0.0);
-    for (std::size_t place = 0; place < node.boxes.size(); ++place) {
-        if (!node.boxes[place].bites) continue;
+/// How much the bound's own motion violates a rule at each place, relative to the rule; 0: it does not.
+std::vector<double> Bounder::violations_at_places(const Node& node) const {
+    std::vector<double> amounts(node.boxes.size(), 0.0);
+    for (std::size_t place = 0; place < node.boxes.size() && node.x.size() > 0; ++place) {
+        const Eigen::VectorXd state = places_[place].point(node.x);
+        const MotionPoint point{places_[place].at, {state[0], state[1], state[2], state[3]}};
         for (const Bent& bent : node.boxes[place].bent) {
-            if (!bent.over || bent.over->most() <= 0.0) continue;
-            for (int i = 0; i < 4; ++i) {
-                const double error = bent.over->secant_error(i);
-                if (error > most) {
-                    most = error;
-                    variable = -1;
-                    order = i;
-                    where = place;
-                }
-            }
-            const std::vector<int>& parameters =
-                whole_.model().rules[static_cast<std::size_t>(bent.rule)]->parameters();
-            for (std::size_t k = 0; k < parameters.size(); ++k) {
-                const double error = bent.over->secant_error(4 + static_cast<int>(k));
-                if (error >= most && error > 0.0) {
-                    most = error;
-                    variable = design_size() + parameters[k];
-                }
-            }
+            const PlacedRule& rule = whole_.model().rules[static_cast<std::size_t>(bent.rule)];
+            Eigen::VectorXd parameters(static_cast<Eigen::Index>(rule->parameters().size()));
+            for (Eigen::Index k = 0; k < parameters.size(); ++k)
+                parameters[k] = node.x[design_size() + rule->parameters()[static_cast<std::size_t>(k)]];
+            const double amount = rule->evaluate(point, parameters).value / rule->scale();
+            if (amount > amounts[place]) amounts[place] = amount;
         }
     }
-    std::vector<Node> parts;
-    if (!(most > 0.0)) return parts;
-    for (const bool upper : {false, true}) {
-        Node part = node;
-        ++part.depth;
-        sync_linear(part);
-        sync_places(part);
-        BoxStep step;
-        step.kind = BoxStep::Kind::split;
-        if (variable >= 0) {
-            const double low = part.program.lower(variable), high = part.program.upper(variable);
-            const double middle = 0.5 * (low + high);
-            step.weights = (upper ? -1.0 : 1.0) * Eigen::VectorXd::Unit(part.program.variables(), variable);
-            step.side = upper ? -middle : middle;
-            part.splits.push_back(log(std::move(step)));
-            part.program.set_bounds(variable, upper ? middle : low, upper ? high : middle);
-            part.bound_steps[static_cast<std::size_t>(variable)][upper ? 0 : 1] = part.splits.back();
-        } else {
-            PlaceBox& place = part.boxes[where];
-            Interval& box = place.state[static_cast<std::size_t>(order)];
-            const StateRow& row = places_[where].state[static_cast<std::size_t>(order)];
-            const double middle = 0.5 * (box.lower + box.upper) - row.offset;
-            step.weights = upper ? Eigen::VectorXd(-row.weights) : row.weights;
-            step.side = upper ? -middle : middle;
-            part.splits.push_back(log(std::move(step)));
-            const Interval at = Interval(middle) + Interval(row.offset);
-            (upper ? box.lower : box.upper) = upper ? at.lower : at.upper;
-            place.steps[static_cast<std::size_t>(order)][upper ? 0 : 1] = part.splits.back();
-            add_row(part, part.splits.back());
+    return amounts;
+}
+
+/// The numbers in whose halves a place's rules lie nearest to their planes: those of the largest secant
+/// errors.
+void Bounder::add_numbers_of(const Node& node, std::size_t place, std::vector<Halved>& numbers) const {
+    std::vector<Halved> own;
+    for (const Bent& bent : node.boxes[place].bent) {
+        if (!node.boxes[place].bites || !bent.over || bent.over->most() <= 0.0) continue;
+        const std::vector<int>& parameters =
+            whole_.model().rules[static_cast<std::size_t>(bent.rule)]->parameters();
+        for (int i = 0; i < 4 + static_cast<int>(parameters.size()); ++i) {
+            const int variable = i < 4 ? -1 : design_size() + parameters[static_cast<std::size_t>(i - 4)];
+            const double error = bent.over->secant_error(i);
+            if (error > 0.0) own.push_back({variable, std::min(i, 4), place, error});
         }
-        rebuild_all(part);
-        parts.push_back(std::move(part));
     }
-    return parts;
+    if (own.empty()) return;
+    const double most = std::ranges::max_element(own, {}, &Halved::error)->error;
+    for (const Halved& number : own) {
+        const auto same = [&](const Halved& one) {
+            return one.variable == number.variable && one.order == number.order &&
+                   (one.place == place || one.variable >= 0);
+        };
+        if (number.error >= worth_a_trial * most && std::ranges::none_of(numbers, same))
+            numbers.push_back(number);
+    }
+}
+
+/// Where the bound's own motion violates rules most its relaxation is weakest: of each stretch of violated
+/// places the worst, or of all places those of the largest errors where it violates none.
+std::vector<Halved> Bounder::worth_halving(const Node& node) const {
+    const std::vector<double> amounts = violations_at_places(node);
+    std::vector<std::size_t> order(amounts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t place) { return places_[place].at; });
+    std::vector<std::size_t> worst;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const double amount = amounts[order[k]];
+        const bool rises = k == 0 || amount > amounts[order[k - 1]];
+        const bool falls = k + 1 == order.size() || amount >= amounts[order[k + 1]];
+        if (amount > 0.0 && rises && falls) worst.push_back(order[k]);
+    }
+    std::ranges::sort(worst, std::greater{}, [&](std::size_t place) { return amounts[place]; });
+    std::vector<Halved> numbers;
+    for (const std::size_t place : worst)
+        if (numbers.size() < most_trials) add_numbers_of(node, place, numbers);
+    if (!numbers.empty()) return numbers;
+    for (const std::size_t place : order) add_numbers_of(node, place, numbers);
+    if (numbers.empty()) return numbers;
+    return {*std::ranges::max_element(numbers, {}, &Halved::error)};
+}
+
+Node Bounder::half(const Node& node, const Halved& number, bool upper) {
+    Node part = node;
+    ++part.depth;
+    sync_linear(part);
+    sync_places(part);
+    BoxStep step;
+    step.kind = BoxStep::Kind::split;
+    if (number.variable >= 0) {
+        const int variable = number.variable;
+        const double low = part.program.lower(variable), high = part.program.upper(variable);
+        const double middle = 0.5 * (low + high);
+        step.weights = (upper ? -1.0 : 1.0) * Eigen::VectorXd::Unit(part.program.variables(), variable);
+        step.side = upper ? -middle : middle;
+        part.splits.push_back(log(std::move(step)));
+        part.program.set_bounds(variable, upper ? middle : low, upper ? high : middle);
+        part.bound_steps[static_cast<std::size_t>(variable)][upper ? 0 : 1] = part.splits.back();
+    } else {
+        const auto order = static_cast<std::size_t>(number.order);
+        PlaceBox& place = part.boxes[number.place];
+        Interval& box = place.state[order];
+        const StateRow& row = places_[number.place].state[order];
+        const double middle = 0.5 * (box.lower + box.upper) - row.offset;
+        step.weights = upper ? Eigen::VectorXd(-row.weights) : row.weights;
+        step.side = upper ? -middle : middle;
+        part.splits.push_back(log(std::move(step)));
+        const Interval at = Interval(middle) + Interval(row.offset);
+        (upper ? box.lower : box.upper) = upper ? at.lower : at.upper;
+        place.steps[order][upper ? 0 : 1] = part.splits.back();
+        add_row(part, part.splits.back());
+    }
+    rebuild_all(part);
+    return part;
+}
+
+/// Of the numbers worth halving that whose halves are bounded best before a pass over their boxes (strong
+/// branching).
+std::vector<Node> Bounder::halves(const Node& node) {
+    std::vector<Node> best;
+    double highest = -infinity;
+    for (const Halved& number : worth_halving(node)) {
+        std::vector<Node> parts;
+        double least = infinity;
+        for (const bool upper : {false, true}) {
+            parts.push_back(half(node, number, upper));
+            if (settle(parts.back())) least = std::min(least, parts.back().bound);
+        }
+        if (!best.empty() && least <= highest) continue;
+        highest = least;
+        best = std::move(parts);
+    }
+    return best;
 }
 
 std::optional<BoxBound> Bounder::run() {

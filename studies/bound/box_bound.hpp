@@ -8,7 +8,9 @@
 //    the cost at most that of a motion at hand, is one linear program each. Smaller boxes, better planes,
 //    again.
 // 3. Where the bound's own motion breaks a rule between those angles, angles are added.
-// 4. Where that stalls, the box of greatest secant error is halved, dimensions first, best bound first.
+// 4. Where that stalls, the bound's own motion is looked at where it violates rules most: of the numbers of
+//    largest secant error there that is halved whose halves are bounded best (strong branching). The part of
+//    the least bound comes first.
 //
 // Every bound of a linear program is proved from its multipliers (solvers/vertex/vertex_program.hpp).
 #pragma once

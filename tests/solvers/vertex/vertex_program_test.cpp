@@ -92,6 +92,24 @@ TEST(VertexProgram, BoundsOfVariablesMayShrink) {
     EXPECT_NEAR(program.minimize(Eigen::Vector2d(-1.0, -2.0), {}).bound, -8.0, 1e-7);
 }
 
+// Tangent planes of a ball, many of them nearly parallel: most rest while steps are taken.
+TEST(VertexProgram, RestingRowsAreSatisfiedAtOptimum) {
+    std::mt19937 random(7);
+    constexpr int variables = 6;
+    VertexProgram program(Eigen::VectorXd::Constant(variables, -2.0),
+                          Eigen::VectorXd::Constant(variables, 2.0));
+    for (int row = 0; row < 1000; ++row) program.add_row(random_vector(random, variables).normalized(), 1.0);
+    for (int ask = 0; ask < 60; ++ask) {
+        Eigen::VectorXd cost = Eigen::VectorXd::Zero(variables);
+        cost.head(3) = random_vector(random, 3);
+        const VertexBound found = program.minimize(cost, {});
+        ASSERT_EQ(found.status, VertexBound::Status::optimal) << ask;
+        EXPECT_LE(found.bound, -cost.norm());
+        EXPECT_NEAR(found.bound, cost.dot(found.x), 1e-7);
+        for (int row = 0; row < program.rows(); ++row) ASSERT_GE(program.slack(row, found.x), -1e-8) << row;
+    }
+}
+
 TEST(VertexProgram, RefusesAnInfiniteBound) {
     EXPECT_THROW(VertexProgram(Eigen::Vector2d(0.0, -infinity), Eigen::Vector2d(1.0, 1.0)), ModelError);
 }
