@@ -28,8 +28,8 @@ KeyPlace speed_place() {
 
 KeyPlace name_place() {
     KeyPlace place = stored_in(&MachineSpec::axes, each, &AxisSpec::name);
-    place.assign = [assign = place.assign](MachineSpec& machine, const KeyValue& value, const KeyAt& at) {
-        assign(machine, value, at);
+    place.assign = [](MachineSpec& machine, const KeyValue& value, const KeyAt& at) {
+        machine.axes.at(at.entry[0]).name = std::get<std::string>(value);
         if (const auto fault = find_name_fault(machine, at.entry[0]))
             throw RefusedValue(0, fault->found, fault->allowed);
     };
@@ -65,14 +65,17 @@ KeyPlace axes_place() {
 
 /// With its key and unit as written, for messages.
 KeyPlace least_place() {
-    KeyPlace place = in_unit(stored_in(&MachineSpec::clearances, each, &Clearance::at_least),
-                             stored_in(&MachineSpec::clearances, each, &Clearance::unit));
-    place.assign = [assign = place.assign](MachineSpec& machine, const KeyValue& value, const KeyAt& at) {
-        assign(machine, value, at);
+    KeyPlace place = stored_in(&MachineSpec::clearances, each, &Clearance::at_least);
+    place.assign = [](MachineSpec& machine, const KeyValue& value, const KeyAt& at) {
         Clearance& clearance = machine.clearances.at(at.entry[0]);
+        clearance.at_least = std::get<double>(value);
+        clearance.unit = at.spelling->unit;
         clearance.unit_value = at.spelling->factor;
         clearance.key = fmt::format("{}.at_least{}", name_of_clearance(static_cast<int>(at.entry[0])),
                                     at.spelling->suffix);
+    };
+    place.unit = [](const MachineSpec& machine, const KeyAt& at) {
+        return machine.clearances.at(at.entry[0]).unit;
     };
     return place;
 }
