@@ -108,11 +108,10 @@ constexpr AxisTable axis_tables[] = {{"x", "axes.x", AxisKind::linear},
 void add_axis(std::vector<KeyRow>& rows, const AxisTable& axis) {
     const bool turns = axis.kind == AxisKind::rotary;
     rows.insert(rows.end(), {
-        {"axes", axis.key, table, plain, any, {}, "none", turns ? "A rotary axis of the machine." : "A linear axis of the machine."},
         {axis.table, "letter", text, plain, any, {}, turns ? "A, B or C" : "X, Y or Z", "One capital letter.",
          in_axis(axis.key, &PostAxis::letter)},
-        {axis.table, "sign", integer, plain, any, {"1", "-1"}, "1", "Printed: sign · value + offset.", in_axis(axis.key, &PostAxis::sign)},
-        {axis.table, "offset", number, turns ? KeyUnits(angle) : KeyUnits(length), any, {}, "0", "Added after the sign.",
+        {axis.table, "sign", integer, plain, any, {"1", "-1"}, "1", "Before the value.", in_axis(axis.key, &PostAxis::sign)},
+        {axis.table, "offset", number, turns ? KeyUnits(angle) : KeyUnits(length), any, {}, "0", "After it.",
          in_axis(axis.key, &PostAxis::offset)},
     });
 }
@@ -138,8 +137,10 @@ std::vector<KeyRow> made_rows() {
         {"", "spindle_on", text, plain, any, {}, "\"S{spindle_rpm} {spindle_sense}\"", "Written with --spindle-rpm; M3 or M4.",
          printed_as_is(&PostProcessor::spindle_on)},
         {"", "tool_call", text, plain, any, {}, "\"T{tool_number} M6\"", "Written with --tool-number.", printed_as_is(&PostProcessor::tool_call)},
-        {"", "axes", table, plain, any, {}, "none", "How the axes of the machine are printed."},
+        {"", "axes", table, plain, any, {}, "none", "The axes of the machine."},
     };
+    for (const AxisTable& axis : axis_tables)
+        rows.push_back({"axes", axis.key, table, plain, any, {}, "none", "How this axis is printed: sign · value + offset."});
     for (const AxisTable& axis : axis_tables) add_axis(rows, axis);
     return rows;
 }
