@@ -105,8 +105,9 @@ Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
                             used.scene.motion.lift_is_angle ? first.name : used.name,
                             used.scene.motion.lift_is_angle ? used.name : first.name),
                 "axes that all translate or all swing: a sum of lengths and angles has no unit"};
-        if (Fault fault = clearance_unit_fault(clearance, used, member)) return fault;
     }
+    const AxisSpec& any_axis = machine.axes[static_cast<std::size_t>(clearance.axes.front())];
+    if (Fault fault = clearance_unit_fault(clearance, any_axis, member)) return fault;
     if (clearance.factors.size() != clearance.axes.size())
         return SceneFault{member + ".factors", fmt::format("{} numbers", clearance.factors.size()),
                           fmt::format("{}: one for each axis of `between`", clearance.axes.size())};
