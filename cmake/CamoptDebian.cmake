@@ -86,7 +86,7 @@ write a cam as a STEP file: Open CASCADE.")
 set(CPACK_DEBIAN_CAMOPT_STATIC_PACKAGE_NAME libcamopt-dev)
 set(CPACK_DEBIAN_CAMOPT_STATIC_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_CAMOPT_STATIC_PACKAGE_DEPENDS
-  "libeigen3-dev, libfmt-dev, libtomlplusplus-dev, libnlopt-dev")
+  "libeigen3-dev, libfmt-dev, libnlopt-dev")
 set(CPACK_DEBIAN_CAMOPT_STATIC_DESCRIPTION "optimal motion curves for cams - libraries for C++ and C
 Static C++ libraries, headers, CMake package and pkg-config file of camopt,
 which optimizes motion curves of cams and servo axes, and its C library.")

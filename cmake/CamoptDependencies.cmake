@@ -4,7 +4,6 @@
 # CAMOPT_HAVE_SUITESPARSE, CAMOPT_HAVE_OPENCASCADE, CAMOPT_HAVE_CAIRO, CAMOPT_HAVE_HTTPLIB and imported targets.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
-find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json 3.10 REQUIRED)
 if(CAMOPT_BUILD_APPS)
   find_package(CLI11 REQUIRED)

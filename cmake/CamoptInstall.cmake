@@ -19,7 +19,6 @@ endif()
 # What a consumer of the static libraries has to find, by the target that a link line names.
 set(camopt_package_of_Eigen3::Eigen Eigen3)
 set(camopt_package_of_fmt::fmt fmt)
-set(camopt_package_of_tomlplusplus::tomlplusplus tomlplusplus)
 set(camopt_package_of_camopt_nlopt_package CamoptNLopt)
 set(camopt_package_of_camopt_ipopt_package CamoptIpopt)
 set(camopt_package_of_camopt_spqr_package CamoptSPQR)

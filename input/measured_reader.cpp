@@ -3,6 +3,7 @@
 #include "core/text/parsing.hpp"
 #include "input/row_reader.hpp"
 #include "input/scene_parts.hpp"
+#include "scene/unit_fault.hpp"
 
 #include <fmt/format.h>
 
@@ -22,11 +23,9 @@ std::vector<double> numbers_of(const Given& given) {
 
 void require_unit_of_lift(const SceneSource& source, const Place& place, const std::string& key,
                           const Spelling& unit, const MotionSpec& motion) {
-    if (is_angle_unit(unit.unit) == motion.lift_is_angle) return;
-    source.fail(place, key,
-                fmt::format("found displacements in {} where the lift is {}; allowed: {}", unit.unit,
-                            motion.lift_is_angle ? "an angle" : "a length",
-                            motion.lift_is_angle ? "s_deg or s_rad" : "s_mm, s_in or s_m"));
+    const std::array names = {find_row("measured", "s")->names()};
+    if (const auto fault = unit_fault(key, unit.unit, motion, names))
+        source.fail(place, key, words_of(*fault));
 }
 
 /// The row of "measured.theta[17]"; nullopt for other members.

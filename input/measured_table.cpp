@@ -34,19 +34,24 @@ constexpr int most_head_lines = 200;  // of other text above the rows
 
 constexpr const char* inspected_columns =
     "theta_deg and s_mm of the follower, or x_mm and y_mm, or r_mm and theta_deg of the cam";
-constexpr const char *angle_columns = "theta_deg, theta_rad or crank_deg",
-                     *lift_columns = "s_mm, s_in, s_m, s_deg or s_rad";
+constexpr const char* angle_columns = "theta_deg, theta_rad or crank_deg";
 constexpr const char* or_columns =
     "or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the order of the file";
 
 using Cells = std::vector<std::string_view>;
 
-std::optional<Column> column_in(const Cells& names, std::string_view name, std::span<const Spelling> units) {
+/// Columns have the names of the keys of [measured].
+std::optional<Column> column_in(const Cells& names, std::string_view quantity) {
     for (std::size_t i = 0; i < names.size(); ++i)
-        for (const Spelling& unit : units)
-            if (const std::string key = fmt::format("{}{}", name, unit.suffix); names[i] == key)
-                return Column{i, key, unit};
+        if (const KeyMatch match = match_key("measured", names[i]);
+            match.row != nullptr && match.row->name == quantity)
+            return Column{i, std::string(names[i]), *match.spelling};
     return std::nullopt;
+}
+
+std::string lift_columns() {
+    const std::array names = {find_row("measured", "s")->names()};
+    return keys_text(names, [](const Spelling&) { return true; });
 }
 
 /// The angle and the displacement; of points x and y, or the angle and r.
@@ -55,12 +60,12 @@ struct Columns {
 
     Columns() = default;
     Columns(const Cells& names, const TableForm& form)
-        : theta(column_in(names, "theta", spellings::cam_angle)), s(column_in(names, "s", spellings::lift)) {
+        : theta(column_in(names, "theta")), s(column_in(names, "s")) {
         for (std::size_t i = 0; i < names.size() && !theta; ++i)
             if (names[i] == "crank_deg") theta = Column{i, "theta_crank_deg", spellings::cam_angle[2]};
         if (!form.points || (s && (theta || form.by_step))) return;
-        const std::optional<Column> x = column_in(names, "x", spellings::length);
-        const std::optional<Column> value = column_in(names, x ? "y" : "r", spellings::length);
+        const std::optional<Column> x = column_in(names, "x");
+        const std::optional<Column> value = column_in(names, x ? "y" : "r");
         if (!value) return;
         s = value;
         if (x) theta = x;
@@ -206,7 +211,7 @@ class TableReader {
             refuse_columns(names, fmt::format("one of them named {}, or step_deg in [measured], {}",
                                               angle_columns, or_columns));
         if (!of_.s)
-            refuse_columns(names, fmt::format("one of them named {}{}, {}", lift_columns,
+            refuse_columns(names, fmt::format("one of them named {}{}, {}", lift_columns(),
                                               form_.points ? ", or x_mm and y_mm, or r_mm, of the cam" : "",
                                               or_columns));
         if (of_.theta) {

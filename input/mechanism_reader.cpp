@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/quantity_text.hpp"
 #include "input/row_reader.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
@@ -103,30 +104,26 @@ class MechanismReader {
     }
 };
 
-/// Masses and springs for a length, inertias and torsion springs for an angle.
-void check_train_unit(const SceneSource& source, const Given& given, bool angle) {
-    const std::string_view unit = given.spelling->unit;
-    const bool either = unit.empty() || unit == "Hz" || unit.starts_with("r");  // rpm, rad/s
-    if (!either && is_turning_unit(unit) != angle)
-        source.fail(
-            given.member->place, "dynamics." + given.member->name,
-            fmt::format("found a quantity in {} where the lift is {}; allowed: {}", unit,
-                        angle ? "an angle" : "a length",
-                        angle ? "kg m^2, N m/rad, N m and lbf in" : "kg, N/mm and N, or lb, lbf/in and lbf"));
+/// Of an engine or a vibration: of any lift.
+bool is_frequency(std::string_view unit) {
+    return unit == "Hz" || unit == "rpm" || unit == "rad/s";
 }
 
 /// The keys of the train or of one of its stages: units, and a mass.
-void check_train(const SceneSource& source, const Node& table, std::string_view path, bool angle) {
+void check_train(const SceneSource& source, const Node& table, std::string_view path,
+                 const MotionSpec& motion) {
     bool has_mass = false;
     for (const Member& member : table.members) {
         const KeyMatch key = match_key(path, member.name);
         if (key.row == nullptr) continue;
-        check_train_unit(source, {&member, key.row, key.spelling}, angle);
+        if (!is_frequency(key.spelling->unit))
+            check_unit(source, {&member, key.row, key.spelling}, "dynamics." + member.name, motion);
         has_mass = has_mass || key.row->name == "mass" || key.row->name == "inertia";
     }
     if (!has_mass)
         source.fail(table.place, path,
-                    fmt::format("missing {}; allowed: a number > 0", angle ? "inertia_kg_m2" : "mass_kg"));
+                    fmt::format("missing {}; allowed: a number > 0",
+                                motion.lift_is_angle ? "inertia_kg_m2" : "mass_kg"));
 }
 
 }  // namespace
@@ -138,7 +135,7 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
     source.fail_member(
         kind.choosing_key.empty() ? "cam.type" : fmt::format("{}.{}", kind.choosing_table, kind.choosing_key),
         fmt::format("found \"{}\" where the lift is {}; allowed: {}{}{}{}", variant.word,
-                    motion.lift_is_angle ? "an angle" : "a length", allowed, allowed.empty() ? "" : ", or ",
+                    length_or_angle(motion.lift_is_angle), allowed, allowed.empty() ? "" : ", or ",
                     motion.lift_is_angle ? "motion.lift_mm, motion.lift_in or motion.lift_m"
                                          : "motion.lift_deg or motion.lift_rad",
                     kind.lift_remark));
@@ -149,13 +146,12 @@ CamSpec read_mechanism(const SceneSource& source, const CamKind& kind, const Mot
 }
 
 void read_dynamics(const SceneSource& source, Scene& scene) {
-    const bool angle = scene.motion.lift_is_angle;
-    check_train(source, *source.table("dynamics"), "dynamics", angle);
+    check_train(source, *source.table("dynamics"), "dynamics", scene.motion);
     check_speed_range(source, "dynamics");
     if (const auto stages = source.find("dynamics", "stage"))
         for (const Node& stage : stages->value().items) {
-            check_train(source, stage, "dynamics.stage", angle);
-            if (!SceneSource::find_in(stage, "dynamics.stage", "stiffness"))
+            check_train(source, stage, "dynamics.stage", scene.motion);
+            if (!source.find_in(stage, "dynamics.stage", "stiffness"))
                 source.fail(stage.place, "dynamics.stage", "missing stiffness; allowed: a number > 0");
         }
     read_scaled_rows(source, "dynamics", scene, {});

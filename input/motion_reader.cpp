@@ -11,51 +11,13 @@ namespace {
 // Of a revolution: the rounding of angles written with ten digits.
 constexpr double turn_rounding = 1e-9;
 
-/// Of a displacement that a set point has, or the end of a segment.
-void check_displacement(const SceneSource& source, const GivenAt& key, bool lift_is_angle) {
-    if (key.unit().empty() || is_angle_unit(key.unit()) == lift_is_angle) return;
-    const std::string_view name = key.given.row->name;
-    source.fail(key.given.member->place, key.key,
-                fmt::format("found {} where the lift is {}; allowed: {}", key.given.member->name,
-                            lift_is_angle ? "an angle" : "a length",
-                            lift_is_angle ? fmt::format("{0}, {0}_deg or {0}_rad", name)
-                                          : fmt::format("{0}, {0}_mm, {0}_in or {0}_m", name)));
-}
-
-/// A derivative, or bounds, in a unit of the lift; in time with a speed.
-void check_derivative(const SceneSource& source, const GivenAt& key, const MotionSpec& motion) {
-    const std::string_view unit = key.unit();
-    const Place& place = key.given.member->place;
-    if (unit.empty()) return;
-    if (is_angle_unit(unit) != motion.lift_is_angle)
-        source.fail(place, key.key,
-                    fmt::format("found a value in {} where the lift is {}; allowed: a unit with {}, or a "
-                                "normalised value",
-                                unit, motion.lift_is_angle ? "an angle" : "a length",
-                                motion.lift_is_angle ? "deg or rad" : "mm, in or m"));
-    if (is_unit_of_time(unit) && !motion.speed)
-        source.fail(place, key.key,
-                    fmt::format("found a value in {} without a speed; allowed: together with "
-                                "motion.speed_rpm or motion.speed_rad_s, or by the cam angle ({})",
-                                unit, motion.lift_is_angle ? "velocity_rad_rad" : "velocity_mm_rad"));
-}
-
-void check_unit(const SceneSource& source, const GivenAt& key, const MotionSpec& motion) {
-    const KeyRow& row = *key.given.row;
-    const bool place = row.spellings.data() == spellings::place.data();
-    if (place) return;
-    if (row.type == KeyType::number && (row.name == "displacement" || row.name == "to"))
-        return check_displacement(source, key, motion.lift_is_angle);
-    check_derivative(source, key, motion);
-}
-
 /// A point has one location, a region two.
 void check_points(const SceneSource& source, const Given& via, const std::string& path) {
     for (std::size_t i = 0; i < via.value().items.size(); ++i) {
         const Node& point = via.value().items[i];
         const std::string own = fmt::format("{}[{}]", path, i);
         const auto has = [&](std::string_view name) {
-            return SceneSource::find_in(point, joined_key(via.row->table, via.row->name), name).has_value();
+            return source.find_in(point, joined_key(via.row->table, via.row->name), name).has_value();
         };
         if (has("from") != has("to"))
             source.fail(point.place, joined_key(own, has("from") ? "to" : "from"),
@@ -150,8 +112,10 @@ class MotionReader {
         settle_angle_ranges(source_, motion);
         check_turn(motion);
         place_states(motion);
-        read_scaled_rows(source_, "motion", scene,
-                         [&](const GivenAt& key) { check_unit(source_, key, motion); });
+        read_scaled_rows(source_, "motion", scene, [&](const GivenAt& key) {
+            const bool is_angle_of_cam = key.given.row->spellings.data() == spellings::place.data();
+            if (!is_angle_of_cam) check_unit(source_, key.given, key.key, motion);
+        });
         check_stops(motion);
         repeat_segments(motion);
         for (Corridor& corridor : motion.corridors)  // one without an end
@@ -197,10 +161,10 @@ class MotionReader {
         for (std::size_t i = 0; i < segments->value().items.size(); ++i) {
             const Node& segment = segments->value().items[i];
             const std::string path = fmt::format("motion.segments[{}]", i);
-            if (const auto law = SceneSource::find_in(segment, "motion.segments", "law"))
+            if (const auto law = source_.find_in(segment, "motion.segments", "law"))
                 check_name(source_, *law, joined_key(path, law->member->name),
                            {known_.laws, "a law of the catalogue: ", ""});
-            if (const auto via = SceneSource::find_in(segment, "motion.segments", "via"))
+            if (const auto via = source_.find_in(segment, "motion.segments", "via"))
                 check_points(source_, *via, joined_key(path, "via"));
         }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/row_reader.hpp"
 
+#include "input/key_file.hpp"
+
 #include <fmt/format.h>
 
 namespace camopt::input {
@@ -20,8 +22,8 @@ bool is_pairs(KeyType type) {
 /// A value of a checked file as its row stores it.
 class ValueReader {
  public:
-    ValueReader(const Scene& scene, const GivenAt& key)
-        : scene_(scene), key_(key), row_(*key.given.row), node_(key.given.value()) {}
+    ValueReader(const KeyOwner& owner, const GivenAt& key)
+        : owner_(owner), key_(key), row_(*key.given.row), node_(key.given.value()) {}
 
     [[nodiscard]] KeyValue read() const {
         switch (node_.kind) {
@@ -45,15 +47,15 @@ class ValueReader {
     }
 
  private:
-    const Scene& scene_;
+    const KeyOwner& owner_;
     const GivenAt& key_;
     const KeyRow& row_;
     const Node& node_;
 
     [[nodiscard]] double stored(const Node& number) const {
         const double written = number.as_number();
-        return row_.place.stored ? row_.place.stored(scene_, key_.at, written)
-                                 : written * key_.given.spelling->factor;
+        return row_.place->stored ? row_.place->stored(owner_, key_.at, written)
+                                  : written * key_.given.spelling->factor;
     }
     [[nodiscard]] KeyValue list() const {
         if (row_.type == KeyType::tables) return static_cast<long long>(node_.items.size());
@@ -65,7 +67,7 @@ class ValueReader {
         if (is_pairs(row_.type)) {
             KeyPairs pairs;
             for (const Node& pair : node_.items)
-                pairs.push_back({pair.items[0].as_number() * row_.place.first_unit, stored(pair.items[1])});
+                pairs.push_back({pair.items[0].as_number() * row_.place->first_unit, stored(pair.items[1])});
             return pairs;
         }
         std::vector<double> numbers;
@@ -89,15 +91,16 @@ class ValueReader {
 
 class RowReader {
  public:
-    RowReader(Scene& scene, bool scaled, const KeyVisit& check)
-        : scene_(scene), scaled_(scaled), check_(check) {}
+    /// `scaled`: only keys that are stored by others, after this check; null: only the rest.
+    RowReader(const SceneSource& source, const KeyOwner& owner, WrittenUnits* written, const KeyVisit* scaled)
+        : source_(source), owner_(owner), written_(written), scaled_(scaled) {}
 
     /// `table`: the name in the key table; `path`: as the user would write it.
     void read(const Node& node, const std::string& table, const std::string& path, const KeyAt& at,
               std::size_t depth = 0) const {
         std::vector<Given> all;
         for (const Member& member : node.members)
-            if (const KeyMatch match = match_key(table, member.name); match.row != nullptr)
+            if (const KeyMatch match = match_key(table, member.name, source_.rows); match.row != nullptr)
                 all.push_back({&member, match.row, match.spelling});
         // In the order of the manual: a type before what it decides.
         std::ranges::sort(all, {}, &Given::row);
@@ -105,22 +108,29 @@ class RowReader {
             GivenAt key{given, at, joined_key(path, given.member->name)};
             key.at.spelling = given.spelling;
             key.at.choices = given.row->choices.size();
-            if (!scaled_) scene_.written[joined_key(path, given.row->name)] = *given.spelling;
+            if (written_ != nullptr) (*written_)[joined_key(path, given.row->name)] = *given.spelling;
             read_one(key);
             read_inner(key, joined_key(table, given.row->name), depth);
         }
     }
 
  private:
-    Scene& scene_;
-    bool scaled_;
-    const KeyVisit& check_;
+    const SceneSource& source_;
+    const KeyOwner& owner_;
+    WrittenUnits* written_;
+    const KeyVisit* scaled_;
 
     void read_one(const GivenAt& key) const {
-        const KeyPlace& place = key.given.row->place;
-        if (!place.assign || static_cast<bool>(place.stored) != scaled_) return;
-        if (check_) check_(key);
-        place.assign(scene_, ValueReader(scene_, key).read(), key.at);
+        const KeyPlace& place = *key.given.row->place;
+        if (!place.assign || static_cast<bool>(place.stored) != (scaled_ != nullptr)) return;
+        if (scaled_ != nullptr && *scaled_) (*scaled_)(key);
+        try {
+            place.assign(owner_, ValueReader(owner_, key).read(), key.at);
+        } catch (const RefusedValue& refused) {
+            const Node& value = key.given.value();
+            const bool is_item = refused.item() < value.items.size();
+            source_.fail(is_item ? value.items[refused.item()].place : value.place, key.key, refused.what());
+        }
     }
     void read_inner(const GivenAt& key, const std::string& table, std::size_t depth) const {
         const Node& value = key.given.value();
@@ -138,14 +148,20 @@ class RowReader {
 
 }  // namespace
 
-void read_rows(const SceneSource& source, Scene& scene) {
-    RowReader(scene, false, {}).read(source.root, "", "", {});
+void read_rows(const SceneSource& source, const KeyOwner& owner, WrittenUnits* written) {
+    RowReader(source, owner, written, nullptr).read(source.root, "", "", {});
 }
 
-void read_scaled_rows(const SceneSource& source, std::string_view table, Scene& scene,
+void read_key_file(std::string_view toml, std::string_view name, KeyRows rows, const KeyOwner& owner) {
+    const SceneSource source{.name = std::string(name), .root = parse_document(toml, name), .rows = rows};
+    check_keys(source);
+    read_rows(source, owner);
+}
+
+void read_scaled_rows(const SceneSource& source, std::string_view table, const KeyOwner& owner,
                       const KeyVisit& check) {
     if (const Node* const node = source.table(table))
-        RowReader(scene, true, check).read(*node, std::string(table), std::string(table), {});
+        RowReader(source, owner, nullptr, &check).read(*node, std::string(table), std::string(table), {});
 }
 
 }  // namespace camopt::input

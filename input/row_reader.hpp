@@ -3,7 +3,7 @@
 #pragma once
 
 #include "input/document/scene_source.hpp"
-#include "scene/scene.hpp"
+#include "scene/key_row.hpp"
 
 namespace camopt::input {
 
@@ -18,11 +18,15 @@ struct GivenAt {
 /// Called before a key is read: throws for one that does not fit.
 using KeyVisit = std::function<void(const GivenAt& key)>;
 
-/// What is stored as it is written, or in SI, of the whole file; and Scene::written of every key.
-void read_rows(const SceneSource& source, Scene& scene);
+/// How units were written, by the key without its unit: "motion.lift".
+using WrittenUnits = std::map<std::string, Spelling>;
+
+/// What is stored as it is written, or in SI, of the whole file, in the order of its rows.
+void read_rows(const SceneSource& source, const KeyOwner& owner, WrittenUnits* written = nullptr);
 
 /// The keys of one table, "motion", that are stored by others which were read before: set points by their
 /// stretch, limits with their units.
-void read_scaled_rows(const SceneSource& source, std::string_view table, Scene& scene, const KeyVisit& check);
+void read_scaled_rows(const SceneSource& source, std::string_view table, const KeyOwner& owner,
+                      const KeyVisit& check);
 
 }  // namespace camopt::input

@@ -26,10 +26,9 @@ void check_speed_range(const SceneSource& source, std::string_view table);
 /// Throws for units that do not fit the follower, and loads over more than a revolution.
 void check_forces(const SceneSource& source, const Scene& scene);
 
-/// Of inertias, moments and rates of an output that swings; others are those of one that is pushed straight.
-[[nodiscard]] constexpr bool is_turning_unit(std::string_view unit) {
-    return unit.starts_with("N m") || unit == "kg m^2" || unit == "lbf in";
-}
+/// Throws for a unit that does not fit the lift. `key`: as the user would write it.
+void check_unit(const SceneSource& source, const Given& given, std::string_view key,
+                const MotionSpec& motion);
 
 /// Throws for units that do not fit the lift, and without a transmission.
 void check_drive(const SceneSource& source, const MotionSpec& motion);

@@ -27,7 +27,7 @@ class SceneReader {
     Scene read() const {
         Scene scene;
         scene.spline.by_stroke = true;  // without a number of segments
-        read_rows(source_, scene);
+        read_rows(source_, scene, &scene.written);
         scene.length_unit = written_length_unit();
         read_motion(source_, known_, scene);
         check_breakpoints(scene.spline);

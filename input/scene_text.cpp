@@ -141,9 +141,10 @@ Scene scene_of_defaults(bool valve) {
     scene.spline.by_stroke = true;
     if (valve) scene.motion.valve.emplace();
     for (const KeyRow& row : scene_keys()) {
-        if (!row.place.assign || row.place.value(scene, {}).value_or(0LL) != KeyValue(0LL)) continue;
-        if (row.type == KeyType::tables) row.place.assign(scene, 1LL, {});
-        if (row.type == KeyType::table || row.type == KeyType::text_or_table) row.place.assign(scene, {}, {});
+        if (!row.place->assign || row.place->value(scene, {}).value_or(0LL) != KeyValue(0LL)) continue;
+        if (row.type == KeyType::tables) row.place->assign(scene, 1LL, {});
+        if (row.type == KeyType::table || row.type == KeyType::text_or_table)
+            row.place->assign(scene, {}, {});
     }
     return scene;
 }
@@ -170,14 +171,14 @@ class SceneWriter {
         for (const KeyRow& row : scene_keys()) {
             if (row.table != name || (name == "motion" && !motion_types_of(row.name, type_).empty()))
                 continue;
-            const std::optional<KeyValue> value = row.place.value(scene_, at);
+            const std::optional<KeyValue> value = row.place->value(scene_, at);
             if (!value || says_other(row, *value, at)) continue;
             const std::string inner = joined_key(name, row.name), inner_path = joined_key(path, row.name);
             if (row.type == KeyType::tables)
                 add_tables(members, row, inner_path, {at, depth, std::get<long long>(*value)});
             else if (*value == KeyValue())
                 add_table(members, row, table(inner, inner_path, at, depth));
-            else if (is_always(row) || value != row.place.value(defaults_, {}))
+            else if (is_always(row) || value != row.place->value(defaults_, {}))
                 add_value(members, row, inner_path, *value, at);
         }
         return table_node(std::move(members));
@@ -200,7 +201,7 @@ class SceneWriter {
     }
     /// An empty one says something where it is absent otherwise.
     void add_table(std::vector<Member>& members, const KeyRow& row, Node inner) const {
-        if (!inner.members.empty() || row.place.value(absent_, {}) != KeyValue())
+        if (!inner.members.empty() || row.place->value(absent_, {}) != KeyValue())
             members.push_back(member(row.name, std::move(inner)));
     }
     void add_value(std::vector<Member>& members, const KeyRow& row, const std::string& path,
@@ -221,9 +222,9 @@ class SceneWriter {
         at.spelling = &spelling;
         Written all{&spelling};
         const Forward forward = [&](double number) {
-            return row.place.stored ? row.place.stored(scene_, at, number) : number * spelling.factor;
+            return row.place->stored ? row.place->stored(scene_, at, number) : number * spelling.factor;
         };
-        all.value = std::visit(NodeWriter(row.place, forward, all.exact), value);
+        all.value = std::visit(NodeWriter(*row.place, forward, all.exact), value);
         return all;
     }
 
@@ -238,7 +239,7 @@ class SceneWriter {
         return std::ranges::any_of(scene_keys(), [&](const KeyRow& other) {
             return other.table == row.table &&
                    (other.instead_of == row.name || row.instead_of == other.name) &&
-                   other.place.value(scene_, at) == value;
+                   other.place->value(scene_, at) == value;
         });
     }
     [[nodiscard]] bool fits(const Spelling& spelling) const {
@@ -249,8 +250,8 @@ class SceneWriter {
     [[nodiscard]] const Spelling* known_spelling(const KeyRow& row, const std::string& path,
                                                  const KeyAt& at) const {
         const auto in_scene = scene_.written.find(path);
-        const bool remembers = static_cast<bool>(row.place.unit);
-        const std::string unit = remembers ? row.place.unit(scene_, at) : std::string();
+        const bool remembers = static_cast<bool>(row.place->unit);
+        const std::string unit = remembers ? row.place->unit(scene_, at) : std::string();
         for (const Spelling& spelling : row.spellings)
             if (remembers ? spelling.unit == unit
                           : in_scene != scene_.written.end() && spelling.suffix == in_scene->second.suffix)
@@ -270,7 +271,7 @@ class SceneWriter {
             if (std::ranges::find(all, &spelling) == all.end()) all.push_back(&spelling);
         };
         if (const Spelling* const known = known_spelling(row, path, at)) add(*known);
-        if (row.place.unit && !all.empty()) return all;
+        if (row.place->unit && !all.empty()) return all;
         const bool both = std::ranges::any_of(row.spellings, is_straight) &&
                           std::ranges::any_of(row.spellings, is_swinging);
         const UnitSystem foreign =
@@ -314,7 +315,7 @@ void check_writable(const Scene& scene) {
     if (spline.by_stroke && spline.breakpoints.empty() && spline.segments != SplineSpec().segments)
         refuse("spline.by_stroke", fmt::format("{} segments", spline.segments),
                "12 by stroke, other numbers over the whole motion, or breakpoints");
-    if (scene.cam && !find_row("cam", "type")->place.value(scene, {}))
+    if (scene.cam && !find_row("cam", "type")->place->value(scene, {}))
         refuse("cam.type", fmt::format("\"{}\"", scene.cam->type), "a kind that this program knows");
     check_sides(scene.limits);
 }

@@ -88,6 +88,7 @@ class HarmonicRule final : public WholeMotionRule {
     }
     [[nodiscard]] std::vector<Place> first() const override {
         std::vector<Place> all;
+        all.reserve(first_directions);
         for (int k = 0; k < first_directions; ++k)
             all.push_back({{0.0, 0.0}, {units::turn * k / first_directions}});
         return all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the value of a key lives in a Scene: the members that lead to it.
+// Where the value of a key lives in its owner, a Scene for example: the members that lead to it.
 //
 //     stored_in(&Scene::solver, &SolverSpec::tolerance)
 //     stored_in(&Scene::objective, &ObjectiveSpec::dimensions, 2)
@@ -77,7 +77,7 @@ void assign(T& target, const KeyValue& value, std::size_t choices) {
     else if constexpr (std::is_integral_v<T>)
         target = static_cast<T>(std::get<long long>(value));
     else if constexpr (std::is_same_v<T, Two>) {
-        const std::vector<double>& both = std::get<std::vector<double>>(value);
+        const auto& both = std::get<std::vector<double>>(value);
         if (both.size() == target.size()) std::ranges::copy(both, target.begin());
     } else if constexpr (is_list<T>)
         target.resize(static_cast<std::size_t>(std::get<long long>(value)));
@@ -106,15 +106,15 @@ inline constexpr Entry each{0}, each_inner{1};
 
 }  // namespace key_place
 
-template <class... Path>
-[[nodiscard]] KeyPlace stored_in(Path... path) {
+template <class Owner, class Member, class... Path>
+[[nodiscard]] KeyPlace stored_in(Member Owner::*first, Path... path) {
     KeyPlace place;
-    place.assign = [=](Scene& scene, const KeyValue& value, const KeyAt& at) {
-        if (auto* const member = key_place::reached(scene, at, path...))
+    place.assign = [=](Owner& owner, const KeyValue& value, const KeyAt& at) {
+        if (auto* const member = key_place::reached(owner, at, first, path...))
             key_place::assign(*member, value, at.choices);
     };
-    place.value = [=](const Scene& scene, const KeyAt& at) -> std::optional<KeyValue> {
-        const auto* const member = key_place::reached(scene, at, path...);
+    place.value = [=](const Owner& owner, const KeyAt& at) -> std::optional<KeyValue> {
+        const auto* const member = key_place::reached(owner, at, first, path...);
         return member != nullptr ? key_place::value_of(*member) : std::nullopt;
     };
     place.entries = (0 + ... + static_cast<int>(std::is_same_v<Path, key_place::Entry>));
@@ -132,13 +132,14 @@ template <class Absent>
 
 /// The unit of a number that remembers it: where the number is normalised it is empty.
 [[nodiscard]] inline KeyPlace in_unit(KeyPlace place, const KeyPlace& unit) {
-    place.assign = [assign = place.assign, unit](Scene& scene, const KeyValue& value, const KeyAt& at) {
-        assign(scene, value, at);
+    place.assign = [assign = place.assign, unit](const KeyOwner& owner, const KeyValue& value,
+                                                 const KeyAt& at) {
+        assign(owner, value, at);
         if (at.spelling != nullptr && !at.spelling->unit.empty())
-            unit.assign(scene, std::string(at.spelling->unit), at);
+            unit.assign(owner, std::string(at.spelling->unit), at);
     };
-    place.unit = [unit](const Scene& scene, const KeyAt& at) {
-        const std::optional<KeyValue> known = unit.value(scene, at);
+    place.unit = [unit](const KeyOwner& owner, const KeyAt& at) {
+        const std::optional<KeyValue> known = unit.value(owner, at);
         return known ? std::get<std::string>(*known) : std::string();
     };
     return place;

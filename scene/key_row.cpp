@@ -50,7 +50,8 @@ std::string joined_name(const KeyRow& row) {
     return row.table.empty() ? std::string(row.name) : fmt::format("{}.{}", row.table, row.name);
 }
 
-std::string listed(const std::vector<std::string_view>& words, std::string_view quote) {
+template <class Word>
+std::string listed(const std::vector<Word>& words, std::string_view quote) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i)
         text += fmt::format("{0}{1}{2}{1}",
@@ -62,6 +63,14 @@ std::string listed(const std::vector<std::string_view>& words, std::string_view 
 }
 
 }  // namespace
+
+RefusedValue::RefusedValue(std::size_t item, const std::string& found, const std::string& allowed)
+    : InputError(fmt::format("found {}; allowed: {}", found, allowed)), item_(item) {}
+
+const KeyPlace& SharedPlace::none() {
+    static const KeyPlace nowhere;
+    return nowhere;
+}
 
 std::string KeyRow::cam_types_text(char quote) const {
     std::string text;
@@ -80,6 +89,14 @@ std::string quoted_choices(const std::vector<std::string_view>& words) {
 
 std::string KeyRow::key(const Spelling& spelling) const {
     return fmt::format("{}{}", name, spelling.suffix);
+}
+
+std::string keys_text(std::span<const KeyNames> names, const std::function<bool(const Spelling&)>& fits) {
+    std::vector<std::string> fitting;
+    for (const KeyNames& one : names)
+        for (const Spelling& spelling : one.spellings)
+            if (fits(spelling)) fitting.push_back(fmt::format("{}{}", one.name, spelling.suffix));
+    return listed(fitting, "");
 }
 
 std::string KeyRow::allowed(const Spelling& spelling) const {

@@ -2,16 +2,17 @@
 // The keys of scene files: ranges of numbers, and one row a key.
 #pragma once
 
+#include "core/errors.hpp"
 #include "core/text/names.hpp"
 #include "core/unit.hpp"
 
 #include <functional>
 #include <map>
+#include <memory>
+#include <typeinfo>
 #include <variant>
 
 namespace camopt {
-
-struct Scene;
 
 // The interval allowed for a number of a scene, with its words in error messages. Used by the validation of a
 // Scene and by the key table of the scene reader.
@@ -105,20 +106,81 @@ struct KeyAt {
     std::size_t choices = 0;                ///< of the row, for a text that is one of them
 };
 
-/// Where the value of a key lives in a Scene (scene/key_place.hpp). Empty: other keys say what it means.
+/// What the keys of a file are stored in: a Scene, a MachineSpec, a PostProcessor. Converts to a reference to
+/// the object that it was made from, and throws std::bad_cast for another type.
+class KeyOwner {
+ public:
+    template <class Object>
+    requires(!std::is_same_v<std::remove_const_t<Object>, KeyOwner>)
+        KeyOwner(Object& object)  // NOLINT(google-explicit-constructor): rows take the object itself
+        : object_(const_cast<void*>(static_cast<const void*>(&object))),  // NOLINT: operator Object& checks
+          type_(&typeid(Object)),
+          is_const_(std::is_const_v<Object>) {}
+
+    template <class Object>
+    operator Object&()
+        const {  // NOLINT(google-explicit-constructor): functions of rows take the object itself
+        if (*type_ != typeid(Object) || (is_const_ && !std::is_const_v<Object>)) throw std::bad_cast();
+        return *static_cast<Object*>(object_);
+    }
+
+ private:
+    void* object_;
+    const std::type_info* type_;
+    bool is_const_;
+};
+
+/// Thrown by KeyPlace::assign: "found …; allowed: …" of the value, or of one item of an array.
+class RefusedValue : public InputError {
+ public:
+    RefusedValue(std::size_t item, const std::string& found, const std::string& allowed);
+    [[nodiscard]] std::size_t item() const { return item_; }
+
+ private:
+    std::size_t item_;
+};
+
+/// Where the value of a key lives in its owner (scene/key_place.hpp). Empty: other keys say what it means.
 struct KeyPlace {
-    std::function<void(Scene&, const KeyValue&, const KeyAt&)> assign = {};
-    /// None: absent in this scene.
-    std::function<std::optional<KeyValue>(const Scene&, const KeyAt&)> value = {};
+    std::function<void(const KeyOwner&, const KeyValue&, const KeyAt&)> assign = {};
+    /// None: absent in this owner.
+    std::function<std::optional<KeyValue>(const KeyOwner&, const KeyAt&)> value = {};
     /// What a written number is stored as, in proportion to it; other keys say how, which are read before.
     /// None: its SI value.
-    std::function<double(const Scene&, const KeyAt&, double written)> stored = {};
+    std::function<double(const KeyOwner&, const KeyAt&, double written)> stored = {};
     /// The unit that the value itself remembers; none: Scene::written does.
-    std::function<std::string(const Scene&, const KeyAt&)> unit = {};
+    std::function<std::string(const KeyOwner&, const KeyAt&)> unit = {};
     int entries = 0;          ///< arrays of tables on the way to it
     double first_unit = 1.0;  ///< SI value of one unit of the first numbers of pairs
 
     [[nodiscard]] explicit operator bool() const { return static_cast<bool>(value); }
+};
+
+/// How a quantity may be written.
+struct KeyNames {
+    std::string_view name;  ///< without the unit
+    std::span<const Spelling> spellings;
+};
+
+/// Those in a unit that fits, as a message lists them: "lift_mm, lift_in or lift_m".
+[[nodiscard]] std::string keys_text(std::span<const KeyNames> names,
+                                    const std::function<bool(const Spelling&)>& fits);
+
+/// The place of a row and of its copies.
+class SharedPlace {
+ public:
+    SharedPlace() = default;
+    SharedPlace(KeyPlace place)  // NOLINT(google-explicit-constructor): rows are lists of values
+        : place_(std::make_shared<const KeyPlace>(std::move(place))) {}
+
+    [[nodiscard]] const KeyPlace& operator*() const { return place_ ? *place_ : none(); }
+    const KeyPlace* operator->() const { return &**this; }
+    [[nodiscard]] explicit operator bool() const { return static_cast<bool>(**this); }
+
+ private:
+    std::shared_ptr<const KeyPlace> place_;
+
+    [[nodiscard]] static const KeyPlace& none();
 };
 
 struct KeyRow {
@@ -130,7 +192,7 @@ struct KeyRow {
     std::vector<std::string_view> choices;  ///< allowed texts (or integers as text)
     std::string_view default_text;          ///< "required" if there is none
     std::string_view meaning;
-    KeyPlace place = {};
+    SharedPlace place = {};
     Availability availability = Availability::now;
     std::string_view instead_of = {};  ///< another key of the table that excludes it
     /// Only if cam.type is one of these; empty: for any type. Filled from the kinds of cams.
@@ -143,6 +205,7 @@ struct KeyRow {
     [[nodiscard]] std::string cam_types_text(char quote) const;
     [[nodiscard]] bool required() const { return default_text == "required"; }
     [[nodiscard]] std::string key(const Spelling& spelling) const;  ///< "lift_mm"
+    [[nodiscard]] KeyNames names() const { return {name, spellings}; }
     /// The allowed values in words for an error message, in the unit of the spelling.
     [[nodiscard]] std::string allowed(const Spelling& spelling) const;
     /// The choices as a message lists them: "a", "b" or "c".

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/machine_spec.hpp"
 
+#include "core/text/quantity_text.hpp"
+
 #include <fmt/format.h>
 
 namespace camopt {
@@ -70,6 +72,19 @@ Fault axis_fault(const MachineSpec& machine, std::size_t index) {
     return {};
 }
 
+/// Lengths between axes that translate, angles between axes that swing; in SI without a unit.
+Fault clearance_unit_fault(const Clearance& clearance, const AxisSpec& axis, const std::string& member) {
+    const bool swings = axis.scene.motion.lift_is_angle;
+    if (clearance.unit.empty() || swings == is_angle_unit(clearance.unit)) return {};
+    const auto row = std::ranges::find(machine_rows(), "at_least", &KeyRow::name);
+    const std::array names = {row->names()};
+    const auto fits = [&](const Spelling& one) { return is_angle_unit(one.unit) == swings; };
+    return SceneFault{member + ".at_least",
+                      fmt::format("{} with \"{}\", whose displacement is {}", clearance.unit, axis.name,
+                                  length_or_angle(swings)),
+                      keys_text(names, fits)};
+}
+
 Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
     const Clearance& clearance = machine.clearances[index];
     const std::string member = name_of_clearance(static_cast<int>(index));
@@ -91,6 +106,8 @@ Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
                             used.scene.motion.lift_is_angle ? used.name : first.name),
                 "axes that all translate or all swing: a sum of lengths and angles has no unit"};
     }
+    const AxisSpec& any_axis = machine.axes[static_cast<std::size_t>(clearance.axes.front())];
+    if (Fault fault = clearance_unit_fault(clearance, any_axis, member)) return fault;
     if (clearance.factors.size() != clearance.axes.size())
         return SceneFault{member + ".factors", fmt::format("{} numbers", clearance.factors.size()),
                           fmt::format("{}: one for each axis of `between`", clearance.axes.size())};
@@ -112,29 +129,27 @@ Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
 
 }  // namespace
 
-std::optional<SceneFault> find_name_fault(const MachineSpec& machine) {
-    for (std::size_t index = 0; index < machine.axes.size(); ++index) {
-        const AxisSpec& axis = machine.axes[index];
-        const std::string member = fmt::format("axis[{}]", index);
-        if (!is_folder_name(axis.name))
-            return SceneFault{member + ".name", fmt::format("\"{}\"", axis.name),
-                              "letters, digits, '_' and '-': the folder of its results has this name"};
-        if (axis.name.size() > most_axis_name)
-            return SceneFault{
-                member + ".name", fmt::format("a name of {} letters", axis.name.size()),
-                fmt::format("at most {}: the folder of its results has this name", most_axis_name)};
-        for (std::size_t other = 0; other < index; ++other)
-            if (machine.axes[other].name == axis.name)
-                return SceneFault{member + ".name", fmt::format("\"{}\" a second time", axis.name),
-                                  "another name for every axis"};
-    }
+std::optional<SceneFault> find_name_fault(const MachineSpec& machine, std::size_t index) {
+    const AxisSpec& axis = machine.axes[index];
+    const std::string member = fmt::format("axis[{}].name", index);
+    if (!is_folder_name(axis.name))
+        return SceneFault{member, fmt::format("\"{}\"", axis.name),
+                          "letters, digits, '_' and '-': the folder of its results has this name"};
+    if (axis.name.size() > most_axis_name)
+        return SceneFault{member, fmt::format("a name of {} letters", axis.name.size()),
+                          fmt::format("at most {}: the folder of its results has this name", most_axis_name)};
+    for (std::size_t other = 0; other < index; ++other)
+        if (machine.axes[other].name == axis.name)
+            return SceneFault{member, fmt::format("\"{}\" a second time", axis.name),
+                              "another name for every axis"};
     return {};
 }
 
 std::optional<SceneFault> find_fault(const MachineSpec& machine) {
     if (Fault fault = speed_fault(machine)) return fault;
     if (machine.axes.empty()) return SceneFault{"axis", "none", "one [[axis]] or more"};
-    if (Fault fault = find_name_fault(machine)) return fault;
+    for (std::size_t k = 0; k < machine.axes.size(); ++k)
+        if (Fault fault = find_name_fault(machine, k)) return fault;
     for (std::size_t k = 0; k < machine.axes.size(); ++k)
         if (Fault fault = axis_fault(machine, k)) return fault;
     for (std::size_t k = 0; k < machine.clearances.size(); ++k)

@@ -10,6 +10,7 @@
 // replaced by the machine's: a number, or a range whose largest feasible speed is searched.
 #pragma once
 
+#include "scene/key_row.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {
@@ -46,8 +47,11 @@ struct MachineSpec {
 /// that are not convex) is refused by solve_machine.
 [[nodiscard]] std::optional<SceneFault> find_fault(const MachineSpec& machine);
 
-/// The same of the names of the axes alone, before their scenes are read.
-[[nodiscard]] std::optional<SceneFault> find_name_fault(const MachineSpec& machine);
+/// The same of the name of one axis, which differs from those of the axes before it.
+[[nodiscard]] std::optional<SceneFault> find_name_fault(const MachineSpec& machine, std::size_t index);
+
+/// The keys of a machine file.
+[[nodiscard]] const std::vector<KeyRow>& machine_rows();
 
 /// "clearance[0]".
 [[nodiscard]] std::string name_of_clearance(int index);

@@ -3,6 +3,7 @@
 
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/unit_fault.hpp"
 
 #include <fmt/format.h>
 
@@ -44,16 +45,9 @@ const Spelling& peak_spelling(const PeakLimitRow& row, const PeakLimit& limit, c
         refuse(member, fmt::format("the unit \"{}\"", limit.unit),
                fmt::format("none (normalised), or {}", units));
     }
-    if (known->unit.empty()) return *known;
-    if (is_angle_unit(known->unit) != motion.lift_is_angle)
-        refuse(member,
-               fmt::format("a limit in {} where the lift is {}", known->unit,
-                           motion.lift_is_angle ? "an angle" : "a length"),
-               motion.lift_is_angle ? "a limit in deg or rad, or a normalised one"
-                                    : "a limit in mm, in or m, or a normalised one");
-    if (!motion.speed && is_unit_of_time(known->unit))
-        refuse(member, fmt::format("a limit in {} without a speed", known->unit),
-               "a limit in time only where motion.speed is given");
+    const std::array names = {KeyNames{row.term().name(), row.spellings}};
+    if (const auto fault = unit_fault(member, known->unit, motion, names))
+        refuse(fault->member, fault->found, fault->allowed);
     return *known;
 }
 

@@ -2,14 +2,17 @@
 // camopt list: the laws, followers, solvers, keys of a scene, columns of a table and controllers that this
 // camopt knows.
 #include "apps/commands.hpp"
+#include "apps/list/key_files.hpp"
 #include "apps/terminal.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/json/json_text.hpp"
+#include "output/nc/post_processor.hpp"
 #include "output/plc/plc_format.hpp"
 #include "output/view/columns.hpp"
 #include "output/view/number_text.hpp"
+#include "scene/machine_spec.hpp"
 #include "solvers/registry.hpp"
 
 #include <fmt/ranges.h>
@@ -18,7 +21,7 @@ namespace camopt::apps {
 
 namespace {
 
-// camopt list keys: every key of a scene file, from the table that the reader checks against.
+// camopt list keys: every key of a file, from the rows that its reader checks against.
 
 using input::Availability;
 using input::KeyRow;
@@ -59,11 +62,12 @@ Json needs_json(Availability availability) {
     return nullptr;
 }
 
-Json key_json(const KeyRow& row) {
+Json key_json(std::string_view file, const KeyRow& row) {
     Json keys = Json::array();
     for (const Spelling& spelling : row.spellings)
         keys.push_back({{"key", row.key(spelling)}, {"unit", or_null(spelling.unit)}});
-    return {{"table", row.table},
+    return {{"file", file},
+            {"table", row.table},
             {"name", row.name},
             {"keys", keys},
             {"type", input::type_words(row.type)},
@@ -78,24 +82,27 @@ Json key_json(const KeyRow& row) {
 
 std::string keys_text() {
     std::string text;
-    const KeyRow* previous = nullptr;
-    for (const KeyRow& row : input::scene_keys()) {
-        if (!previous || previous->table != row.table)
-            text += row.table.empty() ? std::string("Top level\n") : fmt::format("\n[{}]\n", row.table);
-        text += key_text(row);
-        previous = &row;
+    for (const KeyFile& file : key_files()) {
+        text += fmt::format("{}{}\n", text.empty() ? "" : "\n", file.heading);
+        const KeyRow* previous = nullptr;
+        for (const KeyRow& row : file.rows) {
+            if (!previous || previous->table != row.table) text += fmt::format("\n{}\n", table_heading(row));
+            text += key_text(row);
+            previous = &row;
+        }
     }
     return text +
            "\nEach quantity is written once, in one of its units. --set TABLE.KEY=VALUE replaces one key of "
            "a scene.\n";
 }
 
-/// An array, one entry a row of the table in its order: table, name, keys as they may be written with their
-/// units, type, allowed, choices, default, meaning, needs ("cam", "forces" or null), cam_types (null: all),
-/// instead_of (a key or null).
+/// An array, one entry a row in their order: file ("scene", "machine", "post-processor"), table, name, keys
+/// as they may be written with their units, type, allowed, choices, default, meaning, needs ("cam", "forces"
+/// or null), cam_types (null: all), instead_of (a key or null).
 Json keys_json() {
     Json list = Json::array();
-    for (const KeyRow& row : input::scene_keys()) list.push_back(key_json(row));
+    for (const KeyFile& file : key_files())
+        for (const KeyRow& row : file.rows) list.push_back(key_json(file.name, row));
     return list;
 }
 
@@ -294,6 +301,16 @@ constexpr Topic topics[] = {
     {"columns", columns_text, columns_json}, {"controllers", controllers_text, controllers_json}};
 
 }  // namespace
+
+std::vector<KeyFile> key_files() {
+    return {{"scene", "KEYS OF A SCENE", input::scene_keys()},
+            {"machine", "KEYS OF A MACHINE", machine_rows()},
+            {"post-processor", "KEYS OF A POST-PROCESSOR", post_rows()}};
+}
+
+std::string table_heading(const KeyRow& row) {
+    return row.table.empty() ? std::string("Top level") : fmt::format("[{}]", row.table);
+}
 
 std::vector<std::string> list_topics() {
     std::vector<std::string> names;

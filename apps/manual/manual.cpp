@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/command_line.hpp"
+#include "apps/list/key_files.hpp"
 #include "core/version.hpp"
-#include "input/keys/scene_keys.hpp"
 
 #include <fmt/ranges.h>
 
@@ -117,16 +117,15 @@ Closing closing_of(const CLI::App& command) {
     return closing;
 }
 
-std::string keys_of_scenes() {
+std::string keys_of(const KeyFile& file) {
     std::string text;
-    const input::KeyRow* previous = nullptr;
-    for (const input::KeyRow& row : input::scene_keys()) {
+    const KeyRow* previous = nullptr;
+    for (const KeyRow& row : file.rows) {
         if (!previous || previous->table != row.table)
-            text += fmt::format(".SS \"{}\"\n", row.table.empty() ? std::string("Top level")
-                                                                  : fmt::format("[{}]", row.table));
+            text += fmt::format(".SS \"{}\"\n", table_heading(row));
         std::vector<std::string> keys;
         std::ranges::transform(row.spellings, std::back_inserter(keys),
-                               [&](const input::Spelling& spelling) { return row.key(spelling); });
+                               [&](const Spelling& spelling) { return row.key(spelling); });
         text += tagged(fmt::format(".B {}", roff(fmt::format("{}", fmt::join(keys, ", ")))),
                        fmt::format("{}; default: {}. {}", row.allowed(row.spellings.front()),
                                    row.default_text, row.meaning));
@@ -164,11 +163,15 @@ std::string manual_page(const CLI::App& program) {
         page += tagged(option_tag(*option), option_text(*option));
     page += section("COMMANDS");
     for (const CLI::App* command : commands_in(program)) page += command_text(*command, "camopt");
-    page +=
-        section("KEYS OF A SCENE") +
-        "Each quantity is written once, in one of its units; an entry of an array of tables is chosen by its "
-        "number, from 0: motion.segments[1].to. The same list: camopt list keys.\n" +
-        keys_of_scenes();
+    for (const KeyFile& file : key_files()) {
+        page += section(file.heading);
+        if (file.name == "scene")
+            page +=
+                "Each quantity is written once, in one of its units; an entry of an array of tables is "
+                "chosen by "
+                "its number, from 0: motion.segments[1].to. The same list: camopt list keys.\n";
+        page += keys_of(file);
+    }
     page += section("FILES") + roff(files) + "\n";
     page += section("EXIT STATUS") + roff(closing.exit_codes);
     page += section("EXAMPLES") + as_it_stands(closing.examples);

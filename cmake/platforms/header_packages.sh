@@ -26,6 +26,5 @@ CMAKE
     rm "$out/new"
 }
 package fmt fmt::fmt 9.1.0 FMT_HEADER_ONLY
-package tomlplusplus tomlplusplus::tomlplusplus 3.3.0 ""
 package nlohmann_json nlohmann_json::nlohmann_json 3.11.2 ""
 package CLI11 CLI11::CLI11 2.1.2 ""

@@ -40,6 +40,8 @@ def page(program):
              "What they are for: [The scene file](../docs/scene_file.md).\n"]
     table = None
     for row in listed(program, "keys"):
+        if row["file"] != "scene":  # docs/machines.md, docs/nc.md
+            continue
         if row["table"] != table:
             table = row["table"]
             parts.append(f"## {'Top level' if not table else f'`[{table}]`'}\n")

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/errors.hpp"
+#include "input/keys/scene_keys.hpp"
 
 namespace camopt::input {
 
@@ -101,13 +102,13 @@ struct Setting {
 [[nodiscard]] Setting parsed_setting(std::string_view text, const Place& place);
 
 /// Throws InputError for an invalid key or one that leads into something that is not a table.
-void apply_setting(Node& root, const Setting& setting);
+void apply_setting(Node& root, const Setting& setting, KeyRows rows = scene_keys());
 
 /// Removes the key and its synonyms. False: it was not there. Throws as apply_setting.
 bool remove_setting(Node& root, std::string_view key, const Place& place);
 
 /// Throws InputError "--set KEY=VALUE: …" for text that is not KEY=VALUE or leads into something that is not
 /// a table.
-void apply_overrides(Node& root, std::span<const std::string> overrides);
+void apply_overrides(Node& root, std::span<const std::string> overrides, KeyRows rows = scene_keys());
 
 }  // namespace camopt::input

@@ -28,7 +28,7 @@ class KeyCheck {
     /// `table`: the name in the key table; `path`: as the user would write it, with indices.
     void check_table(const Node& node, std::string_view table, const std::string& path) const {
         for (const Member& member : node.members) {
-            const KeyMatch match = match_key(table, member.name);
+            const KeyMatch match = match_key(table, member.name, source_.rows);
             const std::string key = joined_key(path, member.name);
             if (!match.row) refuse_unknown(member, table, key);
             const Given given{&member, match.row, match.spelling};
@@ -37,9 +37,9 @@ class KeyCheck {
             check_value(given, key);
         }
         if (!complete_) return;
-        for (const KeyRow& row : scene_keys())
+        for (const KeyRow& row : source_.rows)
             if (row.table == table && row.required() && is_of_this_cam(row) &&
-                !SceneSource::find_in(node, table, row.name))
+                !source_.find_in(node, table, row.name))
                 source_.fail(node.place, joined_key(path, row.key(row.spellings.front())),
                              fmt::format("missing; allowed: {}", row.allowed(row.spellings.front())));
     }
@@ -77,7 +77,7 @@ class KeyCheck {
         const std::string_view type =
             table == "cam" && cam_type().empty() ? std::string_view(cam_kinds().front().type) : cam_type();
         std::vector<std::string> keys;
-        for (const KeyRow& row : scene_keys()) {
+        for (const KeyRow& row : source_.rows) {
             if (row.table != table || !row.is_for(type)) continue;
             for (const Spelling& spelling : row.spellings) keys.push_back(row.key(spelling));
         }
@@ -88,14 +88,14 @@ class KeyCheck {
                                      const std::string& key) const {
         const std::vector<std::string> allowed = keys_of_this_cam(table);
         std::string hint = spelling_hint(member.name, allowed);
-        if (const KeyRow* const row = find_row(table, member.name))  // the unit is missing
+        if (const KeyRow* const row = find_row(table, member.name, source_.rows))  // the unit is missing
             hint = fmt::format("; did you mean '{}'?", row->key(row->spellings.front()));
         if (const std::string meant = key_meant(table, member.name); !meant.empty())  // a synonym
             hint = did_you_mean({meant});
         if (table.empty() && member.name == "machine")
             hint = "; this is a file of a machine, for camopt machine and camopt sweep";
-        for (const KeyRow& row : scene_keys())  // in the wrong table
-            if (hint.empty() && match_key(row.table, member.name).row != nullptr)
+        for (const KeyRow& row : source_.rows)  // in the wrong table
+            if (hint.empty() && match_key(row.table, member.name, source_.rows).row != nullptr)
                 hint = fmt::format("; did you mean '{}'?", joined_key(row.table, member.name));
         source_.fail(member.place, key,
                      fmt::format("found an unknown key; allowed: {}{}", joined(allowed), hint));
@@ -104,7 +104,7 @@ class KeyCheck {
     void refuse_second_spelling(const Node& node, const Given& given, const std::string& path) const {
         for (const Member& other : node.members) {
             if (&other == given.member) break;
-            const KeyRow* row = match_key(given.row->table, other.name).row;
+            const KeyRow* row = match_key(given.row->table, other.name, source_.rows).row;
             if (row == given.row || row->name == given.row->instead_of || row->instead_of == given.row->name)
                 source_.fail(
                     given.member->place, joined_key(path, given.member->name),
@@ -276,7 +276,7 @@ class KeyCheck {
             if (items[i].kind != NodeKind::table)
                 source_.fail(items[i].place, item_key,
                              fmt::format("found {}; allowed: a table of {}", items[i].shown(),
-                                         joined(written_keys(key))));
+                                         joined(written_keys(key, source_.rows))));
             check_table(items[i], joined_key(given.row->table, given.row->name), item_key);
         }
     }

@@ -65,24 +65,11 @@ std::vector<KeyPart> key_parts(std::string_view key, const Place& place) {
     fail(place, "", fmt::format("found no dotted key before '='; allowed: {}", example));
 }
 
-bool says_the_same(std::string_view table, std::string_view one, std::string_view other) {
-    const KeyRow* a = match_key(table, one).row;
-    const KeyRow* b = match_key(table, other).row;
+bool says_the_same(std::string_view table, std::string_view one, std::string_view other, KeyRows rows) {
+    const KeyRow* a = match_key(table, one, rows).row;
+    const KeyRow* b = match_key(table, other, rows).row;
     if (!a || !b) return one == other;
     return a == b || a->instead_of == b->name || b->instead_of == a->name;
-}
-
-void set(Node& table, std::string_view table_path, const std::string& name, Node value) {
-    const auto same = [&](const Member& member) { return says_the_same(table_path, name, member.name); };
-    const auto found = std::ranges::find_if(table.members, same);
-    if (found == table.members.end()) {
-        const Place place = value.place;
-        table.members.push_back({name, place, std::move(value)});
-        return;
-    }
-    const Place place = value.place;
-    *found = {name, place, std::move(value)};
-    table.members.erase(std::remove_if(found + 1, table.members.end(), same), table.members.end());
 }
 
 /// The entry of an array in the table.
@@ -141,6 +128,23 @@ Destination destination(Node& root, std::string_view key, const Place& place) {
     return found;
 }
 
+void set(const Destination& to, Node value, KeyRows rows) {
+    Node& table = *to.table;
+    const std::string& name = to.last.name;
+    const auto same = [&](const Member& member) {
+        return says_the_same(to.table_path, name, member.name, rows);
+    };
+    const auto found = std::ranges::find_if(table.members, same);
+    if (found == table.members.end()) {
+        const Place place = value.place;
+        table.members.push_back({name, place, std::move(value)});
+        return;
+    }
+    const Place place = value.place;
+    *found = {name, place, std::move(value)};
+    table.members.erase(std::remove_if(found + 1, table.members.end(), same), table.members.end());
+}
+
 }  // namespace
 
 Setting parsed_setting(std::string_view text, const Place& place) {
@@ -151,12 +155,12 @@ Setting parsed_setting(std::string_view text, const Place& place) {
     return {std::string(key), parse_override_value(trimmed(text.substr(equals + 1)), place)};
 }
 
-void apply_setting(Node& root, const Setting& setting) {
+void apply_setting(Node& root, const Setting& setting, KeyRows rows) {
     const Destination to = destination(root, setting.key, setting.value.place);
     if (to.last.index)
         entry(*to.table, to.last, to.shown_path, setting.value.place) = setting.value;
     else
-        set(*to.table, to.table_path, to.last.name, setting.value);
+        set(to, setting.value, rows);
 }
 
 bool remove_setting(Node& root, std::string_view key, const Place& place) {
@@ -167,7 +171,7 @@ bool remove_setting(Node& root, std::string_view key, const Place& place) {
         const bool last = &part == &parts.back();
         if (last && !part.index)
             return std::erase_if(table->members, [&](const Member& member) {
-                       return says_the_same(table_path, part.name, member.name);
+                       return says_the_same(table_path, part.name, member.name, scene_keys());
                    }) > 0;
         Member* const member = table->find(part.name);
         if (!member) return false;
@@ -184,9 +188,9 @@ bool remove_setting(Node& root, std::string_view key, const Place& place) {
     return false;
 }
 
-void apply_overrides(Node& root, std::span<const std::string> overrides) {
+void apply_overrides(Node& root, std::span<const std::string> overrides, KeyRows rows) {
     for (const std::string& text : overrides)
-        apply_setting(root, parsed_setting(text, {.line = 1, .column = 1, .override_text = text}));
+        apply_setting(root, parsed_setting(text, {.line = 1, .column = 1, .override_text = text}), rows);
 }
 
 }  // namespace camopt::input

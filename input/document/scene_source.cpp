@@ -36,9 +36,9 @@ const Node* SceneSource::table(std::string_view path) const {
 }
 
 std::optional<Given> SceneSource::find_in(const Node& table, std::string_view table_path,
-                                          std::string_view quantity) {
+                                          std::string_view quantity) const {
     for (const Member& member : table.members) {
-        const KeyMatch match = match_key(table_path, member.name);
+        const KeyMatch match = match_key(table_path, member.name, rows);
         if (match.row && match.row->name == quantity) return Given{&member, match.row, match.spelling};
     }
     return std::nullopt;
@@ -47,11 +47,6 @@ std::optional<Given> SceneSource::find_in(const Node& table, std::string_view ta
 std::optional<Given> SceneSource::find(std::string_view table_path, std::string_view quantity) const {
     const Node* node = table(table_path);
     return node ? find_in(*node, table_path, quantity) : std::nullopt;
-}
-
-std::optional<double> SceneSource::number(std::string_view table_path, std::string_view quantity) const {
-    const std::optional<Given> given = find(table_path, quantity);
-    return given ? std::optional(given->number()) : std::nullopt;
 }
 
 namespace {

@@ -26,23 +26,23 @@ class SceneSource {
  public:
     std::string name;  ///< of the file
     Node root;
+    KeyRows rows = scene_keys();  ///< that its keys have
 
     /// The value at a dotted path of tables; nullptr if it is missing or not a table.
     [[nodiscard]] const Node* table(std::string_view path) const;
 
     /// A quantity of a table, in any unit.
     [[nodiscard]] std::optional<Given> find(std::string_view table_path, std::string_view quantity) const;
-    [[nodiscard]] static std::optional<Given> find_in(const Node& table, std::string_view table_path,
-                                                      std::string_view quantity);
-
-    [[nodiscard]] std::optional<double> number(std::string_view table_path, std::string_view quantity) const;
+    [[nodiscard]] std::optional<Given> find_in(const Node& table, std::string_view table_path,
+                                               std::string_view quantity) const;
 
     /// Throws InputError "LOCATION: key: what".
     [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const {
         throw PlacedError(place, error_prefix(name, place, key) + std::string(what));
     }
 
-    /// Throws for a member of the Scene: its location and its key as written, or those of the nearest table.
+    /// Throws for a member of what is read: its location and its key as written, or those of the nearest
+    /// table.
     [[noreturn]] void fail_member(std::string_view member, std::string_view what) const;
 };
 

@@ -62,14 +62,14 @@ std::string markdown_row(const KeyRow& row) {
 
 }  // namespace
 
-const KeyRow* find_row(std::string_view table, std::string_view name) {
-    for (const KeyRow& row : scene_keys())
+const KeyRow* find_row(std::string_view table, std::string_view name, KeyRows rows) {
+    for (const KeyRow& row : rows)
         if (row.table == table && row.name == name) return &row;
     return nullptr;
 }
 
-KeyMatch match_key(std::string_view table, std::string_view key) {
-    for (const KeyRow& row : scene_keys()) {
+KeyMatch match_key(std::string_view table, std::string_view key, KeyRows rows) {
+    for (const KeyRow& row : rows) {
         if (row.table != table || !key.starts_with(row.name)) continue;
         for (const Spelling& spelling : row.spellings)
             if (key.substr(row.name.size()) == spelling.suffix) return {&row, &spelling};
@@ -77,9 +77,9 @@ KeyMatch match_key(std::string_view table, std::string_view key) {
     return {};
 }
 
-std::vector<std::string> written_keys(std::string_view table) {
+std::vector<std::string> written_keys(std::string_view table, KeyRows rows) {
     std::vector<std::string> keys;
-    for (const KeyRow& row : scene_keys())
+    for (const KeyRow& row : rows)
         if (row.table == table)
             for (const Spelling& spelling : row.spellings) keys.push_back(row.key(spelling));
     return keys;

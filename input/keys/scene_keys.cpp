@@ -29,8 +29,8 @@ struct KeyTable {
                                        [&](const KeyRow& other) { return other.table == row.table; });
         rows.insert(last == rows.rend() ? rows.end() : last.base(), std::move(row));
     }
-    void add(Rows all) {
-        for (KeyRow& row : all) add(std::move(row));
+    void add(std::span<const KeyRow> all) {
+        for (const KeyRow& row : all) add(row);
     }
     /// Joined with that of an earlier kind, where there is one.
     void add_of_kind(const KeyRow& row) {

@@ -67,7 +67,7 @@ void FreeKnotNlp::set_bounds() {
 
 void FreeKnotNlp::push(Row row, double lower, double upper, RowKind kind) {
     rows_.push_back(std::move(row));
-    const Eigen::Index count = static_cast<Eigen::Index>(rows_.size());
+    const auto count = static_cast<Eigen::Index>(rows_.size());
     shape_.g_lower.conservativeResize(count);
     shape_.g_upper.conservativeResize(count);
     shape_.g_lower[count - 1] = lower;

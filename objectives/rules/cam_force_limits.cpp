@@ -57,10 +57,13 @@ std::vector<Force> forces_of(const Scene& scene, const LoadSpeed& at_speed) {
     if (spec.load.size() < 2) return {{spec, speed, at_speed, spec.preload + spec.load_at(0.0).force}};
     const double unit = scene.motion.unit_angle(), end = unit * scene.motion.length();
     std::vector<double> joints = {0.0, end};
-    for (const std::array<double, 2>& point : spec.load)
-        for (double at = point[0] - units::turn * std::floor(point[0] / units::turn); at < end;
-             at += units::turn)
+    for (const std::array<double, 2>& point : spec.load) {
+        double at = point[0] - units::turn * std::floor(point[0] / units::turn);
+        while (at < end) {
             if (at > 0.0) joints.push_back(at);
+            at += units::turn;
+        }
+    }
     std::ranges::sort(joints);
     std::vector<Force> all;
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {

@@ -2,20 +2,22 @@
 #include "output/nc/post_processor.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
+#include "input/key_file.hpp"
+#include "scene/key_place.hpp"
 
-#include <fmt/ranges.h>
-#include <toml++/toml.h>
+#include <fmt/format.h>
 
 #include <set>
-#include <sstream>
-#include <type_traits>
 
 namespace camopt {
 
 namespace {
 
 constexpr int most_decimals = 9;
+constexpr const char* inch_word = "inch";
+using KeyUnits = std::span<const Spelling>;
 // Letters that mean something else in every dialect.
 constexpr std::string_view taken_letters = "GMNOFSTDHIJKRLPQ";
 
@@ -41,149 +43,108 @@ void check_axis(const std::string& key, const PostAxis& axis, std::set<std::stri
         throw InputError(fmt::format("post-processor: the offset of axes.{} must be finite", key));
 }
 
-// The TOML file of a post-processor.
-class PostTable {
- public:
-    PostTable(const toml::table& table, std::string_view file, std::string prefix)
-        : table_(table), file_(file), prefix_(std::move(prefix)) {}
+using enum KeyType;
+using namespace spellings;
 
-    template <class T>
-    void read(const char* key, T& target) {
-        known_.emplace_back(key);
-        const toml::node* const node = table_.get(key);
-        if (node == nullptr) return;
-        const auto value = node->value_exact<T>();
-        if (!value) refuse(*node, key, type_name<T>());
-        if constexpr (std::is_same_v<T, std::string>) require_ascii(*node, key, *value);
-        target = *value;
-    }
-    void read(const char* key, int& target) {
-        std::int64_t value = target;
-        read(key, value);
-        if (value < -1'000'000'000 || value > 1'000'000'000)
-            refuse(*table_.get(key), key, "a smaller number");
-        target = static_cast<int>(value);
-    }
-    /// A number in `unit`.
-    void read_length(const char* key, double unit, double& target) {
-        known_.emplace_back(key);
-        const toml::node* const node = table_.get(key);
-        if (node == nullptr) return;
-        const auto value = node->value<double>();
-        if (!value || !node->is_number()) refuse(*node, key, "a number");
-        target = *value * unit;
-    }
-    void read(const char* key, std::vector<std::string>& target) {
-        known_.emplace_back(key);
-        const toml::node* const node = table_.get(key);
-        if (node == nullptr) return;
-        if (!node->is_array()) refuse(*node, key, "an array of lines");
-        target.clear();
-        for (const toml::node& line : *node->as_array()) {
-            if (!line.is_string()) refuse(line, key, "lines in quotes");
-            target.push_back(line.as_string()->get());
-            require_ascii(line, key, target.back());
-        }
-    }
-    template <class Enum>
-    void read_choice(const char* key, const std::vector<std::pair<std::string, Enum>>& choices,
-                     Enum& target) {
-        std::string word;
-        read(key, word);
-        if (word.empty() && table_.get(key) == nullptr) return;
-        std::vector<std::string> names;
-        for (const auto& [name, value] : choices) {
-            names.push_back('"' + name + '"');
-            if (name == word) {
-                target = value;
-                return;
-            }
-        }
-        refuse(*table_.get(key), key, fmt::format("{}", fmt::join(names, " or ")));
-    }
-    [[nodiscard]] const toml::table* child(const char* key) {
-        known_.emplace_back(key);
-        const toml::node* const node = table_.get(key);
-        if (node == nullptr) return nullptr;
-        if (!node->is_table()) refuse(*node, key, "a table");
-        return node->as_table();
-    }
-    /// Throws for keys that no one read.
-    void finish() const {
-        for (const auto& [key, node] : table_)
-            if (std::find(known_.begin(), known_.end(), key.str()) == known_.end())
-                throw InputError(fmt::format("{}:{}: unknown key {}{}; allowed: {}", file_,
-                                             node.source().begin.line, prefix_, key.str(),
-                                             fmt::join(known_, ", ")));
-    }
+/// Words that reach the program as they are: one line of ASCII characters each.
+void require_ascii(std::span<const std::string> lines) {
+    const auto printed = [](char letter) { return letter >= ' ' && letter <= '~'; };
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (!std::ranges::all_of(lines[i], printed))
+            throw RefusedValue(i, fmt::format("\"{}\"", printable(lines[i])), "one line of ASCII characters");
+}
 
- private:
-    template <class T>
-    [[nodiscard]] static std::string type_name() {
-        if (std::is_same_v<T, std::string>) return "text in quotes";
-        return std::is_same_v<T, bool> ? "true or false" : "a whole number";
-    }
-    /// Words that reach the program as they are.
-    void require_ascii(const toml::node& node, const char* key, const std::string& words) const {
-        const auto printed = [](char letter) { return letter >= ' ' && letter <= '~'; };
-        if (!std::ranges::all_of(words, printed)) refuse(node, key, "one line of ASCII characters");
-    }
-    [[noreturn]] void refuse(const toml::node& node, const char* key, const std::string& allowed) const {
-        std::ostringstream found;
-        found << toml::default_formatter(node);
-        throw InputError(fmt::format("{}:{}: {}{} must be {}, found {}", file_, node.source().begin.line,
-                                     prefix_, key, allowed, found.str()));
-    }
-
-    const toml::table& table_;
-    std::string_view file_;
-    std::string prefix_;
-    std::vector<std::string> known_;
-};
-
-void read_axes(const toml::table& table, std::string_view name, PostProcessor& post) {
-    PostTable axes(table, name, "axes.");
-    for (auto& [key, axis] : post.axes) {
-        const toml::table* const entry = axes.child(key.c_str());
-        if (entry == nullptr) continue;
-        PostTable reader(*entry, name, "axes." + key + ".");
-        reader.read("letter", axis.letter);
-        reader.read("sign", axis.sign);
-        const bool linear = key == "x" || key == "y" || key == "z";
-        if (linear)
-            reader.read_length("offset_mm", units::millimetre, axis.offset);
+template <class Member>
+KeyPlace printed_as_is(Member member) {
+    KeyPlace place = stored_in(member);
+    place.assign = [assign = place.assign](const KeyOwner& post, const KeyValue& value, const KeyAt& at) {
+        if (const auto* const line = std::get_if<std::string>(&value))
+            require_ascii({line, 1});
         else
-            reader.read_length("offset_deg", units::degree, axis.offset);
-        reader.finish();
-    }
-    axes.finish();
+            require_ascii(std::get<std::vector<std::string>>(value));
+        assign(post, value, at);
+    };
+    return place;
 }
 
-PostProcessor post_of_table(const toml::table& table, std::string_view name, PostProcessor post) {
-    PostTable reader(table, name, "");
-    reader.read("name", post.name);
-    reader.read_choice<LengthUnit>("unit", {{"mm", LengthUnit::millimetre}, {"inch", LengthUnit::inch}},
-                                   post.unit);
-    reader.read_choice<FeedMode>(
-        "feed", {{"inverse_time", FeedMode::inverse_time}, {"per_minute", FeedMode::per_minute}},
-        post.feed_mode);
-    reader.read("linear_decimals", post.linear_decimals);
-    reader.read("angle_decimals", post.angle_decimals);
-    reader.read("feed_decimals", post.feed_decimals);
-    reader.read("modal", post.modal);
-    reader.read("first_block", post.first_block);
-    reader.read("block_step", post.block_step);
-    reader.read("comment_begin", post.comment_begin);
-    reader.read("comment_end", post.comment_end);
-    reader.read("header", post.header);
-    reader.read("footer", post.footer);
-    reader.read("spindle_on", post.spindle_on);
-    reader.read("tool_call", post.tool_call);
-    if (const toml::table* const axes = reader.child("axes")) read_axes(*axes, name, post);
-    reader.finish();
-    post.validate();
-    return post;
+KeyPlace unit_place() {
+    return {.assign =
+                [](PostProcessor& post, const KeyValue& value, const KeyAt&) {
+                    post.unit =
+                        std::get<std::string>(value) == inch_word ? LengthUnit::inch : LengthUnit::millimetre;
+                },
+            .value = [](const PostProcessor& post, const KeyAt&) -> std::optional<KeyValue> {
+                return std::string(post.unit == LengthUnit::inch ? inch_word : name_of(post.unit));
+            }};
 }
+
+/// A member of the axis of a machine.
+template <class Value>
+KeyPlace in_axis(std::string_view axis, Value PostAxis::*member) {
+    return {.assign = [=, key = std::string(axis)](
+                          PostProcessor& post, const KeyValue& value,
+                          const KeyAt&) { key_place::assign(post.axes[key].*member, value, 0); },
+            .value = [=, key = std::string(axis)](const PostProcessor& post,
+                                                  const KeyAt&) -> std::optional<KeyValue> {
+                const auto found = post.axes.find(key);
+                if (found == post.axes.end()) return std::nullopt;
+                return key_place::value_of(found->second.*member);
+            }};
+}
+
+/// Of an axis of a machine: its table "axes.x".
+struct AxisTable {
+    std::string_view key, table;
+    AxisKind kind;
+};
+constexpr AxisTable axis_tables[] = {{"x", "axes.x", AxisKind::linear},
+                                     {"y", "axes.y", AxisKind::linear},
+                                     {"z", "axes.z", AxisKind::linear},
+                                     {"rotary", "axes.rotary", AxisKind::rotary},
+                                     {"tilt", "axes.tilt", AxisKind::rotary}};
+
+// A row is read as a row.
+// clang-format off
+void add_axis(std::vector<KeyRow>& rows, const AxisTable& axis) {
+    const bool turns = axis.kind == AxisKind::rotary;
+    rows.insert(rows.end(), {
+        {axis.table, "letter", text, plain, any, {}, turns ? "A, B or C" : "X, Y or Z", "One capital letter.",
+         in_axis(axis.key, &PostAxis::letter)},
+        {axis.table, "sign", integer, plain, any, {"1", "-1"}, "1", "Before the value.", in_axis(axis.key, &PostAxis::sign)},
+        {axis.table, "offset", number, turns ? KeyUnits(angle) : KeyUnits(length), any, {}, "0", "After it.",
+         in_axis(axis.key, &PostAxis::offset)},
+    });
+}
+
+std::vector<KeyRow> made_rows() {
+    constexpr Range decimals = Range::between(0, most_decimals), block = Range::between(0, 1e9);
+    std::vector<KeyRow> rows = {
+        {"", "name", text, plain, any, {}, "\"generic\"", "Appears in the program.", printed_as_is(&PostProcessor::name)},
+        {"", "unit", text, plain, any, {name_of(LengthUnit::millimetre), inch_word}, "\"mm\"", "G21 or G20.", unit_place()},
+        {"", "feed", text, plain, any, {name_of(FeedMode::inverse_time), name_of(FeedMode::per_minute)}, "\"inverse_time\"; three axes: \"per_minute\"",
+         "G93; `\"per_minute\"` (G94) only without rotary axes.", stored_in(&PostProcessor::feed_mode)},
+        {"", "linear_decimals", integer, plain, decimals, {}, "4", "Printed decimals of linear axes.", stored_in(&PostProcessor::linear_decimals)},
+        {"", "angle_decimals", integer, plain, decimals, {}, "5", "Printed decimals of rotary axes.", stored_in(&PostProcessor::angle_decimals)},
+        {"", "feed_decimals", integer, plain, decimals, {}, "3", "Printed decimals of feeds.", stored_in(&PostProcessor::feed_decimals)},
+        {"", "modal", boolean, plain, any, {}, "true", "Omit axes that keep their value.", stored_in(&PostProcessor::modal)},
+        {"", "first_block", integer, plain, block, {}, "0", "The first N word.", stored_in(&PostProcessor::first_block)},
+        {"", "block_step", integer, plain, block, {}, "0", "From N word to N word; 0: none.", stored_in(&PostProcessor::block_step)},
+        {"", "comment_begin", text, plain, any, {"(", ";"}, "\"(\"", "Before a comment.", stored_in(&PostProcessor::comment_begin)},
+        {"", "comment_end", text, plain, any, {")", ""}, "\")\"", "After a comment; of `;` empty.", stored_in(&PostProcessor::comment_end)},
+        {"", "header", texts, plain, any, {}, "[\"%\"]", "Lines; `{title}`, `{tool}`, `{post}`, `{machine}` are filled in.",
+         printed_as_is(&PostProcessor::header)},
+        {"", "footer", texts, plain, any, {}, "[\"M5\", \"M30\", \"%\"]", "Lines at the end.", printed_as_is(&PostProcessor::footer)},
+        {"", "spindle_on", text, plain, any, {}, "\"S{spindle_rpm} {spindle_sense}\"", "Written with --spindle-rpm; M3 or M4.",
+         printed_as_is(&PostProcessor::spindle_on)},
+        {"", "tool_call", text, plain, any, {}, "\"T{tool_number} M6\"", "Written with --tool-number.", printed_as_is(&PostProcessor::tool_call)},
+        {"", "axes", table, plain, any, {}, "none", "The axes of the machine."},
+    };
+    for (const AxisTable& axis : axis_tables)
+        rows.push_back({"axes", axis.key, table, plain, any, {}, "none", "How this axis is printed: sign · value + offset."});
+    for (const AxisTable& axis : axis_tables) add_axis(rows, axis);
+    return rows;
+}
+// clang-format on
 
 }  // namespace
 
@@ -202,6 +163,15 @@ void PostProcessor::validate() const {
                                      comment_begin, comment_end));
     std::set<std::string> letters;
     for (const auto& [key, axis] : axes) check_axis(key, axis, letters);
+}
+
+const std::vector<KeyRow>& post_rows() {
+    static const std::vector<KeyRow> rows = made_rows();
+    return rows;
+}
+
+const char* name_of(FeedMode mode) {
+    return mode == FeedMode::inverse_time ? "inverse_time" : "per_minute";
 }
 
 PostProcessor generic_post(const Machine& machine) {
@@ -238,11 +208,15 @@ double half_last_digit(const PostProcessor& post, AxisKind kind) {
 }
 
 PostProcessor post_of_text(std::string_view text, std::string_view name, PostProcessor base) {
-    try {
-        return post_of_table(toml::parse(text), name, std::move(base));
-    } catch (const toml::parse_error& error) {
-        throw InputError(fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
-    }
+    std::vector<KeyRow> rows = post_rows();
+    for (const AxisTable& axis : axis_tables)  // that this machine does not have
+        if (!base.axes.contains(std::string(axis.key)))
+            std::erase_if(rows, [&](const KeyRow& row) {
+                return row.table == axis.table || (row.table == "axes" && row.name == axis.key);
+            });
+    input::read_key_file(text, name, rows, base);
+    base.validate();
+    return base;
 }
 
 PostProcessor read_post(const std::filesystem::path& file, PostProcessor base) {

@@ -7,6 +7,7 @@
 
 #include "core/units.hpp"
 #include "output/nc/machine.hpp"
+#include "scene/key_row.hpp"
 
 #include <filesystem>
 #include <map>
@@ -15,6 +16,7 @@ namespace camopt {
 
 /// inverse_time: F of a G93 block is 1 / its minutes. per_minute: G94, only where no axis turns.
 enum class FeedMode { inverse_time, per_minute };
+[[nodiscard]] const char* name_of(FeedMode mode);  ///< in the file
 
 struct PostAxis {
     std::string letter;   ///< one capital letter
@@ -44,8 +46,11 @@ struct PostProcessor {
 /// mm/min.
 [[nodiscard]] PostProcessor generic_post(const Machine& machine);
 
-/// What the file leaves out is that of `base`. Throws InputError naming file, line, key, what was found and
-/// what is allowed.
+/// The keys of its file.
+[[nodiscard]] const std::vector<KeyRow>& post_rows();
+
+/// What the file leaves out is that of `base`. Throws InputError "FILE:LINE:COLUMN: key: found …; allowed: …"
+/// for a key or value, "post-processor: …" for values that exclude each other.
 [[nodiscard]] PostProcessor read_post(const std::filesystem::path& file, PostProcessor base);
 [[nodiscard]] PostProcessor post_of_text(std::string_view text, std::string_view name, PostProcessor base);
 

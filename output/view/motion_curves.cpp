@@ -141,7 +141,8 @@ std::vector<double> joined_points(const std::vector<std::array<double, 2>>& poin
 Curve residual_curve(const View& view) {
     const MeasuredReport& measured = *view.solution.measured;
     const MotionUnit& unit = view.units.motion[0].first;
-    Curve curve{"residual", "motion", "Residual of the table", "table − fit", unit};
+    Curve curve{"residual", "motion", "Residual of the table", "table − fit",
+                static_cast<const ShownUnit&>(unit)};
     std::vector<std::array<double, 2>> points = table_points(view);
     CurveMark largest;
     for (auto& [at, value] : points) {
@@ -184,7 +185,7 @@ std::vector<Curve> motion_curves(const View& view) {
         const ShownDerivative& shown = view.units.motion[order];
         const MotionUnit& unit = shown.first;
         const PeakRow* const row = order == 0 ? nullptr : &peaks[order - 1];
-        Curve curve{shown.name, "motion", titles[order], unit.symbol, unit};
+        Curve curve{shown.name, "motion", titles[order], unit.symbol, static_cast<const ShownUnit&>(unit)};
         for (const DeliveredRow& place : view.delivered.rows)
             curve.values.push_back(unit.per_normalised * place.motion.derivative[order]);
         curve.beside = shown.beside;

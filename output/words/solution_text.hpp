@@ -44,7 +44,7 @@ namespace camopt {
 // What a scene asks for, in words: motion, spline, cam, forces, limits, objective.
 
 /// One line each, "Motion: rise between two dwells, lift 10 mm, …"; what the scene has not is left out.
-[[nodiscard]] std::vector<std::string> scene_lines(const Scene& scene);
+[[nodiscard]] std::vector<std::string> scene_lines(const Scene& given);
 
 // Why a scene has no motion, and what would have to change, in the user's words.
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/disk_cam.hpp"
 
+#include "core/text/quantity_text.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 
@@ -98,13 +99,6 @@ void set_in_fixed_frame(const DiskCam& cam, const FollowerState& state, ProfileP
 
 // Whether one cam can be built: at rest, and over the whole range of its motion. Every distance below grows
 // with s as long as the conditions before it hold, so the two extremes of s decide.
-
-std::string length_text(double value) {
-    return fmt::format("{:.6g} mm", value / 1e-3);
-}
-std::string angle_text(double value) {
-    return fmt::format("{:.6g} deg", value * 180.0 / std::numbers::pi);
-}
 
 std::string dimension_fault(const DiskCam& cam) {
     for (int i = 0; i < dimension_count; ++i) {

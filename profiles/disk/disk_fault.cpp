@@ -9,6 +9,7 @@
 //   translating  s0 = √(p² − e²),       D − s0 − Δ > 0          (D between the rollers' axes)
 //   oscillating  cos ψ0 = (a² + l² − p²)/(2 a l),  γ − ψ0 − Δ > 0, γ − ψ0 < π   (γ between the arms)
 // and the second prime radius above the second roller's.
+#include "core/text/quantity_text.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "scene/key_row.hpp"
 #include "scene/scene.hpp"
@@ -41,17 +42,10 @@ Fault face_fault(const DiskSpec& cam) {
 }
 
 /// In the unit of the scene file.
-std::string length_text(double value, const Dimension& dimension) {
-    const char* unit = "mm";
-    double factor = 1e-3;
-    if (dimension.unit == 0.0254) {
-        unit = "in";
-        factor = dimension.unit;
-    } else if (dimension.unit == 1.0) {
-        unit = "m";
-        factor = 1.0;
-    }
-    return fmt::format("{:.6g} {}", value / factor, unit);
+std::string written_length(double value, const Dimension& dimension) {
+    for (const Spelling& one : spellings::length)
+        if (one.factor == dimension.unit) return fmt::format("{:.6g} {}", value / one.factor, one.unit);
+    return length_text(value);
 }
 
 const char* prime_name(const DiskSpec& cam) {
@@ -64,8 +58,8 @@ Fault offset_fault(const DiskSpec& cam) {
     const double prime = cam[base_radius].high + cam[roller_radius].high;
     if (least < prime) return std::nullopt;
     return SceneFault{"cam.offset",
-                      fmt::format("an offset of {}", length_text(given.low > 0.0 ? least : -least, given)),
-                      fmt::format("less than {} to either side, the largest {}", length_text(prime, given),
+                      fmt::format("an offset of {}", written_length(given.low > 0.0 ? least : -least, given)),
+                      fmt::format("less than {} to either side, the largest {}", written_length(prime, given),
                                   prime_name(cam))};
 }
 
@@ -77,15 +71,16 @@ Fault arm_fault(const DiskSpec& cam) {
     const double largest = base.high + cam[roller_radius].high;
     if (!(largest > difference))
         return SceneFault{"cam.base_radius",
-                          fmt::format("{} for {}", length_text(largest, base), prime_name(cam)),
+                          fmt::format("{} for {}", written_length(largest, base), prime_name(cam)),
                           fmt::format("more than {}, the difference of center distance and arm length",
-                                      length_text(difference, base))};
+                                      written_length(difference, base))};
     const double sum = center.high + arm.high;
     const double smallest = base.low + cam[roller_radius].low;
     if (!(smallest < sum))
-        return SceneFault{
-            "cam.base_radius", fmt::format("{} for {}", length_text(smallest, base), prime_name(cam)),
-            fmt::format("less than {}, the sum of center distance and arm length", length_text(sum, base))};
+        return SceneFault{"cam.base_radius",
+                          fmt::format("{} for {}", written_length(smallest, base), prime_name(cam)),
+                          fmt::format("less than {}, the sum of center distance and arm length",
+                                      written_length(sum, base))};
     return std::nullopt;
 }
 
@@ -98,8 +93,8 @@ Fault face_reach_fault(const DiskSpec& cam) {
     return SceneFault{
         "cam.base_radius",
         fmt::format("{} for base radius + face offset",
-                    length_text(smallest < center ? largest : smallest, base)),
-        fmt::format("less than {} to either side, the center distance", length_text(center, base))};
+                    written_length(smallest < center ? largest : smallest, base)),
+        fmt::format("less than {} to either side, the center distance", written_length(center, base))};
 }
 
 Fault rest_fault(const DiskSpec& cam) {
@@ -141,7 +136,7 @@ std::vector<std::array<double, dimension_count>> corners_of(const DiskSpec& cam)
 /// In the unit in which the base radius is written: "12.5 mm".
 std::string shown_length(const DiskSpec& cam, double length) {
     const LengthUnit unit = cam[base_radius].unit == units::inch ? LengthUnit::inch : LengthUnit::millimetre;
-    return fmt::format("{:.6g} {}", length / metres_of(unit), name_of(unit));
+    return length_text(length, unit);
 }
 
 Fault second_slide_fault(const DiskSpec& cam, const std::array<double, dimension_count>& corner,
@@ -173,7 +168,7 @@ Fault second_arm_fault(const DiskSpec& cam, const std::array<double, dimension_c
     const double distance = std::sqrt(a * a + arm * arm - 2.0 * a * arm * std::cos(lowest));
     const double second = cam.form.second_roller_radius.value_or(at(roller_radius));
     if (lowest > 0.0 && rest < std::numbers::pi && distance > second) return std::nullopt;
-    constexpr double deg = std::numbers::pi / 180.0;
+    constexpr double deg = units::degree;
     return SceneFault{
         "cam.arm_angle",
         fmt::format("{:.6g} deg, which puts the second arm {:.6g} to {:.6g} deg from the line of "
@@ -217,7 +212,7 @@ std::optional<SceneFault> disk_fault(const DiskSpec& cam, const MotionSpec& moti
     if (is_oscillating(cam.follower) != motion.lift_is_angle)
         return SceneFault{"cam.follower",
                           fmt::format("\"{}\" where the lift is {}", name_of(cam.follower),
-                                      motion.lift_is_angle ? "an angle" : "a length"),
+                                      length_or_angle(motion.lift_is_angle)),
                           motion.lift_is_angle ? "an oscillating follower, or a lift in mm, in or m"
                                                : "a translating follower, or a lift in deg or rad"};
     if (Fault fault = foreign_fault(cam)) return fault;

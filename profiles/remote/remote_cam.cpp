@@ -2,6 +2,7 @@
 #include "profiles/remote/remote_cam.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/quantity_text.hpp"
 #include "profiles/remote/remote_formulas.hpp"
 
 #include <fmt/format.h>
@@ -25,12 +26,8 @@ Eigen::Vector3d in_cam_frame(const remote::Vector<double>& fixed, double turn) {
 
 constexpr int places = 256;
 
-std::string length_text(double value) {
-    return fmt::format("{:.6g} mm", value / 1e-3);
-}
-
 std::string output_text(RemoteLinkage linkage, double s) {
-    return output_swings(linkage) ? fmt::format("{:.6g} deg", s * 180.0 / std::numbers::pi) : length_text(s);
+    return output_swings(linkage) ? angle_text(s) : length_text(s);
 }
 
 struct DyadNames {

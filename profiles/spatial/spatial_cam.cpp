@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_cam.hpp"
 
+#include "core/text/quantity_text.hpp"
 #include "core/word_of.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
@@ -57,10 +58,6 @@ std::optional<Vector3d> pivot_of(const SpatialCam& cam) {
     return Vector3d(across, away, cam.axial_offset);
 }
 
-std::string length_text(double value) {
-    return fmt::format("{:.6g} mm", value / 1e-3);
-}
-
 std::string dimension_fault(const SpatialCam& cam) {
     for (int i = 0; i < spatial_dimension_count; ++i) {
         const auto index = static_cast<SpatialDimension>(i);
@@ -78,9 +75,8 @@ std::string dimension_fault(const SpatialCam& cam) {
 std::string swing_fault(double low, double high) {
     const double right_angle = 0.5 * std::numbers::pi;
     if (low > -right_angle && high < right_angle) return {};
-    const double degree = std::numbers::pi / 180.0;
-    return fmt::format("the follower swings from {:.6g} to {:.6g} deg, beyond a right angle", low / degree,
-                       high / degree);
+    return fmt::format("the follower swings from {:.6g} to {}, beyond a right angle", low / units::degree,
+                       angle_text(high));
 }
 
 /// The far end of the roller's axis keeps its distance from the cam's axis: `radial` > 0.

@@ -40,9 +40,9 @@ std::optional<SceneFault> CamMechanism::find_fault(const CamSpec& spec, const Mo
     for (const CamDimension& dimension : spec.dimensions)
         if (Fault fault = dimension_fault(dimension)) return fault;
     if (swings() != motion.lift_is_angle)
-        return SceneFault{"motion.lift", motion.lift_is_angle ? "an angle" : "a length",
-                          fmt::format("{} for this mechanism, whose output {}",
-                                      swings() ? "an angle" : "a length", swings() ? "swings" : "slides")};
+        return SceneFault{"motion.lift", length_or_angle(motion.lift_is_angle),
+                          fmt::format("{} for this mechanism, whose output {}", length_or_angle(swings()),
+                                      swings() ? "swings" : "slides")};
     const auto [least, most] = motion.displacements();
     if (std::string found = fault(spec.middle(), least, most); !found.empty())
         return SceneFault{"cam", found,
@@ -83,10 +83,6 @@ Fault force_fault(const Scene& scene) {
                               fmt::format("{} at {} rad", load[i][1], load[i][0]),
                               "finite forces at ascending angles of one revolution"};
     return std::nullopt;
-}
-
-std::string length_text(double length, LengthUnit unit) {
-    return fmt::format("{:.6g} {}", length / metres_of(unit), name_of(unit));
 }
 
 // The [drawing] table: numbers, and whether bore and keyway fit into the cam. The delivered cam is checked

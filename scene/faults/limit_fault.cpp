@@ -3,6 +3,7 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/unit_fault.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +12,14 @@
 namespace camopt {
 namespace {
 
-Fault time_fault(const Scene& scene) {
+Fault limit_unit_fault(const Scene& scene) {
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (const auto& limit = row.in(scene.limits); limit && limit->in_time() && !scene.motion.speed)
-            return SceneFault{fmt::format("limits.{}", row.name()),
-                              fmt::format("a limit in {} without a speed", limit->unit),
-                              "a limit in time only where motion.speed is given"};
+        if (const auto& limit = row.in(scene.limits)) {
+            const std::array names = {KeyNames{row.term().name(), row.spellings}};
+            if (Fault fault =
+                    unit_fault(fmt::format("limits.{}", row.name()), limit->unit, scene.motion, names))
+                return fault;
+        }
     return std::nullopt;
 }
 
@@ -101,7 +104,7 @@ Fault harmonic_fault(const Scene& scene) {
 }  // namespace
 
 Fault limit_fault(const Scene& scene) {
-    if (Fault fault = time_fault(scene)) return fault;
+    if (Fault fault = limit_unit_fault(scene)) return fault;
     if (Fault fault = missing_table_fault(scene)) return fault;
     if (Fault fault = harmonic_fault(scene)) return fault;
     return scene.cam ? follower_fault(scene) : std::nullopt;

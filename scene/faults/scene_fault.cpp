@@ -20,7 +20,7 @@ Fault out_of(const Range& range, double value, std::string_view table, std::stri
 
 /// The number of a key against the range of its row.
 Fault row_fault(const KeyRow& row, const Scene& scene) {
-    const std::optional<KeyValue> value = row.place.value(scene, {});
+    const std::optional<KeyValue> value = row.place->value(scene, {});
     if (!value) return std::nullopt;
     if (const auto* const number = std::get_if<double>(&*value))
         return out_of(row.range.scaled(row.spellings.front().factor), *number, row.table, row.name);
@@ -44,9 +44,10 @@ Fault limit_number_fault(const LimitSpec& limits) {
 }  // namespace
 
 Fault number_fault(const Scene& scene) {
+    // Before its row, which has no lift of stops and that of the valve of a lobe: those are computed from it.
     if (Fault fault = out_of(positive, scene.motion.lift, "motion", "lift")) return fault;
     for (const KeyRow& row : own_rows())
-        if (row.place && row.place.entries == 0 && !row.place.stored)
+        if (row.place && row.place->entries == 0 && !row.place->stored)
             if (Fault fault = row_fault(row, scene)) return fault;
     return limit_number_fault(scene.limits);
 }

@@ -3,6 +3,7 @@
 // first fault. Internal to core/.
 #pragma once
 
+#include "core/text/quantity_text.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt {
@@ -11,9 +12,6 @@ using Fault = std::optional<SceneFault>;
 
 /// Locations along the motion closer than this coincide; the rounding of a decimal breakpoint is far below.
 inline constexpr double same_place = 1e-12;
-
-/// "12.5 mm", in the scene's unit of lengths. m.
-[[nodiscard]] std::string length_text(double length, LengthUnit unit);
 
 [[nodiscard]] Fault number_fault(const Scene& scene);           ///< every number against its range
 [[nodiscard]] Fault motion_fault(const MotionSpec& motion);     ///< angles, points, members that fit the type

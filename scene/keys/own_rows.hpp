@@ -17,9 +17,9 @@ namespace key_rows {
 
 using Rows = std::vector<KeyRow>;
 
-/// In the manual before [cam], and after it.
-[[nodiscard]] Rows before_cam();
-[[nodiscard]] Rows after_cam();
+/// Parts of own_rows(): in the manual before [cam], and after it.
+[[nodiscard]] std::span<const KeyRow> before_cam();
+[[nodiscard]] std::span<const KeyRow> after_cam();
 
 [[nodiscard]] Rows of_motion();  ///< and of the top level
 [[nodiscard]] Rows points_of_motion();

@@ -50,11 +50,8 @@ class MeasuredCheck {
     LengthUnit lengths_;
     double whole_;  ///< rad
 
-    [[nodiscard]] static std::string degrees(double angle) {
-        return fmt::format("{:.6g} deg", angle / units::degree);
-    }
     [[nodiscard]] std::string shown(double displacement) const {
-        return motion_.lift_is_angle ? degrees(displacement) : length_text(displacement, lengths_);
+        return motion_.lift_is_angle ? angle_text(displacement) : length_text(displacement, lengths_);
     }
     [[nodiscard]] static std::string member(const char* column, std::size_t row) {
         return fmt::format("measured.{}[{}]", column, row);
@@ -78,7 +75,7 @@ class MeasuredCheck {
             if (i > 0 && !(table_.angle[i] > table_.angle[i - 1]))
                 return SceneFault{
                     member("theta", i),
-                    fmt::format("{} after {}", degrees(table_.angle[i]), degrees(table_.angle[i - 1])),
+                    fmt::format("{} after {}", angle_text(table_.angle[i]), angle_text(table_.angle[i - 1])),
                     "ascending angles"};
         }
         return std::nullopt;
@@ -92,10 +89,11 @@ class MeasuredCheck {
             for (std::size_t i = 1; i < angle.size(); ++i)
                 slack = std::max(slack, (1.0 + missing_end) * (angle[i] - angle[i - 1]));
         if (angle.front() > slack)
-            return SceneFault{member("theta", 0), degrees(angle.front()), "0 deg, the start of the motion"};
+            return SceneFault{member("theta", 0), angle_text(angle.front()),
+                              "0 deg, the start of the motion"};
         if (angle.back() < whole_ - slack)
-            return SceneFault{member("theta", angle.size() - 1), degrees(angle.back()),
-                              fmt::format("{}, the end of the motion", degrees(whole_))};
+            return SceneFault{member("theta", angle.size() - 1), angle_text(angle.back()),
+                              fmt::format("{}, the end of the motion", angle_text(whole_))};
         return std::nullopt;
     }
 
@@ -117,9 +115,9 @@ class MeasuredCheck {
             if (std::abs(table_.displacement[row] - wanted) > slack)
                 return SceneFault{
                     member("s", row),
-                    fmt::format("{} at {}", shown(table_.displacement[row]), degrees(table_.angle[row])),
+                    fmt::format("{} at {}", shown(table_.displacement[row]), angle_text(table_.angle[row])),
                     fmt::format("{}, to {}: what the scene requires at {}", shown(wanted), shown(slack),
-                                degrees(place))};
+                                angle_text(place))};
         }
         return std::nullopt;
     }

@@ -65,7 +65,8 @@ def known_keys():
     """(table, key) → type, of the key table."""
     listed = json.loads(subprocess.run([PROGRAM, "list", "keys", "--json"], capture_output=True, text=True,
                                        check=True, timeout=SECONDS).stdout)
-    return {(row["table"] or "", spelling["key"]): row["type"] for row in listed for spelling in row["keys"]}
+    return {(row["table"] or "", spelling["key"]): row["type"] for row in listed if row["file"] == "scene"
+            for spelling in row["keys"]}
 
 
 def leaves(values, known, table="", path=""):

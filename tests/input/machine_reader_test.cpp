@@ -128,12 +128,12 @@ TEST_F(MachineFile, FaultsAreToldWithTheirPlace) {
                    "machine.toml:7:8: axis[1].name: found \"one\" a second time");
     expect_refusal("name = \"other\"", "name = \"a/b\"", "letters, digits");
     expect_refusal("phase_deg = 90", "phase_deg = 360",
-                   "axis[1].phase: found 360 deg; allowed: an angle above -360");
+                   "axis[1].phase_deg: found 360 deg; allowed: an angle above -360");
     expect_refusal("[1.0, -1.0]", "[1.0]", "clearance[0].factors: found 1 numbers; allowed: 2");
     expect_refusal("from_deg = 300", "from_deg = 60",
                    "found 60 deg to 60 deg; allowed: two different angles");
     expect_refusal("from_deg = 300", "from_deg = 400", "from 0 to 360 deg");
-    expect_refusal("min = 20", "min = 900", "min < max");
+    expect_refusal("min = 20", "min = 900", "min below max");
     expect_refusal("speed_rpm = { min = 20, max = 600 }", "speed_rpm = -3", "a number > 0");
     expect_refusal("phase_deg", "phase_degr", "did you mean 'phase_deg'?");
     expect_refusal("phase_deg = 90", "phase_deg = 90\nphase_rad = 1", "which means the same");

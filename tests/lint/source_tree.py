@@ -32,7 +32,8 @@ MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "dynamics", "solvers
                                 "profiles/factory"}
 # Geometry that goes out: programs and surfaces know no cam; what joins them with three-dimensional cams knows these
 # by their flanks (scene/cam_flanks.hpp).
-MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
+MAY_INCLUDE["output/surface"] = {"core"}
+MAY_INCLUDE["output/nc"] = {"core", "scene", "input"}  # the rows of a post-processor's file
 MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/nc", "output/surface"}
 MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
 # The way of a program's cutter as a picture: of any machine, no cam.

@@ -4,6 +4,7 @@
 
 #include "core/text/parsing.hpp"
 #include "scene/keys/own_rows.hpp"
+#include "scene/machine_spec.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +25,9 @@ Scene whole_scene() {
     std::vector<KeyRow> rows = own_rows();
     std::ranges::stable_partition(rows, [](const KeyRow& row) { return row.table.empty(); });
     for (const KeyRow& row : rows) {
-        if (!row.place.assign) continue;
-        if (row.type == KeyType::tables) row.place.assign(scene, 1LL, {});
-        if (is_table(row)) row.place.assign(scene, {}, {});
+        if (!row.place->assign) continue;
+        if (row.type == KeyType::tables) row.place->assign(scene, 1LL, {});
+        if (is_table(row)) row.place->assign(scene, {}, {});
     }
     for (ProgramSegment& segment : scene.motion.segments) segment.angle = 1.0;
     return scene;
@@ -63,7 +64,7 @@ std::vector<KeyValue> samples_of(const KeyRow& row) {
 TEST(KeyPlaces, KeepAssignedValues) {
     int rows = 0;
     for (const KeyRow& row : own_rows()) {
-        if (!row.place.assign || is_table(row) || row.type == KeyType::tables) continue;
+        if (!row.place->assign || is_table(row) || row.type == KeyType::tables) continue;
         SCOPED_TRACE(std::string(row.table) + "." + row.key(row.spellings.front()));
         const std::vector<KeyValue> samples = samples_of(row);
         EXPECT_FALSE(samples.empty());
@@ -74,25 +75,58 @@ TEST(KeyPlaces, KeepAssignedValues) {
             if (row.name == "stops" || row.name == "engine_speed")
                 scene.written[std::string(row.table) + "." + std::string(row.name)] = row.spellings.front();
             const KeyAt at{.spelling = &row.spellings.front(), .choices = row.choices.size()};
-            row.place.assign(scene, sample, at);
-            EXPECT_EQ(row.place.value(scene, at), sample);
+            row.place->assign(scene, sample, at);
+            EXPECT_EQ(row.place->value(scene, at), sample);
         }
         ++rows;
     }
     EXPECT_GE(rows, 180);
 }
 
+TEST(KeyPlaces, KeepValuesOfMachines) {
+    int rows = 0;
+    for (const KeyRow& row : machine_rows()) {
+        if (!row.place->assign || row.type == KeyType::tables) continue;
+        SCOPED_TRACE(std::string(row.table) + "." + row.key(row.spellings.front()));
+        const bool is_name = row.table == "axis" && row.name == "name";
+        for (const KeyValue& sample :
+             is_name ? std::vector<KeyValue>{std::string("three")} : samples_of(row)) {
+            MachineSpec machine;
+            machine.axes.resize(2);
+            machine.axes[0].name = "one";
+            machine.axes[1].name = "two";
+            machine.clearances.resize(1);
+            const KeyAt at{.spelling = &row.spellings.back()};
+            row.place->assign(machine, sample, at);
+            EXPECT_EQ(row.place->value(machine, at), sample);
+        }
+        ++rows;
+    }
+    EXPECT_EQ(rows, 10);
+}
+
+TEST(KeyPlaces, RefuseOwnersOfOtherFiles) {
+    MachineSpec machine;
+    const MachineSpec& unchanged = machine;
+    const KeyPlace& title = *machine_rows().front().place;
+    title.assign(machine, std::string("Slide"), {});
+    EXPECT_EQ(unchanged.title, "Slide");
+    Scene scene;
+    EXPECT_THROW(title.assign(scene, std::string("Slide"), {}), std::bad_cast);
+    EXPECT_THROW(title.assign(unchanged, std::string("Slide"), {}), std::bad_cast);
+}
+
 TEST(KeyPlaces, NumbersBelowTheirRangeAreRefused) {
     int rows = 0;
     for (const KeyRow& row : own_rows()) {
-        if (!row.place.assign || row.type != KeyType::number || !std::isfinite(row.range.low) ||
-            row.place.stored || row.place.entries > 0 || is_of_valve(row))
+        if (!row.place->assign || row.type != KeyType::number || !std::isfinite(row.range.low) ||
+            row.place->stored || row.place->entries > 0 || is_of_valve(row))
             continue;
         Scene scene = whole_scene();
         scene.forces->cam_modulus = 1.0;
         scene.drive->transmission = scene.dynamics->mass = 1.0;
-        row.place.assign(scene, (row.range.low - 1.0) * row.spellings.front().factor,
-                         {.spelling = &row.spellings.front()});
+        row.place->assign(scene, (row.range.low - 1.0) * row.spellings.front().factor,
+                          {.spelling = &row.spellings.front()});
         const std::optional<SceneFault> fault = find_fault(scene);
         ASSERT_TRUE(fault) << row.table << "." << row.name;
         const std::string_view name = row.instead_of.empty() ? row.name : row.instead_of;
@@ -108,7 +142,7 @@ TEST(KeyPlaces, AbsentTablesHaveNoValues) {
     const Scene scene;
     for (const KeyRow& row : own_rows())
         if (row.place && (row.table == "forces" || row.table == "dynamics" || row.table == "drive")) {
-            EXPECT_FALSE(row.place.value(scene, {})) << row.name;
+            EXPECT_FALSE(row.place->value(scene, {})) << row.name;
         }
     EXPECT_EQ(scene.forces, std::nullopt);
 }

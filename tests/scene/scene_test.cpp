@@ -91,9 +91,9 @@ TEST(Scene, WrongMembersAreNamed) {
         {[](Scene& s) { s.limits.velocity = PeakLimit(0); },
          "limits.velocity: found 0; allowed: a number > 0"},
         {[](Scene& s) { s.limits.jerk = PeakLimit(1, {}, 1, "mm/s^3"); },
-         "limits.jerk: found a limit in mm/s^3 without a speed; allowed: a limit in time only where "
-         "motion.speed is "
-         "given"},
+         "limits.jerk: found a value in mm/s^3 without a speed; allowed: together with motion.speed, or by "
+         "the "
+         "cam angle: jerk, jerk_mm_rad3, jerk_in_rad3, jerk_m_rad3, jerk_mm_deg3 or jerk_in_deg3"},
         {[](Scene& s) { s.solver.tolerance = 1; },
          "solver.tolerance: found 1; allowed: a number from 1e-12 to 0.01"},
         {[](Scene& s) { s.solver.max_seconds = 0; }, "solver.max_seconds: found 0; allowed: a number > 0"},

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "scene/unit_fault.hpp"
+
+#include "core/text/quantity_text.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+namespace {
+
+/// Of an output that swings.
+bool turns(std::string_view unit) {
+    return is_angle_unit(unit) || unit.starts_with("N m") || unit == "kg m^2" || unit == "lbf in";
+}
+
+}  // namespace
+
+std::optional<SceneFault> unit_fault(std::string_view member, std::string_view unit, const MotionSpec& motion,
+                                     std::span<const KeyNames> names) {
+    if (unit.empty()) return std::nullopt;
+    const bool angle = motion.lift_is_angle;
+    const auto fits = [&](const Spelling& one) { return one.unit.empty() || turns(one.unit) == angle; };
+    if (turns(unit) != angle)
+        return SceneFault{std::string(member),
+                          fmt::format("a value in {} where the lift is {}", unit, length_or_angle(angle)),
+                          keys_text(names, fits)};
+    if (motion.speed || !is_unit_of_time(unit)) return std::nullopt;
+    const auto by_angle = [&](const Spelling& one) { return fits(one) && !is_unit_of_time(one.unit); };
+    return SceneFault{
+        std::string(member), fmt::format("a value in {} without a speed", unit),
+        fmt::format("together with motion.speed, or by the cam angle: {}", keys_text(names, by_angle))};
+}
+
+}  // namespace camopt
