@@ -118,9 +118,11 @@ struct InspectRequest {
 struct ValvesRequest {
     std::string intake, exhaust;   ///< valve lobes: files, or result folders: then nothing is solved
     std::string units;             ///< as of solve
+    std::string out;               ///< folder; empty: nothing is written
     std::optional<double> gap_mm;  ///< between the nearest edges of the shut valves; none: no clearance
     double included_deg = 0.0;     ///< between the valves' axes
     bool json = false;
+    std::string command;  ///< the whole command line, for the record
 };
 /// failure: the valves touch.
 [[nodiscard]] ExitCode valves_command(const ValvesRequest& request);

@@ -88,7 +88,7 @@ CLI::App& add_inspect(CLI::App& program, InspectRequest& request) {
     add_option(command, "--probe-radius-mm", request.probe_radius_mm, "R",
                "Points are centres of a ball; default: 0")
         ->check(CLI::NonNegativeNumber);
-    add_option(command, "--out", request.out, "DIR", "Write inspection.json, .csv, .svg and .html here");
+    add_option(command, "--out", request.out, "DIR", "Write the report, the figures and the rows here");
     add_settings(command, request.settings);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     command.footer("Exit codes: 0 in tolerance, or none given; 1 out of tolerance; 2 wrong input.\n");
@@ -110,6 +110,8 @@ CLI::App& add_valves(CLI::App& program, ValvesRequest& request) {
                "Angle between the valves' axes; default: 0")
         ->check(CLI::Range(0.0, 179.0))
         ->needs(gap);
+    add_option(command, "--out", request.out, "DIR",
+               "Write the report, the lifts and the clearance over the crank angle here");
     add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     command.footer("Exit codes: 0; 1 the valves touch; 2 wrong input.\n");

@@ -8,16 +8,16 @@
 #include "input/machine/machine_reader.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/csv/study_csv.hpp"
-#include "output/inspect/inspection_output.hpp"
+#include "output/inspect/inspection_document.hpp"
 #include "output/json/study_json.hpp"
-#include "output/json/valve_json.hpp"
+#include "output/machine/machine_document.hpp"
 #include "output/machine/machine_folder.hpp"
-#include "output/machine/machine_output.hpp"
+#include "output/machine/machine_json.hpp"
 #include "output/page/result_page.hpp"
 #include "output/page/study_html.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/result_folder_reader.hpp"
-#include "output/view/valve_tables.hpp"
+#include "output/valves/valves_document.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
 #include "studies/checked/checked_cam.hpp"
@@ -75,6 +75,18 @@ MachineSolution solve_with_progress(const MachineRequest& request, const Machine
         end_progress();
         input::fail_in_machine(request.scene, request.settings, machine, error.fault());
     }
+}
+
+/// The folder of a study where it has one, then the console.
+template <class Request>
+void write_and_print(const Document& document, const Request& request, const DocumentNames& names) {
+    if (!request.out.empty()) {
+        FolderUpdate folder(request.out);
+        for (const FolderFile& file : document_files(document, {{}, request.command, {}}, names))
+            folder.write(file.name, file.text);
+        folder.finish();
+    }
+    print(request.json ? document_json(document) : console_text(document));
 }
 
 }  // namespace
@@ -138,20 +150,15 @@ ExitCode inspect_command(const InspectRequest& request) {
     if (tolerance) *tolerance *= 1e-6;
     const Inspection found =
         inspect_cam(nominal, table, request.probe_radius_mm * units::millimetre, tolerance);
-    const InspectionOutput output = inspection_output(
-        found, fmt::format("{} compared with {}", table.file, request.scene), {{}, request.command, {}});
-    if (!request.out.empty()) {
-        FolderUpdate folder(request.out);
-        for (const FolderFile& file : output.files) folder.write(file.name, file.text);
-        folder.finish();
-    }
-    print(request.json ? output.json : output.text);
+    write_and_print(inspection_document(found, fmt::format("{} compared with {}", table.file, request.scene)),
+                    request, {"inspection.html", "inspection.json"});
     return found.out.empty() ? success : failure;
 }
 
 /// Intake and exhaust lobe of one crankshaft, each a scene, which is solved, or a result folder, which is
 /// used as it is.
 ExitCode valves_command(const ValvesRequest& request) {
+    if (!request.out.empty()) prepare_folder(request.out);
     const InterruptWatch watch;
     const auto lobe = [&](const std::string& scene) {
         return solved_or_read(scene, {}, [](const Scene&) {});
@@ -163,13 +170,15 @@ ExitCode valves_command(const ValvesRequest& request) {
         gap = ValveGap{*request.gap_mm * units::millimetre, request.included_deg * units::degree};
     const ValvePair pair = valve_pair(intake, exhaust, gap);
     show_in(intake.scene, request.units);
-    const LengthUnit unit = intake.scene.length_unit;
-    std::string text = request.json ? valve_pair_json(pair) : valve_pair_text(pair, unit);
-    if (!request.json && request.units.empty() && unit != exhaust.scene.length_unit)
-        text += fmt::format(
-            "Lengths are in {}, as the intake is written; the exhaust is written in {} (--units).\n",
-            name_of(unit), name_of(exhaust.scene.length_unit));
-    print(text);
+    const LengthUnit unit = intake.scene.length_unit, other = exhaust.scene.length_unit;
+    Document document = valves_document(intake, exhaust, pair);
+    if (request.units.empty() && unit != other)
+        document.sections.front().sentences.push_back(
+            {Sentence::Kind::remark, "units",
+             fmt::format(
+                 "Lengths are in {}, as the intake is written; the exhaust is written in {} (--units).",
+                 name_of(unit), name_of(other))});
+    write_and_print(document, request, {.json = "valves.json"});
     return !pair.clearance || *pair.clearance > 0.0 ? success : failure;
 }
 
@@ -184,7 +193,8 @@ ExitCode machine_command(const MachineRequest& request) {
     for (Solution& axis : solution.axes)
         if (!request.out.empty() && !InterruptWatch::interrupted()) add_forward_check(axis);
     if (!request.out.empty()) write_machine_folder(request.out, run, solution, request.plc);
-    std::string text = request.json ? machine_json(solution, run.machine, run.axes) : machine_text(solution);
+    std::string text = request.json ? machine_json(solution, run.machine, run.axes)
+                                    : console_text(machine_document(solution));
     if (!request.out.empty() && !request.json) text += "wrote " + request.out + "\n";
     print(text);
     return exit_code_of(solution.certificate.verdict);

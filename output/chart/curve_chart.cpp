@@ -79,12 +79,12 @@ void add_limits(ChartPanel& panel, const Curve& curve) {
 }
 
 /// Ticks at the breakpoints, rules at the bounds of segments; the titles of these only in the first panel.
-void add_bounds(ChartPanel& panel, const View& view, bool first) {
+void add_bounds(ChartPanel& panel, const CurveSet& set, bool first) {
     const double low = panel.frame.vertical.lower;
-    ChartSeries rules{Look::rule, "segment", {}, 7.0, view.segments.empty() ? "" : "segments"},
-        ticks{Look::tick, "breakpoint", {}, 2.5, fmt::format("breakpoints ({})", view.breakpoints.size())};
+    ChartSeries rules{Look::rule, "segment", {}, 7.0, set.segments.empty() ? "" : "segments"},
+        ticks{Look::tick, "breakpoint", {}, 2.5, fmt::format("breakpoints ({})", set.breakpoints.size())};
     const PlotAxis across{panel.frame.horizontal.lower, panel.frame.horizontal.upper, 0.0, panel_width};
-    for (const auto& [from, to, title] : view.segments) {
+    for (const auto& [from, to, title] : set.segments) {
         if (from > across.lower) rules.points.push_back({from, low});
         if (first && text_width(title, 12.0) < across.place(to) - across.place(from))
             panel.series.push_back({Look::line,
@@ -95,13 +95,14 @@ void add_bounds(ChartPanel& panel, const View& view, bool first) {
                                     "segment-label",
                                     LabelSide::above});
     }
-    if (view.breakpoints.size() <= most_breakpoints)
-        for (const double at : view.breakpoints) ticks.points.push_back({at, low});
+    if (set.breakpoints.size() <= most_breakpoints)
+        for (const double at : set.breakpoints) ticks.points.push_back({at, low});
     panel.series.push_back(std::move(rules));
     panel.series.push_back(std::move(ticks));
 }
 
-ChartPanel panel_of(const View& view, const Curve& curve, std::size_t rows, bool first) {
+ChartPanel panel_of(const CurveSet& set, const Curve& curve, std::size_t rows, bool first,
+                    const std::string& line_title = "this motion") {
     ChartPanel panel;
     panel.width = panel_width;
     panel.height = panel_height;
@@ -109,13 +110,13 @@ ChartPanel panel_of(const View& view, const Curve& curve, std::size_t rows, bool
     panel.note = curve.note;
     panel.warning = !std::ranges::all_of(curve.values, [](double value) { return std::isfinite(value); });
     if (panel.warning && panel.note.empty()) panel.note = "it leaves the frame";
-    panel.frame.horizontal = {view.angles.front(), view.angles[rows - 1]};
+    panel.frame.horizontal = {set.angles.front(), set.angles[rows - 1]};
     panel.frame.vertical = value_axis(curve);
     panel.frame.vertical_title = curve.unit.name;
     panel.beside_factor = curve.normalised_factor;
     const auto add_line = [&](const std::vector<double>& values, const char* css, const std::string& title) {
         ChartSeries line{Look::line, css, {}, 4.0, title};
-        for (std::size_t i = 0; i < rows; ++i) line.points.push_back({view.angles[i], values[i]});
+        for (std::size_t i = 0; i < rows; ++i) line.points.push_back({set.angles[i], values[i]});
         panel.series.push_back(std::move(line));
     };
     if (curve.measured) add_line(curve.measured->values, "measured", curve.measured->title);
@@ -125,12 +126,19 @@ ChartPanel panel_of(const View& view, const Curve& curve, std::size_t rows, bool
     if (curve.key == "residual")
         panel.series.push_back({Look::line, "measured", table.points, 4.0, "measured"});
     else
-        add_line(curve.values, "optimum", "this motion");
+        add_line(curve.values, "optimum", line_title);
     if (!table.points.empty()) panel.series.push_back(std::move(table));
-    add_bounds(panel, view, first);  // before the marks: a segment's name has its place within the segment
+    add_bounds(panel, set, first);  // before the marks: a segment's name has its place within the segment
     add_marks(panel, curve);
     add_limits(panel, curve);
     return panel;
+}
+
+/// Round degrees; their numbers where the axis has a title.
+void add_angle_axis(ChartPanel& panel, std::string title) {
+    for (const double tick : degree_ticks(panel.frame.horizontal.lower, panel.frame.horizontal.upper, 13))
+        panel.frame.horizontal_ticks.push_back({tick, title.empty() ? "" : tick_text(tick, 1.0)});
+    panel.frame.horizontal_title = std::move(title);
 }
 
 /// The lowest panel carries the numbers of the cam angle. The diagrams of a cam go over all of it and have no
@@ -141,11 +149,8 @@ Chart chart_of(const View& view, std::string title, const std::vector<const Curv
     const auto closing = std::ranges::find(all, true, &DeliveredRow::closing);
     const std::size_t rows = motion ? static_cast<std::size_t>(closing - all.begin()) : all.size();
     for (const Curve* curve : curves) {
-        const bool last = curve == curves.back();
         ChartPanel& panel = chart.panels.emplace_back(panel_of(view, *curve, rows, curve == curves.front()));
-        for (const double tick : degree_ticks(panel.frame.horizontal.lower, panel.frame.horizontal.upper, 13))
-            panel.frame.horizontal_ticks.push_back({tick, last ? tick_text(tick, 1.0) : ""});
-        if (last) panel.frame.horizontal_title = "cam angle θ (deg)";
+        add_angle_axis(panel, curve == curves.back() ? "cam angle θ (deg)" : "");
         for (ChartSeries& series : panel.series)
             if (!motion) series.title.clear();
     }
@@ -213,6 +218,19 @@ std::string motion_svg(const View& view) {
                     view.segments.empty()                     ? "rise"
                     : view.solution.scene.motion.prescribed() ? "the angle of the first law"
                                                               : "the angle of the first spline segment")};
+    return chart_svg(std::move(chart));
+}
+
+std::string curve_set_svg(const CurveSet& set, const CurvePicture& picture) {
+    Chart chart{picture.title, picture.lines};
+    for (const Curve& curve : set.curves) {
+        ChartPanel& panel = chart.panels.emplace_back(
+            panel_of(set, curve, set.angles.size(), &curve == &set.curves.front(), picture.line_title));
+        add_angle_axis(panel, &curve == &set.curves.back() ? picture.angle_title : "");
+        // The labels of marks say what they are.
+        for (ChartSeries& series : panel.series)
+            if (series.points.empty() || series.css == "peak") series.title.clear();
+    }
     return chart_svg(std::move(chart));
 }
 

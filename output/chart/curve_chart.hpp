@@ -8,6 +8,15 @@
 
 namespace camopt {
 
+struct CurvePicture {
+    std::string title;
+    std::vector<std::string> lines = {};  ///< below the title
+    std::string angle_title;              ///< "cam angle (deg)"
+    std::string line_title = {};          ///< of the curves, in the legend
+};
+/// All curves, a panel each.
+[[nodiscard]] std::string curve_set_svg(const CurveSet& set, const CurvePicture& picture);
+
 /// motion.svg: displacement, velocity, acceleration and jerk, the verdict below the title. Throws InputError
 /// where the solution has no motion.
 [[nodiscard]] std::string motion_svg(const View& view);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/json/valve_json.hpp"
-
 #include "output/json/json_text.hpp"
 #include "output/view/shown_units.hpp"
+#include "studies/valve/valve_report.hpp"
 
 #include <fmt/format.h>
 
@@ -67,27 +66,6 @@ Json valve_json(const Solution& solution) {
     if (report.lift_off_speed)
         json["lift_off_engine_speed_rpm"] = number_json(rpm_shown.of(*report.lift_off_speed));
     return json;
-}
-
-std::string valve_pair_json(const ValvePair& pair) {
-    const auto mm = [](double length) { return number_json(millimetres_shown.of(length)); };
-    const auto deg = [](double angle) { return number_json(degrees_shown.of(angle)); };
-    Json json = {{"lobe_separation_deg", deg(pair.lobe_separation)}};
-    json["overlap"] = Json::array();
-    for (const ValvePair::Overlap& overlap : pair.overlaps)
-        json["overlap"].push_back({{"height_mm", mm(overlap.height)},
-                                   {"intake_opens_crank_deg", deg(overlap.opens)},
-                                   {"exhaust_closes_crank_deg", deg(overlap.closes)},
-                                   {"overlap_crank_deg", deg(std::max(0.0, overlap.duration()))}});
-    json["intake_lift_at_tdc_mm"] = mm(pair.intake_at_tdc);
-    json["exhaust_lift_at_tdc_mm"] = mm(pair.exhaust_at_tdc);
-    json["common_lift_mm"] = mm(pair.common_lift);
-    json["common_lift_at_crank_deg"] = deg(pair.common_at);
-    if (pair.clearance) {
-        json["clearance_mm"] = mm(*pair.clearance);
-        json["clearance_at_crank_deg"] = deg(*pair.clearance_at);
-    }
-    return json_text(json);
 }
 
 }  // namespace camopt

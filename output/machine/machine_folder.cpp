@@ -4,8 +4,8 @@
 #include "input/machine/machine_reader.hpp"
 #include "input/scene_reader.hpp"
 #include "output/json/certificate_json.hpp"
-#include "output/machine/machine_output.hpp"
-#include "output/machine/machine_view.hpp"
+#include "output/machine/machine_document.hpp"
+#include "output/machine/machine_json.hpp"
 #include "output/page/result_page.hpp"
 #include "output/plc/plc_export.hpp"
 
@@ -14,17 +14,6 @@
 namespace camopt {
 
 namespace {
-
-CurvePage page_of(const MachineView& view) {
-    return {.title = view.solution.spec.title.empty() ? "Machine" : view.solution.spec.title,
-            .tone = view.solution.axes.empty() ? "bad" : "good",
-            .headline = view.headline,
-            .sentences = view.sentences,
-            .angles = view.angles,
-            .curves = view.curves,
-            .tables = view.tables,
-            .notes = view.solution.notes};
-}
 
 /// The scene of an axis as it was solved.
 RunOrigin origin_of(const MachineSolution& solution, std::size_t own, const std::string& command) {
@@ -77,11 +66,10 @@ void write_machine_folder(const std::filesystem::path& out, const MachineRun& ru
                             {{}, false, std::move(also)});
     }
     FolderUpdate folder(out);
-    for (const char* const name : {"impossible.json", "timing.svg"}) folder.remove_earlier(name);
-    const MachineView view(solution);
-    if (!view.curves.empty()) folder.write("timing.svg", timing_svg(view));
-    folder.write("report.html", curve_page_html(page_of(view), run.machine));
-    folder.write("report.md", machine_markdown(view, run.machine));
+    for (const char* const name : {"impossible.json", "timing.svg", "timing.csv"})
+        folder.remove_earlier(name);
+    for (const FolderFile& file : document_files(machine_document(solution), run.machine))
+        folder.write(file.name, file.text);
     // With the scenes of its axes beside it: the machine can be run and checked from its folder alone.
     for (std::size_t b = 0; b < run.axes.size(); ++b)
         folder.write(scene_name(solution.spec.axes[b]), run.axes[b].scene_text);

@@ -15,15 +15,21 @@ Json numbers(const std::vector<double>& values) {
     return all;
 }
 
-Json angle_part(const View& view) {
-    if (view.angles.empty()) return nullptr;
-    Json values = numbers(view.angles);
+Json angle_part(const CurveSet& set) {
+    if (set.angles.empty()) return nullptr;
+    Json values = numbers(set.angles);
     return {{"unit", "deg"}, {"from", values.front()}, {"to", values.back()}, {"values", values}};
 }
 
-Json segments_part(const View& view) {
+Json angle_part(const Curves& curves) {
+    Json angle = angle_part(static_cast<const CurveSet&>(curves));
+    if (!angle.is_null()) angle.update({{"title", curves.angle_title}, {"unit", curves.angle_unit.name}});
+    return angle;
+}
+
+Json segments_part(const CurveSet& set) {
     Json all = Json::array();
-    for (const ViewSegment& segment : view.segments)
+    for (const ViewSegment& segment : set.segments)
         all.push_back({{"from", rounded_json(segment.from)},
                        {"to", rounded_json(segment.to)},
                        {"title", segment.title}});
@@ -139,32 +145,55 @@ std::string page_data_with(const SolidParts* solids, const View& view, const Run
     return page.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string curve_page_html(const CurvePage& page, const RunOrigin& origin) {
-    Json data = Json::object();
-    data["page"] = "report";
-    data["camopt"] = version();
-    data["title"] = data["foot"] = page.title;
-    data["verdict"] = {
-        {"key", ""}, {"tone", page.tone}, {"headline", page.headline}, {"sentences", page.sentences}};
-    data["figures"] = data["segments"] = data["breakpoints"] = data["remarks"] = Json::array();
-    data["reference"] = data["drawing"] = data["solid"] = nullptr;
-    data["angle"] = nullptr;
-    if (!page.angles.empty())
-        data["angle"] = {{"unit", "deg"},
-                         {"from", page.angles.front()},
-                         {"to", page.angles.back()},
-                         {"values", numbers(page.angles)}};
-    data["curves"] = curves_part(page.curves);
-    data["tables"] = Json::array();
-    for (const ViewTable& one : page.tables)
-        data["tables"].push_back(table_json(one.key, one.title, one.table, one.note));
-    data["notes"] = page.notes;
-    data["appendix"] = {{"sentences", Json::array()}, {"command", origin.command}};
-    data["scene"] = {{"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", Json::array()}};
+std::string document_html(const Document& document, const RunOrigin& origin) {
+    using Kind = Sentence::Kind;
+    const std::vector<std::string> headlines = document.sentences({Kind::headline});
+    static const Curves none;
+    const Curves& curves = document.curves() ? *document.curves() : none;
+    Json figures = Json::array(), tables = Json::array();
+    for (const Section& section : document.sections)
+        for (const Figure& figure : section.figures)
+            if (!figure.field.title.empty())
+                figures.push_back({{"name", figure.field.title},
+                                   {"value", shown_text(figure.cell, figure.field)},
+                                   {"at", place_text(figure)}});
+    for (const Table* table : document.shown_tables())
+        tables.push_back(table_json(table->key, table->title, text_table(*table), table->note));
+    const Json data = {
+        {"page", "report"},
+        {"camopt", version()},
+        {"title", document.title},
+        {"foot", document.title},
+        {"verdict",
+         {{"key", ""},
+          {"tone", document.tone},
+          {"headline", headlines.empty() ? document.title : headlines.front()},
+          {"sentences", document.sentences({Kind::verdict, Kind::warning, Kind::remark})}}},
+        {"figures", figures},
+        {"reference", nullptr},
+        {"angle", angle_part(curves)},
+        {"curves", curves_part(curves.curves)},
+        {"segments", segments_part(curves)},
+        {"breakpoints", numbers(curves.breakpoints)},
+        {"drawing", nullptr},
+        {"solid", nullptr},
+        {"tables", tables},
+        {"remarks", Json::array()},
+        {"notes", document.sentences({Kind::note})},
+        {"appendix", {{"sentences", document.sentences({Kind::effort})}, {"command", origin.command}}},
+        {"scene", {{"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", Json::array()}}}};
     PageHtml html;
-    html.title = page.title;
+    html.title = document.title;
     html.data = data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     return page_html(html);
+}
+
+std::vector<FolderFile> document_files(const Document& document, const RunOrigin& origin,
+                                       const DocumentNames& names) {
+    std::vector<FolderFile> files = text_files(document, origin);
+    files.push_back({names.page, document_html(document, origin)});
+    files.push_back({names.json, document_json(document)});
+    return files;
 }
 
 std::string page_laws(const View& view, std::span<const std::string> keys) {

@@ -8,13 +8,13 @@
 //   foot          words at the foot of printed pages
 //   verdict       key (of Verdict, or "open": not proved yet), tone ("good", "fair", "bad", "open"),
 //                 headline, sentences[]
-//   figures[]     name, value: what stands first, as texts
+//   figures[]     name, value, at (may be empty): what stands first, as texts
 //   reference     null without a law to compare with; title, sentences[]
 //   angle         unit, from, to, values[]: cam angles of all curves and poses, ascending. They are the
 //                 rows of motion.csv, two where the jerk jumps (seen from the left, then from the right),
-//                 and after the motion those of the dwell that closes the cam
+//                 and after the motion those of the dwell that closes the cam. title: of another angle
 //   curves[]      by cam angle:
-//     key, group ("motion", "motor", "cam", "forces"; "axes", "clearances"), title, symbol, unit,
+//     key, group ("motion", "motor", "cam", "forces", or the words above them), title, symbol, unit,
 //     values[] (null: nothing to say there)
 //     beside        null, or unit and factor: value · factor is the same by the cam angle
 //     reference     null, or title and values[] of the law
@@ -38,14 +38,15 @@
 //   solid         null, or a three-dimensional cam (needs WebGL):
 //     unit, rotation, parts[] (name, closed, vertices[x, y, z, …], triangles[…]), roller (radius, length),
 //     rollers[] (poses[…]: foot x, y, z and direction x, y, z by angle), pivot [x, y, z] or null
-//   tables[]      key, title, columns[] (title, left), rows[][], note
+//   tables[]      key, title, columns[] (title, left), rows[][], note; folders[]: result folders of the
+//                 rows, to whose pages their first cells lead
 //   remarks[]     sentences on the cam
 //   notes[]       of the solve
 //   appendix      how it was found: sentences[], command
 //   scene         file, text (TOML), lines[] (the scene in words)
 #pragma once
 
-#include "output/report/result_folder.hpp"
+#include "output/document/document_text.hpp"
 #include "output/view/tables.hpp"
 
 namespace camopt {
@@ -114,17 +115,16 @@ struct PageHtml {
 
 [[nodiscard]] std::string page_html(const PageHtml& page);
 
-// A page of curves over one revolution and of tables, without a scene: the same page and cursor.
+// The page of a document (output/document/document.hpp): sentences, figures, curves with one cursor, tables.
 
-struct CurvePage {
-    std::string title;
-    std::string tone = "good", headline;  ///< as of page_data
-    std::vector<std::string> sentences;
-    std::vector<double> angles;  ///< deg; empty: no curves
-    std::vector<Curve> curves;   ///< values by `angles`
-    std::vector<ViewTable> tables;
-    std::vector<std::string> notes;
+[[nodiscard]] std::string document_html(const Document& document, const RunOrigin& origin = {});
+
+/// Names of files that studies promised before they had documents.
+struct DocumentNames {
+    std::string page = "report.html", json = "document.json";
 };
-[[nodiscard]] std::string curve_page_html(const CurvePage& page, const RunOrigin& origin = {});
+/// All files of a document, its JSON last.
+[[nodiscard]] std::vector<FolderFile> document_files(const Document& document, const RunOrigin& origin,
+                                                     const DocumentNames& names = {});
 
 }  // namespace camopt

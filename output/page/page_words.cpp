@@ -103,11 +103,13 @@ Json table_json(std::string_view key, std::string_view title, const TextTable& t
     Json columns = Json::array();
     for (const TextTable::Column& column : table.columns)
         columns.push_back({{"title", column.title}, {"left", column.left}});
-    return {{"key", key},
-            {"title", title},
-            {"columns", std::move(columns)},
-            {"rows", table.rows},
-            {"note", note}};
+    Json json = {{"key", key},
+                 {"title", title},
+                 {"columns", std::move(columns)},
+                 {"rows", table.rows},
+                 {"note", note}};
+    if (!table.folders.empty()) json["folders"] = table.folders;
+    return json;
 }
 
 Json verdict_part(const Solution& solution) {

@@ -163,10 +163,14 @@ std::string markdown_text(const TextTable& table) {
         rule += column.left ? " :--- |" : " ---: |";
     }
     text += "\n" + rule + "\n";
-    for (const auto& row : table.rows) {
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
         text += "|";
-        for (std::size_t column = 0; column < table.columns.size(); ++column)
-            text += fmt::format(" {} |", markdown_cell(cell(row, column), table.columns[column].code));
+        for (std::size_t column = 0; column < table.columns.size(); ++column) {
+            const std::string words = markdown_cell(cell(table.rows[r], column), table.columns[column].code);
+            text += column == 0 && r < table.folders.size()
+                        ? fmt::format(" [{}]({}/report.md) |", words, table.folders[r])
+                        : fmt::format(" {} |", words);
+        }
         text += "\n";
     }
     return text;

@@ -41,11 +41,13 @@ struct TextTable {
     };
     std::vector<Column> columns;
     std::vector<std::vector<std::string>> rows;
+    std::vector<std::string> folders = {};  ///< of the rows: where their first cells lead
 };
 
 /// Columns two spaces apart, a rule under the titles, each line ended by a line feed.
 [[nodiscard]] std::string aligned_text(const TextTable& table);
 
+/// First cells lead to report.md of the folders.
 [[nodiscard]] std::string markdown_text(const TextTable& table);
 
 /// `printable` for Markdown, on one line: nothing in it is a tag, a link, a picture, code or emphasis.

@@ -110,27 +110,4 @@ std::vector<ViewTable> valve_tables(const Solution& solution) {
          "Velocities and accelerations by the cam angle; accelerations of the follower."}};
 }
 
-std::string valve_pair_text(const ValvePair& pair, LengthUnit unit) {
-    const ShownUnit length = length_shown(unit);
-    TextTable table{{{"valve lift"}, {"intake opens"}, {"exhaust closes"}, {"overlap (crank deg)"}}, {}};
-    for (const ValvePair::Overlap& overlap : pair.overlaps)
-        table.rows.push_back({length.asked_text(overlap.height), stroke_text(overlap.opens, 0),
-                              stroke_text(overlap.closes, 0),
-                              overlap.duration() > 0.0 ? short_text(degrees_shown.of(overlap.duration()), 7)
-                                                       : std::string("none")});
-    std::string text =
-        fmt::format("Lobe separation {} cam deg.\n\n{}\nLifts at top dead centre: intake {}, exhaust {}.\n",
-                    short_text(degrees_shown.of(pair.lobe_separation), 7), aligned_text(table),
-                    length.text(pair.intake_at_tdc, 5), length.text(pair.exhaust_at_tdc, 5));
-    text += pair.common_lift > 0.0
-                ? fmt::format("Both valves are open {} or more at {}.\n", length.text(pair.common_lift, 5),
-                              dead_centre_text(pair.common_at))
-                : std::string("Both valves are never open at once.\n");
-    if (pair.clearance)
-        text += fmt::format("Least clearance between the valves: {} at {}{}.\n",
-                            length.text(*pair.clearance, 5), dead_centre_text(*pair.clearance_at),
-                            *pair.clearance > 0.0 ? "" : ": THE VALVES TOUCH");
-    return text;
-}
-
 }  // namespace camopt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A valve lobe for people, and two lobes on one crankshaft.
+// A valve lobe for people.
 #pragma once
 
 #include "output/view/tables.hpp"
@@ -13,8 +13,5 @@ namespace camopt {
 
 /// "16.3 BTDC", "52 ABDC": a crank angle (rad) by the nearest dead centre; 0 is the top one.
 [[nodiscard]] std::string dead_centre_text(double crank);
-
-/// What `camopt valves` prints.
-[[nodiscard]] std::string valve_pair_text(const ValvePair& pair, LengthUnit unit);
 
 }  // namespace camopt

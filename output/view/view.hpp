@@ -60,17 +60,21 @@ struct ViewSegment {
     std::string title;
 };
 
+/// Curves over one angle, with what is marked along it. Angles in deg.
+struct CurveSet {
+    std::vector<double> angles = {};  ///< of the rows
+    std::vector<Curve> curves = {};
+    std::vector<ViewSegment> segments = {};
+    std::vector<double> breakpoints = {};  ///< of the motion
+};
+
 /// Keeps a reference to the solution. Everything is empty without a motion.
-struct View {
+struct View : CurveSet {
     View(const Solution& shown);  // NOLINT(google-explicit-constructor): a solution is shown by its view
 
     const Solution& solution;
     ShownUnits units;
     Delivered delivered;
-    std::vector<double> angles;  ///< of the rows, deg
-    std::vector<Curve> curves;
-    std::vector<ViewSegment> segments;
-    std::vector<double> breakpoints;  ///< of the motion, deg
 
     /// The master's angle, from motion.phase on.
     [[nodiscard]] double degrees(double x) const {

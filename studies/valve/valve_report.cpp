@@ -149,14 +149,6 @@ double in_cycle(double crank) {
     return crank - 2.0 * units::turn * std::floor(crank / (2.0 * units::turn) + 0.5);
 }
 
-/// Of the valve at a crank angle after top dead centre, 0 where it is shut.
-double lift_at_crank(const Solution& solution, double crank) {
-    const double from_nose = in_cycle(crank - 2.0 * *spec_of(solution).centerline);
-    const Motion& motion = *solution.motion;
-    const double x = x_of_crank_angle(solution, from_nose);
-    return std::max(0.0, x < motion.begin() || x > motion.end() ? 0.0 : valve_lift_at(solution, x));
-}
-
 /// The largest value over the cycle, and its crank angle.
 Extremum largest_over_cycle(const std::function<double(double crank)>& figure) {
     std::vector<double> places;
@@ -186,6 +178,18 @@ double crank_angle_at(const Solution& solution, double x) {
 
 double x_of_crank_angle(const Solution& solution, double crank) {
     return (0.5 * crank + nose_angle(spec_of(solution))) / solution.scene.motion.unit_angle();
+}
+
+double valve_lift_over_crank(const Solution& solution, double crank) {
+    const double from_nose = in_cycle(crank - 2.0 * *spec_of(solution).centerline);
+    const Motion& motion = *solution.motion;
+    const double x = x_of_crank_angle(solution, from_nose);
+    return std::max(0.0, x < motion.begin() || x > motion.end() ? 0.0 : valve_lift_at(solution, x));
+}
+
+double valve_clearance(const ValveGap& gap, double intake, double exhaust) {
+    const double across = gap.gap - (intake + exhaust) * std::sin(0.5 * gap.included);
+    return across < 0.0 ? across : std::hypot(across, (intake - exhaust) * std::cos(0.5 * gap.included));
 }
 
 ValveReport valve_report(const Solution& solution) {
@@ -235,17 +239,18 @@ ValvePair valve_pair(const Solution& intake, const Solution& exhaust, const std:
             pair.overlaps.push_back(
                 {event.height, in_cycle(nose_in + event.opens), in_cycle(nose_out + other.closes)});
     }
-    pair.intake_at_tdc = lift_at_crank(intake, 0.0);
-    pair.exhaust_at_tdc = lift_at_crank(exhaust, 0.0);
-    const Extremum common = largest_over_cycle(
-        [&](double crank) { return std::min(lift_at_crank(intake, crank), lift_at_crank(exhaust, crank)); });
+    pair.intake_at_tdc = valve_lift_over_crank(intake, 0.0);
+    pair.exhaust_at_tdc = valve_lift_over_crank(exhaust, 0.0);
+    const Extremum common = largest_over_cycle([&](double crank) {
+        return std::min(valve_lift_over_crank(intake, crank), valve_lift_over_crank(exhaust, crank));
+    });
     pair.common_lift = common.value;
     pair.common_at = common.at;
+    pair.gap = gap;
     if (!gap) return pair;
     const Extremum closest = largest_over_cycle([&](double crank) {
-        const double one = lift_at_crank(intake, crank), other = lift_at_crank(exhaust, crank);
-        const double across = gap->gap - (one + other) * std::sin(0.5 * gap->included);
-        return across < 0.0 ? -across : -std::hypot(across, (one - other) * std::cos(0.5 * gap->included));
+        return -valve_clearance(*gap, valve_lift_over_crank(intake, crank),
+                                valve_lift_over_crank(exhaust, crank));
     });
     pair.clearance = -closest.value;
     pair.clearance_at = closest.at;

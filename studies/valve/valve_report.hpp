@@ -76,8 +76,15 @@ struct ValvePair {
     std::vector<Overlap> overlaps;                     ///< at the heights both have
     double intake_at_tdc = 0.0, exhaust_at_tdc = 0.0;  ///< lifts
     double common_lift = 0.0, common_at = 0.0;         ///< largest of the lesser lift
-    std::optional<double> clearance, clearance_at;     ///< least, with a gap
+    std::optional<ValveGap> gap;
+    std::optional<double> clearance, clearance_at;  ///< least, with a gap
 };
+
+/// Lift of a valve at a crank angle after top dead centre; 0 where it is shut. The lobe has a motion and a
+/// centerline.
+[[nodiscard]] double valve_lift_over_crank(const Solution& solution, double crank);
+/// The distance of valves with these lifts; negative: they touch.
+[[nodiscard]] double valve_clearance(const ValveGap& gap, double intake, double exhaust);
 
 /// Throws InputError where one is no valve lobe, has no motion or no centerline.
 [[nodiscard]] ValvePair valve_pair(const Solution& intake, const Solution& exhaust,

@@ -58,6 +58,7 @@ WRITING = [
     ("compare", DRD, "--out"),
     ("dynamics", SLIDE, *QUICK_TRAIN, "--out"),
     ("inspect", SOLVED, SOLVED / "motion.csv", "--out"),
+    ("valves", INTAKE, EXHAUST, "--out"),
     ("table", "spline-vs-modified-sine", "--out"),
     ("export", SOLVED, "--csv", "--dxf", "--drawing", "svg", "--stl", "--picture", "--plc", "csv", "--nc", "--out"),
     ("export", DRUM, "--csv", "--stl", "--picture", "--nc", "--out"),

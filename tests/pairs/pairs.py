@@ -46,8 +46,9 @@ OUTPUTS = {
         "dynamics.csv", "dynamics.json", "history.csv", "residual_over_speed.svg", "acceleration_over_speed.svg", "deflection.svg",
         "acceleration.svg", "force.svg"]),
     "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=8:9:2"], ["sweep.csv", "sweep.html", "sweep.json", "sweep.svg"]),
-    "inspection": ("inspect", ["RESULT", "TABLE"], ["inspection.csv", "inspection.html", "inspection.json", "inspection.svg"]),
-    "valves": ("valves", ["RESULT", "RESULT", "--json"], []),
+    "inspection": ("inspect", ["RESULT", "TABLE"], ["inspection.csv", "inspection.html", "inspection.json", "inspection.svg", "report.md",
+                                                   "tables.csv"]),
+    "valves": ("valves", ["RESULT", "RESULT", "--gap-mm", "3"], ["report.html", "report.md", "tables.csv", "valves.csv", "valves.json", "valves.svg"]),
 }
 
 # name: (what of the sources it stands for, scene below scenes/ or tests/, settings).
@@ -124,7 +125,8 @@ REFUSED = [
 
 # What the program writes that no scene alone asks for, and the test that reads it back.
 ELSEWHERE = {
-    "machine": "MACHINES", "machine.json": "", "machine.toml": "", "timing.svg": "", "impossible.json": "",
+    "machine": "MACHINES", "machine.json": "", "machine.toml": "", "timing.csv": "", "timing.svg": "", "impossible.json": "",
+    "document.json": "",
     "list": "tests/documents",
     "table": "tests/output/paper_report_test.cpp", "table.json": "",
     "studio": "tests/browser/studio_page_test.py", "camopt.html": "tests/apps/studio_offline_test.py",

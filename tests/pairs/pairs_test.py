@@ -57,7 +57,7 @@ def words_of(output, kind, folder):
     words = [command]
     for word in (["SCENE", *asked] if command == "solve" else asked):
         words += given if word == "SCENE" else [{"RESULT": folder / "result", "TABLE": folder / "measured.csv"}.get(word, word)]
-    if command not in ("check", "report", "valves") and "--json" not in words:
+    if command not in ("check", "report") and "--json" not in words:
         words += ["--out", folder / "out"]
     return words
 

@@ -3,10 +3,11 @@
 #include "bindings/python/source/parts.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
+#include "output/document/document_text.hpp"
 #include "output/json/certificate_json.hpp"
+#include "output/machine/machine_document.hpp"
 #include "output/machine/machine_folder.hpp"
-#include "output/machine/machine_output.hpp"
-#include "output/machine/machine_view.hpp"
+#include "output/machine/machine_json.hpp"
 
 #include <fmt/format.h>
 
@@ -76,8 +77,8 @@ std::string machine_json_text(const SolvedMachine& machine) {
 
 /// None where nothing is delivered: there is nothing to draw.
 std::optional<std::string> timing_picture(const SolvedMachine& machine) {
-    const MachineView view(of(machine));
-    return view.curves.empty() ? std::nullopt : std::optional(timing_svg(view));
+    const Document document = machine_document(of(machine));
+    return document.curves() ? std::optional(curves_svg(document, *document.curves())) : std::nullopt;
 }
 
 void write_machine(const SolvedMachine& machine, const std::string& folder,
@@ -128,13 +129,14 @@ void add_machines(py::module_& module) {
             },
             "The same as a dict: limited_by, clearances, timing, the result of every axis.")
         .def(
-            "summary", [](Self self) { return machine_text(of(self)); }, "What `camopt machine` prints.")
+            "summary", [](Self self) { return console_text(machine_document(of(self))); },
+            "What `camopt machine` prints.")
         .def("svg", &timing_picture, "The timing diagram as SVG text; None where nothing is delivered.")
         .def("write", &write_machine, py::arg("folder"), py::arg("plc") = std::vector<std::string>{},
              "Writes the folder that `camopt machine --out` writes. plc: formats of electronic cams, for "
              "every axis.")
         .def("_repr_svg_", &timing_picture, "For notebooks: the timing diagram.")
-        .def("__str__", [](Self self) { return machine_text(of(self)); })
+        .def("__str__", [](Self self) { return console_text(machine_document(of(self))); })
         .def("__repr__", [](Self self) {
             return fmt::format("<camopt machine: {}>", name_of(of(self).certificate.verdict));
         });

@@ -204,8 +204,11 @@
     }
   }
 
+  const angleTitle = (angle) => angle.title || 'cam angle';
+
   /** The table of a chart: about seventy rows and those of the marks. */
-  function chartTable(curve, angles, angleUnit) {
+  function chartTable(curve, angle) {
+    const angles = angle.values;
     const step = Math.max(1, Math.round(angles.length / 72)), rows = [];
     const near = new Set();
     for (const mark of curve.marks) {
@@ -214,7 +217,7 @@
       near.add(best);
     }
     const unit = curve.unit ? ' (' + curve.unit + ')' : '';
-    const columns = [{ title: 'cam angle (' + angleUnit + ')' }, { title: curve.title + unit }];
+    const columns = [{ title: angleTitle(angle) + ' (' + angle.unit + ')' }, { title: curve.title + unit }];
     if (curve.beside) columns.push({ title: curve.beside.unit });
     const others = [curve.reference, curve.measured].filter((one) => one);
     others.forEach((one) => columns.push({ title: one.title + unit }));
@@ -245,7 +248,7 @@
 
     fillTable() {
       while (this.tableHost.children.length > 1) this.tableHost.lastChild.remove();
-      if (this.tableHost.open) this.tableHost.append(chartTable(this.curve, this.all.angle.values, this.all.data.angle.unit));
+      if (this.tableHost.open) this.tableHost.append(chartTable(this.curve, this.all.data.angle));
     }
 
     columns() {
@@ -260,7 +263,7 @@
       const unit = curve.unit ? ', ' + curve.unit : '';
       this.heading.replaceChildren(curve.title + ' ', element('span', { class: 'symbol' }, curve.symbol), unit);
       const marks = curve.marks.map((mark) => mark.words + ' at ' + numberText(mark.at, 5) + ' degrees');
-      this.plotHost.setAttribute('aria-label', curve.title + ' by cam angle. ' + (marks.length ? 'Marked: ' + marks.join('; ') + '. ' : '') +
+      this.plotHost.setAttribute('aria-label', curve.title + ' by ' + angleTitle(this.all.data.angle) + '. ' + (marks.length ? 'Marked: ' + marks.join('; ') + '. ' : '') +
         'Arrow keys move the cursor; the table below has the numbers.');
       if (this.plot) {
         this.plot.setData(this.columns());
@@ -384,9 +387,9 @@
       charts.clear();
       host.replaceChildren();
       chips.replaceChildren();
-      const groups = { motion: 'Motion', motor: 'Motor', axes: 'Axes over one revolution of the master', clearances: 'Clearances', cam: 'Cam over one revolution', forces: 'Forces over one revolution' };
-      for (const [group, title] of Object.entries(groups)) {
-        const curves = data.curves.filter((curve) => curve.group === group);
+      const titles = { motion: 'Motion', motor: 'Motor', cam: 'Cam over one revolution', forces: 'Forces over one revolution' };
+      for (const group of new Set([...Object.keys(titles), ...data.curves.map((curve) => curve.group)])) {
+        const title = titles[group] || group, curves = data.curves.filter((curve) => curve.group === group);
         if (!curves.length) continue;
         host.append(element('h2', {}, title));
         for (const curve of curves) {

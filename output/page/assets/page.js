@@ -42,7 +42,7 @@
     element('h2', {}, 'Against ' + reference.title), ...reference.sentences.map((sentence) => element('p', {}, sentence)));
 
   camopt.figureStrip = (figures) => element('dl', { class: 'figures' }, ...figures.map((figure) =>
-    element('div', {}, element('dt', {}, figure.name), element('dd', {}, figure.value, element('span', {}, 'at ' + figure.at)))));
+    element('div', {}, element('dt', {}, figure.name), element('dd', {}, figure.value, figure.at ? element('span', {}, 'at ' + figure.at) : null))));
 
   /** The report of one solved scene. */
   camopt.report = function (host) {

@@ -7,11 +7,13 @@
   /** A key breaks behind its points and underscores where there is little room. */
   const breakable = (text) => String(text).split(/(?<=[._])/).flatMap((part, i) => (i ? [element('wbr'), part] : [part]));
 
-  /** {columns: [{title, left}], rows: [[text]]} */
+  /** {columns: [{title, left}], rows: [[text]], folders: [of rows, to whose pages their first cells lead]} */
   camopt.table = function (table, caption) {
     const head = element('tr', {}, ...table.columns.map((column) => element('th', { scope: 'col', class: column.left ? 'left' : null }, column.title)));
-    const rows = table.rows.map((cells) => element('tr', {}, ...cells.map((cell, i) =>
-      element(i === 0 && table.columns[0].left ? 'th' : 'td', { scope: i === 0 && table.columns[0].left ? 'row' : null, class: (table.columns[i] || {}).left ? 'left' : null }, ...breakable(cell)))));
+    const link = (row, text) => element('a', { href: encodeURIComponent(table.folders[row]) + '/report.html' }, text);
+    const rows = table.rows.map((cells, row) => element('tr', {}, ...cells.map((cell, i) =>
+      element(i === 0 && table.columns[0].left ? 'th' : 'td', { scope: i === 0 && table.columns[0].left ? 'row' : null, class: (table.columns[i] || {}).left ? 'left' : null },
+        ...(i === 0 && table.folders && table.folders[row] ? [link(row, cell)] : breakable(cell))))));
     return element('div', { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption || 'table' },
       element('table', {}, caption ? element('caption', {}, caption) : null, element('thead', {}, head), element('tbody', {}, ...rows)));
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A machine's result as text for the terminal, as JSON, and as files: machine.json, certificate.json of the
-// motions, impossible.json with the proof at the speed above them.
+// A machine's result as JSON: machine.json, and impossible.json with the proof at the speed above that of the
+// motions.
 #pragma once
 
 #include "output/json/result_json.hpp"
@@ -11,8 +11,6 @@ namespace camopt {
 /// `axes`: where each axis's scene comes from, in the order of the machine; `machine`: the machine file.
 [[nodiscard]] std::string machine_json(const MachineSolution& solution, const RunOrigin& machine,
                                        const std::vector<RunOrigin>& axes);
-
-[[nodiscard]] std::string machine_text(const MachineSolution& solution);
 
 /// As certificate.json: the proof that there are no motions at MachineSolution::impossible_above.
 [[nodiscard]] std::string impossible_json(const MachineSolution& solution);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/machine/machine_output.hpp"
+#include "output/machine/machine_json.hpp"
 
 #include "core/version.hpp"
 #include "output/json/certificate_json.hpp"
@@ -59,45 +59,6 @@ Json clearances_json(const MachineSolution& solution) {
     return list;
 }
 
-std::string speed_lines(const MachineSolution& solution) {
-    const Certificate& certificate = solution.certificate;
-    if (certificate.verdict == Verdict::infeasible)
-        return solution.at_standstill
-                   ? "  infeasible at any speed: the contradiction remains as the speed approaches 0\n"
-                   : fmt::format("  infeasible: proved that no motions exist at {:.7g} rpm\n",
-                                 rpm(solution.speed));
-    if (solution.axes.empty())
-        return fmt::format("  {}: {}\n", name_of(certificate.verdict), name_of(certificate.reason));
-    std::string text;
-    if (!solution.spec.searches_speed())
-        text = fmt::format("  speed: {:.7g} rpm, as given\n", rpm(solution.speed));
-    else if (solution.impossible_above)
-        text = fmt::format("  largest speed: {:.7g} rpm; proved impossible at {:.7g} rpm ({:.2g} % more)\n",
-                           rpm(solution.speed), rpm(*solution.impossible_above),
-                           100.0 * (*solution.impossible_above / solution.speed - 1.0));
-    else
-        text =
-            fmt::format("  largest speed: {:.7g} rpm{}\n", rpm(solution.speed),
-                        solution.reached_most ? ", the end of the range: a larger range may allow more" : "");
-    text += fmt::format("  verdict: {}; total objective {:.9g}", name_of(certificate.verdict),
-                        certificate.objective);
-    if (certificate.lower_bound) text += fmt::format(", at least {:.9g} is proved", *certificate.lower_bound);
-    return text + "\n";
-}
-
-std::string limit_line(const MachineSolution& solution, const MachineLimit& limit) {
-    const std::string unit = limit.unit.empty() ? "" : " " + unit_words(limit.unit);
-    std::string text = fmt::format("  {:>5.1f} %  {}{}", 100.0 * limit.share,
-                                   limit.axis >= 0 ? axis_name(solution, limit.axis) + ": " : "", limit.key);
-    if (limit.given) text += fmt::format(" = {}{}", short_text(*limit.given), unit);
-    text += fmt::format(" at {:.1f} deg", degrees(limit.angle));
-    if (limit.needed)
-        text += fmt::format("; {}{} alone would allow 5 % more speed", short_text(*limit.needed, 4), unit);
-    else if (limit.asked)
-        text += "; not enough alone for 5 % more speed";
-    return text + "\n";
-}
-
 }  // namespace
 
 std::string machine_json(const MachineSolution& solution, const RunOrigin& machine,
@@ -149,37 +110,6 @@ std::string impossible_json(const MachineSolution& solution) {
     certificate.proof = solution.impossible;
     certificate.proof_kind = ProofKind::duality;
     return certificate_json(certificate);
-}
-
-std::string machine_text(const MachineSolution& solution) {
-    std::string text = (solution.spec.title.empty() ? "machine" : solution.spec.title) + "\n";
-    text += speed_lines(solution);
-    if (!solution.limited_by.empty()) text += "limited by (shares of the proof)\n";
-    for (const MachineLimit& limit : solution.limited_by) text += limit_line(solution, limit);
-    if (!solution.clearances.empty()) text += "clearances\n";
-    for (std::size_t k = 0; k < solution.clearances.size(); ++k) {
-        const Clearance& written = solution.spec.clearances[k];
-        const Extremum& worst = solution.clearances[k];
-        text += fmt::format("  {}: least {}{} at {:.1f} deg, at least {}\n",
-                            name_of_clearance(static_cast<int>(k)),
-                            short_text((written.at_least + worst.value) / written.unit_value),
-                            written.unit.empty() ? "" : " " + written.unit, degrees(worst.at),
-                            short_text(written.at_least / written.unit_value));
-    }
-    if (!solution.axes.empty()) text += "axes\n";
-    for (std::size_t b = 0; b < solution.axes.size(); ++b) {
-        const Solution& axis = solution.axes[b];
-        text += fmt::format("  {}: objective {:.6g}", solution.spec.axes[b].name, axis.certificate.objective);
-        for (const ConstraintReport& limit : axis.constraints)
-            if (limit.active)
-                text += fmt::format("; {} active at {:.1f} deg", limit.key,
-                                    degrees(std::fmod(solution.spec.axes[b].phase + units::turn +
-                                                          limit.at * axis.scene.motion.unit_angle(),
-                                                      units::turn)));
-        text += "\n";
-    }
-    for (const std::string& note : solution.notes) text += "note: " + note + "\n";
-    return text + fmt::format("{} speeds tried, {:.2f} s\n", solution.trials, solution.seconds_total);
 }
 
 }  // namespace camopt

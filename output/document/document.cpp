@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "output/document/document.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+/// "µm" → "_um", "m/s²" → "_m_s2", "crank deg" → "_crank_deg", as keys of files end.
+std::string suffix_of(const ShownUnit& unit) {
+    if (unit.name.empty()) return {};
+    std::string text = "_" + unit.name;
+    for (const auto& [sign, letters] :
+         {std::pair("µ", "u"), std::pair("²", "2"), std::pair("³", "3"), std::pair("%", "percent"),
+          std::pair("N m", "nm"), std::pair(" ", "_"), std::pair("/", "_")})
+        for (std::size_t at = 0; (at = text.find(sign, at)) != std::string::npos;)
+            text.replace(at, std::string_view(sign).size(), letters);
+    return text;
+}
+
+const char* bound_words(Bound bound) {
+    switch (bound) {
+        case Bound::exact:
+            return "";
+        case Bound::at_least:
+            return "at least ";
+        case Bound::at_most:
+            return "at most ";
+    }
+    throw ModelError("bound_words: found an unknown bound");
+}
+
+}  // namespace
+
+std::string Field::file_key() const {
+    return key + suffix_of(unit);
+}
+
+std::string Field::shown_title() const {
+    if (!title.empty()) return title;
+    return words_of(key) + (unit.name.empty() ? "" : " " + unit.name);
+}
+
+std::string shown_text(const Cell& cell, const Field& field) {
+    if (!cell.words.empty()) return cell.words;
+    if (cell.holds) return *cell.holds ? "yes" : "no";
+    if (!cell.value) return field.left ? "" : "–";
+    const std::string number = cell.unit ? cell.unit->text(*cell.value, cell.digits)
+                                         : short_text(field.unit.of(*cell.value), cell.digits);
+    return bound_words(cell.bound) + number;
+}
+
+std::string place_text(const Figure& figure) {
+    if (!figure.at_words.empty() || !figure.at) return figure.at_words;
+    return figure.place.text(*figure.at);
+}
+
+TextTable text_table(const Table& table) {
+    TextTable shown;
+    shown.rows.resize(table.rows.size());
+    shown.folders = table.folders;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const auto is_empty = [&](const std::vector<Cell>& row) {
+            return i >= row.size() || (row[i].words.empty() && !row[i].value && !row[i].holds);
+        };
+        if (std::ranges::all_of(table.rows, is_empty)) continue;
+        const Field& field = table.columns[i];
+        shown.columns.push_back({field.shown_title(), field.left});
+        for (std::size_t r = 0; r < table.rows.size(); ++r)
+            shown.rows[r].push_back(shown_text(table.rows[r][i], field));
+    }
+    return shown;
+}
+
+std::vector<std::string> Document::sentences(std::initializer_list<Sentence::Kind> kinds) const {
+    std::vector<std::string> all;
+    for (const Section& section : sections)
+        for (const Sentence& sentence : section.sentences)
+            if (std::ranges::find(kinds, sentence.kind) != kinds.end()) all.push_back(sentence.text);
+    return all;
+}
+
+std::vector<const Table*> Document::shown_tables() const {
+    std::vector<const Table*> all;
+    for (const Section& section : sections)
+        for (const Table& table : section.tables)
+            if (table.file.empty() && !table.rows.empty()) all.push_back(&table);
+    return all;
+}
+
+const Curves* Document::curves() const {
+    for (const Section& section : sections)
+        if (section.curves && !section.curves->curves.empty()) return &*section.curves;
+    return nullptr;
+}
+
+}  // namespace camopt

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "output/document/document_text.hpp"
+
+#include "core/version.hpp"
+#include "output/chart/curve_chart.hpp"
+#include "output/csv/csv_line.hpp"
+#include "output/json/json_text.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+using Kind = Sentence::Kind;
+
+constexpr auto said_first = {Kind::headline, Kind::verdict, Kind::warning, Kind::remark};
+
+constexpr std::array kind_names = {"headline", "verdict", "remark", "warning", "note", "effort"};
+
+std::string figure_line(const Figure& figure) {
+    const std::string place = place_text(figure);
+    return fmt::format("{}: {}{}", figure.field.shown_title(), shown_text(figure.cell, figure.field),
+                       place.empty() ? "" : " at " + place);
+}
+
+std::vector<const Figure*> figures_of(const Document& document) {
+    std::vector<const Figure*> all;
+    for (const Section& section : document.sections)
+        for (const Figure& figure : section.figures) all.push_back(&figure);
+    return all;
+}
+
+bool has_own_unit(const Cell& cell, const Field& field) {
+    return cell.value && cell.unit && field.unit.name.empty();
+}
+
+/// In the unit that the key of the field names, or else in that of the cell.
+std::optional<double> file_number(const Cell& cell, const Field& field) {
+    if (!cell.value) return {};
+    return (has_own_unit(cell, field) ? *cell.unit : field.unit).of(*cell.value);
+}
+
+const std::string& file_words(const Cell& cell) {
+    return cell.key.empty() ? cell.words : cell.key;
+}
+
+Json cell_json(const Cell& cell, const Field& field) {
+    if (cell.holds) return *cell.holds;
+    const std::optional<double> value = file_number(cell, field);
+    const bool counts =
+        value && field.unit.name.empty() && *value == std::round(*value) && std::abs(*value) < 1e9;
+    const Json number = counts ? Json(static_cast<long>(*value)) : number_json(value);
+    if (has_own_unit(cell, field)) return {{"value", number}, {"unit", cell.unit->name}};
+    return cell.value ? number : words_json(file_words(cell));
+}
+
+Figure place_figure(const Figure& figure) {
+    return {{figure.field.key + "_at", {}, figure.place}, Cell(*figure.at)};
+}
+
+void add_cell(CsvLine& line, const Cell& cell, const Field& field) {
+    if (cell.holds)
+        line.words(*cell.holds ? "true" : "false");
+    else if (cell.value)
+        line.number(file_number(cell, field));
+    else
+        line.words(file_words(cell));
+}
+
+std::string cell_line(std::string_view table, std::string_view row, const Cell& cell, const Field& field) {
+    CsvLine line;
+    line.words(table).words(row).words(field.file_key());
+    add_cell(line, cell, field);
+    return line.words(has_own_unit(cell, field) ? cell.unit->name : field.unit.name).finish();
+}
+
+Table table_of(const Curves& curves) {
+    Table table{curves.key, {}, {{curves.angle_key, {}, ShownUnit(curves.angle_unit.name)}}};
+    for (const Curve& curve : curves.curves)
+        table.columns.push_back({curve.key, {}, ShownUnit(curve.unit.name)});  // in their units already
+    for (std::size_t i = 0; i < curves.angles.size(); ++i) {
+        std::vector<Cell>& row = table.rows.emplace_back();
+        row.emplace_back(curves.angles[i]);
+        for (const Curve& curve : curves.curves) row.emplace_back(curve.values[i]);
+    }
+    return table;
+}
+
+}  // namespace
+
+std::string console_text(const Document& document) {
+    std::string text = document.title + "\n";
+    for (const std::string& sentence : document.sentences(said_first)) text += sentence + "\n";
+    for (const Figure* figure : figures_of(document))
+        if (!figure->field.title.empty()) text += "  " + figure_line(*figure) + "\n";
+    for (const Table* table : document.shown_tables())
+        text += fmt::format("\n{}\n{}{}", table->title, aligned_text(text_table(*table)),
+                            table->note.empty() ? "" : table->note + "\n");
+    const std::vector<std::string> effort = document.sentences({Kind::effort});
+    if (!effort.empty()) text += "\n";
+    for (const std::string& note : document.sentences({Kind::note})) text += "note: " + note + "\n";
+    for (const std::string& sentence : effort) text += sentence + "\n";
+    return text;
+}
+
+std::string document_markdown(const Document& document, const RunOrigin& origin) {
+    std::string text = fmt::format("# {}\n\n", markdown_words(document.title));
+    for (const std::string& sentence : document.sentences({Kind::headline}))
+        text += fmt::format("**{}.**\n\n", markdown_words(sentence));
+    for (const std::string& sentence : document.sentences({Kind::verdict, Kind::warning, Kind::remark}))
+        text += markdown_words(sentence) + "\n\n";
+    for (const Figure* figure : figures_of(document))
+        if (!figure->field.title.empty()) text += "- " + markdown_words(figure_line(*figure)) + "\n";
+    if (const Curves* curves = document.curves())
+        text += fmt::format("\n![{}]({}.svg)\n", curves->caption, curves->key);
+    for (const Table* table : document.shown_tables())
+        text += fmt::format("\n## {}\n\n{}{}", table->title, markdown_text(text_table(*table)),
+                            table->note.empty() ? "" : "\n" + table->note + "\n");
+    const std::vector<std::string> notes = document.sentences({Kind::note});
+    if (!notes.empty()) text += "\n## Notes\n\n";
+    for (const std::string& note : notes) text += "- " + markdown_words(note) + "\n";
+    return text + fmt::format("\nCommand: {}, camopt {}\n", markdown_code(origin.command), version());
+}
+
+std::string document_json(const Document& document) {
+    Json json = {{"camopt", version()}, {"title", document.title}};
+    for (const Figure* figure : figures_of(document)) {
+        json[figure->field.file_key()] = cell_json(figure->cell, figure->field);
+        if (!figure->at) continue;
+        const Figure place = place_figure(*figure);
+        json[place.field.file_key()] = cell_json(place.cell, place.field);
+    }
+    json["sentences"] = Json::array();
+    for (const Section& section : document.sections)
+        for (const auto& [kind, key, text] : section.sentences)
+            if (kind != Kind::effort)
+                json["sentences"].push_back(
+                    {{"kind", kind_names[static_cast<std::size_t>(kind)]}, {"key", key}, {"text", text}});
+    for (const Section& section : document.sections)
+        for (const Table& table : section.tables) {
+            if (!table.file.empty()) continue;
+            Json& rows = json[table.key] = Json::array();
+            for (const std::vector<Cell>& row : table.rows) {
+                Json& one = rows.emplace_back(Json::object());
+                for (std::size_t i = 0; i < row.size(); ++i)
+                    one[table.columns[i].file_key()] = cell_json(row[i], table.columns[i]);
+            }
+        }
+    return json_text(json);
+}
+
+std::string cells_csv(const Document& document) {
+    std::string text = "table,row,column,value,unit\n";
+    for (const Figure* figure : figures_of(document)) {
+        text += cell_line("figures", figure->field.key, figure->cell, figure->field);
+        if (!figure->at) continue;
+        const Figure place = place_figure(*figure);
+        text += cell_line("figures", figure->field.key, place.cell, place.field);
+    }
+    for (const Table* table : document.shown_tables())
+        for (std::size_t r = 0; r < table->rows.size(); ++r)
+            for (std::size_t i = 0; i < table->rows[r].size(); ++i)
+                text += cell_line(table->key, fmt::format("{}", r + 1), table->rows[r][i], table->columns[i]);
+    return text;
+}
+
+std::string table_csv(const Table& table) {
+    CsvLine titles;
+    for (const Field& field : table.columns) titles.words(field.file_key());
+    std::string text = titles.finish();
+    for (const std::vector<Cell>& row : table.rows) {
+        CsvLine line;
+        for (std::size_t i = 0; i < row.size(); ++i) add_cell(line, row[i], table.columns[i]);
+        text += line.finish();
+    }
+    return text;
+}
+
+std::string curves_svg(const Document& document, const Curves& curves) {
+    return curve_set_svg(curves,
+                         {.title = document.title,
+                          .lines = document.sentences({Kind::headline}),
+                          .angle_title = fmt::format("{} ({})", curves.angle_title, curves.angle_unit.name),
+                          .line_title = curves.line_title});
+}
+
+std::vector<FolderFile> text_files(const Document& document, const RunOrigin& origin) {
+    std::vector<FolderFile> files = {{"report.md", document_markdown(document, origin)},
+                                     {"tables.csv", cells_csv(document)}};
+    for (const Section& section : document.sections)
+        for (const Table& table : section.tables)
+            if (!table.file.empty()) files.push_back({table.file, table_csv(table)});
+    if (const Curves* curves = document.curves()) {
+        files.push_back({curves->key + ".svg", curves_svg(document, *curves)});
+        if (curves->table) files.push_back({curves->key + ".csv", table_csv(table_of(*curves))});
+    }
+    return files;
+}
+
+}  // namespace camopt
