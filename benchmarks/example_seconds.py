@@ -16,7 +16,7 @@ import subprocess
 import sys
 import time
 
-PHASES = ("setup", "solver", "judgement", "proof", "tie_break", "report")
+PHASES = ("setup", "solver", "judgement", "proof", "tie_break", "report", "search")
 
 
 def run(command):

@@ -377,7 +377,7 @@ def section_examples(page):
              f"{sum(number(row, 'seconds_wall') <= 1 for row in solved)} within 1 s. Wall seconds of the whole command, the quickest "
              "of three; those above 0.1 s:", "")
     slow = sorted((row for row in rows if number(row, "seconds_wall") > 0.1), key=lambda row: -number(row, "seconds_wall"))
-    phases = ("setup", "solver", "judgement", "proof", "tie_break", "report")
+    phases = ("setup", "solver", "judgement", "proof", "tie_break", "report", "search")
     page.say(*table(["scene", "verdict", "wall", "processor"] + [phase.replace("_", "-") for phase in phases],
                     [[row["scene"], row["verdict"], seconds(number(row, "seconds_wall")), seconds(number(row, "seconds_processor"))]
                      + [seconds(number(row, f"seconds_{phase}")) for phase in phases] for row in slow], left=2))

@@ -124,6 +124,12 @@ struct ContinuousSeconds {
     double solver = 0.0;     ///< inside the backends of the search
     double judgement = 0.0;  ///< starts, continuous maxima and new rows
     double proof = 0.0;      ///< the bound, with backends called for it
+    ContinuousSeconds& operator+=(const ContinuousSeconds& more) {
+        solver += more.solver;
+        judgement += more.judgement;
+        proof += more.proof;
+        return *this;
+    }
 };
 
 struct ContinuousResult {

@@ -239,6 +239,7 @@ struct PhaseSeconds {
     double proof = 0.0;      ///< the bound from multipliers
     double tie_break = 0.0;  ///< the backend's part included
     double report = 0.0;     ///< peaks, limits and cam properties of the delivered motion, and its audit
+    double search = 0.0;     ///< other angles, breakpoints or directions of strokes than those delivered
 };
 
 struct PhaseRow {
@@ -248,7 +249,8 @@ struct PhaseRow {
 inline constexpr std::array phase_rows = {
     PhaseRow{"setup", &PhaseSeconds::setup},         PhaseRow{"solver", &PhaseSeconds::solver},
     PhaseRow{"judgement", &PhaseSeconds::judgement}, PhaseRow{"proof", &PhaseSeconds::proof},
-    PhaseRow{"tie_break", &PhaseSeconds::tie_break}, PhaseRow{"report", &PhaseSeconds::report}};
+    PhaseRow{"tie_break", &PhaseSeconds::tie_break}, PhaseRow{"report", &PhaseSeconds::report},
+    PhaseRow{"search", &PhaseSeconds::search}};
 
 class MotionFamily;  // splines/motion_family.hpp
 struct SolvePlan;    // studies/search/plan.hpp

@@ -34,6 +34,8 @@ bool is_proved(const ContinuousResult& result) {
 /// Keeps the better of two results: what proves more, of what does not the motion of the least objective with
 /// the largest bound of either. Whether it is the motion of `other`.
 bool keep_better(ContinuousResult& result, ContinuousResult other, const JudgeOptions& judge) {
+    result.seconds += other.seconds;
+    other.seconds = result.seconds;  // of both attempts, whichever is kept
     if (is_proved(result)) return false;
     const auto is_first = [&](const ContinuousResult& one, const ContinuousResult& two) {
         if (is_proved(one) || one.x.size() == 0 || two.x.size() == 0)
@@ -327,6 +329,9 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     }
     solution.plan = plan;
     solution.phases.setup += seconds_posed;
+    double delivered = 0.0;
+    for (const PhaseRow& phase : phase_rows) delivered += solution.phases.*phase.seconds;
+    solution.phases.search = std::max(0.0, watch.seconds() - delivered);
     // A search without time left is no finding that there is no point, also where another one ended last.
     std::optional<Termination> ended = timed.ending();
     if (!ended && timed.in_vain.passed()) ended = Termination::time_limit;

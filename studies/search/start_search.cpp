@@ -129,6 +129,7 @@ class GeneralSolve {
     std::unique_ptr<Solver> next_ = {};       ///< once the planned solver has found nothing
     std::optional<CamModel> box_model_ = {};  ///< written in few variables
     std::optional<BoxBound> bound_ = {};      ///< over boxes
+    ContinuousSeconds seconds_ = {};          ///< of relaxations and bounds
 
     /// One search from what the last one found; false: that is of another motion, or it ends outside the
     /// limits.
@@ -171,6 +172,8 @@ class GeneralSolve {
         Relaxed relaxed{solve_continuous(*problem, *make_structured_solver(), options, judge_, control_),
                         problem};
         known_.keep(*problem);
+        seconds_ += relaxed.result.seconds;
+        relaxed.result.seconds = seconds_;
         Certificate& certificate = relaxed.result.certificate;
         drop_idle_bound(certificate, posed_.scene().objective);
         relaxed.settled = certificate.verdict == Verdict::infeasible;
@@ -229,6 +232,7 @@ class GeneralSolve {
     }
     void bound_boxes(const StartSearch& search, int parts) {
         if (control_.ending()) return;
+        const Stopwatch watch;
         if (!box_model_)
             box_model_ =
                 scene_model(posed_.scene(), DesignKind::coefficients, posed_.reference, posed_.strokes);
@@ -238,6 +242,7 @@ class GeneralSolve {
         bound_ =
             bound_over_boxes(*box_model_, rounded_up(objective_of(search)), options,
                              search.found() ? control_ : control_.sooner(control_.in_vain.seconds_left()));
+        seconds_.proof += watch.seconds();
     }
     /// From the bound's own motion, which breaks limits, as a point of another form of the problem.
     void start_from_bound(StartSearch& search) const {
@@ -258,6 +263,8 @@ class GeneralSolve {
     void take_search(StartsResult& all, const StartSearch& search) const {
         all.starts = search.ran();
         all.result.exchange = search.totals();
+        all.result.seconds = search.seconds();
+        all.result.seconds += seconds_;
         const Candidate& found = search.best().found;
         Certificate& certificate = all.result.certificate;
         certificate.objective = found.objective;
@@ -378,7 +385,9 @@ SearchState StartSearch::search(const Eigen::VectorXd& start, const SolveControl
     // The rows active at the best minimum are likely those of a search that comes near it.
     if (best_.converged && best_.multipliers.size() > 0)
         exchange.backend.near = PathPoint{best_.found.x, best_.multipliers, 0.0, infinity};
+    const Stopwatch watch;
     ExchangeResult ran = minimize_by_exchange(problem_, *solver_, start, exchange, control);
+    seconds_ += {.solver = ran.seconds_solver, .judgement = watch.seconds() - ran.seconds_solver};
     totals_.rounds += ran.rounds;
     totals_.iterations += ran.iterations;
     if (ran.known) return {};

@@ -50,6 +50,8 @@ class StartSearch {
     [[nodiscard]] int ran() const { return ran_; }
     [[nodiscard]] const ExchangeResult& totals() const { return totals_; }
     [[nodiscard]] const CamProblem& problem() const { return problem_; }
+    /// Of all searches.
+    [[nodiscard]] const ContinuousSeconds& seconds() const { return seconds_; }
 
  private:
     [[nodiscard]] Eigen::VectorXd start_of(int index, unsigned seed, const Eigen::VectorXd& relaxed) const;
@@ -66,6 +68,7 @@ class StartSearch {
     const SolveControl* control_;
     SearchState best_;
     ExchangeResult totals_;
+    ContinuousSeconds seconds_;
     int ran_ = 0;
 };
 
