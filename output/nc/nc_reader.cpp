@@ -15,7 +15,7 @@ constexpr double tool_change = 6.0, spindle_clockwise = 3.0, spindle_countercloc
 // The radii at both ends of an arc: what rounding of X, Y, I and J makes them differ, in last digits.
 constexpr double arc_rounding = 4.0;
 
-enum class Motion { rapid, line, clockwise, counterclockwise };
+enum class Interpolation { rapid, line, clockwise, counterclockwise };
 
 struct Word {
     char letter = ' ';
@@ -130,7 +130,7 @@ class Reader {
     void take_mode(double code) {
         static constexpr std::array harmless{49., 54., 55., 56., 57., 58., 59., 61., 64., 80.};
         if (code == 0.0 || code == 1.0 || code == 2.0 || code == 3.0) {
-            const auto motion = static_cast<Motion>(static_cast<int>(code));
+            const auto motion = static_cast<Interpolation>(static_cast<int>(code));
             if (motion_word_ && *motion_word_ != motion) refuse("two of G0, G1, G2, G3 in one block");
             motion_word_ = motion;
         } else if (code == 17.0 || code == 18.0 || code == 19.0) {
@@ -193,13 +193,13 @@ class Reader {
         if (differ > 2.0 * arc_rounding * half_last_digit(post_, AxisKind::linear))
             refuse(fmt::format("the ends of the arc have different distances from its centre: {:.3g} mm",
                                differ / units::millimetre));
-        return {center, (*motion_ == Motion::clockwise) == (mirror() > 0)};
+        return {center, (*motion_ == Interpolation::clockwise) == (mirror() > 0)};
     }
 
     void add_move() {
         if (!motion_) refuse("an axis moves before G0 or G1");
-        NcMove move{line_, *motion_ == Motion::rapid, values_, 0.0};
-        const bool round = *motion_ == Motion::clockwise || *motion_ == Motion::counterclockwise;
+        NcMove move{line_, *motion_ == Interpolation::rapid, values_, 0.0};
+        const bool round = *motion_ == Interpolation::clockwise || *motion_ == Interpolation::counterclockwise;
         if (round) move.arc = arc();
         if (!round && (center_[0] || center_[1])) refuse("I and J without G2 or G3");
         if (move.rapid && compensation_ != 0) refuse("a rapid under G41 or G42 is not supported");
@@ -221,7 +221,7 @@ class Reader {
     NcWords words_;
     Eigen::VectorXd values_, from_;
     std::optional<double> unit_, feed_;
-    std::optional<Motion> motion_word_, motion_;
+    std::optional<Interpolation> motion_word_, motion_;
     std::array<std::optional<double>, 2> center_;  // I, J
     int compensation_ = 0;                         // as printed: 1 is left of the path
     bool compensation_named_ = false, tool_offset_ = false, plane_is_xy_ = false;

@@ -10,7 +10,7 @@ namespace camopt {
 namespace {
 
 /// As a comment: brackets and lines end comments, % ends programs, and a control reads ASCII.
-std::string plain(std::string_view words) {
+std::string ascii(std::string_view words) {
     std::string result = ascii_text(words);
     std::ranges::replace(result, '(', ' ');
     std::ranges::replace(result, ')', ' ');
@@ -34,7 +34,7 @@ void NcWriter::line(const std::string& words) {
 }
 
 void NcWriter::comment(std::string_view words) {
-    text_ += fmt::format("{}{}{}\n", post_.comment_begin, plain(words), post_.comment_end);
+    text_ += fmt::format("{}{}{}\n", post_.comment_begin, ascii(words), post_.comment_end);
 }
 
 /// G93 or G94 where it changes.
@@ -94,10 +94,10 @@ std::string NcWriter::axis_words(const Eigen::VectorXd& values) {
 }
 
 void NcWriter::begin(const NcJob& job, double plane) {
-    placeholders_ = {{"{title}", plain(job.title)},
-                     {"{tool}", plain(job.tool)},
-                     {"{post}", plain(post_.name)},
-                     {"{machine}", plain(machine_.name())},
+    placeholders_ = {{"{title}", ascii(job.title)},
+                     {"{tool}", ascii(job.tool)},
+                     {"{post}", ascii(post_.name)},
+                     {"{machine}", ascii(machine_.name())},
                      {"{spindle_rpm}", fmt::format("{:.0f}", job.spindle_rpm)},
                      {"{spindle_sense}", job.spindle == SpindleSense::clockwise ? "M3" : "M4"},
                      {"{tool_number}", fmt::format("{}", job.tool_number.value_or(0))}};

@@ -20,6 +20,8 @@ SHORT_LINE = 130  # letters of a table that stands in one line
 
 NUMBER = re.compile(r"(?<![a-zàµµ_\d.])[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?|~0")
 
+COLOUR = re.compile(r"#[0-9a-f]{6}\b")
+
 # What differs between two runs or two machines: name, pattern, what stands instead.
 RULES = [(name, re.compile(pattern), instead) for name, pattern, instead in (
     ("version", r"\bcamopt \d+\.\d+\.\d+", "camopt <version>"),
@@ -66,7 +68,7 @@ def words_of(line):
 
 def alike(line):
     """What lines with the same words have in common, however many numbers stand in a list."""
-    return re.sub(r"#( #)+|#-(?=\")|#[0-9a-f]{6}\b", "#", words_of(re.sub(r"#[0-9a-f]{6}\b", "#", line)))
+    return re.sub(r"#( #)+|#-(?=\")|#[0-9a-f]{6}\b", "#", words_of(COLOUR.sub("#", line)))
 
 
 def kept_places(count):
@@ -81,7 +83,8 @@ def thinned(lines, key=alike, sums=False):
     """Lines, or blocks of them, of which those that are alike are thinned; each group's number stands at the end, with `sums` the sum
     of all their numbers too."""
     def sum_of(places):
-        return f", sum {sum(value_of(text) for place in places for text in NUMBER.findall(lines[place])):.6g}" if sums else ""
+        numbers = (NUMBER.findall(COLOUR.sub("", lines[place])) for place in places) if sums else ()
+        return f", sum {sum(value_of(text) for found in numbers for text in found):.6g}" if sums else ""
 
     groups = {}
     for place, line in enumerate(lines):
