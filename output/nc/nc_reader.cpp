@@ -199,7 +199,8 @@ class Reader {
     void add_move() {
         if (!motion_) refuse("an axis moves before G0 or G1");
         NcMove move{line_, *motion_ == Interpolation::rapid, values_, 0.0};
-        const bool round = *motion_ == Interpolation::clockwise || *motion_ == Interpolation::counterclockwise;
+        const bool round =
+            *motion_ == Interpolation::clockwise || *motion_ == Interpolation::counterclockwise;
         if (round) move.arc = arc();
         if (!round && (center_[0] || center_[1])) refuse("I and J without G2 or G3");
         if (move.rapid && compensation_ != 0) refuse("a rapid under G41 or G42 is not supported");
