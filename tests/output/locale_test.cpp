@@ -80,7 +80,7 @@ class ProcessLocale {
 /// Without the seconds that a solve took.
 std::string without_times(const std::string& text) {
     const std::regex times(
-        "(\"(total|solve|setup|solver|judgement|proof|tie_break|report|seconds|[a-z]*_us)\": )[^,\n}]*"
+        "(\"(total|solve|setup|solver|judgement|proof|tie_break|report|search|seconds|[a-z]*_us)\": )[^,\n}]*"
         "|[0-9.e+-]+ (s|ms|seconds)\\b");
     return std::regex_replace(text, times, "$1…");
 }

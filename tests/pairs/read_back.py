@@ -184,7 +184,8 @@ def read_md(path, _):
     spoken = re.sub(r"(?<!\\)(`+)(?!`).*?(?<!`)\1(?!`)", "", fenced)
     assert not re.search(r"(?<!\\)<[A-Za-z/!?]", spoken), re.search(r"(?<!\\)<[A-Za-z/!?].{0,40}", spoken).group(0)
     for target in re.findall(r"(?<!\\)\]\(([^)]*)\)", spoken):
-        assert re.fullmatch(r"[A-Za-z0-9_./-]+\.(svg|png)", target), target
+        assert re.fullmatch(r"[A-Za-z0-9_./-]+\.(svg|png|md)", target), target
+        assert target.endswith((".svg", ".png")) or (path.parent / target).is_file(), target
 
 
 def read_controller(path, _):
