@@ -44,8 +44,8 @@ Curves lift_curves(const Solution& intake, const Solution& exhaust, const ValveP
     curves.caption = "Lifts of both valves over the crank angle";
     curves.angle_key = "crank";
     curves.angle_title = "crank angle after top dead centre";
-    Curve in{"intake", "Lifts of the valves", "Intake", "l", length};
-    Curve out{"exhaust", "Lifts of the valves", "Exhaust", "l", length};
+    Curve in{"intake", "Lifts of the valves, 0° at top dead centre", "Intake", "l", length};
+    Curve out{"exhaust", "Lifts of the valves, 0° at top dead centre", "Exhaust", "l", length};
     Curve between{"clearance", "Clearance between the valves", "Clearance", "c", length};
     for (double angle = -360.0; angle <= 360.0; angle += crank_step) {
         const double crank = angle * units::degree;
@@ -60,8 +60,8 @@ Curves lift_curves(const Solution& intake, const Solution& exhaust, const ValveP
         curve.marks.push_back({degrees_shown.of(at), length.of(value),
                                fmt::format("{}{}", words, length.text(value, length_digits))});
     };
-    if (pair.intake_at_tdc > 0.0) mark(in, pair.intake_at_tdc, 0.0, "at top dead centre: ");
-    if (pair.exhaust_at_tdc > 0.0) mark(out, pair.exhaust_at_tdc, 0.0, "at top dead centre: ");
+    if (pair.intake_at_tdc > 0.0) mark(in, pair.intake_at_tdc, 0.0, "");
+    if (pair.exhaust_at_tdc > 0.0) mark(out, pair.exhaust_at_tdc, 0.0, "");
     curves.curves = {std::move(in), std::move(out)};
     if (!pair.gap) return curves;
     between.limits.push_back({curves.angles.front(), curves.angles.back(), 0.0, -1, "the valves touch"});

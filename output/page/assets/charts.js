@@ -286,7 +286,7 @@
           y: { range: () => rangeOf(self.curve, all.shown, all.height(), self.curve.key === 'displacement' && all.data.segments.length > 0) } },
         axes: [
           Object.assign({}, axis, { size: 26, space: 56, values: (u, splits) => splits.map((value) => numberText(value, 6) + '°'),
-            incrs: [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 120] }),
+            incrs: [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180, 360] }),
           Object.assign({}, axis, { size: 62, space: 30, values: (u, splits) => splits.map((value) => numberText(value, 6)) }),
         ],
         series: [{}, { stroke: () => colour('curve'), width: 2, points: { show: false } },

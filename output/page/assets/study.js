@@ -204,7 +204,7 @@
           cursor: { y: false, sync: { key: sync, setSeries: true }, focus: { prox: 24 }, drag: { x: true, y: false }, points: { show: false } },
           scales: { x: { time: false, range: (u, low, high) => [low, high] } },
           axes: [{ stroke: () => colour('quiet'), grid: { stroke: () => colour('grid'), width: 1 }, ticks: { show: false }, size: 26, space: 56,
-            values: (u, splits) => splits.map((value) => numberText(value, 6) + '°'), incrs: [1, 2, 5, 10, 15, 30, 45, 60, 90, 120] },
+            values: (u, splits) => splits.map((value) => numberText(value, 6) + '°'), incrs: [1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180, 360] },
           { stroke: () => colour('quiet'), grid: { stroke: () => colour('grid'), width: 1 }, ticks: { show: false }, size: 62, space: 30,
             values: (u, splits) => splits.map((value) => numberText(value, 6)) }],
           series: [{}].concat(shown.map((item) => ({ label: this.data.items.names[item], stroke: () => hue(item),

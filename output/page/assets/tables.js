@@ -4,8 +4,8 @@
 (function (camopt) {
   const { element } = camopt;
 
-  /** A key breaks behind its points and underscores where there is little room. */
-  const breakable = (text) => String(text).split(/(?<=[._])/).flatMap((part, i) => (i ? [element('wbr'), part] : [part]));
+  /** A key breaks behind its points and underscores where there is little room; a number does not. */
+  const breakable = (text) => String(text).split(/(?<=[A-Za-z\]][._])/).flatMap((part, i) => (i ? [element('wbr'), part] : [part]));
 
   /** {columns: [{title, left}], rows: [[text]], folders: [of rows, to whose pages their first cells lead]} */
   camopt.table = function (table, caption) {
