@@ -43,8 +43,8 @@ PlacedPoint placed_on(const PlacedPoint& stretch, const SetPoint& point, std::st
     return placed;
 }
 
-void place(std::vector<PlacedPoint>& all, const std::vector<SetPoint>& points, const std::string& member,
-           const PlacedPoint& stretch) {
+void add_points(std::vector<PlacedPoint>& all, const std::vector<SetPoint>& points, const std::string& member,
+                const PlacedPoint& stretch) {
     for (std::size_t i = 0; i < points.size(); ++i)
         all.push_back(placed_on(stretch, points[i], fmt::format("{}[{}]", member, i)));
 }
@@ -93,7 +93,7 @@ std::vector<PlacedPoint> placed_points(const MotionSpec& motion) {
     std::vector<PlacedPoint> all;
     PlacedPoint stretch;
     stretch.end = 1.0;
-    place(all, motion.via, "motion.via", stretch);
+    add_points(all, motion.via, "motion.via", stretch);
     if (motion.type != MotionType::program) return all;
     const double unit = motion.unit_angle();
     double angle = 0.0;
@@ -102,7 +102,7 @@ std::vector<PlacedPoint> placed_points(const MotionSpec& motion) {
         stretch.begin = angle / unit;
         angle += motion.segments[i].angle;
         stretch.end = angle / unit;
-        place(all, motion.segments[i].via, fmt::format("motion.segments[{}].via", i), stretch);
+        add_points(all, motion.segments[i].via, fmt::format("motion.segments[{}].via", i), stretch);
         if (const auto& end = motion.segments[i].end)
             all.push_back(placed_on(stretch, *end, fmt::format("motion.segments[{}].end", i)));
     }

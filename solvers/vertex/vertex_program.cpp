@@ -107,6 +107,7 @@ void VertexProgram::rest_idle_rows() {
         rooms.emplace_back(on_face(live_[k]) ? -infinity : room_[static_cast<Eigen::Index>(k)], live_[k]);
     std::ranges::nth_element(rooms, rooms.begin() + most);
     std::vector<int> stay;
+    stay.reserve(static_cast<std::size_t>(most));
     for (int k = 0; k < most; ++k) stay.push_back(rooms[static_cast<std::size_t>(k)].second);
     std::ranges::sort(stay);
     keep_live(stay);

@@ -251,7 +251,7 @@ void add_follower_figures(CamSummary& summary, const DrivenMechanism& cam, const
         }
         CamSummary other = without_loads;
         other.forces = force_summary(cam, turn, {*scene.forces, speed.speed}, other);
-        summary.other_loads.push_back({speed.words, *other.forces});
+        summary.other_loads.emplace_back(speed.words, *other.forces);
     }
 }
 

@@ -202,7 +202,7 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
                            : inches ? unit_named<"lbf/in">
                                     : unit_named<"N/mm">;
     all.push_back(force_adjustment(scene, "forces.preload",
-                                   (swings ? spellings::moment : spellings::force)[inches],
+                                   (swings ? spellings::moment : spellings::force)[inches ? 1 : 0],
                                    &ForceSpec::preload, force));
     all.push_back(force_adjustment(scene, "forces.spring_rate", rate, &ForceSpec::spring_rate, force / lift));
 }
