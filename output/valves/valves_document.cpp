@@ -12,7 +12,7 @@ namespace {
 using Kind = Sentence::Kind;
 
 constexpr int length_digits = 5, crank_digits = 7;
-constexpr double crank_step = 1.0;  // deg of the crankshaft
+constexpr int crank_steps = 720;  // of two turns
 
 /// Two of the cam: an angle of the crankshaft in rad.
 const ShownUnit crank_degrees("crank deg", units::degree);
@@ -47,7 +47,8 @@ Curves lift_curves(const Solution& intake, const Solution& exhaust, const ValveP
     Curve in{"intake", "Lifts of the valves, 0° at top dead centre", "Intake", "l", length};
     Curve out{"exhaust", "Lifts of the valves, 0° at top dead centre", "Exhaust", "l", length};
     Curve between{"clearance", "Clearance between the valves", "Clearance", "c", length};
-    for (double angle = -360.0; angle <= 360.0; angle += crank_step) {
+    for (int k = 0; k <= crank_steps; ++k) {
+        const double angle = 720.0 * k / crank_steps - 360.0;
         const double crank = angle * units::degree;
         const double one = valve_lift_over_crank(intake, crank),
                      other = valve_lift_over_crank(exhaust, crank);
