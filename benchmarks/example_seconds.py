@@ -9,35 +9,23 @@ Python's standard library only.
 """
 
 import csv
-import json
 import pathlib
-import resource
-import subprocess
 import sys
-import time
+
+from measured_command import measured
 
 PHASES = ("setup", "solver", "judgement", "proof", "tie_break", "report", "search")
 
 
-def run(command):
-    """Wall and processor seconds of one command, and its answer ({}: none)."""
-    before, begin = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    wall, after = time.perf_counter() - begin, resource.getrusage(resource.RUSAGE_CHILDREN)
-    try:
-        answer = json.loads(done.stdout)
-    except json.JSONDecodeError:
-        answer = {}
-    return wall, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime, answer
-
-
 def row_of(camopt, verb, scene, repeats):
-    wall, processor, answer = min((run([camopt, verb, str(scene), "--json"]) for _ in range(repeats)), key=lambda one: one[0])
-    certificate, spent = answer.get("certificate", answer), answer.get("seconds", {})
+    runs = (measured([camopt, verb, str(scene), "--json"]) for _ in range(repeats))
+    wall, user, system, answer, _ = min(runs, key=lambda one: one[0])
+    answer = answer or {}
+    spent, bound = answer.get("seconds"), answer.get("bound") or {}
     spent = spent if isinstance(spent, dict) else {}
-    return {"scene": scene.stem, "command": verb, "seconds_wall": f"{wall:.4f}", "seconds_processor": f"{processor:.4f}",
-            "verdict": certificate.get("verdict", "none"), "objective": certificate.get("objective", ""),
-            "gap": certificate.get("gap", "")} | {f"seconds_{phase}": spent.get(phase, "") for phase in PHASES}
+    return {"scene": scene.stem, "command": verb, "seconds_wall": f"{wall:.4f}", "seconds_processor": f"{user + system:.4f}",
+            "verdict": answer.get("verdict", "none"), "objective": answer.get("objective", ""),
+            "gap": bound.get("gap", "")} | {f"seconds_{phase}": spent.get(phase, "") for phase in PHASES}
 
 
 def main():

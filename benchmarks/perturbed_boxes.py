@@ -13,14 +13,13 @@ slowest takes more than 3 times the median. Python's standard library only.
 import argparse
 import collections
 import csv
-import json
 import pathlib
-import resource
 import statistics
-import subprocess
 import sys
 import tempfile
 import tomllib
+
+from measured_command import measured
 
 MOST_RATIO = 3.0
 FIELDS = ("scene", "trial", "verdict", "proof", "gap", "seconds")
@@ -40,13 +39,9 @@ def settings(scene, trial):
 def solve(camopt, path, trial):
     """A row of the table."""
     with tempfile.TemporaryDirectory() as folder:
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         command = [camopt, "solve", str(path), "--json", *settings(tomllib.loads(path.read_text()), trial)]
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=folder)
-        seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-    try:
-        result = json.loads(done.stdout)
-    except json.JSONDecodeError:
+        _, seconds, _, result, done = measured(command, cwd=folder)
+    if result is None:
         result = {"verdict": f"exit {done.returncode}"}
     bound = result.get("bound") or {}
     return {"scene": path.stem, "trial": trial, "verdict": result["verdict"], "proof": bound.get("proof", ""),

@@ -8,13 +8,11 @@ project's scenes; limits: 1, 5 and 20 s. On a loaded machine read the seconds of
 there is the program's. Python's standard library only.
 """
 
-import json
 import pathlib
-import resource
-import subprocess
 import sys
 import tempfile
-import time
+
+from measured_command import measured
 
 LIMITS = (1.0, 5.0, 20.0)
 PAPER = ("objective.velocity=0.4", "objective.acceleration=0.4", "objective.jerk=0.2")
@@ -54,19 +52,12 @@ def run(camopt, scenes, case, limit, folder):
     command = [camopt, "solve", str(scenes / f"{scene}.toml"), "--out", str(folder), "--json"]
     for setting in (*settings, f"solver.max_seconds={limit:g}"):
         command += ["--set", setting]
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    begin = time.perf_counter()
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    wall = time.perf_counter() - begin
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    processor = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
-    try:
-        result = json.loads(done.stdout)
-        certificate = result.get("certificate", result)
-        said = certificate.get("verdict", "?"), certificate.get("reason", "")
-    except json.JSONDecodeError:
+    wall, user, system, result, done = measured(command)
+    if result is None:
         said = f"exit {done.returncode}", done.stderr.strip().splitlines()[-1] if done.stderr.strip() else ""
-    return wall, processor, said
+    else:
+        said = result.get("verdict", "?"), result.get("reason", "")
+    return wall, user + system, said
 
 
 def main():

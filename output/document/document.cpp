@@ -7,18 +7,6 @@ namespace camopt {
 
 namespace {
 
-/// "µm" → "_um", "m/s²" → "_m_s2", "crank deg" → "_crank_deg", as keys of files end.
-std::string suffix_of(const ShownUnit& unit) {
-    if (unit.name.empty()) return {};
-    std::string text = "_" + unit.name;
-    for (const auto& [sign, letters] :
-         {std::pair("µ", "u"), std::pair("²", "2"), std::pair("³", "3"), std::pair("%", "percent"),
-          std::pair("N m", "nm"), std::pair(" ", "_"), std::pair("/", "_")})
-        for (std::size_t at = 0; (at = text.find(sign, at)) != std::string::npos;)
-            text.replace(at, std::string_view(sign).size(), letters);
-    return text;
-}
-
 const char* bound_words(Bound bound) {
     switch (bound) {
         case Bound::exact:
@@ -34,7 +22,7 @@ const char* bound_words(Bound bound) {
 }  // namespace
 
 std::string Field::file_key() const {
-    return key + suffix_of(unit);
+    return key + unit.suffix;
 }
 
 std::string Field::shown_title() const {

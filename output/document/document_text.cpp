@@ -75,10 +75,13 @@ std::string cell_line(std::string_view table, std::string_view row, const Cell& 
     return line.words(has_own_unit(cell, field) ? cell.unit->name : field.unit.name).finish();
 }
 
+/// Its numbers are in their units already.
 Table table_of(const Curves& curves) {
-    Table table{curves.key, {}, {{curves.angle_key, {}, ShownUnit(curves.angle_unit.name)}}};
-    for (const Curve& curve : curves.curves)
-        table.columns.push_back({curve.key, {}, ShownUnit(curve.unit.name)});  // in their units already
+    const auto column = [](const std::string& key, const ShownUnit& unit) {
+        return Field{key, {}, ShownUnit(unit.name, 1.0, unit.suffix)};
+    };
+    Table table{curves.key, {}, {column(curves.angle_key, curves.angle_unit)}};
+    for (const Curve& curve : curves.curves) table.columns.push_back(column(curve.key, curve.unit));
     for (std::size_t i = 0; i < curves.angles.size(); ++i) {
         std::vector<Cell>& row = table.rows.emplace_back();
         row.emplace_back(curves.angles[i]);

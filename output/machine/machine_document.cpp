@@ -47,11 +47,17 @@ Curve axis_curve(const MachineSolution& solution, std::size_t index, const AxisA
     const AxisSpec& spec = axis_of(solution, index);
     const double size = axis.scene.motion.lift / unit.per_normalised;
     Curve curve{"axis_" + spec.name, "Axes over one revolution of the master", printable(spec.name), "s",
-                ShownUnit{unit.name, size}};
+                ShownUnit{unit.name, size, unit.suffix}};
     if (spec.phase != 0.0)
         curve.title += fmt::format(", phase {} deg", short_text(degrees_shown.of(spec.phase)));
     for (const double angle : angles) curve.values.push_back(along.at(angle * units::degree) / size);
     return curve;
+}
+
+/// As its bound is written.
+ShownUnit shown_unit(const Clearance& spec) {
+    const Spelling* const written = unit_of_key(spec.key);
+    return ShownUnit(spec.unit, spec.unit_value, written ? std::string(written->suffix) : std::string());
 }
 
 Curve clearance_curve(const MachineSolution& solution, std::size_t index, const std::vector<AxisAlong>& along,
@@ -65,7 +71,7 @@ Curve clearance_curve(const MachineSolution& solution, std::size_t index, const 
                              printable(axis_of(solution, static_cast<std::size_t>(spec.axes[k])).name));
     }
     Curve curve{fmt::format("clearance_{}", index), "Clearances", "Clearance: " + names, "c",
-                ShownUnit{spec.unit, spec.unit_value}};
+                shown_unit(spec)};
     for (const double angle : angles) {
         double sum = 0.0;
         for (std::size_t k = 0; k < spec.axes.size(); ++k)
@@ -161,7 +167,7 @@ Table axis_table(const MachineSolution& solution) {
 }
 
 Table stopping_table(const MachineSolution& solution) {
-    const ShownUnit percent("%", 0.01);
+    const ShownUnit percent("%", 0.01, "_percent");
     Table table{"stops",
                 "What stops the machine",
                 {{.key = "limit", .title = "what stops it", .left = true},
@@ -197,7 +203,7 @@ Table clearance_table(const MachineSolution& solution) {
                  {"at", "at (deg)", degrees_shown}}};
     for (std::size_t k = 0; k < solution.clearances.size(); ++k) {
         const Clearance& spec = solution.spec.clearances[k];
-        const ShownUnit unit{spec.unit, spec.unit_value};
+        const ShownUnit unit = shown_unit(spec);
         Cell required(spec.at_least, unit);
         required.bound = Bound::at_least;
         table.rows.push_back({spec.key,

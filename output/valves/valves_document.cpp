@@ -15,7 +15,7 @@ constexpr int length_digits = 5, crank_digits = 7;
 constexpr int crank_steps = 720;  // of two turns
 
 /// Two of the cam: an angle of the crankshaft in rad.
-const ShownUnit crank_degrees("crank deg", units::degree);
+const ShownUnit crank_degrees("crank deg", units::degree, "_crank_deg");
 
 Table overlap_table(const ValvePair& pair, const ShownUnit& length) {
     Table table{"overlap",
@@ -84,8 +84,8 @@ Document valves_document(const Solution& intake, const Solution& exhaust, const 
         section.figures.push_back({std::move(field), Cell(value, length, length_digits), crank, crank_degrees,
                                    dead_centre_text(crank)});
     };
-    section.figures = {
-        {separation, Cell(pair.lobe_separation, ShownUnit("cam deg", units::degree), crank_digits)}};
+    section.figures = {{separation, Cell(pair.lobe_separation,
+                                         ShownUnit("cam deg", units::degree, "_cam_deg"), crank_digits)}};
     for (const auto& [key, title, lift] :
          {std::tuple("intake_lift_at_tdc", "intake at top dead centre", pair.intake_at_tdc),
           std::tuple("exhaust_lift_at_tdc", "exhaust at top dead centre", pair.exhaust_at_tdc)})

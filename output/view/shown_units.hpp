@@ -18,12 +18,15 @@
 namespace camopt {
 
 struct ShownUnit {
-    std::string name;   ///< "mm/s", "m/s²"
-    double size = 1.0;  ///< of the unit, SI
+    std::string name;         ///< "mm/s", "m/s²"
+    double size = 1.0;        ///< of the unit, SI
+    std::string suffix = {};  ///< of keys of files: "_mm_s", "_m_s2"
 
     ShownUnit() = default;
-    explicit ShownUnit(std::string unit, double si = 1.0) : name(std::move(unit)), size(si) {}
-    explicit(false) ShownUnit(const Spelling& unit) : name(unit.sign), size(unit.factor) {}
+    explicit ShownUnit(std::string unit, double si = 1.0, std::string key_suffix = {})
+        : name(std::move(unit)), size(si), suffix(std::move(key_suffix)) {}
+    explicit(false) ShownUnit(const Spelling& unit)
+        : name(unit.sign), size(unit.factor), suffix(unit.suffix) {}
 
     [[nodiscard]] double of(double si) const { return si / size; }
     /// "12.5 mm", with that many significant digits; "–" and "∞" for what is not finite.

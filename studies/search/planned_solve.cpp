@@ -329,6 +329,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     }
     solution.plan = plan;
     solution.phases.setup += seconds_posed;
+    solution.phases.search = 0.0;  // of the solve within that was delivered
     double delivered = 0.0;
     for (const PhaseRow& phase : phase_rows) delivered += solution.phases.*phase.seconds;
     solution.phases.search = std::max(0.0, watch.seconds() - delivered);
