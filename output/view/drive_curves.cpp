@@ -9,11 +9,11 @@ namespace camopt {
 namespace {
 
 struct DriveRow {
-    const char* key;
-    const char* title;
-    const char* symbol;
+    const char* key = nullptr;
+    const char* title = nullptr;
+    const char* symbol = nullptr;
     ShownUnit unit;
-    double DrivePoint::*value;
+    double DrivePoint::*value = nullptr;
     Extremum largest;
 };
 

@@ -63,9 +63,11 @@ double weighted_dimensions(const Solution& solution) {
 
 Solution::Solution() = default;
 Solution::Solution(const Solution& other) = default;
-Solution::Solution(Solution&& other) = default;
 Solution& Solution::operator=(const Solution& other) = default;
+// NOLINTBEGIN(performance-noexcept-move-constructor): see the header
+Solution::Solution(Solution&& other) = default;
 Solution& Solution::operator=(Solution&& other) = default;
+// NOLINTEND(performance-noexcept-move-constructor)
 Solution::~Solution() = default;
 
 std::shared_ptr<const MotionFamily> family_of(const Solution& solution) {

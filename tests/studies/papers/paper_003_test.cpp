@@ -5,7 +5,6 @@
 #include "benchmarks/papers/tappet_shedding.hpp"
 #include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
-#include "tests/support/counting_clock.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +23,7 @@ double number(const PaperCell& cell) {
 }
 
 TEST(Paper003, ReportsTheReferenceNumbersAndBothVerdicts) {
-    // 60 s, which its scenes have, are 800 readings.
-    testing_support::CountingClock clock{60.0 / 800.0};
-    const PaperReport report = paper_003(clock.control());
+    const PaperReport report = paper_003();
     EXPECT_TRUE(report.faults.empty());
     const std::map<std::string, std::pair<double, double>> expected = {
         {"MT60", {28.4532918499, 36.7}},  {"MT75", {31.6169201862, 39.5}}, {"MT90", {35.5402136266, 43.0}},
