@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "core/text/list_text.hpp"
 #include "scene/follower.hpp"
 
 #include <map>
@@ -91,7 +92,7 @@ template <class Choices>
     std::string allowed;
     for (const auto value : all) {
         if (word == name_of(value)) return value;
-        allowed += std::string(allowed.empty() ? "" : ", ") + "\"" + name_of(value) + "\"";
+        append_item(allowed, in_quotes(name_of(value)));
     }
     refuse_choice(name, word, allowed);
 }

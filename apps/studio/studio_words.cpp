@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the studio calls the keys of a scene, and in which units it takes and shows their numbers.
 #include "apps/studio/studio_controls.hpp"
+#include "core/text/list_text.hpp"
 #include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
 
@@ -75,11 +76,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> named_tab
      {"dynamics", "follower train"},
      {"reference", "reference values"}}};
 
-std::string capitalized(std::string words) {
-    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return words;
-}
-
 /// "segments[1]" is "segment 2".
 std::string table_words(std::string_view part) {
     const std::size_t bracket = part.find('[');
@@ -125,13 +121,13 @@ ControlWords control_words(std::string_view table, std::string_view key, std::st
     }
     // What lies in its own table needs no other name: "Segment 1, set point 2", "Keyway".
     if (parts.size() > 1) parts.erase(parts.begin());
-    words.group = capitalized(fmt::format("{}", fmt::join(parts, ", ")));
+    words.group = capitalised(fmt::format("{}", fmt::join(parts, ", ")));
     words.name = key_name(path, key);
     words.unit = unit_words(unit);
     words.label = words.name + (words.unit.empty() ? "" : ", " + words.unit);
     const bool listed = table.find('[') != std::string_view::npos;
-    if (!listed) words.name = capitalized(words.name);
-    words.label = listed ? words.group + ": " + words.label : capitalized(words.label);
+    if (!listed) words.name = capitalised(words.name);
+    words.label = listed ? words.group + ": " + words.label : capitalised(words.label);
     return words;
 }
 

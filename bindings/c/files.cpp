@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/c/handles.hpp"
+#include "core/text/list_text.hpp"
 #include "core/units.hpp"
 #include "output/exports/exports.hpp"
 
@@ -31,9 +32,8 @@ ExportOptions options_of(const camopt_solution& solution, const camopt_file_opti
 void check_name(const camopt_solution& solution, const std::string& name) {
     const std::vector<std::string> names = export_names(solution.solution);
     if (std::ranges::find(names, name) != names.end()) return;
-    std::string allowed;
-    for (const std::string& one : names) allowed += (allowed.empty() ? "" : ", ") + one;
-    throw Failure(CAMOPT_ERROR_ABSENT, "file: found \"" + name + "\"; allowed for this solution: " + allowed);
+    throw Failure(CAMOPT_ERROR_ABSENT, fmt::format("file: found {}; allowed for this solution: {}",
+                                                   in_quotes(name), fmt::join(names, ", ")));
 }
 
 }  // namespace

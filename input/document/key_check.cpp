@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/list_text.hpp"
 #include "core/text/names.hpp"
 #include "input/document/scene_source.hpp"
 #include "input/keys/meaning_hint.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace camopt::input {
 namespace {
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
 
 class KeyCheck {
  public:
@@ -98,7 +93,7 @@ class KeyCheck {
             if (hint.empty() && match_key(row.table, member.name, source_.rows).row != nullptr)
                 hint = fmt::format("; did you mean '{}'?", joined_key(row.table, member.name));
         source_.fail(member.place, key,
-                     fmt::format("found an unknown key; allowed: {}{}", joined(allowed), hint));
+                     fmt::format("found an unknown key; allowed: {}{}", fmt::join(allowed, ", "), hint));
     }
 
     void refuse_second_spelling(const Node& node, const Given& given, const std::string& path) const {
@@ -276,7 +271,7 @@ class KeyCheck {
             if (items[i].kind != NodeKind::table)
                 source_.fail(items[i].place, item_key,
                              fmt::format("found {}; allowed: a table of {}", items[i].shown(),
-                                         joined(written_keys(key, source_.rows))));
+                                         fmt::join(written_keys(key, source_.rows), ", ")));
             check_table(items[i], joined_key(given.row->table, given.row->name), item_key);
         }
     }
@@ -308,12 +303,10 @@ void check_name(const SceneSource& source, const Given& given, const std::string
                 const AllowedNames& allowed) {
     const std::string& text = given.value().text;
     if (std::ranges::find(allowed.names, text) != allowed.names.end()) return;
-    std::string list;
-    for (const std::string& name : allowed.names)
-        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
     source.fail(given.value().place, key,
-                fmt::format("found {}; allowed: {}{}{}{}", given.value().shown(), allowed.before, list,
-                            allowed.after, choice_hint(key, text, allowed.names)));
+                fmt::format("found {}; allowed: {}{}{}{}", given.value().shown(), allowed.before,
+                            listed(allowed.names, ", ", in_quotes), allowed.after,
+                            choice_hint(key, text, allowed.names)));
 }
 
 void check_keys(const SceneSource& source) {

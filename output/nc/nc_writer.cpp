@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/nc_writer.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/text/printable.hpp"
 
 #include <fmt/format.h>
@@ -109,8 +110,8 @@ void NcWriter::begin(const NcJob& job, double plane) {
     comment(fmt::format("machine: {}, post-processor: {}", machine_.name(), post_.name));
     std::string letters;
     for (const MachineAxis& axis : machine_.axes())
-        letters += fmt::format("{}{} in {}", letters.empty() ? "" : ", ", axis_formula(axis),
-                               axis.kind == AxisKind::linear ? length : "deg");
+        append_item(letters, fmt::format("{} in {}", axis_formula(axis),
+                                         axis.kind == AxisKind::linear ? length : "deg"));
     comment(letters);
     comment(post_.feed_mode == FeedMode::inverse_time
                 ? "feed: G93, F = 1 / minutes of the block, plunging: G94"

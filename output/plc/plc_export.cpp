@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/plc/plc_export.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/plc/structured_text.hpp"
@@ -232,7 +233,7 @@ void check_count(const PlcFormat& format, int count) {
 std::string formats_that_hold_jumps() {
     std::string keys;
     for (const PlcFormat& format : plc_formats())
-        if (format.shared == 0 && !format.straight_lines) keys += (keys.empty() ? "" : ", ") + format.key;
+        if (format.shared == 0 && !format.straight_lines) append_item(keys, format.key);
     return keys;
 }
 

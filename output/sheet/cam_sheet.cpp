@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/cam_sheet.hpp"
 
+#include "core/text/list_text.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/sheet_painter.hpp"
 #include "scene/limit_table.hpp"
@@ -418,17 +419,16 @@ class CamSheetMaker {
         for (const LimitRow& row : limit_rows())
             if (const auto& limit = row.in(solution_.scene.limits);
                 limit && !row.needs_forces && !row.needs_dynamics)
-                limits += fmt::format("{}{} {} {}{}", limits.empty() ? "" : ", ", limit_words(row),
-                                      row.is_least() ? "≥" : "≤", short_text(limit->given()),
-                                      limit->unit.empty() ? "" : " " + limit->unit);
+                append_item(limits, fmt::format("{} {} {}{}", limit_words(row), row.is_least() ? "≥" : "≤",
+                                                short_text(limit->given()),
+                                                limit->unit.empty() ? "" : " " + limit->unit));
         if (!limits.empty()) notes.push_back("Limits of form: " + limits + ".");
         const CamSummary& summary = solution_.cam->summary;
         std::string radii;
         if (summary.convex_radius)
             radii = fmt::format("convex {}", length_text(summary.convex_radius->value));
         if (summary.concave_radius)
-            radii += fmt::format("{}concave {}", radii.empty() ? "" : ", ",
-                                 length_text(summary.concave_radius->value));
+            append_item(radii, "concave " + length_text(summary.concave_radius->value));
         if (!radii.empty())
             notes.push_back(fmt::format("Least radii of curvature{}: {}.",
                                         piece_.empty() ? "" : " of both disks", radii));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/cam_words.hpp"
 
+#include "core/text/list_text.hpp"
 #include "output/view/key_words.hpp"
 
 #include <fmt/format.h>
@@ -158,10 +159,9 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
 }
 
 std::string dimensions_text(const Solution& solution) {
-    std::string text;
-    for (const DimensionValue& dimension : cam_dimensions(solution))
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", words_of(dimension.name), dimension.text);
-    return text;
+    return listed(cam_dimensions(solution), ", ", [](const DimensionValue& one) {
+        return fmt::format("{} {}", words_of(one.name), one.text);
+    });
 }
 
 std::string cam_text(const CamSpec& cam) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/columns.hpp"
 
+#include "core/text/list_text.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
@@ -155,8 +156,8 @@ Keys keys_by_angle(const MotionSpec& motion) {
 std::string words_of_need(unsigned need) {
     std::string words;
     for (const Need& one : needs)
-        if ((need & one.bit) != 0) words += (words.empty() ? "needs " : " and ") + std::string(one.words);
-    return words;
+        if ((need & one.bit) != 0) append_item(words, one.words, " and ");
+    return words.empty() ? words : "needs " + words;
 }
 
 const std::vector<TableColumn>& table_columns() {

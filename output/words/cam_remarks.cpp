@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/list_text.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/words/solution_text.hpp"
@@ -49,8 +50,8 @@ std::string dimensions_at_their_ends(const Solution& solution) {
                      near = at_end_of_range * (range.high - range.low);
         const bool low = value <= range.low + near, high = value >= range.high - near;
         if (low || high)
-            text += fmt::format("{}the {} is the {} allowed", text.empty() ? "" : ", ",
-                                words_of(cam.dimensions[i].name), low ? "least" : "largest");
+            append_item(text, fmt::format("the {} is the {} allowed", words_of(cam.dimensions[i].name),
+                                          low ? "least" : "largest"));
     }
     return text;
 }
@@ -59,13 +60,14 @@ std::string limited_remark(const Solution& solution) {
     std::string limits;
     for (const ConstraintReport& row : solution.constraints)
         if (row.active)
-            limits += fmt::format("{}the {} at {} deg", limits.empty() ? "" : ", ", key_words(row.key).words,
-                                  degrees_at(solution, row.at));
-    const std::string ends = dimensions_at_their_ends(solution);
-    if (limits.empty() && ends.empty()) return "No limit is active.";
-    return fmt::format("{} limits: {}{}{}.",
+            append_item(limits, fmt::format("the {} at {} deg", key_words(row.key).words,
+                                            degrees_at(solution, row.at)));
+    if (const std::string ends = dimensions_at_their_ends(solution); !ends.empty())
+        append_item(limits, ends, "; ");
+    if (limits.empty()) return "No limit is active.";
+    return fmt::format("{} limits: {}.",
                        solution.certificate.verdict == Verdict::infeasible ? "Active or violated" : "Active",
-                       limits, limits.empty() || ends.empty() ? "" : "; ", ends);
+                       limits);
 }
 
 /// "on this rise", "on the return": the stroke that decides, and where it lies where there may be several.
@@ -156,8 +158,8 @@ std::string lift_off_words(const Solution& solution) {
     };
     std::string text;
     for (std::size_t i = 0; i < std::min(places.size(), most_places); i += 2)
-        text += fmt::format("{}at {} deg and returns at {} deg", i == 0 ? "" : ", ", degrees(places[i]),
-                            degrees(places[i + 1]));
+        append_item(
+            text, fmt::format("at {} deg and returns at {} deg", degrees(places[i]), degrees(places[i + 1])));
     return text + (places.size() > most_places ? ", …" : "");
 }
 
@@ -168,10 +170,9 @@ std::string crossover_remark(const Solution& solution) {
     if (places.empty())
         return fmt::format("The force on the follower never changes its sign: the {} carries all of it.",
                            sides[solution.cam->summary.forces->least_force.value >= 0.0 ? 0 : 1].name);
-    std::string text;
-    for (std::size_t i = 0; i < std::min(places.size(), most_places); ++i)
-        text += (i == 0 ? "" : ", ") + degrees_at(solution, places[i]);
-    if (places.size() > most_places) text += ", …";
+    std::string text = listed(std::span(places).first(std::min(places.size(), most_places)), ", ",
+                              [&](double x) { return degrees_at(solution, x); });
+    if (places.size() > most_places) append_item(text, "…");
     return fmt::format(
         "The load changes between {} and {} {} times in the motion, at {} deg: the play between "
         "them causes impacts there.",

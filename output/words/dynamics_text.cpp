@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/list_text.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/words/solution_text.hpp"
 
@@ -39,12 +40,10 @@ std::vector<std::string> train_sentences(const Solution& solution) {
     const TrainReport& train = *solution.train;
     const Scene& scene = solution.scene;
     const ShownUnits shown = shown_units(scene);
-    std::string frequencies;
-    for (const double one : train.natural_frequencies)
-        frequencies += (frequencies.empty() ? "" : ", ") + hertz_text(one);
     std::vector<std::string> sentences = {
-        fmt::format("elastic follower train of {} Hz: {} natural periods in the rise at {} rpm", frequencies,
-                    short_text(train.frequency_ratio, 4), rpm_text(*scene.motion.speed))};
+        fmt::format("elastic follower train of {} Hz: {} natural periods in the rise at {} rpm",
+                    listed(train.natural_frequencies, ", ", hertz_text), short_text(train.frequency_ratio, 4),
+                    rpm_text(*scene.motion.speed))};
     if (!train.acceleration) {
         sentences.emplace_back(
             "no dwell: the motion never rests, so there is no transient from rest and no residual vibration "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The files of a solution in Python: drawings, solids, NC programs, electronic cams, reports.
 #include "bindings/python/source/parts.hpp"
+#include "core/text/list_text.hpp"
 #include "output/exports/exports.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +44,7 @@ ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
         const auto option = known.find(key.cast<std::string>());
         if (option == known.end()) {
             std::string allowed;
-            for (const auto& [name, set] : known) allowed += (allowed.empty() ? "" : ", ") + name;
+            for (const auto& [name, set] : known) append_item(allowed, name);
             throw py::type_error(
                 fmt::format("found the option {}; allowed: {}", key.cast<std::string>(), allowed));
         }
