@@ -202,7 +202,7 @@ std::string mesh_text(const std::string& file, const DiskMesh& solid, LengthUnit
 void export_piece(const ExportRequest& request, const Solution& solution, const ProfileShape& shape,
                   const std::string& name, FolderUpdate& folder, Exported& result) {
     const DrawingSpec drawing = drawing_of(solution, shape, sheet_options(request));
-    const std::string title = export_title(solution) + (name == first_piece ? "" : ", second disk");
+    const std::string title = export_title(solution) + piece_words(name == first_piece ? 0 : 1);
     if (request.stl) {
         DiskMeshOptions mesh;
         mesh.points = request.points;

@@ -14,7 +14,6 @@ namespace camopt {
 
 namespace {
 
-constexpr std::array names = {"displacement", "velocity", "acceleration", "jerk"};
 // Of y, y', y'', y''' of a good motion over one lift: what a bound near 0 is measured by.
 constexpr std::array typical = {1.0, 2.0, 6.0, 60.0};
 
@@ -63,8 +62,8 @@ void add_corridor(std::vector<MotionBound>& all, const MotionSpec& motion, std::
             const std::optional<double>& value = sign < 0 ? bounds.least : bounds.most;
             if (!value) continue;
             const char* const side = sign < 0 ? "min" : "max";
-            const std::string name = bounds.key.empty() ? names[order] : bounds.key;
-            MotionBound bound{fmt::format("corridor_{}_{}", names[order], side),
+            const std::string name = bounds.key.empty() ? derivative_names[order] : bounds.key;
+            MotionBound bound{fmt::format("corridor_{}_{}", derivative_names[order], side),
                               fmt::format("motion.corridor[{}].{}.{}", index, name, side),
                               bounds.unit,
                               static_cast<int>(order),

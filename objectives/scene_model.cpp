@@ -15,7 +15,6 @@ namespace camopt {
 
 namespace {
 
-constexpr std::array<const char*, 4> derivative_names = {"displacement", "velocity", "acceleration", "jerk"};
 // Units for peaks that are capped but have no finite reference: those of the modified sine.
 constexpr const char* fallback_law = "modified_sine";
 
@@ -209,8 +208,8 @@ void add_torque_rules(CamModel& model, double reference, int index) {
 
 std::string name_of_term(const WeightedPeak& source) {
     if (source.kind == Parameter::Kind::torque) return "peak torque";
-    const bool peak = source.kind == Parameter::Kind::peak;
-    return fmt::format("{} {}", peak ? "peak" : "rms", derivative_names[source.order]);
+    if (source.kind == Parameter::Kind::peak) return peak_words(source.order);
+    return fmt::format("rms {}", derivative_names[source.order]);
 }
 
 /// V, A, J of a prescribed motion are the largest over its laws: constants of the cost, and caps on each law.

@@ -4,6 +4,7 @@
 #include "core/text/list_text.hpp"
 #include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/ranges.h>
 
@@ -52,13 +53,6 @@ constexpr std::array named_keys = {
     NamedKey{"drawing", "bore", "bore diameter"},
     NamedKey{"drawing", "datum", "datum mark, cam angle"},
     NamedKey{"drawing.keyway", "at", "cam angle of its middle"},
-    NamedKey{"limits", "rise_pressure_angle", "largest pressure angle of the rise"},
-    NamedKey{"limits", "return_pressure_angle", "largest pressure angle of the return"},
-    NamedKey{"limits", "cam_radius_min", "least convex radius of the cam"},
-    NamedKey{"limits", "concave_radius_min", "least concave radius of the cam"},
-    NamedKey{"limits", "undercut_margin", "least undercut margin"},
-    NamedKey{"limits", "torque_max", "largest camshaft torque"},
-    NamedKey{"limits", "hertz_pressure_max", "largest Hertz pressure"},
     NamedKey{"limits", "residual", "largest residual vibration"},
     NamedKey{"solver", "name", "solver"},
     NamedKey{"solver", "gap", "proved gap"},
@@ -98,6 +92,8 @@ std::string key_name(std::string_view table, std::string_view key) {
     for (const NamedKey& named : named_keys)
         if (named.key == key && (named.table.empty() || named.table == table))
             return std::string(named.words);
+    if (const LimitRow* const limit = table == "limits" ? limit_named(key) : nullptr; limit && limit->words)
+        return limit->words;
     std::string words;
     if (ends_with_bound(key, "_max", words)) return "largest " + words;
     if (ends_with_bound(key, "_min", words)) return "least " + words;

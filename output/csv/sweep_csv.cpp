@@ -4,6 +4,7 @@
 #include "core/text/parsing.hpp"
 #include "core/word_of.hpp"
 #include "output/csv/csv_line.hpp"
+#include "scene/limit_table.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/ranges.h>
@@ -21,10 +22,9 @@ const ShownUnit without_unit, newton_metres = unit_named<"N m">;
 
 // Of sweeps of different cams, with a follower train, with a motor, of machines.
 constexpr std::array<SweepCamColumn, 3> swept_cam_columns = {
-    {{"pressure_angle_deg", "largest pressure angle", &SweepCam::pressure_angle, &degrees_shown},
-     {"convex_radius_mm", "least convex radius of the cam", &SweepCam::convex_radius, &millimetres_shown},
-     {"concave_radius_mm", "least concave radius of the cam", &SweepCam::concave_radius,
-      &millimetres_shown}}};
+    {{"pressure_angle_deg", figure_words::pressure_angle, &SweepCam::pressure_angle, &degrees_shown},
+     {"convex_radius_mm", figure_words::convex_radius, &SweepCam::convex_radius, &millimetres_shown},
+     {"concave_radius_mm", figure_words::concave_radius, &SweepCam::concave_radius, &millimetres_shown}}};
 constexpr std::array<SweepPartColumn<SweepTrain>, 3> train_columns = {
     {{"residual", "", &SweepTrain::residual, &without_unit},
      {"dynamic_acceleration", "", &SweepTrain::dynamic_acceleration, &without_unit},

@@ -23,12 +23,12 @@ std::string hertz_text(double frequency) {
     return short_text(hertz_shown.of(frequency));
 }
 
+}  // namespace
+
 std::string speeds_words(const std::array<double, 2>& speeds) {
     if (speeds[0] == speeds[1]) return fmt::format("at {} rpm", rpm_text(speeds[0]));
     return fmt::format("from {} to {} rpm", rpm_text(speeds[0]), rpm_text(speeds[1]));
 }
-
-}  // namespace
 
 double acceleration_at(const Scene& scene, double normalised, double speed) {
     const double faster = speed / scene.motion.speed.value();

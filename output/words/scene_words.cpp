@@ -279,9 +279,7 @@ std::string train_line(const Scene& scene) {
     if (train.return_stiffness > 0.0)
         append_item(text, "return spring " + shown.spring_rate.text(train.return_stiffness));
     if (train.preload > 0.0) append_item(text, "preload " + shown.load.text(train.preload));
-    if (train.speed_range)
-        append_item(text, fmt::format("from {} to {} rpm", short_text(rpm_shown.of((*train.speed_range)[0])),
-                                      short_text(rpm_shown.of((*train.speed_range)[1]))));
+    if (train.speed_range) append_item(text, speeds_words(*train.speed_range));
     return text;
 }
 

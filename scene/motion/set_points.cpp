@@ -11,8 +11,6 @@
 namespace camopt {
 namespace {
 
-constexpr std::array<const char*, 4> value_names = {"displacement", "velocity", "acceleration", "jerk"};
-
 const std::string& unit_of(const SetPointUnits& units, int order) {
     return order == 0 ? units.displacement : order == 1 ? units.velocity : units.acceleration;
 }
@@ -76,7 +74,7 @@ const Spelling& spelling_of_unit(int order, std::string_view unit) {
     throw InputError(
         fmt::format("a set point: found a {} in \"{}\"; allowed: none (normalised), or the unit of "
                     "a key of the scene file",
-                    value_names[static_cast<std::size_t>(order)], unit));
+                    derivative_names[static_cast<std::size_t>(order)], unit));
 }
 
 double unit_of_place(std::string_view unit) {
@@ -129,8 +127,8 @@ WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, i
     const std::string& unit = unit_of(point.units, order);
     const Spelling& spelling = spelling_of_unit(order, unit);
     WrittenValue written;
-    written.key =
-        fmt::format("{}.{}{}", point.member, value_names[static_cast<std::size_t>(order)], spelling.suffix);
+    written.key = fmt::format("{}.{}{}", point.member, derivative_names[static_cast<std::size_t>(order)],
+                              spelling.suffix);
     written.unit = unit;
     if (unit.empty()) {
         written.per_normalised = std::pow(own_angle(motion, point) / motion.unit_angle(), order);
