@@ -125,7 +125,7 @@ void refuse_contradicting(const MeasuredInput& input, std::size_t i, std::size_t
         return fmt::format("{} = {} in line {}", input.table->s_key, input.table->s.at(own),
                            input.table->lines.at(own));
     };
-    throw SceneError({fmt::format("measured.s[{}]", j),
+    throw SceneError({entry_key("measured.s", j),
                       fmt::format("two displacements at one angle of the cam: {} and {}", words(i), words(j)),
                       "one of them"});
 }
@@ -363,9 +363,8 @@ void fail_in_measured(const SceneSource& source, const MeasuredInput& measured, 
         const char* const first = source.find("measured", "x") ? "x" : "theta";
         const char* const second = first[0] == 'x' ? "y" : source.find("measured", "r") ? "r" : "s";
         const char* const name = theta ? first : second;
-        source.fail_member(
-            row ? fmt::format("measured.{}[{}]", name, *row) : fmt::format("measured.{}", name),
-            words_of(fault));
+        source.fail_member(row ? entry_key(joined_key("measured", name), *row) : joined_key("measured", name),
+                           words_of(fault));
     }
     const MeasuredTable& table = *measured.table;
     const std::string line = row ? fmt::format(":{}", table.lines.at(*row)) : std::string();

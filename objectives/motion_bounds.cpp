@@ -7,6 +7,7 @@
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -64,7 +65,7 @@ void add_corridor(std::vector<MotionBound>& all, const MotionSpec& motion, std::
             const char* const side = sign < 0 ? "min" : "max";
             const std::string name = bounds.key.empty() ? derivative_names[order] : bounds.key;
             MotionBound bound{fmt::format("corridor_{}_{}", derivative_names[order], side),
-                              fmt::format("motion.corridor[{}].{}.{}", index, name, side),
+                              entry_key("motion.corridor", index, joined_key(name, side)),
                               bounds.unit,
                               static_cast<int>(order),
                               sign,

@@ -8,6 +8,7 @@
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/spring_rules.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -138,7 +139,7 @@ void add_program_scales(CamModel& model, const Scene& scene) {
     model.most_displacement = most + overshoot * std::max(1.0, most - least);
     const FreeDisplacements free = free_displacements(scene, model.design);
     for (const int joint : free.joints) {
-        add_range(model, fmt::format("motion.segments[{}].to", joint - 1),
+        add_range(model, segment_key(joint - 1, "to"),
                   model.design.stretches()[static_cast<std::size_t>(joint) - 1].to, free.least, free.most);
     }
 }

@@ -2,6 +2,7 @@
 #include "scene/key_row.hpp"
 
 #include "core/text/list_text.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -46,13 +47,7 @@ std::string Range::integer_text() const {
     return interval.empty() ? "an integer" : "an integer " + interval;
 }
 
-namespace {
-
-std::string joined_name(const KeyRow& row) {
-    return row.table.empty() ? std::string(row.name) : fmt::format("{}.{}", row.table, row.name);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 RefusedValue::RefusedValue(std::size_t item, const std::string& found, const std::string& allowed)
     : InputError(fmt::format("found {}; allowed: {}", found, allowed)), item_(item) {}
@@ -120,7 +115,7 @@ std::string KeyRow::allowed(const Spelling& spelling) const {
         case KeyType::boolean_or_text:
             return "true or false";
         case KeyType::table:
-            return fmt::format("a [{}] table", joined_name(*this));
+            return fmt::format("a [{}] table", joined_key(table, name));
         case KeyType::tables:
             return "an array of tables";
         case KeyType::text_or_table:
@@ -128,7 +123,7 @@ std::string KeyRow::allowed(const Spelling& spelling) const {
         case KeyType::options:
             break;
     }
-    return fmt::format("a [{}] table", joined_name(*this));
+    return fmt::format("a [{}] table", joined_key(table, name));
 }
 
 }  // namespace camopt

@@ -22,12 +22,12 @@ std::optional<SceneFault> unit_fault(std::string_view member, std::string_view u
     const auto fits = [&](const Spelling& one) { return one.unit.empty() || turns(one.unit) == angle; };
     if (turns(unit) != angle)
         return SceneFault{std::string(member),
-                          fmt::format("a value in {} where the lift is {}", unit, length_or_angle(angle)),
+                          fmt::format("the unit \"{}\" where the lift is {}", unit, length_or_angle(angle)),
                           keys_text(names, fits)};
     if (motion.speed || !is_unit_of_time(unit)) return std::nullopt;
     const auto by_angle = [&](const Spelling& one) { return fits(one) && !is_unit_of_time(one.unit); };
     return SceneFault{
-        std::string(member), fmt::format("a value in {} without a speed", unit),
+        std::string(member), fmt::format("the unit \"{}\" without a speed", unit),
         fmt::format("together with motion.speed, or by the cam angle: {}", keys_text(names, by_angle))};
 }
 

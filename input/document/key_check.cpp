@@ -232,7 +232,7 @@ class KeyCheck {
         for (std::size_t i = 0; i < items.size(); ++i)
             if (!items[i].is_number() || !given.row->range.contains(items[i].as_number()))
                 source_.fail(
-                    items[i].place, fmt::format("{}[{}]", key, i),
+                    items[i].place, entry_key(key, i),
                     fmt::format("found {}; allowed: {}", items[i].shown(), given.row->range.number_text()));
     }
 
@@ -257,7 +257,7 @@ class KeyCheck {
                               std::isfinite(pair[0].as_number()) && std::isfinite(pair[1].as_number());
             if (!good || (i > 0 && !(pair[0].as_number() > items[i - 1].items[0].as_number())))
                 source_.fail(
-                    items[i].place, fmt::format("{}[{}]", key, i),
+                    items[i].place, entry_key(key, i),
                     fmt::format("found {}; allowed: a pair [angle, number], the angles ascending",
                                 good ? fmt::format("the angle {}", pair[0].shown()) : items[i].shown()));
         }
@@ -267,7 +267,7 @@ class KeyCheck {
         refuse_unless(given.value().kind == NodeKind::array, given, key);
         const std::vector<Node>& items = given.value().items;
         for (std::size_t i = 0; i < items.size(); ++i) {
-            const std::string item_key = fmt::format("{}[{}]", key, i);
+            const std::string item_key = entry_key(key, i);
             if (items[i].kind != NodeKind::table)
                 source_.fail(items[i].place, item_key,
                              fmt::format("found {}; allowed: a table of {}", items[i].shown(),

@@ -8,6 +8,7 @@
 #include "output/machine/machine_json.hpp"
 #include "output/page/result_page.hpp"
 #include "output/plc/plc_export.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ RunOrigin origin_of(const MachineSolution& solution, std::size_t own, const std:
     const MotionSpec& motion = axis.scene.motion;
     for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s) {
         if (!solution.timing->searched[own][s]) continue;
-        settings.push_back(fmt::format("motion.segments[{}].angle_deg={:.15g}", s,
+        settings.push_back(fmt::format("{}={:.15g}", segment_key(s, "angle_deg"),
                                        degrees_shown.of(motion.segments[s].angle)));
     }
     return {axis.file, command,
@@ -46,7 +47,8 @@ MachineRun machine_run(const std::string& file, std::span<const std::string> set
     std::vector<std::string> own = input::machine_settings(settings, solution.spec);
     for (std::size_t b = 0; b < solution.spec.axes.size(); ++b) {
         run.axes.push_back(origin_of(solution, b, command));
-        own.push_back(fmt::format("axis[{}].scene=\"{}\"", b, scene_name(solution.spec.axes[b])));
+        own.push_back(
+            fmt::format("{}=\"{}\"", entry_key("axis", b, "scene"), scene_name(solution.spec.axes[b])));
     }
     run.toml = input::scene_with_overrides(input::scene_file_text(file), file, own);
     return run;

@@ -180,6 +180,21 @@ std::string cam_text(const CamSpec& cam) {
                        name_of(cam.rotation));
 }
 
+std::string angles_words(double begin, double end, int digits) {
+    return begin == end
+               ? fmt::format("at {} deg", short_text(begin, digits))
+               : fmt::format("from {} to {} deg", short_text(begin, digits), short_text(end, digits));
+}
+
+std::string stretch_words(const MotionSpec& motion, double begin, double end, int digits) {
+    return angles_words(degrees_shown.of(motion.master_angle(begin)),
+                        degrees_shown.of(motion.master_angle(end)), digits);
+}
+
+std::string stroke_words(const MotionSpec& motion, std::size_t index, double begin, double end) {
+    return fmt::format("stroke {}, {}", index + 1, stretch_words(motion, begin, end));
+}
+
 bool is_loaded(const CamSummary& summary) {
     const std::optional<ForceSummary>& forces = summary.forces;
     return forces && (forces->largest_force.value != 0.0 || forces->least_force.value != 0.0);

@@ -264,8 +264,8 @@ std::string measured_sentence(const Solution& solution) {
                             unit.normalised_text(*certificate.lower_bound * term.reference / term.weight, 4));
     }
     for (const LawMatch& match : measured.laws)
-        text += fmt::format("; nearest law: {} from {} to {} deg, deviation at most {} (rms {})", match.law,
-                            degrees_at(solution, match.begin), degrees_at(solution, match.end),
+        text += fmt::format("; nearest law: {} {}, deviation at most {} (rms {})", match.law,
+                            stretch_words(solution.scene.motion, match.begin, match.end),
                             unit.normalised_text(match.largest, 3), unit.normalised_text(match.rms, 3));
     if (measured.started) text += "; the search began from it, too";
     return text + table_words(solution);

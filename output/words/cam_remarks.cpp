@@ -71,13 +71,12 @@ std::string limited_remark(const Solution& solution) {
 }
 
 /// "on this rise", "on the return": the stroke that decides, and where it lies where there may be several.
-std::string stroke_words(const Solution& solution, const SmallestCamReport& smallest) {
+std::string deciding_stroke(const Solution& solution, const SmallestCamReport& smallest) {
     const MotionType type = solution.scene.motion.type;
     if (type == MotionType::drd) return "on this rise";
     std::string which = smallest.rises ? "on the rise" : "on the return";
     if (type == MotionType::rr) return which;
-    return fmt::format("{} from {} to {} deg", which, degrees_at(solution, smallest.begin),
-                       degrees_at(solution, smallest.end));
+    return which + " " + stretch_words(solution.scene.motion, smallest.begin, smallest.end);
 }
 
 std::string smallest_remark(const Solution& solution, const SmallestCamReport& smallest) {
@@ -86,7 +85,7 @@ std::string smallest_remark(const Solution& solution, const SmallestCamReport& s
         "Smallest possible cam: for a pressure angle of {} every motion needs a prime radius of at least {} "
         "{}; this cam has {}.",
         shown.angle.text(smallest.pressure_angle), shown.length.text(smallest.prime_radius),
-        stroke_words(solution, smallest), shown.length.text(smallest.given));
+        deciding_stroke(solution, smallest), shown.length.text(smallest.given));
 }
 
 /// Of a disk cam.
@@ -153,13 +152,10 @@ std::string lift_off_words(const Solution& solution) {
     else if (!pressed)
         places.insert(places.begin(), solution.motion->begin());
     if (places.size() % 2 != 0) places.push_back(solution.motion->end());
-    const auto degrees = [&](double x) {
-        return short_text(degrees_shown.of(solution.scene.motion.master_angle(x)));
-    };
     std::string text;
     for (std::size_t i = 0; i < std::min(places.size(), most_places); i += 2)
-        append_item(
-            text, fmt::format("at {} deg and returns at {} deg", degrees(places[i]), degrees(places[i + 1])));
+        append_item(text, fmt::format("at {} deg and returns at {} deg", degrees_at(solution, places[i], 6),
+                                      degrees_at(solution, places[i + 1], 6)));
     return text + (places.size() > most_places ? ", …" : "");
 }
 

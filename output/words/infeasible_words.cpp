@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/list_text.hpp"
+#include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/view/view.hpp"
@@ -63,13 +64,12 @@ std::vector<ConflictStretch> stretches_of(std::vector<ConflictReport> rows, doub
 
 /// "the pressure angle limit at 12 deg and from 40 to 55.5 deg"; without places where none are known
 std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
-    const double degrees_per_x = degrees_shown.of(motion.unit_angle());
-    const auto degrees = [&](double x) { return short_text(degrees_per_x * x, short_angle_digits); };
     const std::vector<ConflictStretch> stretches = stretches_of(limit.rows, motion.length());
     const std::string places = listed(stretches, " and ", [&](const ConflictStretch& stretch) {
-        return stretch.end - stretch.begin < same_point * motion.length()
-                   ? fmt::format("at {} deg", degrees(0.5 * (stretch.begin + stretch.end)))
-                   : fmt::format("from {} to {} deg", degrees(stretch.begin), degrees(stretch.end));
+        const bool is_place = stretch.end - stretch.begin < same_point * motion.length();
+        const double middle = 0.5 * (stretch.begin + stretch.end);
+        return stretch_words(motion, is_place ? middle : stretch.begin, is_place ? middle : stretch.end,
+                             short_angle_digits);
     });
     return fmt::format("the {} limit{}{}", limit.words, places.empty() ? "" : " ", places);
 }

@@ -17,6 +17,8 @@ namespace camopt {
 
 namespace {
 
+constexpr int shown_digits = 6;  // of angles that the scene gives
+
 std::string kind_of_motion(const MotionSpec& motion) {
     if (motion.valve) return "a valve lobe";
     if (motion.type == MotionType::program)
@@ -91,9 +93,9 @@ std::string end_text(const Scene& scene, std::size_t index) {
 
 std::string range_words(const ProgramSegment& segment) {
     if (!segment.angle_range) return {};
-    return fmt::format(" (searched from {} to {} deg)",
-                       short_text(degrees_shown.of(segment.angle_range->least)),
-                       short_text(degrees_shown.of(segment.angle_range->most)));
+    return fmt::format(" (searched {})",
+                       angles_words(degrees_shown.of(segment.angle_range->least),
+                                    degrees_shown.of(segment.angle_range->most), shown_digits));
 }
 
 std::string segment_line(const Scene& scene) {
@@ -112,7 +114,7 @@ std::string segment_line(const Scene& scene) {
 /// Each in the units that a person reads, and normalised beside.
 std::string set_point_line(const Scene& scene, const std::vector<PlacedPoint>& points) {
     const ShownUnits shown = shown_units(scene);
-    const auto degrees = [&](double x) { return short_text(x * shown.degrees_per_x); };
+    const auto degrees = [&](double x) { return x * shown.degrees_per_x; };
     std::string text;
     for (const PlacedPoint& point : points) {
         std::string values;
@@ -125,9 +127,7 @@ std::string set_point_line(const Scene& scene, const std::vector<PlacedPoint>& p
                                     unit.beside ? unit.beside->normalised_text(wanted) + ", " : "",
                                     short_text(wanted)));
         }
-        const std::string where =
-            point.is_region() ? fmt::format("from {} to {} deg", degrees(point.begin), degrees(point.end))
-                              : fmt::format("at {} deg", degrees(point.begin));
+        const std::string where = angles_words(degrees(point.begin), degrees(point.end), shown_digits);
         append_item(text, fmt::format("{} (x = {}) {}", where, short_text(point.begin), values), "; ");
     }
     return "Set points: " + text;
@@ -153,12 +153,12 @@ std::string corridor_line(const Scene& scene) {
     std::string text;
     for (const MotionBound& bound : motion_bounds(scene))
         if (bound.corridor >= 0)
-            append_item(text, fmt::format("{} {} {} from {} to {} deg", shown.motion[bound.order].name,
-                                          bound.sign < 0 ? ">=" : "<=",
-                                          bound.unit.empty() ? short_text(bound.given)
-                                                             : short_text(bound.given) + " " + bound.unit,
-                                          short_text(bound.from * shown.degrees_per_x),
-                                          short_text(bound.until * shown.degrees_per_x)));
+            append_item(
+                text, fmt::format("{} {} {} {}", shown.motion[bound.order].name, bound.sign < 0 ? ">=" : "<=",
+                                  bound.unit.empty() ? short_text(bound.given)
+                                                     : short_text(bound.given) + " " + bound.unit,
+                                  angles_words(bound.from * shown.degrees_per_x,
+                                               bound.until * shown.degrees_per_x, shown_digits)));
     return "Corridors: " + text;
 }
 

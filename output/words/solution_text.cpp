@@ -7,7 +7,6 @@
 #include "output/view/peak_comparison.hpp"
 #include "output/view/valve_tables.hpp"
 #include "scene/limit_table.hpp"
-#include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/search/plan.hpp"
 

@@ -4,6 +4,7 @@
 #include "scene/faults/scene_faults.hpp"
 #include "scene/keys/own_rows.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/ranges.h>
 
@@ -61,7 +62,7 @@ Fault breakpoint_fault(const Scene& scene) {
     if (points.empty()) return std::nullopt;
     const bool program = scene.motion.type == MotionType::program;
     const double length = program ? 1.0 : scene.motion.length();
-    const auto member = [](std::size_t i) { return fmt::format("spline.breakpoints[{}]", i); };
+    const auto member = [](std::size_t i) { return entry_key("spline.breakpoints", i); };
     if (points.size() < 2 || points.size() > 65537)
         return SceneFault{"spline.breakpoints", fmt::format("{} breakpoint(s)", points.size()), "2 to 65537"};
     if (!(std::abs(points.front()) <= same_place))
