@@ -13,6 +13,8 @@ constexpr double turn_rounding = 1e-9;
 
 /// A point has one location, a region two.
 void check_points(const SceneSource& source, const Given& via, const std::string& path) {
+    const std::array names = {find_row("motion.via", "at")->names()};
+    const std::string points = keys_text(names, [](const Spelling&) { return true; });
     for (std::size_t i = 0; i < via.value().items.size(); ++i) {
         const Node& point = via.value().items[i];
         const std::string own = entry_key(path, i);
@@ -24,7 +26,7 @@ void check_points(const SceneSource& source, const Given& via, const std::string
                         "missing; allowed: both ends of a region, from and to");
         if (!has("from") && !has("at"))
             source.fail(point.place, joined_key(own, "at"),
-                        "missing; allowed: at (at_deg, at_rad) of a point, or from and to of a region");
+                        fmt::format("missing; allowed: {} of a point, or from and to of a region", points));
     }
 }
 

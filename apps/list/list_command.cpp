@@ -209,6 +209,11 @@ std::size_t longest_word(const std::vector<input::FollowerKind>& kinds, const st
     return longest;
 }
 
+/// The key of its lift in the unit of the manual.
+std::string lift_key(const input::FollowerKind& kind) {
+    return input::find_row("motion", "lift")->key(kind.swings ? unit_named<"deg"> : unit_named<"mm">);
+}
+
 std::string followers_text() {
     constexpr std::size_t least_width = 20;
     const std::vector<input::FollowerKind> kinds = input::follower_kinds();
@@ -218,10 +223,9 @@ std::string followers_text() {
             heading = heading_of(kind);
             text += fmt::format("{}{}\n", text.empty() ? "" : "\n", heading);
         }
-        text +=
-            fmt::format("  {:<{}} {:<9} {:<13} {}\n", kind.word,
-                        std::max(least_width, longest_word(kinds, kind.cam_type)),
-                        kind.swings ? "lift_deg" : "lift_mm", kind.touches_with, fmt::join(kind.keys, ", "));
+        text += fmt::format("  {:<{}} {:<9} {:<13} {}\n", kind.word,
+                            std::max(least_width, longest_word(kinds, kind.cam_type)), lift_key(kind),
+                            kind.touches_with, fmt::join(kind.keys, ", "));
     }
     return text +
            "\nEach line: name, key of its lift, contact with the cam, its dimensions: keys of [cam] or of "
@@ -235,7 +239,7 @@ Json followers_json() {
         list.push_back({{"key", kind.word},
                         {"cam", kind.cam_type},
                         {"chosen_by", kind.chosen_by.empty() ? "cam.type" : kind.chosen_by},
-                        {"lift", kind.swings ? "lift_deg" : "lift_mm"},
+                        {"lift", lift_key(kind)},
                         {"touches_with", kind.touches_with},
                         {"dimensions", kind.keys}});
     return list;

@@ -35,7 +35,7 @@ class KeyCheck {
         for (const KeyRow& row : source_.rows)
             if (row.table == table && row.required() && is_of_this_cam(row) &&
                 !source_.find_in(node, table, row.name))
-                source_.fail(node.place, joined_key(path, row.key(row.spellings.front())),
+                source_.fail(node.place, joined_key(path, row.first_key()),
                              fmt::format("missing; allowed: {}", row.allowed(row.spellings.front())));
     }
 

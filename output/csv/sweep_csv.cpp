@@ -47,7 +47,7 @@ void for_each_part(const SweepColumns& columns, Row&& row, const Visit& visit) {
 }
 
 std::string dimension_column(DimensionIndex index) {
-    return fmt::format("{}_mm", name_of(index));
+    return name_of(index) + millimetres_shown.suffix;
 }
 
 /// "solved", or "proved from row 17" (SweepRow::proved_from).
@@ -314,7 +314,7 @@ const char* name_of(FrontEnd value) {
 std::string goal_column(const ParetoFront& front, int goal) {
     const std::string name = name_of(front.request.goals[goal]);
     if (goal == 0 && front.request.keep_weights) return "weighted_" + name;
-    return is_dimension(front, goal) ? name + "_mm" : name;
+    return is_dimension(front, goal) ? name + millimetres_shown.suffix : name;
 }
 
 double goal_value(const ParetoFront& front, int goal, double value) {
@@ -359,8 +359,7 @@ std::string pareto_csv(const ParetoFront& front) {
         titles.words(title);
     for (int f = 0; f < sweep_figure_count; ++f)
         titles.words(fmt::format("peak_{}", name_of(static_cast<SweepFigure>(f))));
-    for (const DimensionIndex dimension : dimensions)
-        titles.words(fmt::format("cam_{}_mm", name_of(dimension)));
+    for (const DimensionIndex dimension : dimensions) titles.words("cam_" + dimension_column(dimension));
     titles.words("active_limits").words("iterations").words("seconds_total");
     std::string text = titles.finish();
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -22,12 +22,12 @@ RunOrigin origin_of(const MachineSolution& solution, std::size_t own, const std:
     std::vector<std::string> settings = axis.settings;
     settings.push_back(input::speed_setting(solution.speed));
     if (axis.phase != axis.scene.motion.phase)
-        settings.push_back(fmt::format("motion.phase_deg={:.15g}", degrees_shown.of(axis.phase)));
+        settings.push_back(input::setting_of("motion", "motion", "phase", axis.phase));
     const MotionSpec& motion = axis.scene.motion;
     for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s) {
         if (!solution.timing->searched[own][s]) continue;
-        settings.push_back(fmt::format("{}={:.15g}", segment_key(s, "angle_deg"),
-                                       degrees_shown.of(motion.segments[s].angle)));
+        settings.push_back(
+            input::setting_of(segment_key(s), "motion.segments", "angle", motion.segments[s].angle));
     }
     return {axis.file, command,
             input::scene_with_overrides(input::scene_file_text(axis.file), axis.file, settings,

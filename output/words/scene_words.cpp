@@ -266,16 +266,15 @@ std::string train_line(const Scene& scene) {
     std::string text = fmt::format("Elastic follower: {} {}", scene.motion.lift_is_angle ? "inertia" : "mass",
                                    shown.mass.text(train.mass));
     if (train.natural_frequency)
-        append_item(text, fmt::format("natural frequency {} Hz",
-                                      short_text(*train.natural_frequency / (2.0 * std::numbers::pi))));
+        append_item(text, "natural frequency " + hertz_shown.text(*train.natural_frequency));
     if (train.stiffness) append_item(text, "stiffness " + shown.spring_rate.text(*train.stiffness));
     if (train.damping_ratio) append_item(text, "damping ratio " + short_text(*train.damping_ratio));
     if (train.damping) append_item(text, damping_text(scene, *train.damping));
-    for (const TrainStage& stage : train.stages)
-        append_item(text,
-                    fmt::format("a stage before it of {} on {}{}", shown.mass.text(stage.mass),
-                                shown.spring_rate.text(stage.stiffness),
-                                stage.damping > 0.0 ? " and " + damping_text(scene, stage.damping) : ""));
+    for (const TrainStage& stage : train.stages) {
+        append_item(text, fmt::format("a stage before it of {} on {}", shown.mass.text(stage.mass),
+                                      shown.spring_rate.text(stage.stiffness)));
+        if (stage.damping > 0.0) append_item(text, damping_text(scene, stage.damping), " and ");
+    }
     if (train.return_stiffness > 0.0)
         append_item(text, "return spring " + shown.spring_rate.text(train.return_stiffness));
     if (train.preload > 0.0) append_item(text, "preload " + shown.load.text(train.preload));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/solution_text.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/text/printable.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
@@ -103,8 +104,7 @@ std::string objective_line(const Solution& solution, std::string_view separator)
     const Certificate& certificate = solution.certificate;
     std::string line;
     const auto add = [&](std::string_view name, double value, int digits) {
-        line += fmt::format("{}{} {}", line.empty() ? std::string_view{} : separator, name,
-                            short_text(value, digits));
+        append_item(line, fmt::format("{} {}", name, short_text(value, digits)), separator);
     };
     if (std::isfinite(certificate.objective)) add("objective", certificate.objective, figures);
     if (certificate.lower_bound)

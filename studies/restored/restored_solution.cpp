@@ -64,8 +64,7 @@ double dimension_of(const CamRecord& cam, const std::string& name, const Dimensi
 std::vector<double> dimensions_of(const CamSpec& spec, const CamRecord& record) {
     std::vector<double> numbers;
     for (const CamDimension& dimension : spec.dimensions)
-        numbers.push_back(
-            dimension_of(record, dimension.name + (dimension.is_angle ? "_rad" : "_m"), dimension.value));
+        numbers.push_back(dimension_of(record, dimension.si_key(), dimension.value));
     return numbers;
 }
 
