@@ -2,7 +2,7 @@
 // camopt list: the laws, followers, solvers, keys of a scene, columns of a table and controllers that this
 // camopt knows.
 #include "apps/commands.hpp"
-#include "apps/list/key_files.hpp"
+#include "apps/list/described_keys.hpp"
 #include "apps/terminal.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
@@ -82,7 +82,7 @@ Json key_json(std::string_view file, const KeyRow& row) {
 
 std::string keys_text() {
     std::string text;
-    for (const KeyFile& file : key_files()) {
+    for (const DescribedKeys& file : described_keys()) {
         text += fmt::format("{}{}\n", text.empty() ? "" : "\n", file.heading);
         const KeyRow* previous = nullptr;
         for (const KeyRow& row : file.rows) {
@@ -101,7 +101,7 @@ std::string keys_text() {
 /// or null), cam_types (null: all), instead_of (a key or null).
 Json keys_json() {
     Json list = Json::array();
-    for (const KeyFile& file : key_files())
+    for (const DescribedKeys& file : described_keys())
         for (const KeyRow& row : file.rows) list.push_back(key_json(file.name, row));
     return list;
 }
@@ -306,7 +306,7 @@ constexpr Topic topics[] = {
 
 }  // namespace
 
-std::vector<KeyFile> key_files() {
+std::vector<DescribedKeys> described_keys() {
     return {{"scene", "KEYS OF A SCENE", input::scene_keys()},
             {"machine", "KEYS OF A MACHINE", machine_rows()},
             {"post-processor", "KEYS OF A POST-PROCESSOR", post_rows()}};
