@@ -114,7 +114,7 @@ TEST(PostProcessor, RefusesValuesOfProgramsByItsRows) {
               "post-processor: axes.x.sign: found 2; allowed: 1 or -1");
     EXPECT_EQ(refused([](PostProcessor& post) { post.comment_begin = "/*"; }),
               "post-processor: comment_begin: found \"/*\"; allowed: \"(\" or \";\"");
-    EXPECT_EQ(refused([](PostProcessor&) {}), "");
+    EXPECT_EQ(refused([](PostProcessor&) {}), "no refusal");
 }
 
 TEST(PostProcessor, RefusesWrongFiles) {
