@@ -4,6 +4,7 @@
 #include "apps/program_parts.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
+#include "core/text/list_text.hpp"
 #include "core/version.hpp"
 
 #include <fmt/format.h>
@@ -47,8 +48,7 @@ ExitCode complain(std::string_view what, ExitCode code) {
 std::string version_text() {
     std::string with;
     for (const LicensedPart& part : licensed_parts())
-        if (part.name != "camopt")
-            with += fmt::format("{}{} ({})", with.empty() ? "" : ", ", part.name, part.license);
+        if (part.name != "camopt") append_item(with, fmt::format("{} ({})", part.name, part.license));
     return fmt::format("camopt {}\nMIT license. With {}.\n{}", version(), with, terms_of_binary());
 }
 

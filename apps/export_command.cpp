@@ -5,6 +5,7 @@
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
+#include "core/unit.hpp"
 #include "output/csv/lobe_csv.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_solid.hpp"
@@ -139,7 +140,7 @@ NcChoice nc_choice(const ExportRequest& request) {
     if (request.cutter_mm) choice.cutter_diameter = *request.cutter_mm * units::millimetre;
     choice.stock = request.stock_mm * units::millimetre;
     choice.z_offset = request.z_offset_mm * units::millimetre;
-    choice.feed = request.feed_mm_min * units::millimetre / 60.0;
+    choice.feed = request.feed_mm_min * units::millimetre / units::minute;
     choice.rotary_speed = request.rotary_deg_s * units::degree;
     choice.spindle_rpm = request.spindle_rpm;
     choice.chord_tolerance = request.chord_mm * units::millimetre;
@@ -194,15 +195,16 @@ std::string volume_text(LengthUnit unit, double volume) {
 std::string mesh_text(const std::string& file, const DiskMesh& solid, LengthUnit unit) {
     return fmt::format(
         "  {}: {} triangles, at most {:.3g} um from the cam; {}, {:.2g} of it {} than the cam's own\n", file,
-        solid.mesh.triangles.size(), solid.deviation * 1e6, volume_text(unit, solid.volume),
-        std::abs(solid.volume / solid.exact - 1.0), solid.volume < solid.exact ? "less" : "more");
+        solid.mesh.triangles.size(), solid.deviation / unit_named<"um">.factor,
+        volume_text(unit, solid.volume), std::abs(solid.volume / solid.exact - 1.0),
+        solid.volume < solid.exact ? "less" : "more");
 }
 
 /// name: of its files.
 void export_piece(const ExportRequest& request, const Solution& solution, const ProfileShape& shape,
                   const std::string& name, FolderUpdate& folder, Exported& result) {
     const DrawingSpec drawing = drawing_of(solution, shape, sheet_options(request));
-    const std::string title = export_title(solution) + (name == first_piece ? "" : ", second disk");
+    const std::string title = export_title(solution) + piece_words(name == first_piece ? 0 : 1);
     if (request.stl) {
         DiskMeshOptions mesh;
         mesh.points = request.points;

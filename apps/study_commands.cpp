@@ -4,6 +4,7 @@
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/text/parsing.hpp"
+#include "core/unit.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
 #include "output/csv/motion_csv.hpp"
@@ -147,7 +148,7 @@ ExitCode inspect_command(const InspectRequest& request) {
             "--tolerance-um: found a length for deviations that are angles; allowed: with points of the cam, "
             "or with displacements that are lengths");
     std::optional<double> tolerance = request.tolerance_um;
-    if (tolerance) *tolerance *= 1e-6;
+    if (tolerance) *tolerance *= unit_named<"um">.factor;
     const Inspection found =
         inspect_cam(nominal, table, request.probe_radius_mm * units::millimetre, tolerance);
     write_and_print(inspection_document(found, fmt::format("{} compared with {}", table.file, request.scene)),

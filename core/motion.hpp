@@ -16,6 +16,14 @@ struct MotionPoint {
     std::array<double, 4> derivative{};
 };
 
+/// Of the derivatives 0 to 3: in keys, messages and reports.
+inline constexpr std::array derivative_names = {"displacement", "velocity", "acceleration", "jerk"};
+
+/// "peak velocity"
+[[nodiscard]] inline std::string peak_words(std::size_t order) {
+    return std::string("peak ") + derivative_names[order];
+}
+
 /// A curve y(x) with exact derivatives up to the third, never a numeric one.
 class Motion {
  public:

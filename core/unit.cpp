@@ -25,4 +25,10 @@ const Spelling* unit_of_key(std::string_view key) {
     return found != nullptr && found->suffix == rate.suffix && is_rate ? &rate : found;
 }
 
+bool is_angle_key(std::string_view key) {
+    const Spelling* const unit = unit_of_key(key);
+    return unit != nullptr && unit->quantity.angle == 1 &&
+           Quantity{.angle = 1, .crank = unit->quantity.crank} == unit->quantity;
+}
+
 }  // namespace camopt

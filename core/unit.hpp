@@ -208,6 +208,9 @@ inline constexpr std::array<Spelling, sizeof...(names)> units_named = {unit_name
     return unit.starts_with("deg") || unit.starts_with("rad");
 }
 
+/// A key whose number is an angle: "motion.rise_deg".
+[[nodiscard]] bool is_angle_key(std::string_view key);
+
 /// Counts by time: "mm/s", "rad/s^2".
 [[nodiscard]] constexpr bool is_unit_of_time(std::string_view unit) {
     return unit.find("/s") != std::string_view::npos;

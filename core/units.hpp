@@ -11,6 +11,7 @@ inline constexpr double inch = 0.0254;                                    // m
 inline constexpr double degree = std::numbers::pi / 180.0;                // rad
 inline constexpr double turn = 2.0 * std::numbers::pi;                    // rad
 inline constexpr double revolution_per_minute = std::numbers::pi / 30.0;  // rad/s
+inline constexpr double minute = 60.0;                                    // s
 inline constexpr double megapascal = 1e6;                                 // Pa
 inline constexpr double pound = 0.45359237;                               // kg
 inline constexpr double pound_force = pound * 9.80665;                    // N

@@ -73,10 +73,6 @@ void check_drive(const SceneSource& source, const MotionSpec& motion) {
     check_units(source, "drive",
                 {"load_mass", "load_inertia", "transmission", "viscous", "force", "moment", "friction"},
                 motion);
-    if (!source.find("drive", "transmission"))
-        source.fail_member("drive", fmt::format("missing {}; allowed: a number > 0",
-                                                motion.lift_is_angle ? "transmission_deg_per_rev"
-                                                                     : "transmission_mm_per_rev"));
 }
 
 void read_limits(const SceneSource& source, Scene& scene) {

@@ -125,7 +125,7 @@ void refuse_contradicting(const MeasuredInput& input, std::size_t i, std::size_t
         return fmt::format("{} = {} in line {}", input.table->s_key, input.table->s.at(own),
                            input.table->lines.at(own));
     };
-    throw SceneError({fmt::format("measured.s[{}]", j),
+    throw SceneError({entry_key("measured.s", j),
                       fmt::format("two displacements at one angle of the cam: {} and {}", words(i), words(j)),
                       "one of them"});
 }
@@ -168,8 +168,9 @@ MeasuredTable rows_of_table(const SceneSource& source, const KnownNames& known, 
     MeasuredRows& rows = *scene.measured_rows;
     if (!known.folder)
         source.fail(source.find("measured", "table")->value().place, "measured.table",
-                    "found a file name in a scene that was not read from a file; allowed: the numbers, "
-                    "theta_deg and s_mm, or a scene file that names its table");
+                    fmt::format("found a file name in a scene that was not read from a file; allowed: the "
+                                "numbers, {} and {}, or a scene file that names its table",
+                                measured_key("theta"), measured_key("s")));
     input.table = read_measured_table(*known.folder / rows.table, table_form(rows));
     input.motion.name = std::filesystem::path(rows.table).filename().string();
     if (rows.name.empty()) rows.name = input.motion.name;
@@ -203,14 +204,15 @@ MeasuredTable rows_of_scene(const SceneSource& source, const Node& measured) {
                theta = source.find("measured", "theta");
     const bool by_step = source.find("measured", "step").has_value();
     if (x.has_value() != y.has_value())
-        source.fail(measured.place, x ? "measured.y_mm" : "measured.x_mm",
-                    "missing; allowed: x_mm with y_mm");
+        source.fail(measured.place, joined_key("measured", measured_key(x ? "y" : "x")),
+                    fmt::format("missing; allowed: {} with {}", measured_key("x"), measured_key("y")));
     if (!x && (!s || (!theta && !by_step)))
         source.fail(measured.place,
-                    theta || by_step ? "measured.s_mm"
-                    : s              ? "measured.theta_deg"
-                                     : "measured.table",
-                    "missing; allowed: table, or s_mm with theta_deg or step_deg");
+                    joined_key("measured", measured_key(theta || by_step ? "s"
+                                                        : s              ? "theta"
+                                                                         : "table")),
+                    fmt::format("missing; allowed: table, or {} with {} or {}", measured_key("s"),
+                                measured_key("theta"), measured_key("step")));
     for (const std::string_view name : file_keys)
         if (const auto given = source.find("measured", name))
             source.fail(given->member->place, joined_key("measured", name),
@@ -239,7 +241,8 @@ void roll(const SceneSource& source, const Scene& scene, const MeasuredTable& ta
     const Place place = source.table("measured")->place;
     if (!scene.cam)
         source.fail(place, "measured",
-                    "found points of a cam where the scene has no cam; allowed: s_mm, or [cam]");
+                    fmt::format("found points of a cam where the scene has no cam; allowed: {}, or [cam]",
+                                measured_key("s")));
     for (const CamDimension& dimension : scene.cam->dimensions)
         if (dimension.value.is_variable() &&
             !(dimension.name == "base_radius" && asked_for(*scene.measured_rows).radius))
@@ -363,9 +366,8 @@ void fail_in_measured(const SceneSource& source, const MeasuredInput& measured, 
         const char* const first = source.find("measured", "x") ? "x" : "theta";
         const char* const second = first[0] == 'x' ? "y" : source.find("measured", "r") ? "r" : "s";
         const char* const name = theta ? first : second;
-        source.fail_member(
-            row ? fmt::format("measured.{}[{}]", name, *row) : fmt::format("measured.{}", name),
-            words_of(fault));
+        source.fail_member(row ? entry_key(joined_key("measured", name), *row) : joined_key("measured", name),
+                           words_of(fault));
     }
     const MeasuredTable& table = *measured.table;
     const std::string line = row ? fmt::format(":{}", table.lines.at(*row)) : std::string();

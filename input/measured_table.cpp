@@ -32,12 +32,6 @@ constexpr std::size_t least_inspected = 8;  // rows: twice the parameters of an 
 
 constexpr int most_head_lines = 200;  // of other text above the rows
 
-constexpr const char* inspected_columns =
-    "theta_deg and s_mm of the follower, or x_mm and y_mm, or r_mm and theta_deg of the cam";
-constexpr const char* angle_columns = "theta_deg, theta_rad or crank_deg";
-constexpr const char* or_columns =
-    "or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the order of the file";
-
 using Cells = std::vector<std::string_view>;
 
 /// Columns have the names of the keys of [measured].
@@ -49,9 +43,29 @@ std::optional<Column> column_in(const Cells& names, std::string_view quantity) {
     return std::nullopt;
 }
 
-std::string lift_columns() {
-    const std::array names = {find_row("measured", "s")->names()};
+/// Crank angles as camopt writes them.
+constexpr std::string_view crank_column = unit_named<"crank deg">.suffix.substr(1);
+
+/// Every name of the column of a quantity.
+std::string columns_of(std::string_view quantity) {
+    const std::array names = {find_row("measured", quantity)->names()};
     return keys_text(names, [](const Spelling&) { return true; });
+}
+
+/// "theta_deg and s_mm"
+std::string two_columns(const char* first, const char* second) {
+    return fmt::format("{} and {}", measured_key(first), measured_key(second));
+}
+
+std::string inspected_columns() {
+    return fmt::format("{} of the follower, or {}, or {} of the cam", two_columns("theta", "s"),
+                       two_columns("x", "y"), two_columns("r", "theta"));
+}
+
+/// Of a file that does not name its columns.
+std::string in_measured() {
+    return fmt::format(R"(or columns = ["{}", "{}"] in [measured])", measured_key("theta"),
+                       measured_key("s"));
 }
 
 /// The angle and the displacement; of points x and y, or the angle and r.
@@ -62,7 +76,8 @@ struct Columns {
     Columns(const Cells& names, const TableForm& form)
         : theta(column_in(names, "theta")), s(column_in(names, "s")) {
         for (std::size_t i = 0; i < names.size() && !theta; ++i)
-            if (names[i] == "crank_deg") theta = Column{i, "theta_crank_deg", spellings::cam_angle[2]};
+            if (names[i] == crank_column)
+                theta = Column{i, fmt::format("theta_{}", crank_column), unit_named<"crank deg">};
         if (!form.points || (s && (theta || form.by_step))) return;
         const std::optional<Column> x = column_in(names, "x");
         const std::optional<Column> value = column_in(names, x ? "y" : "r");
@@ -181,7 +196,8 @@ class TableReader {
         const auto before = std::pair(text_, line_);
         const std::optional<std::string_view> first = next_line();
         if (!first)
-            fail("no line at all", "a line that names the columns, theta_deg and s_mm, and rows of numbers");
+            fail("no line at all", fmt::format("a line that names the columns, {}, and rows of numbers",
+                                               two_columns("theta", "s")));
         separator_ = form_.decimal == ',' ? ';' : ',';
         for (const char other : {';', '\t'})
             if (first->find(separator_) == std::string_view::npos &&
@@ -191,7 +207,8 @@ class TableReader {
         const bool named = std::ranges::none_of(cells, [&](auto cell) { return value(cell).has_value(); });
         if (form_.columns.empty() && !named && !form_.any_decimal)
             fail("numbers where the columns are named",
-                 "a line such as theta_deg,s_mm, or columns = [\"theta_deg\", \"s_mm\"] in [measured]");
+                 fmt::format("a line such as {},{}, {}", measured_key("theta"), measured_key("s"),
+                             in_measured()));
         if (form_.columns.empty()) take_columns(cells);
         if (!named) std::tie(text_, line_) = before;
     }
@@ -206,14 +223,18 @@ class TableReader {
                     "one number for each column");
         if (of_.theta && form_.by_step)
             fail(fmt::format("the column {} together with measured.step", of_.theta->key), "one of the two");
-        if (form_.any_decimal && !of_.complete(form_)) refuse_columns(names, inspected_columns);
+        if (form_.any_decimal && !of_.complete(form_)) refuse_columns(names, inspected_columns());
         if (!of_.theta && !form_.by_step)
-            refuse_columns(names, fmt::format("one of them named {}, or step_deg in [measured], {}",
-                                              angle_columns, or_columns));
+            refuse_columns(
+                names, fmt::format("one of them named {}, or {} in [measured], {}, in the order of the file",
+                                   columns_of("theta"), measured_key("step"), in_measured()));
         if (!of_.s)
-            refuse_columns(names, fmt::format("one of them named {}{}, {}", lift_columns(),
-                                              form_.points ? ", or x_mm and y_mm, or r_mm, of the cam" : "",
-                                              or_columns));
+            refuse_columns(
+                names, fmt::format("one of them named {}{}, {}, in the order of the file", columns_of("s"),
+                                   form_.points ? fmt::format(", or {}, or {}, of the cam",
+                                                              two_columns("x", "y"), measured_key("r"))
+                                                : "",
+                                   in_measured()));
         if (of_.theta) {
             table_.theta_key = of_.theta->key;
             table_.theta_unit = of_.theta->unit;
@@ -310,6 +331,10 @@ class TableReader {
 
 }  // namespace
 
+std::string measured_key(std::string_view name) {
+    return find_row("measured", name)->first_key();
+}
+
 MeasuredTable measured_table_of(std::string_view text, const std::string& name, const TableForm& form) {
     return TableReader(text, name, form).read();
 }
@@ -317,9 +342,8 @@ MeasuredTable measured_table_of(std::string_view text, const std::string& name, 
 MeasuredTable read_measured_table(const std::filesystem::path& file, const TableForm& form) {
     const FileBytes read = file_bytes(file, most_table_bytes);
     if (!read.fault.empty())
-        throw InputError(
-            fmt::format("{}: cannot be read: {}; allowed: a CSV file with the columns theta_deg and s_mm",
-                        printable(file.string()), read.fault));
+        throw InputError(fmt::format("{}: cannot be read: {}; allowed: a CSV file with the columns {}",
+                                     printable(file.string()), read.fault, two_columns("theta", "s")));
     return measured_table_of(read.bytes, printable(file.string()), form);
 }
 
@@ -353,7 +377,7 @@ InspectedTable read_inspected_table(const std::filesystem::path& file,
     const FileBytes read = file_bytes(file, most_table_bytes);
     if (read.fault.empty()) return inspected_table_of(read.bytes, name, columns);
     throw InputError(fmt::format("{}: cannot be read: {}; allowed: a CSV file with the columns {}", name,
-                                 read.fault, inspected_columns));
+                                 read.fault, inspected_columns()));
 }
 
 }  // namespace camopt::input

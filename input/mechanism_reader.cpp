@@ -3,6 +3,7 @@
 #include "input/row_reader.hpp"
 #include "input/scene_parts.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "scene/unit_fault.hpp"
 
 #include <fmt/format.h>
 
@@ -93,13 +94,12 @@ class MechanismReader {
         }
         const KeyRow* const row = find_row(number.table, number.key);
         if (!number.value && row)
-            source_.fail(source_.table(number.table)->place,
-                         joined_key(number.table, row->key(row->spellings.front())),
+            source_.fail(source_.table(number.table)->place, joined_key(number.table, row->first_key()),
                          fmt::format("missing for {}; allowed: {}", variant_.spoken,
                                      row->allowed(row->spellings.front())));
         target = number.value.value_or(0.0) + number.per_lift * lift;
         if (!row) return;
-        target.key = joined_key(number.table, row->key(row->spellings.front()));
+        target.key = joined_key(number.table, row->first_key());
         target.unit = row->spellings.front().factor;
     }
 };
@@ -120,10 +120,12 @@ void check_train(const SceneSource& source, const Node& table, std::string_view 
             check_unit(source, {&member, key.row, key.spelling}, "dynamics." + member.name, motion);
         has_mass = has_mass || key.row->name == "mass" || key.row->name == "inertia";
     }
-    if (!has_mass)
-        source.fail(table.place, path,
-                    fmt::format("missing {}; allowed: a number > 0",
-                                motion.lift_is_angle ? "inertia_kg_m2" : "mass_kg"));
+    if (!has_mass) {
+        const std::array masses = {find_row(path, "mass")->names(), find_row(path, "inertia")->names()};
+        source.fail(
+            table.place, path,
+            fmt::format("missing {}; allowed: a number > 0", fitting_keys(masses, motion.lift_is_angle)));
+    }
 }
 
 }  // namespace
@@ -132,13 +134,12 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
                 const MotionSpec& motion) {
     if (variant.swings == motion.lift_is_angle) return;
     const std::string& allowed = motion.lift_is_angle ? kind.with_angle : kind.with_length;
+    const std::array lift = {KeyNames{"motion.lift", find_row("motion", "lift")->spellings}};
     source.fail_member(
         kind.choosing_key.empty() ? "cam.type" : fmt::format("{}.{}", kind.choosing_table, kind.choosing_key),
         fmt::format("found \"{}\" where the lift is {}; allowed: {}{}{}{}", variant.word,
                     length_or_angle(motion.lift_is_angle), allowed, allowed.empty() ? "" : ", or ",
-                    motion.lift_is_angle ? "motion.lift_mm, motion.lift_in or motion.lift_m"
-                                         : "motion.lift_deg or motion.lift_rad",
-                    kind.lift_remark));
+                    fitting_keys(lift, !motion.lift_is_angle), kind.lift_remark));
 }
 
 CamSpec read_mechanism(const SceneSource& source, const CamKind& kind, const MotionSpec& motion) {

@@ -13,9 +13,11 @@ constexpr double turn_rounding = 1e-9;
 
 /// A point has one location, a region two.
 void check_points(const SceneSource& source, const Given& via, const std::string& path) {
+    const std::array names = {find_row("motion.via", "at")->names()};
+    const std::string points = keys_text(names, [](const Spelling&) { return true; });
     for (std::size_t i = 0; i < via.value().items.size(); ++i) {
         const Node& point = via.value().items[i];
-        const std::string own = fmt::format("{}[{}]", path, i);
+        const std::string own = entry_key(path, i);
         const auto has = [&](std::string_view name) {
             return source.find_in(point, joined_key(via.row->table, via.row->name), name).has_value();
         };
@@ -24,7 +26,7 @@ void check_points(const SceneSource& source, const Given& via, const std::string
                         "missing; allowed: both ends of a region, from and to");
         if (!has("from") && !has("at"))
             source.fail(point.place, joined_key(own, "at"),
-                        "missing; allowed: at (at_deg, at_rad) of a point, or from and to of a region");
+                        fmt::format("missing; allowed: {} of a point, or from and to of a region", points));
     }
 }
 
@@ -43,7 +45,7 @@ void settle_angle_ranges(const SceneSource& source, MotionSpec& motion) {
     if (!first || !motion.closed) return;
     const double slack = turn_rounding * units::turn;
     if (least > units::turn + slack || most < units::turn - slack)
-        source.fail_member(fmt::format("motion.segments[{}].angle", *first),
+        source.fail_member(segment_key(*first, "angle"),
                            fmt::format("found ranges that let the angles add up to {:.10g} to {:.10g} deg; "
                                        "allowed: ranges with 360 deg between",
                                        least / units::degree, most / units::degree));
@@ -160,7 +162,7 @@ class MotionReader {
         if (!segments) return;
         for (std::size_t i = 0; i < segments->value().items.size(); ++i) {
             const Node& segment = segments->value().items[i];
-            const std::string path = fmt::format("motion.segments[{}]", i);
+            const std::string path = segment_key(i);
             if (const auto law = source_.find_in(segment, "motion.segments", "law"))
                 check_name(source_, *law, joined_key(path, law->member->name),
                            {known_.laws, "a law of the catalogue: ", ""});

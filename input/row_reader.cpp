@@ -141,7 +141,7 @@ class RowReader {
         for (std::size_t i = 0; i < value.items.size(); ++i) {
             KeyAt at = key.at;
             at.entry[depth] = i;
-            read(value.items[i], table, fmt::format("{}[{}]", key.key, i), at, depth + 1);
+            read(value.items[i], table, entry_key(key.key, i), at, depth + 1);
         }
     }
 };

@@ -47,7 +47,7 @@ class KeyCollector {
     void add_keys(const Node& value, std::string_view table, const std::string& path) {
         if (value.kind == NodeKind::table) return add_table(value, table, path);
         for (std::size_t i = 0; i < value.items.size(); ++i)
-            add_table(value.items[i], table, fmt::format("{}[{}]", path, i));
+            add_table(value.items[i], table, entry_key(path, i));
     }
 };
 

@@ -30,7 +30,7 @@ void check_forces(const SceneSource& source, const Scene& scene);
 void check_unit(const SceneSource& source, const Given& given, std::string_view key,
                 const MotionSpec& motion);
 
-/// Throws for units that do not fit the lift, and without a transmission.
+/// Throws for units that do not fit the lift.
 void check_drive(const SceneSource& source, const MotionSpec& motion);
 
 /// In time: v = (lift·ω/β) V, a = lift (ω/β)² A, j = lift (ω/β)³ J with ω in rad/s and β = the unit angle of
@@ -52,6 +52,9 @@ void read_dynamics(const SceneSource& source, Scene& scene);
 
 // [measured] of a checked scene file → MeasuredMotion: numbers of the scene itself, or of a CSV file in its
 // folder. Internal to input/.
+
+/// A key of [measured] in the unit of the manual: "theta_deg".
+[[nodiscard]] std::string measured_key(std::string_view name);
 
 // A CSV file of a measured motion: a line that names the columns, then rows of numbers.
 //

@@ -194,8 +194,8 @@ class SceneWriter {
         std::vector<Node> items;
         for (long long i = 0; i < entries.count; ++i) {
             entries.at.entry[entries.depth] = static_cast<std::size_t>(i);
-            items.push_back(table(joined_key(row.table, row.name), fmt::format("{}[{}]", path, i), entries.at,
-                                  entries.depth + 1));
+            items.push_back(
+                table(joined_key(row.table, row.name), entry_key(path, i), entries.at, entries.depth + 1));
         }
         if (!items.empty()) members.push_back(member(row.name, array_node(std::move(items))));
     }

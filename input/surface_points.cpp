@@ -78,7 +78,7 @@ class Surface {
             const double gap =
                 next.direction - points_[i].direction + (i + 1 < points_.size() ? 0.0 : units::turn);
             if (gap > widest_gap)
-                throw SceneError({fmt::format("measured.theta[{}]", points_[i].row),
+                throw SceneError({entry_key("measured.theta", points_[i].row),
                                   fmt::format("no point within {:.4g} deg after it", gap / units::degree),
                                   fmt::format("points all around the cam's centre, at most {:.4g} deg apart",
                                               widest_gap / units::degree)});

@@ -7,6 +7,7 @@
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,6 @@ namespace camopt {
 
 namespace {
 
-constexpr std::array names = {"displacement", "velocity", "acceleration", "jerk"};
 // Of y, y', y'', y''' of a good motion over one lift: what a bound near 0 is measured by.
 constexpr std::array typical = {1.0, 2.0, 6.0, 60.0};
 
@@ -63,9 +63,9 @@ void add_corridor(std::vector<MotionBound>& all, const MotionSpec& motion, std::
             const std::optional<double>& value = sign < 0 ? bounds.least : bounds.most;
             if (!value) continue;
             const char* const side = sign < 0 ? "min" : "max";
-            const std::string name = bounds.key.empty() ? names[order] : bounds.key;
-            MotionBound bound{fmt::format("corridor_{}_{}", names[order], side),
-                              fmt::format("motion.corridor[{}].{}.{}", index, name, side),
+            const std::string name = bounds.key.empty() ? derivative_names[order] : bounds.key;
+            MotionBound bound{fmt::format("corridor_{}_{}", derivative_names[order], side),
+                              entry_key("motion.corridor", index, joined_key(name, side)),
                               bounds.unit,
                               static_cast<int>(order),
                               sign,

@@ -2,6 +2,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/faults/scene_faults.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +56,7 @@ void require_splines_beside(const MotionSpec& motion, std::size_t index) {
     const std::size_t count = motion.segments.size();
     const auto refuse = [&](const std::string& beside) {
         throw SceneError(
-            {fmt::format("motion.segments[{}].law", index),
+            {segment_key(index, "law"),
              fmt::format("\"{}\", a law whose ends move, next to {}", motion.segments[index].law, beside),
              "spline segments next to it, which join with its velocity, or a law that has it"});
     };
@@ -69,7 +70,7 @@ void require_splines_beside(const MotionSpec& motion, std::size_t index) {
             own && next &&
             std::abs(*own - *next) <= same_velocity * std::max(std::abs(*own), std::abs(*next));
         if (!goes_on)
-            refuse(fmt::format("motion.segments[{}] of kind \"{}\"{}", other,
+            refuse(fmt::format("{} of kind \"{}\"{}", segment_key(other),
                                name_of(motion.segments[other].kind),
                                own && next && *next != 0.0 ? " with another velocity" : ""));
     }
@@ -80,7 +81,7 @@ std::shared_ptr<const Motion> law_of_segment(const MotionSpec& motion, std::size
     std::shared_ptr<const Law> law = make_law(segment.law);
     if (!law->info().rests) require_splines_beside(motion, index);
     if (law->info().top == TopEnd::turning_point) {
-        throw SceneError({fmt::format("motion.segments[{}].law", index),
+        throw SceneError({segment_key(index, "law"),
                           fmt::format("\"{}\", a law that turns back at its top", segment.law),
                           "a law that ends at rest"});
     }
@@ -348,8 +349,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
                                                  regions_of(scene.motion, points, static_cast<int>(i)));
             if (std::ranges::find(turning, i) != turning.end())
                 stretch.conditions.push_back({stretch.begin, 1, Side::right, 0.0,
-                                              fmt::format("turning point at the start of segment {}", i + 1),
-                                              false});
+                                              "turning point at the start of " + segment_words(i), false});
             for (const PlacedPoint& point : points) {
                 if (point.segment != static_cast<int>(i)) continue;
                 const auto own = conditions_of(scene.motion, point, scene.spline.degree, stretch.end);
@@ -365,9 +365,8 @@ MotionFamily program_family(const Scene& scene, DesignKind kind,
                  points_at_limits(scene, points, static_cast<int>(i), {stretch.end - stretch.begin, moved}))
                 implied.emplace_back(i, std::move(condition));
             if (rests_between(motion, i))
-                implied.emplace_back(
-                    i, PointCondition{stretch.begin, 2, Side::right, 0.0,
-                                      fmt::format("rest at the start of segment {}", i + 1), false});
+                implied.emplace_back(i, PointCondition{stretch.begin, 2, Side::right, 0.0,
+                                                       "rest at the start of " + segment_words(i), false});
         }
         request.stretches.push_back(std::move(stretch));
     }

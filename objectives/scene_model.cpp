@@ -8,6 +8,7 @@
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/spring_rules.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,6 @@ namespace camopt {
 
 namespace {
 
-constexpr std::array<const char*, 4> derivative_names = {"displacement", "velocity", "acceleration", "jerk"};
 // Units for peaks that are capped but have no finite reference: those of the modified sine.
 constexpr const char* fallback_law = "modified_sine";
 
@@ -139,7 +139,7 @@ void add_program_scales(CamModel& model, const Scene& scene) {
     model.most_displacement = most + overshoot * std::max(1.0, most - least);
     const FreeDisplacements free = free_displacements(scene, model.design);
     for (const int joint : free.joints) {
-        add_range(model, fmt::format("motion.segments[{}].to", joint - 1),
+        add_range(model, segment_key(joint - 1, "to"),
                   model.design.stretches()[static_cast<std::size_t>(joint) - 1].to, free.least, free.most);
     }
 }
@@ -209,8 +209,8 @@ void add_torque_rules(CamModel& model, double reference, int index) {
 
 std::string name_of_term(const WeightedPeak& source) {
     if (source.kind == Parameter::Kind::torque) return "peak torque";
-    const bool peak = source.kind == Parameter::Kind::peak;
-    return fmt::format("{} {}", peak ? "peak" : "rms", derivative_names[source.order]);
+    if (source.kind == Parameter::Kind::peak) return peak_words(source.order);
+    return fmt::format("rms {}", derivative_names[source.order]);
 }
 
 /// V, A, J of a prescribed motion are the largest over its laws: constants of the cost, and caps on each law.

@@ -3,6 +3,7 @@
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -155,7 +156,7 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
     for (int i = 0; i < static_cast<int>(family.own_stretches().size()); ++i) {
         const MotionFamily::Stretch& stretch = family.own_stretches()[i];
         if (stretch.kind != StretchRequest::Kind::spline) continue;
-        StrokeRange stroke{fmt::format("motion.segments[{}]", i),
+        StrokeRange stroke{segment_key(i),
                            i,
                            stretch.begin,
                            stretch.end,

@@ -2,6 +2,7 @@
 #include "scene/cam_mechanism.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/list_text.hpp"
 #include "core/units.hpp"
 #include "scene/cam_flanks.hpp"
 
@@ -66,12 +67,9 @@ void refuse_choice(const std::string& name, const std::string& found, const std:
 void CamSpec::set(std::string_view name, const Dimension& value) {
     const auto found = std::ranges::find(dimensions, name, &CamDimension::name);
     if (found == dimensions.end()) {
-        std::string names;
-        for (const CamDimension& dimension : dimensions)
-            names += fmt::format("{}{}", names.empty() ? "" : ", ", dimension.name);
         throw InputError(
             fmt::format("cam.{}: found a dimension that this cam of type \"{}\" does not have; allowed: {}",
-                        name, type, names));
+                        name, type, listed(dimensions, ", ", &CamDimension::name)));
     }
     found->value.low = value.low;
     found->value.high = value.high;

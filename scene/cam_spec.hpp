@@ -5,6 +5,8 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "core/text/list_text.hpp"
+#include "core/unit.hpp"
 #include "scene/follower.hpp"
 
 #include <map>
@@ -24,8 +26,8 @@ enum class Rotation { counterclockwise, clockwise };
 /// A dimension of the cam: a number, or a range for the optimizer. m, rad.
 struct Dimension {
     double low = 0.0, high = 0.0;
-    std::string key = {};  ///< as written, e.g. "cam.base_radius_mm"
-    double unit = 1e-3;    ///< SI value of one unit of the key
+    std::string key = {};             ///< as written, e.g. "cam.base_radius_mm"
+    double unit = units::millimetre;  ///< SI value of one unit of the key
 
     Dimension() = default;
     Dimension(double value) : low(value), high(value) {}  // NOLINT(google-explicit-constructor)
@@ -39,6 +41,10 @@ struct CamDimension {
     std::string name;  ///< "base_radius", "coupler"
     Dimension value;   ///< without a key: this variant of the kind has no such dimension
     bool is_angle = false;
+    /// Of a file in SI: "base_radius_m".
+    [[nodiscard]] std::string si_key() const {
+        return name + std::string((is_angle ? unit_named<"rad"> : unit_named<"m">).suffix);
+    }
     friend bool operator==(const CamDimension&, const CamDimension&) = default;
 };
 
@@ -91,7 +97,7 @@ template <class Choices>
     std::string allowed;
     for (const auto value : all) {
         if (word == name_of(value)) return value;
-        allowed += std::string(allowed.empty() ? "" : ", ") + "\"" + name_of(value) + "\"";
+        append_item(allowed, in_quotes(name_of(value)));
     }
     refuse_choice(name, word, allowed);
 }

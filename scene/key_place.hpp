@@ -145,4 +145,7 @@ template <class Absent>
     return place;
 }
 
+/// The value of a key against the range and the choices of its row; none: it has no value, or a right one.
+[[nodiscard]] std::optional<SceneFault> row_fault(const KeyRow& row, const KeyOwner& owner);
+
 }  // namespace camopt

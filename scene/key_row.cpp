@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/key_row.hpp"
 
+#include "core/text/list_text.hpp"
+#include "scene/part_names.hpp"
+
 #include <fmt/format.h>
 
 namespace camopt {
@@ -44,25 +47,7 @@ std::string Range::integer_text() const {
     return interval.empty() ? "an integer" : "an integer " + interval;
 }
 
-namespace {
-
-std::string joined_name(const KeyRow& row) {
-    return row.table.empty() ? std::string(row.name) : fmt::format("{}.{}", row.table, row.name);
-}
-
-template <class Word>
-std::string listed(const std::vector<Word>& words, std::string_view quote) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        text += fmt::format("{0}{1}{2}{1}",
-                            i == 0                 ? ""
-                            : i + 1 < words.size() ? ", "
-                                                   : " or ",
-                            quote, words[i]);
-    return text;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 RefusedValue::RefusedValue(std::size_t item, const std::string& found, const std::string& allowed)
     : InputError(fmt::format("found {}; allowed: {}", found, allowed)), item_(item) {}
@@ -73,18 +58,17 @@ const KeyPlace& SharedPlace::none() {
 }
 
 std::string KeyRow::cam_types_text(char quote) const {
-    std::string text;
-    for (const std::string_view kind : cam_types)
-        text += fmt::format("{0}{1}{2}{1}", text.empty() ? "" : " or ", quote, kind);
-    return text;
+    return listed(
+        cam_types, " or ", [=](std::string_view type) { return fmt::format("{0}{1}{0}", quote, type); },
+        " or ");
 }
 
 std::string KeyRow::choices_text() const {
-    return listed(choices, type == KeyType::text ? "\"" : "");
+    return type == KeyType::text ? quoted_choices(choices) : listed(choices, " or ");
 }
 
 std::string quoted_choices(const std::vector<std::string_view>& words) {
-    return listed(words, "\"");
+    return listed(words, " or ", in_quotes);
 }
 
 std::string KeyRow::key(const Spelling& spelling) const {
@@ -96,13 +80,13 @@ std::string keys_text(std::span<const KeyNames> names, const std::function<bool(
     for (const KeyNames& one : names)
         for (const Spelling& spelling : one.spellings)
             if (fits(spelling)) fitting.push_back(fmt::format("{}{}", one.name, spelling.suffix));
-    return listed(fitting, "");
+    return listed(fitting, " or ");
 }
 
 std::string KeyRow::allowed(const Spelling& spelling) const {
     if (!choices.empty() && type == KeyType::boolean_or_text)
-        return "true, false or " + listed(choices, "\"");
-    if (!choices.empty() && type == KeyType::text_or_table) return listed(choices, "\"") + ", or a table";
+        return "true, false or " + quoted_choices(choices);
+    if (!choices.empty() && type == KeyType::text_or_table) return quoted_choices(choices) + ", or a table";
     if (!choices.empty()) return choices_text();
     const Range written = range.scaled(spellings.front().factor / spelling.factor);
     switch (type) {
@@ -131,7 +115,7 @@ std::string KeyRow::allowed(const Spelling& spelling) const {
         case KeyType::boolean_or_text:
             return "true or false";
         case KeyType::table:
-            return fmt::format("a [{}] table", joined_name(*this));
+            return fmt::format("a [{}] table", joined_key(table, name));
         case KeyType::tables:
             return "an array of tables";
         case KeyType::text_or_table:
@@ -139,7 +123,7 @@ std::string KeyRow::allowed(const Spelling& spelling) const {
         case KeyType::options:
             break;
     }
-    return fmt::format("a [{}] table", joined_name(*this));
+    return fmt::format("a [{}] table", joined_key(table, name));
 }
 
 }  // namespace camopt

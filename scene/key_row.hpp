@@ -205,6 +205,7 @@ struct KeyRow {
     [[nodiscard]] std::string cam_types_text(char quote) const;
     [[nodiscard]] bool required() const { return default_text == "required"; }
     [[nodiscard]] std::string key(const Spelling& spelling) const;  ///< "lift_mm"
+    [[nodiscard]] std::string first_key() const { return key(spellings.front()); }
     [[nodiscard]] KeyNames names() const { return {name, spellings}; }
     /// The allowed values in words for an error message, in the unit of the spelling.
     [[nodiscard]] std::string allowed(const Spelling& spelling) const;

@@ -64,6 +64,7 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .range = right_angle,
      .meaning = "Cap on the pressure angle at every cam angle; where the two below replace it still at rest "
                 "and in dwells.",
+     .words = figure_words::pressure_angle,
      .also_called = names_of_pressure_angle},
     {.figure = Figure::rise_pressure_angle,
      .name = "rise_pressure_angle",
@@ -74,7 +75,8 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .cams = Cams::disk,
      .default_text = "pressure_angle",
      .meaning = "Cap on the pressure angle while the follower rises; at rest and in dwells the least of the "
-                "three holds."},
+                "three holds.",
+     .words = figure_words::rise_pressure_angle},
     {.figure = Figure::return_pressure_angle,
      .name = "return_pressure_angle",
      .limit = &LimitSpec::return_pressure_angle,
@@ -84,7 +86,8 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .cams = Cams::disk,
      .default_text = "pressure_angle",
      .meaning = "Cap on the pressure angle while the follower returns; at rest and in dwells the least of "
-                "the three holds."},
+                "the three holds.",
+     .words = figure_words::return_pressure_angle},
     {.figure = Figure::convex_radius,
      .name = "cam_radius_min",
      .limit = &LimitSpec::cam_radius_min,
@@ -94,6 +97,7 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .cams = Cams::planar,
      .size = Size::base_radius,
      .meaning = "Least convex radius of curvature of the cam surface; 0: just no undercut.",
+     .words = figure_words::convex_radius,
      .also_called = names_of_convex_radius},
     {.figure = Figure::concave_radius,
      .name = "concave_radius_min",
@@ -107,7 +111,8 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .refusal = {ContactKind::flat, "a concave radius",
                  "only with rollers and knife edges: a flat face touches no concave cam"},
      .meaning = "Least concave radius of curvature of the cam surface; not for flat faces, which touch no "
-                "concave cam."},
+                "concave cam.",
+     .words = figure_words::concave_radius},
     {.figure = Figure::regularity,
      .name = "undercut_margin",
      .limit = &LimitSpec::undercut_margin,
@@ -117,6 +122,7 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .size = Size::one,
      .meaning = "Least distance from undercut: 1 - roller radius / radius of the pitch curve (roller), cam "
                 "radius / base radius (flat face); 0: just no undercut.",
+     .words = figure_words::regularity,
      .also_called = names_of_regularity},
     {.figure = Figure::contact_force,
      .name = "contact_force_min",
@@ -137,7 +143,8 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .range = positive,
      .needs_forces = true,
      .needs_contact = true,  // it can be computed without a contact, but not exerted
-     .meaning = "Cap on the torque of the camshaft, to either side."},
+     .meaning = "Cap on the torque of the camshaft, to either side.",
+     .words = figure_words::torque},
     {.figure = Figure::hertz_pressure,
      .name = "hertz_pressure_max",
      .limit = &LimitSpec::hertz_pressure_max,
@@ -149,7 +156,8 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .needs_contact = true,
      .refusal = {ContactKind::edge, "a pressure",
                  "only with rollers and flat faces: under an edge it is infinite"},
-     .meaning = "Cap on the Hertz pressure; needs `forces.contact_width`."},
+     .meaning = "Cap on the Hertz pressure; needs `forces.contact_width`.",
+     .words = figure_words::hertz_pressure},
     {.figure = Figure::residual,
      .name = "residual",
      .limit = &LimitSpec::residual,

@@ -38,6 +38,17 @@ struct PeakLimitRow {
 /// Those of both sides by order, then those of one side.
 [[nodiscard]] std::span<const PeakLimitRow> peak_limit_rows();
 
+/// What is limited, for people: in tables, charts and the studio.
+namespace figure_words {
+inline constexpr const char *pressure_angle = "largest pressure angle",
+                            *rise_pressure_angle = "largest pressure angle of the rise",
+                            *return_pressure_angle = "largest pressure angle of the return",
+                            *convex_radius = "least convex radius of the cam",
+                            *concave_radius = "least concave radius of the cam",
+                            *regularity = "least undercut margin", *torque = "largest camshaft torque",
+                            *hertz_pressure = "largest Hertz pressure";
+}  // namespace figure_words
+
 struct LimitRow {
     enum class Sense { most, least };
     enum class Cams { any, planar, disk };  ///< which can have it
@@ -75,6 +86,7 @@ struct LimitRow {
     Refusal refusal = {};
     const char* default_text = "none";
     const char* meaning = nullptr;  ///< of the key limits.NAME
+    const char* words = nullptr;    ///< null: they follow from the name
     Swinging swinging = {};
     std::span<const std::string_view> also_called = {};
 

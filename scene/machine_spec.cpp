@@ -2,6 +2,7 @@
 #include "scene/machine_spec.hpp"
 
 #include "core/text/quantity_text.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -48,7 +49,7 @@ Fault motion_fault(const Scene& scene) {
         const ProgramSegment& segment = motion.segments[k];
         const bool returns = !motion.relative && last != motion.segments.rend() && &segment == &*last;
         if (segment.kind != SegmentKind::dwell && !segment.to && !returns)
-            return SceneFault{fmt::format("motion.segments[{}]", k), "no displacement at its end",
+            return SceneFault{segment_key(k), "no displacement at its end",
                               "in a machine a given one: the strokes of its axes are not searched"};
     }
     if (scene.spline.free_knots)
@@ -63,7 +64,7 @@ Fault motion_fault(const Scene& scene) {
 
 Fault axis_fault(const MachineSpec& machine, std::size_t index) {
     const AxisSpec& axis = machine.axes[index];
-    const std::string member = fmt::format("axis[{}]", index);
+    const std::string member = entry_key("axis", index);
     if (!(std::abs(axis.phase) < units::turn))
         return SceneFault{member + ".phase", fmt::format("{:g} deg", axis.phase / units::degree),
                           "an angle above -360 deg and below 360 deg: within the cycle"};
@@ -131,7 +132,7 @@ Fault clearance_fault(const MachineSpec& machine, std::size_t index) {
 
 std::optional<SceneFault> find_name_fault(const MachineSpec& machine, std::size_t index) {
     const AxisSpec& axis = machine.axes[index];
-    const std::string member = fmt::format("axis[{}].name", index);
+    const std::string member = entry_key("axis", index, "name");
     if (!is_folder_name(axis.name))
         return SceneFault{member, fmt::format("\"{}\"", axis.name),
                           "letters, digits, '_' and '-': the folder of its results has this name"};
@@ -158,7 +159,7 @@ std::optional<SceneFault> find_fault(const MachineSpec& machine) {
 }
 
 std::string name_of_clearance(int index) {
-    return fmt::format("clearance[{}]", index);
+    return entry_key("clearance", index);
 }
 
 }  // namespace camopt

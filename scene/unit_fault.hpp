@@ -8,6 +8,9 @@
 
 namespace camopt {
 
+/// The keys in the units that fit the lift, as a message lists them: "mass_kg or mass_lb".
+[[nodiscard]] std::string fitting_keys(std::span<const KeyNames> names, bool lift_is_angle);
+
 /// A number of `member` in `unit` ("mm/s", "N m"; empty fits). `names`: how it may be written, with what is
 /// written instead of it.
 [[nodiscard]] std::optional<SceneFault> unit_fault(std::string_view member, std::string_view unit,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/written_limits.hpp"
 
+#include "core/text/list_text.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/unit_fault.hpp"
@@ -40,8 +41,7 @@ const Spelling& peak_spelling(const PeakLimitRow& row, const PeakLimit& limit, c
     if (!known && limit.unit.empty()) return row.spellings.front();
     if (!known) {
         std::string units;
-        for (const Spelling& spelling : row.spellings.subspan(1))
-            units += fmt::format("{}{}", units.empty() ? "" : ", ", spelling.unit);
+        for (const Spelling& spelling : row.spellings.subspan(1)) append_item(units, spelling.unit);
         refuse(member, fmt::format("the unit \"{}\"", limit.unit),
                fmt::format("none (normalised), or {}", units));
     }

@@ -14,7 +14,6 @@ namespace {
 
 using Kind = StretchRequest::Kind;
 constexpr double same_displacement = 1e-12;
-constexpr std::array<const char*, 3> state_names = {"displacement", "velocity", "acceleration"};
 
 AffineRow constant(double value) {
     return {value, {}, {}};
@@ -181,8 +180,8 @@ struct MotionFamily::Builder {
     /// y' or y'' at x = 0 as an entry.
     AffineRow state_entry(int order) {
         return {0.0,
-                {add_joint_entry(fmt::format("{} at x = 0", state_names[static_cast<std::size_t>(order)]),
-                                 order)},
+                {add_joint_entry(
+                    fmt::format("{} at x = 0", derivative_names[static_cast<std::size_t>(order)]), order)},
                 {1.0}};
     }
 

@@ -2,7 +2,7 @@
 // camopt list: the laws, followers, solvers, keys of a scene, columns of a table and controllers that this
 // camopt knows.
 #include "apps/commands.hpp"
-#include "apps/list/key_files.hpp"
+#include "apps/list/described_keys.hpp"
 #include "apps/terminal.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
@@ -82,7 +82,7 @@ Json key_json(std::string_view file, const KeyRow& row) {
 
 std::string keys_text() {
     std::string text;
-    for (const KeyFile& file : key_files()) {
+    for (const DescribedKeys& file : described_keys()) {
         text += fmt::format("{}{}\n", text.empty() ? "" : "\n", file.heading);
         const KeyRow* previous = nullptr;
         for (const KeyRow& row : file.rows) {
@@ -101,7 +101,7 @@ std::string keys_text() {
 /// or null), cam_types (null: all), instead_of (a key or null).
 Json keys_json() {
     Json list = Json::array();
-    for (const KeyFile& file : key_files())
+    for (const DescribedKeys& file : described_keys())
         for (const KeyRow& row : file.rows) list.push_back(key_json(file.name, row));
     return list;
 }
@@ -209,6 +209,11 @@ std::size_t longest_word(const std::vector<input::FollowerKind>& kinds, const st
     return longest;
 }
 
+/// The key of its lift in the unit of the manual.
+std::string lift_key(const input::FollowerKind& kind) {
+    return input::find_row("motion", "lift")->key(kind.swings ? unit_named<"deg"> : unit_named<"mm">);
+}
+
 std::string followers_text() {
     constexpr std::size_t least_width = 20;
     const std::vector<input::FollowerKind> kinds = input::follower_kinds();
@@ -218,10 +223,9 @@ std::string followers_text() {
             heading = heading_of(kind);
             text += fmt::format("{}{}\n", text.empty() ? "" : "\n", heading);
         }
-        text +=
-            fmt::format("  {:<{}} {:<9} {:<13} {}\n", kind.word,
-                        std::max(least_width, longest_word(kinds, kind.cam_type)),
-                        kind.swings ? "lift_deg" : "lift_mm", kind.touches_with, fmt::join(kind.keys, ", "));
+        text += fmt::format("  {:<{}} {:<9} {:<13} {}\n", kind.word,
+                            std::max(least_width, longest_word(kinds, kind.cam_type)), lift_key(kind),
+                            kind.touches_with, fmt::join(kind.keys, ", "));
     }
     return text +
            "\nEach line: name, key of its lift, contact with the cam, its dimensions: keys of [cam] or of "
@@ -235,7 +239,7 @@ Json followers_json() {
         list.push_back({{"key", kind.word},
                         {"cam", kind.cam_type},
                         {"chosen_by", kind.chosen_by.empty() ? "cam.type" : kind.chosen_by},
-                        {"lift", kind.swings ? "lift_deg" : "lift_mm"},
+                        {"lift", lift_key(kind)},
                         {"touches_with", kind.touches_with},
                         {"dimensions", kind.keys}});
     return list;
@@ -302,7 +306,7 @@ constexpr Topic topics[] = {
 
 }  // namespace
 
-std::vector<KeyFile> key_files() {
+std::vector<DescribedKeys> described_keys() {
     return {{"scene", "KEYS OF A SCENE", input::scene_keys()},
             {"machine", "KEYS OF A MACHINE", machine_rows()},
             {"post-processor", "KEYS OF A POST-PROCESSOR", post_rows()}};

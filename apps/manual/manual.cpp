@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/command_line.hpp"
-#include "apps/list/key_files.hpp"
+#include "apps/list/described_keys.hpp"
 #include "core/version.hpp"
 
 #include <fmt/ranges.h>
@@ -117,7 +117,7 @@ Closing closing_of(const CLI::App& command) {
     return closing;
 }
 
-std::string keys_of(const KeyFile& file) {
+std::string keys_of(const DescribedKeys& file) {
     std::string text;
     const KeyRow* previous = nullptr;
     for (const KeyRow& row : file.rows) {
@@ -163,7 +163,7 @@ std::string manual_page(const CLI::App& program) {
         page += tagged(option_tag(*option), option_text(*option));
     page += section("COMMANDS");
     for (const CLI::App* command : commands_in(program)) page += command_text(*command, "camopt");
-    for (const KeyFile& file : key_files()) {
+    for (const DescribedKeys& file : described_keys()) {
         page += section(file.heading);
         if (file.name == "scene")
             page +=

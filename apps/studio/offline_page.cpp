@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
+#include "core/text/list_text.hpp"
 #include "core/text/text_file.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/words/solution_text.hpp"
@@ -44,7 +45,7 @@ std::string comment_of(std::string_view text) {
             break;
         }
         line.remove_prefix(std::min(line.find_first_not_of("# "), line.size()));
-        words += (words.empty() ? "" : " ") + std::string(line);
+        append_item(words, line, " ");
     }
     return words;
 }
@@ -56,8 +57,7 @@ std::string kind_words(const Scene& scene) {
     words.erase(std::min(words.find(','), words.size()));
     if (words.ends_with(" flat")) words += " face";
     if (words.ends_with(" knife")) words += " edge";
-    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-    return scene.drive ? words + ", servo axis" : words;
+    return capitalised(scene.drive ? words + ", servo axis" : words);
 }
 
 constexpr std::array groups = {"Motions",       "Programs",    "Plane cams",

@@ -5,6 +5,7 @@
 #include "input/document/document.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "scene/part_names.hpp"
 #include "solvers/registry.hpp"
 
 #include <fmt/format.h>
@@ -52,7 +53,7 @@ void collect_tables(const SceneTable& table, std::vector<SceneTable>& found) {
         if (member.value.kind == NodeKind::table) collect_tables({path, written, &member.value}, found);
         for (std::size_t i = 0; i < member.value.items.size(); ++i)
             if (member.value.items[i].kind == NodeKind::table)
-                collect_tables({path, fmt::format("{}[{}]", written, i), &member.value.items[i]}, found);
+                collect_tables({path, entry_key(written, i), &member.value.items[i]}, found);
     }
 }
 

@@ -47,7 +47,7 @@ FileText exported_text(const std::string& name) {
 
 /// Drawing, solid and program of one disk.
 void add_piece(std::vector<StudioFile>& files, std::size_t piece) {
-    const std::string key = piece == 0 ? "" : "second_", end = piece == 0 ? "" : ", second disk";
+    const std::string key = piece == 0 ? "" : "second_", end = piece_words(piece);
     const std::string file = piece == 0 ? "" : "_second";
     const FileNeed drawn = piece == 0 ? FileNeed::disk : FileNeed::second_disk;
     const FileNeed made = piece == 0 ? FileNeed::milled : FileNeed::second_disk;

@@ -3,6 +3,7 @@
 #include "apps/studio/studio_controls.hpp"
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
+#include "core/text/list_text.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/scene_document.hpp"
 
@@ -45,8 +46,9 @@ std::string entry_text(const std::string& key, const SceneJson& entry) {
     std::string text;
     for (const auto& [name, value] : entry.items()) {
         const bool range = value.is_object();
-        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", SceneJson(name).dump(),
-                            range ? std::get<input::TomlValue>(range_value(key, value)).text : value.dump());
+        append_item(text, fmt::format("{} = {}", SceneJson(name).dump(),
+                                      range ? std::get<input::TomlValue>(range_value(key, value)).text
+                                            : value.dump()));
     }
     return "{ " + text + " }";
 }

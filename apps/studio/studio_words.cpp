@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the studio calls the keys of a scene, and in which units it takes and shows their numbers.
 #include "apps/studio/studio_controls.hpp"
+#include "core/text/list_text.hpp"
 #include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/ranges.h>
 
@@ -51,13 +53,6 @@ constexpr std::array named_keys = {
     NamedKey{"drawing", "bore", "bore diameter"},
     NamedKey{"drawing", "datum", "datum mark, cam angle"},
     NamedKey{"drawing.keyway", "at", "cam angle of its middle"},
-    NamedKey{"limits", "rise_pressure_angle", "largest pressure angle of the rise"},
-    NamedKey{"limits", "return_pressure_angle", "largest pressure angle of the return"},
-    NamedKey{"limits", "cam_radius_min", "least convex radius of the cam"},
-    NamedKey{"limits", "concave_radius_min", "least concave radius of the cam"},
-    NamedKey{"limits", "undercut_margin", "least undercut margin"},
-    NamedKey{"limits", "torque_max", "largest camshaft torque"},
-    NamedKey{"limits", "hertz_pressure_max", "largest Hertz pressure"},
     NamedKey{"limits", "residual", "largest residual vibration"},
     NamedKey{"solver", "name", "solver"},
     NamedKey{"solver", "gap", "proved gap"},
@@ -74,11 +69,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> named_tab
      {"via", "set point"},
      {"dynamics", "follower train"},
      {"reference", "reference values"}}};
-
-std::string capitalized(std::string words) {
-    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return words;
-}
 
 /// "segments[1]" is "segment 2".
 std::string table_words(std::string_view part) {
@@ -102,6 +92,8 @@ std::string key_name(std::string_view table, std::string_view key) {
     for (const NamedKey& named : named_keys)
         if (named.key == key && (named.table.empty() || named.table == table))
             return std::string(named.words);
+    if (const LimitRow* const limit = table == "limits" ? limit_named(key) : nullptr; limit && limit->words)
+        return limit->words;
     std::string words;
     if (ends_with_bound(key, "_max", words)) return "largest " + words;
     if (ends_with_bound(key, "_min", words)) return "least " + words;
@@ -125,13 +117,13 @@ ControlWords control_words(std::string_view table, std::string_view key, std::st
     }
     // What lies in its own table needs no other name: "Segment 1, set point 2", "Keyway".
     if (parts.size() > 1) parts.erase(parts.begin());
-    words.group = capitalized(fmt::format("{}", fmt::join(parts, ", ")));
+    words.group = capitalised(fmt::format("{}", fmt::join(parts, ", ")));
     words.name = key_name(path, key);
     words.unit = unit_words(unit);
     words.label = words.name + (words.unit.empty() ? "" : ", " + words.unit);
     const bool listed = table.find('[') != std::string_view::npos;
-    if (!listed) words.name = capitalized(words.name);
-    words.label = listed ? words.group + ": " + words.label : capitalized(words.label);
+    if (!listed) words.name = capitalised(words.name);
+    words.label = listed ? words.group + ": " + words.label : capitalised(words.label);
     return words;
 }
 

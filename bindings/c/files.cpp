@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/c/handles.hpp"
+#include "core/text/list_text.hpp"
 #include "core/units.hpp"
 #include "output/exports/exports.hpp"
 
@@ -14,13 +15,12 @@ std::optional<double> length_of(double mm) {
 }
 
 ExportOptions options_of(const camopt_solution& solution, const camopt_file_options* given) {
-    constexpr double minute = 60.0;
     const camopt_file_options read = read_options(given, "options");
     ExportOptions options;
     options.origin = solution.origin;
     options.plate = {length_of(read.bore_mm), length_of(read.thickness_mm)};
     options.nc.cutter_diameter = length_of(read.cutter_mm);
-    if (read.feed_mm_min != 0.0) options.nc.feed = read.feed_mm_min * millimetre / minute;
+    if (read.feed_mm_min != 0.0) options.nc.feed = read.feed_mm_min * millimetre / units::minute;
     options.nc.spindle_rpm = read.spindle_rpm;
     if (read.post != nullptr) options.nc.post = read.post;
     if (read.plc_points > 0) options.plc.points = static_cast<int>(read.plc_points);
@@ -31,9 +31,8 @@ ExportOptions options_of(const camopt_solution& solution, const camopt_file_opti
 void check_name(const camopt_solution& solution, const std::string& name) {
     const std::vector<std::string> names = export_names(solution.solution);
     if (std::ranges::find(names, name) != names.end()) return;
-    std::string allowed;
-    for (const std::string& one : names) allowed += (allowed.empty() ? "" : ", ") + one;
-    throw Failure(CAMOPT_ERROR_ABSENT, "file: found \"" + name + "\"; allowed for this solution: " + allowed);
+    throw Failure(CAMOPT_ERROR_ABSENT, fmt::format("file: found {}; allowed for this solution: {}",
+                                                   in_quotes(name), fmt::join(names, ", ")));
 }
 
 }  // namespace

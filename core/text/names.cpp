@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/names.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/word_of.hpp"
 
 #include <fmt/format.h>
@@ -87,10 +88,8 @@ std::vector<std::string> words_like(std::string_view word, const std::vector<std
 
 std::string did_you_mean(const std::vector<std::string>& words) {
     if (words.empty()) return "";
-    std::string text = fmt::format("; did you mean '{}'", words.front());
-    for (std::size_t i = 1; i < words.size(); ++i)
-        text += fmt::format("{}'{}'", i + 1 == words.size() ? " or " : ", ", words[i]);
-    return text + "?";
+    return fmt::format("; did you mean {}?",
+                       listed(words, " or ", [](const std::string& word) { return "'" + word + "'"; }));
 }
 
 std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates) {

@@ -5,6 +5,7 @@
 #include "core/units.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace camopt {
 
@@ -13,6 +14,9 @@ namespace camopt {
 
 /// rad → "30 deg".
 [[nodiscard]] std::string angle_text(double angle);
+
+/// "the base_radius of -3 mm is not positive"; empty: it may be so. `has_sign`: 0 and negative ones may.
+[[nodiscard]] std::string length_fault(std::string_view name, double length, bool has_sign);
 
 /// What a lift is.
 [[nodiscard]] constexpr const char* length_or_angle(bool is_angle) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/document/document.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/text/printable.hpp"
 
 #include <fmt/format.h>
@@ -70,14 +71,13 @@ std::string number_text(double number) {
 }
 
 std::string list_text(const Node& node) {
-    std::string text;
-    if (node.kind == NodeKind::array) {
-        for (const Node& item : node.items) text += (text.empty() ? "" : ", ") + value_text(item);
-        return "[" + text + "]";
-    }
-    for (const Member& member : node.members)
-        text += (text.empty() ? "" : ", ") + key_text(member.name) + " = " + value_text(member.value);
-    return "{" + text + "}";
+    if (node.kind == NodeKind::array) return "[" + listed(node.items, ", ", value_text) + "]";
+    return "{" +
+           listed(node.members, ", ",
+                  [](const Member& member) {
+                      return key_text(member.name) + " = " + value_text(member.value);
+                  }) +
+           "}";
 }
 
 bool is_tables(const Node& node) {

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/list_text.hpp"
 #include "core/text/names.hpp"
 #include "input/document/scene_source.hpp"
 #include "input/keys/meaning_hint.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace camopt::input {
 namespace {
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
 
 class KeyCheck {
  public:
@@ -40,7 +35,7 @@ class KeyCheck {
         for (const KeyRow& row : source_.rows)
             if (row.table == table && row.required() && is_of_this_cam(row) &&
                 !source_.find_in(node, table, row.name))
-                source_.fail(node.place, joined_key(path, row.key(row.spellings.front())),
+                source_.fail(node.place, joined_key(path, row.first_key()),
                              fmt::format("missing; allowed: {}", row.allowed(row.spellings.front())));
     }
 
@@ -98,7 +93,7 @@ class KeyCheck {
             if (hint.empty() && match_key(row.table, member.name, source_.rows).row != nullptr)
                 hint = fmt::format("; did you mean '{}'?", joined_key(row.table, member.name));
         source_.fail(member.place, key,
-                     fmt::format("found an unknown key; allowed: {}{}", joined(allowed), hint));
+                     fmt::format("found an unknown key; allowed: {}{}", fmt::join(allowed, ", "), hint));
     }
 
     void refuse_second_spelling(const Node& node, const Given& given, const std::string& path) const {
@@ -237,7 +232,7 @@ class KeyCheck {
         for (std::size_t i = 0; i < items.size(); ++i)
             if (!items[i].is_number() || !given.row->range.contains(items[i].as_number()))
                 source_.fail(
-                    items[i].place, fmt::format("{}[{}]", key, i),
+                    items[i].place, entry_key(key, i),
                     fmt::format("found {}; allowed: {}", items[i].shown(), given.row->range.number_text()));
     }
 
@@ -262,7 +257,7 @@ class KeyCheck {
                               std::isfinite(pair[0].as_number()) && std::isfinite(pair[1].as_number());
             if (!good || (i > 0 && !(pair[0].as_number() > items[i - 1].items[0].as_number())))
                 source_.fail(
-                    items[i].place, fmt::format("{}[{}]", key, i),
+                    items[i].place, entry_key(key, i),
                     fmt::format("found {}; allowed: a pair [angle, number], the angles ascending",
                                 good ? fmt::format("the angle {}", pair[0].shown()) : items[i].shown()));
         }
@@ -272,11 +267,11 @@ class KeyCheck {
         refuse_unless(given.value().kind == NodeKind::array, given, key);
         const std::vector<Node>& items = given.value().items;
         for (std::size_t i = 0; i < items.size(); ++i) {
-            const std::string item_key = fmt::format("{}[{}]", key, i);
+            const std::string item_key = entry_key(key, i);
             if (items[i].kind != NodeKind::table)
                 source_.fail(items[i].place, item_key,
                              fmt::format("found {}; allowed: a table of {}", items[i].shown(),
-                                         joined(written_keys(key, source_.rows))));
+                                         fmt::join(written_keys(key, source_.rows), ", ")));
             check_table(items[i], joined_key(given.row->table, given.row->name), item_key);
         }
     }
@@ -308,12 +303,10 @@ void check_name(const SceneSource& source, const Given& given, const std::string
                 const AllowedNames& allowed) {
     const std::string& text = given.value().text;
     if (std::ranges::find(allowed.names, text) != allowed.names.end()) return;
-    std::string list;
-    for (const std::string& name : allowed.names)
-        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
     source.fail(given.value().place, key,
-                fmt::format("found {}; allowed: {}{}{}{}", given.value().shown(), allowed.before, list,
-                            allowed.after, choice_hint(key, text, allowed.names)));
+                fmt::format("found {}; allowed: {}{}{}{}", given.value().shown(), allowed.before,
+                            listed(allowed.names, ", ", in_quotes), allowed.after,
+                            choice_hint(key, text, allowed.names)));
 }
 
 void check_keys(const SceneSource& source) {

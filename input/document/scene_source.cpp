@@ -9,10 +9,6 @@
 
 namespace camopt::input {
 
-std::string joined_key(std::string_view table, std::string_view key) {
-    return table.empty() ? std::string(key) : fmt::format("{}.{}", table, key);
-}
-
 Dimension Given::dimension() const {
     const double factor = spelling->factor;
     const auto end = [&](const char* name) { return value().find(name)->value.as_number() * factor; };

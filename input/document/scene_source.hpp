@@ -6,6 +6,7 @@
 #include "input/document/document.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "scene/cam_spec.hpp"
+#include "scene/part_names.hpp"
 
 namespace camopt::input {
 
@@ -45,9 +46,6 @@ class SceneSource {
     /// table.
     [[noreturn]] void fail_member(std::string_view member, std::string_view what) const;
 };
-
-/// "motion" + "type" = "motion.type"; at the top level just the key.
-[[nodiscard]] std::string joined_key(std::string_view table, std::string_view key);
 
 // Validates a parsed scene file against the key table, in the order of the file: unknown keys, wrong types,
 // values out of range, two spellings of a quantity, missing keys. Errors: InputError, UnavailableError.

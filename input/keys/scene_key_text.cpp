@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Look-up in the key table, and its rows in words: error messages and the Markdown of docs/scene_file.md.
+#include "core/text/list_text.hpp"
 #include "core/word_of.hpp"
 #include "input/keys/scene_keys.hpp"
 
@@ -50,8 +51,7 @@ std::string_view remark(const KeyRow& row) {
 
 std::string markdown_row(const KeyRow& row) {
     std::string keys;
-    for (const Spelling& spelling : row.spellings)
-        keys += fmt::format("{}`{}`", keys.empty() ? "" : ", ", row.key(spelling));
+    for (const Spelling& spelling : row.spellings) append_item(keys, fmt::format("`{}`", row.key(spelling)));
     std::string later;
     if (!row.instead_of.empty()) later = fmt::format(" Instead of `{}`.", row.instead_of);
     if (!row.cam_types.empty() && row.table == "cam")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/keys/scene_keys.hpp"
 
+#include "core/text/list_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/key_place.hpp"
 #include "scene/keys/own_rows.hpp"
@@ -51,8 +52,7 @@ struct KeyTable {
 KeyRow type_row(KeyTable& table) {
     std::string spoken;
     for (const CamKind& kind : cam_kinds())
-        spoken +=
-            fmt::format("{}{}", spoken.empty() ? "" : ", ", kind.spoken.empty() ? kind.type : kind.spoken);
+        append_item(spoken, kind.spoken.empty() ? kind.type : kind.spoken);
     return {"cam",      "type",
             text,       plain,
             any,        cam_types(),

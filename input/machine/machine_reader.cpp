@@ -111,8 +111,14 @@ std::optional<std::string> machine_title(std::string_view toml) {
     }
 }
 
+std::string setting_of(std::string_view path, std::string_view table, std::string_view name, double si) {
+    const KeyRow& row = *find_row(table, name);
+    return fmt::format("{}={}", joined_key(path, row.first_key()),
+                       as_written(si / row.spellings.front().factor));
+}
+
 std::string speed_setting(double speed) {
-    return fmt::format("motion.speed_rpm={}", as_written(speed / units::revolution_per_minute));
+    return setting_of("motion", "motion", "speed", speed);
 }
 
 void fail_in_machine(const std::filesystem::path& file, std::span<const std::string> settings,

@@ -26,6 +26,10 @@ using AxisLoader =
 /// The title, perhaps empty, of a TOML text that is a machine file: one with a table [machine].
 [[nodiscard]] std::optional<std::string> machine_title(std::string_view toml);
 
+/// A number of a scene as a setting, in the unit of the manual to 15 digits: "motion.phase_deg=30". `path`:
+/// the table with indices, `table` in the key table.
+[[nodiscard]] std::string setting_of(std::string_view path, std::string_view table, std::string_view name,
+                                     double si);
 /// The setting of an axis's scene for a speed of the machine, rad/s: "motion.speed_rpm=…" to 15 digits.
 [[nodiscard]] std::string speed_setting(double speed);
 

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "core/numbers/polynomial.hpp"
 #include "core/open_registry.hpp"
+#include "core/text/list_text.hpp"
 #include "core/text/names.hpp"
 #include "motions/laws/harmonic_law.hpp"
 
@@ -257,12 +258,10 @@ void add_law(const LawMaker& make) {
 
 std::unique_ptr<Law> make_law(std::string_view key) {
     const Laws::Lists& known = laws().lists();
-    std::string allowed;
-    for (std::size_t i = 0; i < known.descriptions.size(); ++i) {
+    for (std::size_t i = 0; i < known.descriptions.size(); ++i)
         if (known.descriptions[i].key == key) return known.makers[i]();
-        allowed += (i == 0 ? "" : ", ") + known.descriptions[i].key;
-    }
-    throw InputError(fmt::format("motion law: \"{}\" found, allowed {}", key, allowed));
+    throw InputError(fmt::format("motion law: \"{}\" found, allowed {}", key,
+                                 listed(known.descriptions, ", ", &LawInfo::key)));
 }
 
 std::unique_ptr<Law> make_modified_sine(double ta) {

@@ -107,8 +107,7 @@ void refuse_hertz_pressure(const Limits& limits, const WrittenLimit& limit, cons
                          "or a flat face");
     }
     if (!forces.contact_width) {
-        throw InputError(limit.key +
-                         ": found no contact width; allowed: together with forces.contact_width_mm");
+        throw InputError(limit.key + ": found no contact width; allowed: together with forces.contact_width");
     }
 }
 

@@ -9,8 +9,7 @@ PeakRule::PeakRule(int order, int sign, int parameter, double reference)
     : order_(order), sign_(sign), parameters_{parameter}, reference_(reference) {}
 
 std::string PeakRule::name() const {
-    constexpr std::array<const char*, 4> names = {"displacement", "velocity", "acceleration", "jerk"};
-    return std::string(sign_ > 0 ? "+" : "-") + names[order_];
+    return std::string(sign_ > 0 ? "+" : "-") + derivative_names[order_];
 }
 
 RuleValue PeakRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {

@@ -4,6 +4,7 @@
 #include "core/text/parsing.hpp"
 #include "core/word_of.hpp"
 #include "output/csv/csv_line.hpp"
+#include "scene/limit_table.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/ranges.h>
@@ -21,10 +22,9 @@ const ShownUnit without_unit, newton_metres = unit_named<"N m">;
 
 // Of sweeps of different cams, with a follower train, with a motor, of machines.
 constexpr std::array<SweepCamColumn, 3> swept_cam_columns = {
-    {{"pressure_angle_deg", "largest pressure angle", &SweepCam::pressure_angle, &degrees_shown},
-     {"convex_radius_mm", "least convex radius of the cam", &SweepCam::convex_radius, &millimetres_shown},
-     {"concave_radius_mm", "least concave radius of the cam", &SweepCam::concave_radius,
-      &millimetres_shown}}};
+    {{"pressure_angle_deg", figure_words::pressure_angle, &SweepCam::pressure_angle, &degrees_shown},
+     {"convex_radius_mm", figure_words::convex_radius, &SweepCam::convex_radius, &millimetres_shown},
+     {"concave_radius_mm", figure_words::concave_radius, &SweepCam::concave_radius, &millimetres_shown}}};
 constexpr std::array<SweepPartColumn<SweepTrain>, 3> train_columns = {
     {{"residual", "", &SweepTrain::residual, &without_unit},
      {"dynamic_acceleration", "", &SweepTrain::dynamic_acceleration, &without_unit},
@@ -47,7 +47,7 @@ void for_each_part(const SweepColumns& columns, Row&& row, const Visit& visit) {
 }
 
 std::string dimension_column(DimensionIndex index) {
-    return fmt::format("{}_mm", name_of(index));
+    return name_of(index) + millimetres_shown.suffix;
 }
 
 /// "solved", or "proved from row 17" (SweepRow::proved_from).
@@ -314,7 +314,7 @@ const char* name_of(FrontEnd value) {
 std::string goal_column(const ParetoFront& front, int goal) {
     const std::string name = name_of(front.request.goals[goal]);
     if (goal == 0 && front.request.keep_weights) return "weighted_" + name;
-    return is_dimension(front, goal) ? name + "_mm" : name;
+    return is_dimension(front, goal) ? name + millimetres_shown.suffix : name;
 }
 
 double goal_value(const ParetoFront& front, int goal, double value) {
@@ -359,8 +359,7 @@ std::string pareto_csv(const ParetoFront& front) {
         titles.words(title);
     for (int f = 0; f < sweep_figure_count; ++f)
         titles.words(fmt::format("peak_{}", name_of(static_cast<SweepFigure>(f))));
-    for (const DimensionIndex dimension : dimensions)
-        titles.words(fmt::format("cam_{}_mm", name_of(dimension)));
+    for (const DimensionIndex dimension : dimensions) titles.words("cam_" + dimension_column(dimension));
     titles.words("active_limits").words("iterations").words("seconds_total");
     std::string text = titles.finish();
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -48,7 +48,7 @@ void check_solid(const ProfileShape& shape, const DrawingSpec& drawing) {
     if (undercut(shape) || (shape.other && undercut(other_side(shape))))
         throw InputError(
             "plane cam: found an undercut one, whose outline intersects itself; allowed: a cam that guides "
-            "its follower everywhere (limits.cam_radius_min_mm = 0)");
+            "its follower everywhere (limits.cam_radius_min = 0)");
     if (drawing.bore && !(drawing.reach() > 0.0 && drawing.reach() < least_radius(shape)))
         throw InputError(
             fmt::format("plane cam: found a bore or keyway that reaches {:.6g} mm from the centre; allowed: "

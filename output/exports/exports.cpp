@@ -33,7 +33,7 @@ std::string piece_suffix(std::size_t piece) {
 }
 
 std::string piece_title(const Solution& solution, std::size_t piece) {
-    return export_title(solution) + (piece == 0 ? "" : ", second disk");
+    return export_title(solution) + piece_words(piece);
 }
 
 std::vector<ProfileShape> pieces_of(const Solution& solution) {
@@ -265,6 +265,10 @@ class Exports {
 };
 
 }  // namespace
+
+const char* piece_words(std::size_t piece) {
+    return piece == 0 ? "" : ", second disk";
+}
 
 std::string export_title(const Solution& solution) {
     return solution.scene.title.empty() ? "cam" : solution.scene.title;

@@ -40,6 +40,8 @@ struct ExportOptions {
 
 /// The title of the scene; "cam" where it has none.
 [[nodiscard]] std::string export_title(const Solution& solution);
+/// What a title says of a piece: ", second disk"; of the first nothing.
+[[nodiscard]] const char* piece_words(std::size_t piece);
 
 /// A program with what its check found, as texts.
 struct ExportedProgram {

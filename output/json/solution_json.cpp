@@ -72,7 +72,7 @@ Json exact_dimensions_json(const CamSpec& spec, const std::vector<double>& numbe
     Json json = Json::object();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const CamDimension& dimension = spec.dimensions[i];
-        json[dimension.name + (dimension.is_angle ? "_rad" : "_m")] = number_json(numbers[i]);
+        json[dimension.si_key()] = number_json(numbers[i]);
     }
     return json;
 }
@@ -178,7 +178,8 @@ Json segments_json(const Solution& solution) {
 Json dimensions_json(const Solution& solution) {
     Json json = Json::object();
     for (const DimensionValue& dimension : cam_dimensions(solution))
-        json[dimension.name + (dimension.is_angle ? "_deg" : "_mm")] = number_json(dimension.shown);
+        json[dimension.name + (dimension.is_angle ? degrees_shown : millimetres_shown).suffix] =
+            number_json(dimension.shown);
     return json;
 }
 

@@ -104,8 +104,7 @@ Json dimensions_json(const Comparison& comparison) {
         const CamDimension& dimension = spec->dimensions[i];
         if (dimension.value.key.empty()) continue;  // this variant has no such dimension
         const ShownUnit& unit = dimension.is_angle ? degrees_shown : millimetres_shown;
-        json[dimension.name + (dimension.is_angle ? "_deg" : "_mm")] =
-            number_json(unit.of(comparison.cam->dimensions[i]));
+        json[dimension.name + unit.suffix] = number_json(unit.of(comparison.cam->dimensions[i]));
     }
     return json;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/machine/machine_document.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/text/printable.hpp"
 #include "output/view/key_words.hpp"
 
@@ -121,8 +122,8 @@ std::string active_words(const Solution& axis, double phase) {
         if (!limit.active) continue;
         const double at =
             std::fmod(phase + units::turn + limit.at * axis.scene.motion.unit_angle(), units::turn);
-        active += fmt::format("{}{} at {}", active.empty() ? "" : ", ", key_words(limit.key).words,
-                              degrees_shown.text(at, table_digits));
+        append_item(active, fmt::format("{} at {}", key_words(limit.key).words,
+                                        degrees_shown.text(at, table_digits)));
     }
     return active;
 }

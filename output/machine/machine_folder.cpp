@@ -8,6 +8,7 @@
 #include "output/machine/machine_json.hpp"
 #include "output/page/result_page.hpp"
 #include "output/plc/plc_export.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -21,12 +22,12 @@ RunOrigin origin_of(const MachineSolution& solution, std::size_t own, const std:
     std::vector<std::string> settings = axis.settings;
     settings.push_back(input::speed_setting(solution.speed));
     if (axis.phase != axis.scene.motion.phase)
-        settings.push_back(fmt::format("motion.phase_deg={:.15g}", degrees_shown.of(axis.phase)));
+        settings.push_back(input::setting_of("motion", "motion", "phase", axis.phase));
     const MotionSpec& motion = axis.scene.motion;
     for (std::size_t s = 0; solution.timing && s < motion.own_segments(); ++s) {
         if (!solution.timing->searched[own][s]) continue;
-        settings.push_back(fmt::format("motion.segments[{}].angle_deg={:.15g}", s,
-                                       degrees_shown.of(motion.segments[s].angle)));
+        settings.push_back(
+            input::setting_of(segment_key(s), "motion.segments", "angle", motion.segments[s].angle));
     }
     return {axis.file, command,
             input::scene_with_overrides(input::scene_file_text(axis.file), axis.file, settings,
@@ -46,7 +47,8 @@ MachineRun machine_run(const std::string& file, std::span<const std::string> set
     std::vector<std::string> own = input::machine_settings(settings, solution.spec);
     for (std::size_t b = 0; b < solution.spec.axes.size(); ++b) {
         run.axes.push_back(origin_of(solution, b, command));
-        own.push_back(fmt::format("axis[{}].scene=\"{}\"", b, scene_name(solution.spec.axes[b])));
+        own.push_back(
+            fmt::format("{}=\"{}\"", entry_key("axis", b, "scene"), scene_name(solution.spec.axes[b])));
     }
     run.toml = input::scene_with_overrides(input::scene_file_text(file), file, own);
     return run;

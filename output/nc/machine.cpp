@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/machine.hpp"
 
+#include "core/units.hpp"
 #include "output/nc/requirement.hpp"
 
 namespace camopt {
@@ -73,7 +74,7 @@ class RotaryTable final : public Machine {
             throw InputError(fmt::format(
                 "the tool leans by {:g} deg along the cam's axis: this cam needs a machine with five "
                 "axes, not one with four",
-                std::asin(o.z()) * 180.0 / pi));
+                std::asin(o.z()) / units::degree));
         const double rotary = -0.5 * pi - std::atan2(o.y(), o.x());
         const Eigen::Vector3d turned = turn_about_z(rotary) * pose.tip;
         return Eigen::Vector4d{turned.z(), turned.x(), turned.y(),

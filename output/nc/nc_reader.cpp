@@ -2,6 +2,7 @@
 #include "output/nc/nc_reader.hpp"
 
 #include "core/errors.hpp"
+#include "core/units.hpp"
 
 #include <fmt/format.h>
 
@@ -211,7 +212,7 @@ class Reader {
             if (inverse_time_ && !feed_) refuse("a block under G93 needs its own F");
             if (!inverse_time_ && !feed_ && !feed_known_) refuse("G1 without a feed");
             if (!inverse_time_) feed_known_ = true;
-            if (inverse_time_) move.seconds = 60.0 / *feed_;
+            if (inverse_time_) move.seconds = units::minute / *feed_;
         }
         moves_.push_back(std::move(move));
     }

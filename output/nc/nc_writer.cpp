@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/nc_writer.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/text/printable.hpp"
+#include "core/units.hpp"
 
 #include <fmt/format.h>
 
@@ -109,8 +111,8 @@ void NcWriter::begin(const NcJob& job, double plane) {
     comment(fmt::format("machine: {}, post-processor: {}", machine_.name(), post_.name));
     std::string letters;
     for (const MachineAxis& axis : machine_.axes())
-        letters += fmt::format("{}{} in {}", letters.empty() ? "" : ", ", axis_formula(axis),
-                               axis.kind == AxisKind::linear ? length : "deg");
+        append_item(letters, fmt::format("{} in {}", axis_formula(axis),
+                                         axis.kind == AxisKind::linear ? length : "deg"));
     comment(letters);
     comment(post_.feed_mode == FeedMode::inverse_time
                 ? "feed: G93, F = 1 / minutes of the block, plunging: G94"
@@ -159,7 +161,7 @@ void NcWriter::approach(std::string_view name, const NcStep& first, const WayHei
 /// Z alone, by feed.
 void NcWriter::along_the_tool(double height, double feed) {
     mode("G94");
-    const double per_minute = feed * 60.0 / metres_of(post_.unit);
+    const double per_minute = feed * units::minute / metres_of(post_.unit);
     line("G1" + axis_word(2, height, true) + " F" + number(per_minute, post_.feed_decimals));
 }
 
@@ -183,7 +185,7 @@ void NcWriter::compensate(CompensationSide side, int offset_register) {
 void NcWriter::cut(const NcStep& step, double seconds, double feed, const NcArc* arc) {
     const bool by_time = post_.feed_mode == FeedMode::inverse_time;
     mode(by_time ? "G93" : "G94");
-    const double word = by_time ? 60.0 / seconds : feed * 60.0 / metres_of(post_.unit);
+    const double word = by_time ? units::minute / seconds : feed * units::minute / metres_of(post_.unit);
     const bool clockwise = arc != nullptr && arc->clockwise != mirrored();
     const std::string motion = arc == nullptr ? "G1" : clockwise ? "G2" : "G3";
     std::string words = before_block_ + motion + axis_words(step.values);

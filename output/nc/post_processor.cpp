@@ -21,12 +21,6 @@ using KeyUnits = std::span<const Spelling>;
 // Letters that mean something else in every dialect.
 constexpr std::string_view taken_letters = "GMNOFSTDHIJKRLPQ";
 
-void require_decimals(const char* key, int found) {
-    if (found < 0 || found > most_decimals)
-        throw InputError(
-            fmt::format("post-processor: {} must be 0 … {}, found {}", key, most_decimals, found));
-}
-
 void check_axis(const std::string& key, const PostAxis& axis, std::set<std::string>& letters) {
     if (axis.letter.size() != 1 || axis.letter[0] < 'A' || axis.letter[0] > 'Z' ||
         taken_letters.find(axis.letter[0]) != std::string_view::npos)
@@ -36,11 +30,6 @@ void check_axis(const std::string& key, const PostAxis& axis, std::set<std::stri
                         key, axis.letter));
     if (!letters.insert(axis.letter).second)
         throw InputError(fmt::format("post-processor: two axes have the letter {}", axis.letter));
-    if (axis.sign != 1 && axis.sign != -1)
-        throw InputError(
-            fmt::format("post-processor: axes.{}.sign must be 1 or -1, found {}", key, axis.sign));
-    if (!std::isfinite(axis.offset))
-        throw InputError(fmt::format("post-processor: the offset of axes.{} must be finite", key));
 }
 
 using enum KeyType;
@@ -149,13 +138,10 @@ std::vector<KeyRow> made_rows() {
 }  // namespace
 
 void PostProcessor::validate() const {
-    require_decimals("linear_decimals", linear_decimals);
-    require_decimals("angle_decimals", angle_decimals);
-    require_decimals("feed_decimals", feed_decimals);
-    if (first_block < 0 || block_step < 0)
-        throw InputError(
-            fmt::format("post-processor: first_block and block_step must be >= 0, found {} and {}",
-                        first_block, block_step));
+    for (const KeyRow& row : post_rows())
+        if (row.place)
+            if (const auto fault = row_fault(row, *this))
+                throw InputError("post-processor: " + words_of(*fault));
     const bool known_comment =
         (comment_begin == "(" && comment_end == ")") || (comment_begin == ";" && comment_end.empty());
     if (!known_comment)

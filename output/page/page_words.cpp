@@ -8,6 +8,7 @@
 #include "output/view/peak_comparison.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/solution_text.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/ranges.h>
 
@@ -17,49 +18,6 @@ namespace {
 
 constexpr int value_digits = 6;   // of headline and tables: one number, one text
 constexpr double noticed = 0.05;  // per cent: a smaller change is none
-
-struct PlainVerdict {
-    const char* tone;
-    const char* headline;
-    std::string meaning;
-};
-
-/// For readers who do not know what a bound is.
-PlainVerdict plain_verdict(const Solution& solution) {
-    const Certificate& certificate = solution.certificate;
-    const std::string gap = gap_words(certificate);
-    const std::string proved = gap.empty() ? gap : "Proved: it is " + gap + ".";
-    switch (certificate.verdict) {
-        case Verdict::optimal:
-            if (solution.scene.motion.prescribed())
-                return {"good", "The prescribed motion satisfies every limit", verdict_sentence(solution)};
-            return {"good", "The best motion, and proved optimal",
-                    "It satisfies every limit, and no motion of this spline is better for the weights of the "
-                    "scene."};
-        case Verdict::local:
-            return {"good", "A good motion: no small change makes it better",
-                    "It satisfies every limit. " +
-                        (gap.empty() ? "A quite different motion may still be better." : proved)};
-        case Verdict::feasible:
-            if (!solution.machine.empty())
-                return {"good", "An axis of a machine",
-                        "It satisfies every limit. All axes were solved together: " + solution.machine +
-                            ". What is proved is in the report of the machine."};
-            return {"fair", "A motion that satisfies every limit",
-                    gap.empty() ? "Whether it is the best one is not known: the search ended early."
-                                : proved + " The search for a better one ended early."};
-        case Verdict::infeasible:
-            if (solution.scene.motion.prescribed())
-                return {"bad", "The prescribed motion violates a limit",
-                        "This is proved: something in the scene has to change."};
-            return {"bad", "No motion satisfies all of these limits",
-                    "This is proved: something in the scene has to change."};
-        case Verdict::failed:
-            break;
-    }
-    return {"bad", "No motion was found",
-            "Infeasibility is not proved either; see the notes and the appendix."};
-}
 
 std::string active_sentence(const Solution& solution) {
     std::vector<std::string> active;
@@ -80,7 +38,7 @@ bool has_motion(const Solution& solution) {
 /// "its peak acceleration is 12.3 % higher"
 std::string peak_changes(const Solution& solution, const ComparisonRow& law) {
     std::vector<std::string> parts;
-    const auto add = [&](const char* name, const Extremum& own, const Extremum& other) {
+    const auto add = [&](const std::string& name, const Extremum& own, const Extremum& other) {
         if (!(own.value > 0.0)) return;
         if (std::isinf(other.value)) {
             parts.push_back(fmt::format("infinite {}", name));
@@ -91,9 +49,9 @@ std::string peak_changes(const Solution& solution, const ComparisonRow& law) {
         parts.push_back(fmt::format("{} {} % {}", name, short_text(std::abs(change), 3),
                                     change > 0.0 ? "higher" : "lower"));
     };
-    add("peak velocity", solution.peaks.velocity, law.peaks.velocity);
-    add("peak acceleration", solution.peaks.acceleration, law.peaks.acceleration);
-    add("peak jerk", solution.peaks.jerk, law.peaks.jerk);
+    for (std::size_t order = 1;
+         Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk})
+        add(peak_words(order++), solution.peaks.*peak, law.peaks.*peak);
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -114,7 +72,7 @@ Json table_json(std::string_view key, std::string_view title, const TextTable& t
 
 Json verdict_part(const Solution& solution) {
     const Verdict verdict = solution.certificate.verdict;
-    const PlainVerdict plain = plain_verdict(solution);
+    const VerdictWords plain = verdict_words(solution);
     Json sentences = Json::array({plain.meaning});
     if (has_motion(solution))
         sentences.push_back(active_sentence(solution));
@@ -153,17 +111,18 @@ Json figures_part(const Solution& solution) {
     for (int order = 1; order <= 3; ++order) {
         const ShownDerivative& shown = units.motion[order];
         const Extremum peak = signed_peaks(solution, order).largest;
-        add("peak " + shown.name, shown.first.normalised_text(peak.value, value_digits), peak.at);
+        add(peak_words(order), shown.first.normalised_text(peak.value, value_digits), peak.at);
     }
     if (!solution.cam) return all;
     const CamSummary& cam = solution.cam->summary;
     if (cam.pressure_angle.value > 0.0)
-        add("largest pressure angle", units.angle.text(cam.pressure_angle.value, value_digits),
+        add(figure_words::pressure_angle, units.angle.text(cam.pressure_angle.value, value_digits),
             cam.pressure_angle.at);
     if (const std::optional<CamExtreme> radius = convex_radius(cam))
         add("least convex radius", units.length.text(radius->value, value_digits), radius->at);
     if (cam.forces && cam.forces->hertz_pressure)
-        add("largest Hertz pressure", units.pressure.text(cam.forces->hertz_pressure->value, value_digits),
+        add(figure_words::hertz_pressure,
+            units.pressure.text(cam.forces->hertz_pressure->value, value_digits),
             cam.forces->hertz_pressure->at);
     return all;
 }

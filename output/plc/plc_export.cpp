@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/plc/plc_export.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/plc/structured_text.hpp"
@@ -232,14 +233,13 @@ void check_count(const PlcFormat& format, int count) {
 std::string formats_that_hold_jumps() {
     std::string keys;
     for (const PlcFormat& format : plc_formats())
-        if (format.shared == 0 && !format.straight_lines) keys += (keys.empty() ? "" : ", ") + format.key;
+        if (format.shared == 0 && !format.straight_lines) append_item(keys, format.key);
     return keys;
 }
 
 void check_jumps(const PlcFormat& format, const std::vector<CamPiece>& pieces,
                  const std::array<CamDifference, 4>& peaks) {
     constexpr double rounding_of_joint = 1e-6;  // of the peak: above what solvers leave of continuity
-    constexpr std::array<const char*, 4> names = {"displacement", "velocity", "acceleration", "jerk"};
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         for (int order = 1; order <= format.shared; ++order) {
             const auto r = static_cast<std::size_t>(order);
@@ -249,7 +249,7 @@ void check_jumps(const PlcFormat& format, const std::vector<CamPiece>& pieces,
             throw InputError(fmt::format(
                 "--plc {}: the {} jumps at {:.6g} deg, and a point of this format has one {} for both sides; "
                 "allowed: {}",
-                format.key, names[r], theta, names[r], formats_that_hold_jumps()));
+                format.key, derivative_names[r], theta, derivative_names[r], formats_that_hold_jumps()));
         }
     }
 }

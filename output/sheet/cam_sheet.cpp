@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/cam_sheet.hpp"
 
+#include "core/text/list_text.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/sheet_painter.hpp"
+#include "output/view/key_words.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
@@ -26,14 +28,6 @@ constexpr double leader_reach = 4e-3, datum_reach = 3e-3, rotation_distance = 3.
                  center_overhang = 3e-3;
 constexpr double rotation_head = 3.0e-3, rotation_half_width = 0.8e-3, rotation_angle = 26 * degree;
 constexpr double datum_apart = 15 * degree, keyway_apart = 60 * degree;
-
-/// "cam radius" of cam_radius_min: the sign beside it says the rest.
-std::string limit_words(const LimitRow& row) {
-    std::string words = words_of(row.name);
-    for (const std::string_view ending : {" min", " max"})
-        if (words.ends_with(ending)) words.resize(words.size() - ending.size());
-    return words;
-}
 
 class CamSheetMaker {
  public:
@@ -418,17 +412,17 @@ class CamSheetMaker {
         for (const LimitRow& row : limit_rows())
             if (const auto& limit = row.in(solution_.scene.limits);
                 limit && !row.needs_forces && !row.needs_dynamics)
-                limits += fmt::format("{}{} {} {}{}", limits.empty() ? "" : ", ", limit_words(row),
-                                      row.is_least() ? "≥" : "≤", short_text(limit->given()),
-                                      limit->unit.empty() ? "" : " " + limit->unit);
+                append_item(limits,
+                            fmt::format("{} {} {}{}", key_words(fmt::format("limits.{}", row.name)).words,
+                                        row.is_least() ? "≥" : "≤", short_text(limit->given()),
+                                        limit->unit.empty() ? "" : " " + limit->unit));
         if (!limits.empty()) notes.push_back("Limits of form: " + limits + ".");
         const CamSummary& summary = solution_.cam->summary;
         std::string radii;
         if (summary.convex_radius)
             radii = fmt::format("convex {}", length_text(summary.convex_radius->value));
         if (summary.concave_radius)
-            radii += fmt::format("{}concave {}", radii.empty() ? "" : ", ",
-                                 length_text(summary.concave_radius->value));
+            append_item(radii, "concave " + length_text(summary.concave_radius->value));
         if (!radii.empty())
             notes.push_back(fmt::format("Least radii of curvature{}: {}.",
                                         piece_.empty() ? "" : " of both disks", radii));

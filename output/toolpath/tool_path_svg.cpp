@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/toolpath/tool_path_svg.hpp"
 
+#include "core/units.hpp"
 #include "core/word_of.hpp"
 #include "output/chart/svg_canvas.hpp"
 
@@ -342,7 +343,7 @@ class ToolPathPainter {
         words(fmt::format("cutter ⌀ {}", length(work_.task.cutter.diameter)));
         words(fmt::format("blank ⌀ {}", length(2.0 * work_.job.blank.radius)));
         words(fmt::format("passes {}", program_.travel.passes));
-        words(fmt::format("{:.1f} min at the given feed", program_.program.seconds / 60.0));
+        words(fmt::format("{:.1f} min at the given feed", program_.program.seconds / units::minute));
         if (program_.travel.good()) {
             words(fmt::format("rapids at least {}", length(program_.least_distance)));
             words("off the blank");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/cam_words.hpp"
 
+#include "core/text/list_text.hpp"
 #include "output/view/key_words.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +34,7 @@ std::optional<CamExtreme> drawn_radius(const std::optional<CamExtreme>& radius) 
 using Units = ShownUnits;
 
 constexpr FigureRow<CamSummary> cam_rows[] = {
-    {"pressure_angle_deg", "largest pressure angle", &Units::angle,
+    {"pressure_angle_deg", figure_words::pressure_angle, &Units::angle,
      [](const CamSummary& cam) -> std::optional<CamExtreme> { return cam.pressure_angle; }},
     {.key = "rise_pressure_angle_deg",
      .name = "on the rise",
@@ -49,9 +51,9 @@ constexpr FigureRow<CamSummary> cam_rows[] = {
      .unit = &Units::angle,
      .of = [](const CamSummary& cam) { return cam.rest_pressure_angle; },
      .of_direct_cams = true},
-    {"convex_radius_mm", "least convex radius of the cam", &Units::length,
+    {"convex_radius_mm", figure_words::convex_radius, &Units::length,
      [](const CamSummary& cam) { return drawn_radius(cam.convex_radius); }},
-    {"concave_radius_mm", "least concave radius of the cam", &Units::length,
+    {"concave_radius_mm", figure_words::concave_radius, &Units::length,
      [](const CamSummary& cam) { return cam.concave_radius; }},
     {.key = "contact_offset_mm",
      .name = "largest contact offset on the face",
@@ -73,16 +75,16 @@ constexpr FigureRow<ForceSummary> force_rows[] = {
      .name = "the follower lifts off above",
      .unit = &Units::speed,
      .of = [](const ForceSummary& forces) { return forces.lift_off_speed; }},
-    {"torque_nm", "largest camshaft torque", &Units::torque,
+    {"torque_nm", figure_words::torque, &Units::torque,
      [](const ForceSummary& forces) -> std::optional<CamExtreme> { return forces.torque; }},
     {"normal_force_n", "largest force along the normal", &Units::force,
      [](const ForceSummary& forces) { return forces.normal_force; }},
-    {"hertz_pressure_mpa", "largest Hertz pressure", &Units::pressure,
+    {"hertz_pressure_mpa", figure_words::hertz_pressure, &Units::pressure,
      [](const ForceSummary& forces) { return forces.hertz_pressure; }},
 };
 
 constexpr FigureRow<SideSummary> side_rows[] = {
-    {"pressure_angle_deg", "largest pressure angle", &Units::angle,
+    {"pressure_angle_deg", figure_words::pressure_angle, &Units::angle,
      [](const SideSummary& side) -> std::optional<CamExtreme> { return side.pressure_angle; }},
     {"convex_radius_mm", "least convex radius", &Units::length,
      [](const SideSummary& side) { return drawn_radius(side.convex_radius); }},
@@ -92,7 +94,7 @@ constexpr FigureRow<SideSummary> side_rows[] = {
      [](const SideSummary& side) -> std::optional<CamExtreme> { return side.regularity; }},
     {"normal_force_n", "largest force along the normal", &Units::force,
      [](const SideSummary& side) { return side.normal_force; }},
-    {"hertz_pressure_mpa", "largest Hertz pressure", &Units::pressure,
+    {"hertz_pressure_mpa", figure_words::hertz_pressure, &Units::pressure,
      [](const SideSummary& side) { return side.hertz_pressure; }},
 };
 
@@ -158,10 +160,9 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
 }
 
 std::string dimensions_text(const Solution& solution) {
-    std::string text;
-    for (const DimensionValue& dimension : cam_dimensions(solution))
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", words_of(dimension.name), dimension.text);
-    return text;
+    return listed(cam_dimensions(solution), ", ", [](const DimensionValue& one) {
+        return fmt::format("{} {}", words_of(one.name), one.text);
+    });
 }
 
 std::string cam_text(const CamSpec& cam) {
@@ -177,6 +178,21 @@ std::string cam_text(const CamSpec& cam) {
     if (follower != cam.choices.end()) parts = "a " + follower->second + " follower";
     return fmt::format("{} cam{}, turning {}", words_of(cam.type), parts.empty() ? "" : " with " + parts,
                        name_of(cam.rotation));
+}
+
+std::string angles_words(double begin, double end, int digits) {
+    return begin == end
+               ? fmt::format("at {} deg", short_text(begin, digits))
+               : fmt::format("from {} to {} deg", short_text(begin, digits), short_text(end, digits));
+}
+
+std::string stretch_words(const MotionSpec& motion, double begin, double end, int digits) {
+    return angles_words(degrees_shown.of(motion.master_angle(begin)),
+                        degrees_shown.of(motion.master_angle(end)), digits);
+}
+
+std::string stroke_words(const MotionSpec& motion, std::size_t index, double begin, double end) {
+    return fmt::format("stroke {}, {}", index + 1, stretch_words(motion, begin, end));
 }
 
 bool is_loaded(const CamSummary& summary) {

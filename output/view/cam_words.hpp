@@ -62,8 +62,16 @@ struct CamFigure {
 inline constexpr int angle_digits = 5;
 
 /// The cam angle of x (the master's), degrees, without the unit.
-[[nodiscard]] inline std::string degrees_at(const Solution& solution, double x) {
-    return short_text(degrees_shown.of(solution.scene.motion.master_angle(x)), angle_digits);
+[[nodiscard]] inline std::string degrees_at(const Solution& solution, double x, int digits = angle_digits) {
+    return short_text(degrees_shown.of(solution.scene.motion.master_angle(x)), digits);
 }
+
+/// Cam angles in degrees: "at 40 deg"; of a stretch "from 40 to 55.5 deg".
+[[nodiscard]] std::string angles_words(double begin, double end, int digits = angle_digits);
+/// The same of a stretch of the motion, counted as degrees_at does.
+[[nodiscard]] std::string stretch_words(const MotionSpec& motion, double begin, double end,
+                                        int digits = angle_digits);
+/// "stroke 2, from 45 to 120 deg", as a person counts.
+[[nodiscard]] std::string stroke_words(const MotionSpec& motion, std::size_t index, double begin, double end);
 
 }  // namespace camopt

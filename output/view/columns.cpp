@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/columns.hpp"
 
+#include "core/text/list_text.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 4> keys_by_x = {"y", "dy", "ddy", "dddy"},
                                      keys_of_angle = {"s", "ds", "dds", "ddds"},
-                                     keys_in_time = {"s", "v", "a", "j"},
-                                     column_words = {"displacement", "velocity", "acceleration", "jerk"};
+                                     keys_in_time = {"s", "v", "a", "j"};
 
 // By radians, degrees and seconds.
 constexpr auto displacements = units_named<"mm", "m", "in", "deg", "rad">;
@@ -34,7 +34,7 @@ void add_derivatives(std::vector<TableColumn>& rows, std::size_t order, std::spa
         const unsigned need = (is_angle_unit(unit.unit) ? ColumnNeed::angle : ColumnNeed::length) |
                               (in_time ? ColumnNeed::speed : 0U);
         rows.push_back({fmt::format("{}{}", (in_time ? keys_in_time : keys_of_angle)[order], unit.suffix),
-                        fmt::format("{} in {}", column_words[order], unit.unit), need, order,
+                        fmt::format("{} in {}", derivative_names[order], unit.unit), need, order,
                         [=, size = unit.factor](const MotionSpec& motion, const TableRow& row) {
                             const double rate = (in_time ? motion.speed.value() : 1.0) / motion.unit_angle();
                             return row.motion.derivative[order] * motion.lift *
@@ -104,7 +104,7 @@ std::vector<TableColumn> all_columns() {
         return row.theta_deg * units::degree / motion.speed.value();
     });
     for (std::size_t order = 0; order < keys_by_x.size(); ++order)
-        rows.push_back({keys_by_x[order], fmt::format("{}, normalised", column_words[order]), 0, 0,
+        rows.push_back({keys_by_x[order], fmt::format("{}, normalised", derivative_names[order]), 0, 0,
                         [order](const auto&, const TableRow& row) { return row.motion.derivative[order]; }});
     add_derivatives(rows, 0, displacements);
     add_derivatives(rows, 1, velocities);
@@ -144,7 +144,7 @@ constexpr Need needs[] = {{ColumnNeed::speed, "motion.speed_rpm",
 
 using Keys = std::vector<std::string>;
 
-/// Displacement and column_words by the cam angle.
+/// Displacement and derivatives by the cam angle.
 Keys keys_by_angle(const MotionSpec& motion) {
     if (motion.lift_is_angle) return {"s_deg", "ds_deg_deg", "dds_deg_deg2", "ddds_deg_deg3"};
     return {"s_mm", "ds_mm_rad", "dds_mm_rad2", "ddds_mm_rad3"};
@@ -155,8 +155,8 @@ Keys keys_by_angle(const MotionSpec& motion) {
 std::string words_of_need(unsigned need) {
     std::string words;
     for (const Need& one : needs)
-        if ((need & one.bit) != 0) words += (words.empty() ? "needs " : " and ") + std::string(one.words);
-    return words;
+        if ((need & one.bit) != 0) append_item(words, one.words, " and ");
+    return words.empty() ? words : "needs " + words;
 }
 
 const std::vector<TableColumn>& table_columns() {

@@ -3,6 +3,7 @@
 
 #include "output/view/number_text.hpp"
 #include "scene/motion/set_points.hpp"
+#include "scene/part_names.hpp"
 #include "studies/search/plan.hpp"
 
 #include <fmt/format.h>
@@ -44,8 +45,7 @@ std::string verb_of(const Relaxation& row, const KeyWords& key) {
     if (key.limit) return more ? "raise" : "lower";
     if (row.key.find(".via[") != std::string::npos || row.key.find("].to") != std::string::npos)
         return "change";
-    if (row.key.starts_with("motion.") && !row.key.starts_with("motion.lift") &&
-        (row.key.ends_with("_deg") || row.key.ends_with("_rad")))
+    if (row.key.starts_with("motion.") && !row.key.starts_with("motion.lift") && is_angle_key(row.key))
         return more ? "lengthen" : "shorten";
     return more ? "increase" : "reduce";
 }

@@ -6,6 +6,7 @@
 #include "output/view/cam_words.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,6 @@ namespace camopt {
 namespace {
 
 constexpr std::size_t derivatives = 4;
-constexpr std::array<const char*, derivatives> derivative_names = {"displacement", "velocity", "acceleration",
-                                                                   "jerk"};
 constexpr std::array<const char*, derivatives> symbols_in_time = {"s", "v", "a", "j"};
 constexpr std::array<const char*, derivatives> symbols_by_angle = {"s", "ds/dθ", "d²s/dθ²", "d³s/dθ³"};
 constexpr std::array<const char*, derivatives> columns_by_angle = {"s", "ds", "dds", "ddds"};

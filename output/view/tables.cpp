@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/tables.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/text/printable.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
@@ -199,9 +200,9 @@ std::string table_words(const Solution& solution) {
                             table.untouched);
     for (std::size_t i = 0; i < std::min(table.outliers.size(), most_named); ++i) {
         const MeasuredOutlier& outlier = table.outliers[i];
-        list +=
-            fmt::format("{}row {} at {} deg by {}", i == 0 ? "" : ", ", outlier.row,
-                        degrees_at(solution, outlier.angle / scene.motion.unit_angle()), shown(outlier.off));
+        append_item(list, fmt::format("row {} at {} deg by {}", outlier.row,
+                                      degrees_at(solution, outlier.angle / scene.motion.unit_angle()),
+                                      shown(outlier.off)));
     }
     if (table.outliers.size() > most_named)
         list += fmt::format(" and {} more", table.outliers.size() - most_named);
@@ -263,8 +264,8 @@ std::string measured_sentence(const Solution& solution) {
                             unit.normalised_text(*certificate.lower_bound * term.reference / term.weight, 4));
     }
     for (const LawMatch& match : measured.laws)
-        text += fmt::format("; nearest law: {} from {} to {} deg, deviation at most {} (rms {})", match.law,
-                            degrees_at(solution, match.begin), degrees_at(solution, match.end),
+        text += fmt::format("; nearest law: {} {}, deviation at most {} (rms {})", match.law,
+                            stretch_words(solution.scene.motion, match.begin, match.end),
                             unit.normalised_text(match.largest, 3), unit.normalised_text(match.rms, 3));
     if (measured.started) text += "; the search began from it, too";
     return text + table_words(solution);
@@ -355,8 +356,8 @@ std::string surge_sentence(const Solution& solution) {
     std::string amplitudes;
     for (const SurgeReport::Harmonic& one : solution.surge->harmonics)
         if (one.near)
-            amplitudes += fmt::format("{}{} ({})", amplitudes.empty() ? "" : ", ",
-                                      shown.vibration.text(one.amplitude, 4), one.order);
+            append_item(amplitudes,
+                        fmt::format("{} ({})", shown.vibration.text(one.amplitude, 4), one.order));
     return fmt::format(
         "natural frequency of the spring {}, {} times the speed of the cam ({}); amplitudes of the harmonics "
         "of the lift near it: {}",

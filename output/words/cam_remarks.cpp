@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/list_text.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/words/solution_text.hpp"
@@ -49,8 +50,8 @@ std::string dimensions_at_their_ends(const Solution& solution) {
                      near = at_end_of_range * (range.high - range.low);
         const bool low = value <= range.low + near, high = value >= range.high - near;
         if (low || high)
-            text += fmt::format("{}the {} is the {} allowed", text.empty() ? "" : ", ",
-                                words_of(cam.dimensions[i].name), low ? "least" : "largest");
+            append_item(text, fmt::format("the {} is the {} allowed", words_of(cam.dimensions[i].name),
+                                          low ? "least" : "largest"));
     }
     return text;
 }
@@ -59,23 +60,23 @@ std::string limited_remark(const Solution& solution) {
     std::string limits;
     for (const ConstraintReport& row : solution.constraints)
         if (row.active)
-            limits += fmt::format("{}the {} at {} deg", limits.empty() ? "" : ", ", key_words(row.key).words,
-                                  degrees_at(solution, row.at));
-    const std::string ends = dimensions_at_their_ends(solution);
-    if (limits.empty() && ends.empty()) return "No limit is active.";
-    return fmt::format("{} limits: {}{}{}.",
+            append_item(limits, fmt::format("the {} at {} deg", key_words(row.key).words,
+                                            degrees_at(solution, row.at)));
+    if (const std::string ends = dimensions_at_their_ends(solution); !ends.empty())
+        append_item(limits, ends, "; ");
+    if (limits.empty()) return "No limit is active.";
+    return fmt::format("{} limits: {}.",
                        solution.certificate.verdict == Verdict::infeasible ? "Active or violated" : "Active",
-                       limits, limits.empty() || ends.empty() ? "" : "; ", ends);
+                       limits);
 }
 
 /// "on this rise", "on the return": the stroke that decides, and where it lies where there may be several.
-std::string stroke_words(const Solution& solution, const SmallestCamReport& smallest) {
+std::string deciding_stroke(const Solution& solution, const SmallestCamReport& smallest) {
     const MotionType type = solution.scene.motion.type;
     if (type == MotionType::drd) return "on this rise";
     std::string which = smallest.rises ? "on the rise" : "on the return";
     if (type == MotionType::rr) return which;
-    return fmt::format("{} from {} to {} deg", which, degrees_at(solution, smallest.begin),
-                       degrees_at(solution, smallest.end));
+    return which + " " + stretch_words(solution.scene.motion, smallest.begin, smallest.end);
 }
 
 std::string smallest_remark(const Solution& solution, const SmallestCamReport& smallest) {
@@ -84,7 +85,7 @@ std::string smallest_remark(const Solution& solution, const SmallestCamReport& s
         "Smallest possible cam: for a pressure angle of {} every motion needs a prime radius of at least {} "
         "{}; this cam has {}.",
         shown.angle.text(smallest.pressure_angle), shown.length.text(smallest.prime_radius),
-        stroke_words(solution, smallest), shown.length.text(smallest.given));
+        deciding_stroke(solution, smallest), shown.length.text(smallest.given));
 }
 
 /// Of a disk cam.
@@ -151,13 +152,10 @@ std::string lift_off_words(const Solution& solution) {
     else if (!pressed)
         places.insert(places.begin(), solution.motion->begin());
     if (places.size() % 2 != 0) places.push_back(solution.motion->end());
-    const auto degrees = [&](double x) {
-        return short_text(degrees_shown.of(solution.scene.motion.master_angle(x)));
-    };
     std::string text;
     for (std::size_t i = 0; i < std::min(places.size(), most_places); i += 2)
-        text += fmt::format("{}at {} deg and returns at {} deg", i == 0 ? "" : ", ", degrees(places[i]),
-                            degrees(places[i + 1]));
+        append_item(text, fmt::format("at {} deg and returns at {} deg", degrees_at(solution, places[i], 6),
+                                      degrees_at(solution, places[i + 1], 6)));
     return text + (places.size() > most_places ? ", …" : "");
 }
 
@@ -168,10 +166,9 @@ std::string crossover_remark(const Solution& solution) {
     if (places.empty())
         return fmt::format("The force on the follower never changes its sign: the {} carries all of it.",
                            sides[solution.cam->summary.forces->least_force.value >= 0.0 ? 0 : 1].name);
-    std::string text;
-    for (std::size_t i = 0; i < std::min(places.size(), most_places); ++i)
-        text += (i == 0 ? "" : ", ") + degrees_at(solution, places[i]);
-    if (places.size() > most_places) text += ", …";
+    std::string text = listed(std::span(places).first(std::min(places.size(), most_places)), ", ",
+                              [&](double x) { return degrees_at(solution, x); });
+    if (places.size() > most_places) append_item(text, "…");
     return fmt::format(
         "The load changes between {} and {} {} times in the motion, at {} deg: the play between "
         "them causes impacts there.",

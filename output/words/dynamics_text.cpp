@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/list_text.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/words/solution_text.hpp"
 
@@ -22,12 +23,12 @@ std::string hertz_text(double frequency) {
     return short_text(hertz_shown.of(frequency));
 }
 
+}  // namespace
+
 std::string speeds_words(const std::array<double, 2>& speeds) {
     if (speeds[0] == speeds[1]) return fmt::format("at {} rpm", rpm_text(speeds[0]));
     return fmt::format("from {} to {} rpm", rpm_text(speeds[0]), rpm_text(speeds[1]));
 }
-
-}  // namespace
 
 double acceleration_at(const Scene& scene, double normalised, double speed) {
     const double faster = speed / scene.motion.speed.value();
@@ -39,12 +40,10 @@ std::vector<std::string> train_sentences(const Solution& solution) {
     const TrainReport& train = *solution.train;
     const Scene& scene = solution.scene;
     const ShownUnits shown = shown_units(scene);
-    std::string frequencies;
-    for (const double one : train.natural_frequencies)
-        frequencies += (frequencies.empty() ? "" : ", ") + hertz_text(one);
     std::vector<std::string> sentences = {
-        fmt::format("elastic follower train of {} Hz: {} natural periods in the rise at {} rpm", frequencies,
-                    short_text(train.frequency_ratio, 4), rpm_text(*scene.motion.speed))};
+        fmt::format("elastic follower train of {} Hz: {} natural periods in the rise at {} rpm",
+                    listed(train.natural_frequencies, ", ", hertz_text), short_text(train.frequency_ratio, 4),
+                    rpm_text(*scene.motion.speed))};
     if (!train.acceleration) {
         sentences.emplace_back(
             "no dwell: the motion never rests, so there is no transient from rest and no residual vibration "

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/list_text.hpp"
+#include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/view/view.hpp"
@@ -62,18 +64,14 @@ std::vector<ConflictStretch> stretches_of(std::vector<ConflictReport> rows, doub
 
 /// "the pressure angle limit at 12 deg and from 40 to 55.5 deg"; without places where none are known
 std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
-    const double degrees_per_x = degrees_shown.of(motion.unit_angle());
-    const auto degrees = [&](double x) { return short_text(degrees_per_x * x, short_angle_digits); };
     const std::vector<ConflictStretch> stretches = stretches_of(limit.rows, motion.length());
-    std::string places;
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-        const ConflictStretch& stretch = stretches[i];
-        places += i == 0 ? " " : i + 1 < stretches.size() ? ", " : " and ";
-        places += stretch.end - stretch.begin < same_point * motion.length()
-                      ? fmt::format("at {} deg", degrees(0.5 * (stretch.begin + stretch.end)))
-                      : fmt::format("from {} to {} deg", degrees(stretch.begin), degrees(stretch.end));
-    }
-    return fmt::format("the {} limit{}", limit.words, places);
+    const std::string places = listed(stretches, " and ", [&](const ConflictStretch& stretch) {
+        const bool is_place = stretch.end - stretch.begin < same_point * motion.length();
+        const double middle = 0.5 * (stretch.begin + stretch.end);
+        return stretch_words(motion, is_place ? middle : stretch.begin, is_place ? middle : stretch.end,
+                             short_angle_digits);
+    });
+    return fmt::format("the {} limit{}{}", limit.words, places.empty() ? "" : " ", places);
 }
 
 /// The law that is the motion at x, from one given displacement to another; empty where a spline or a dwell
@@ -144,42 +142,17 @@ std::string alone_sentence(const OneLimit& limit, const std::string& words, cons
     return fmt::format("{} cannot be satisfied by any {} {}.", words, spline_words(solution.scene), makes);
 }
 
-std::string capitalised(std::string text) {
-    if (!text.empty() && text.front() == 't') text.front() = 'T';
-    return text;
-}
-
-std::string joined(const std::vector<OneLimit>& limits, std::size_t from, const MotionSpec& motion) {
-    std::string text;
-    for (std::size_t i = from; i < limits.size(); ++i)
-        text += (i == from ? "" : i + 1 < limits.size() ? ", " : " and ") + text_of(limits[i], motion);
-    return text;
-}
-
 /// Of those that are impossible by themselves.
 std::string alone_sentences(const std::vector<OneLimit>& limits, const Solution& solution) {
     std::string text;
-    for (const OneLimit& limit : limits) {
-        const std::string words = capitalised(text_of(limit, solution.scene.motion));
-        text += (text.empty() ? "" : " ") + alone_sentence(limit, words, solution);
-    }
+    for (const OneLimit& limit : limits)
+        append_item(text, alone_sentence(limit, capitalised(text_of(limit, solution.scene.motion)), solution),
+                    " ");
     return text;
 }
 
-/// "raise the velocity limit to 1.31 and raise the acceleration limit to 4.37"
-std::string changes_together(const std::vector<Relaxation>& rows) {
-    std::string text;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        text += (i == 0 ? "" : i + 1 < rows.size() ? ", " : " and ") + change_words(rows[i]);
-    return text;
-}
-
-std::string listed(const std::vector<std::string>& keys) {
-    std::string text;
-    for (const std::string& key : keys)
-        text +=
-            (text.empty() ? "" : ", ") + (key == together_key ? "all limits together" : key_words(key).words);
-    return text;
+std::string undecided_words(const std::string& key) {
+    return key == together_key ? "all limits together" : key_words(key).words;
 }
 
 void tell_hopeless(std::vector<std::string>& all, const std::vector<Relaxation>& rows) {
@@ -243,7 +216,7 @@ void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
             break;
     }
     if (!explanation.unsettled.empty())
-        text += fmt::format(" Not decided: {}.", listed(explanation.unsettled));
+        text += fmt::format(" Not decided: {}.", listed(explanation.unsettled, ", ", undecided_words));
     all.push_back(std::move(text));
 }
 
@@ -273,28 +246,29 @@ std::string conflict_sentence(const Solution& solution) {
     const bool prescribed = motion.prescribed();
     return fmt::format(
         "{} conflicts with {}: {} satisfies all limits.", capitalised(text_of(limits.front(), motion)),
-        joined(limits, 1, motion),
+        listed(std::span(limits).subspan(1), " and ",
+               [&](const OneLimit& limit) { return text_of(limit, motion); }),
         prescribed ? "no cam of this scene for the prescribed motion" : "no " + spline_words(solution.scene));
 }
 
 std::string sufficient_changes(const std::vector<Relaxation>& rows) {
     std::string text;
     for (const Relaxation& row : rows)
-        if (row.needed) text += (text.empty() ? "" : ", or ") + change_words(row);
+        if (row.needed) append_item(text, change_words(row), ", or ");
     return text;
 }
 
 std::string hopeless_changes(const std::vector<Relaxation>& rows) {
     std::string text;
     for (const Relaxation& row : rows)
-        if (!row.needed) text += (text.empty() ? "" : ", ") + key_words(row.key).words;
+        if (!row.needed) append_item(text, key_words(row.key).words);
     return text;
 }
 
 std::string joint_sentence(const Solution& solution) {
     if (!solution.explanation || solution.explanation->together.empty()) return {};
     return fmt::format("A combined change that suffices: {}.",
-                       changes_together(solution.explanation->together));
+                       listed(solution.explanation->together, " and ", change_words));
 }
 
 std::vector<std::string> infeasible_remarks(const Solution& solution) {

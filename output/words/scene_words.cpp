@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/list_text.hpp"
 #include "core/text/printable.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "output/view/cam_words.hpp"
@@ -16,9 +17,7 @@ namespace camopt {
 
 namespace {
 
-void append(std::string& list, const std::string& part) {
-    list += (list.empty() ? "" : ", ") + part;
-}
+constexpr int shown_digits = 6;  // of angles that the scene gives
 
 std::string kind_of_motion(const MotionSpec& motion) {
     if (motion.valve) return "a valve lobe";
@@ -94,9 +93,9 @@ std::string end_text(const Scene& scene, std::size_t index) {
 
 std::string range_words(const ProgramSegment& segment) {
     if (!segment.angle_range) return {};
-    return fmt::format(" (searched from {} to {} deg)",
-                       short_text(degrees_shown.of(segment.angle_range->least)),
-                       short_text(degrees_shown.of(segment.angle_range->most)));
+    return fmt::format(" (searched {})",
+                       angles_words(degrees_shown.of(segment.angle_range->least),
+                                    degrees_shown.of(segment.angle_range->most), shown_digits));
 }
 
 std::string segment_line(const Scene& scene) {
@@ -106,8 +105,8 @@ std::string segment_line(const Scene& scene) {
         const ProgramSegment& segment = motion.segments[i];
         const std::string kind =
             segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
-        append(text, fmt::format("{} {} deg{}{}", kind, short_text(degrees_shown.of(segment.angle)),
-                                 range_words(segment), end_text(scene, i)));
+        append_item(text, fmt::format("{} {} deg{}{}", kind, short_text(degrees_shown.of(segment.angle)),
+                                      range_words(segment), end_text(scene, i)));
     }
     return "Segments: " + text;
 }
@@ -115,7 +114,7 @@ std::string segment_line(const Scene& scene) {
 /// Each in the units that a person reads, and normalised beside.
 std::string set_point_line(const Scene& scene, const std::vector<PlacedPoint>& points) {
     const ShownUnits shown = shown_units(scene);
-    const auto degrees = [&](double x) { return short_text(x * shown.degrees_per_x); };
+    const auto degrees = [&](double x) { return x * shown.degrees_per_x; };
     std::string text;
     for (const PlacedPoint& point : points) {
         std::string values;
@@ -123,16 +122,13 @@ std::string set_point_line(const Scene& scene, const std::vector<PlacedPoint>& p
             if (!point.wanted[order]) continue;
             const ShownDerivative& unit = shown.motion[order];
             const double wanted = *point.wanted[order];
-            append(values,
-                   fmt::format("{} {} ({}{} normalised)", unit.name, unit.first.normalised_text(wanted),
-                               unit.beside ? unit.beside->normalised_text(wanted) + ", " : "",
-                               short_text(wanted)));
+            append_item(values,
+                        fmt::format("{} {} ({}{} normalised)", unit.name, unit.first.normalised_text(wanted),
+                                    unit.beside ? unit.beside->normalised_text(wanted) + ", " : "",
+                                    short_text(wanted)));
         }
-        const std::string where =
-            point.is_region() ? fmt::format("from {} to {} deg", degrees(point.begin), degrees(point.end))
-                              : fmt::format("at {} deg", degrees(point.begin));
-        text +=
-            fmt::format("{}{} (x = {}) {}", text.empty() ? "" : "; ", where, short_text(point.begin), values);
+        const std::string where = angles_words(degrees(point.begin), degrees(point.end), shown_digits);
+        append_item(text, fmt::format("{} (x = {}) {}", where, short_text(point.begin), values), "; ");
     }
     return "Set points: " + text;
 }
@@ -144,9 +140,10 @@ std::string end_state_text(const Scene& scene) {
     for (const bool at_end : {false, true}) {
         const std::array<double, 2> state = end_velocities(scene.motion, at_end);
         if (scene.motion.periodic() || state == std::array<double, 2>{}) continue;
-        append(text,
-               fmt::format("{} at the {}, acceleration {}", shown.motion[1].first.normalised_text(state[0]),
-                           at_end ? "end" : "start", shown.motion[2].first.normalised_text(state[1])));
+        append_item(
+            text,
+            fmt::format("{} at the {}, acceleration {}", shown.motion[1].first.normalised_text(state[0]),
+                        at_end ? "end" : "start", shown.motion[2].first.normalised_text(state[1])));
     }
     return text;
 }
@@ -156,12 +153,12 @@ std::string corridor_line(const Scene& scene) {
     std::string text;
     for (const MotionBound& bound : motion_bounds(scene))
         if (bound.corridor >= 0)
-            append(text, fmt::format("{} {} {} from {} to {} deg", shown.motion[bound.order].name,
-                                     bound.sign < 0 ? ">=" : "<=",
-                                     bound.unit.empty() ? short_text(bound.given)
-                                                        : short_text(bound.given) + " " + bound.unit,
-                                     short_text(bound.from * shown.degrees_per_x),
-                                     short_text(bound.until * shown.degrees_per_x)));
+            append_item(
+                text, fmt::format("{} {} {} {}", shown.motion[bound.order].name, bound.sign < 0 ? ">=" : "<=",
+                                  bound.unit.empty() ? short_text(bound.given)
+                                                     : short_text(bound.given) + " " + bound.unit,
+                                  angles_words(bound.from * shown.degrees_per_x,
+                                               bound.until * shown.degrees_per_x, shown_digits)));
     return "Corridors: " + text;
 }
 
@@ -173,7 +170,7 @@ std::string measured_line(const MeasuredMotion& measured) {
 
 std::string breakpoint_text(const SplineSpec& spline) {
     std::string text;
-    for (const double x : spline.breakpoints) append(text, short_text(x));
+    for (const double x : spline.breakpoints) append_item(text, short_text(x));
     return text.empty() ? text : ", breakpoints at x = " + text;
 }
 
@@ -214,16 +211,16 @@ std::string cam_line(const Scene& scene) {
     const ShownUnits shown = shown_units(scene);
     for (const CamDimension& dimension : cam.dimensions) {
         if (dimension.value.key.empty()) continue;  // this variant has no such dimension
-        append(text,
-               fmt::format("{} {}", words_of(dimension.name),
-                           range_text(dimension.value, dimension.is_angle ? shown.angle : shown.length)));
+        append_item(
+            text, fmt::format("{} {}", words_of(dimension.name),
+                              range_text(dimension.value, dimension.is_angle ? shown.angle : shown.length)));
     }
     if (const std::optional<Dimension> prime = prime_radius(cam))
-        append(text, fmt::format("prime radius {}", range_text(*prime, shown.length)));
+        append_item(text, fmt::format("prime radius {}", range_text(*prime, shown.length)));
     if (cam.face_radius)
-        append(text, fmt::format("radius of the round face {}", shown.length.text(*cam.face_radius)));
+        append_item(text, fmt::format("radius of the round face {}", shown.length.text(*cam.face_radius)));
     else if (cam.face_half_width)
-        append(text, fmt::format("half width of the face {}", shown.length.text(*cam.face_half_width)));
+        append_item(text, fmt::format("half width of the face {}", shown.length.text(*cam.face_half_width)));
     return text;
 }
 
@@ -243,21 +240,22 @@ std::string force_line(const Scene& scene) {
         fmt::format("Forces: {} {}, spring {}, preload {}", scene.motion.lift_is_angle ? "inertia" : "mass",
                     shown.mass.text(forces.mass), shown.spring_rate.text(forces.spring_rate),
                     shown.load.text(forces.preload));
-    if (forces.damping > 0.0) append(text, damping_text(scene, forces.damping));
+    if (forces.damping > 0.0) append_item(text, damping_text(scene, forces.damping));
     if (!forces.load.empty()) {
         const auto [least, most] =
             std::ranges::minmax(forces.load, {}, [](const auto& point) { return point[1]; });
-        append(text, least[1] == most[1] ? "load " + shown.load.text(least[1])
-                                         : fmt::format("load {} to {} over the cam angle",
-                                                       shown.load.text(least[1]), shown.load.text(most[1])));
+        append_item(text, least[1] == most[1]
+                              ? "load " + shown.load.text(least[1])
+                              : fmt::format("load {} to {} over the cam angle", shown.load.text(least[1]),
+                                            shown.load.text(most[1])));
     }
     if (forces.spring_frequency)
-        append(text, "natural frequency of the spring " + hertz_shown.text(*forces.spring_frequency));
+        append_item(text, "natural frequency of the spring " + hertz_shown.text(*forces.spring_frequency));
     if (!forces.contact_width) return text;
-    append(text, fmt::format("contact width {}", shown.length.text(*forces.contact_width)));
-    append(text, material_text("cam", shown.modulus.text(forces.cam_modulus), forces.cam_poisson));
-    append(text,
-           material_text("follower", shown.modulus.text(forces.follower_modulus), forces.follower_poisson));
+    append_item(text, fmt::format("contact width {}", shown.length.text(*forces.contact_width)));
+    append_item(text, material_text("cam", shown.modulus.text(forces.cam_modulus), forces.cam_poisson));
+    append_item(text, material_text("follower", shown.modulus.text(forces.follower_modulus),
+                                    forces.follower_poisson));
     return text;
 }
 
@@ -268,21 +266,19 @@ std::string train_line(const Scene& scene) {
     std::string text = fmt::format("Elastic follower: {} {}", scene.motion.lift_is_angle ? "inertia" : "mass",
                                    shown.mass.text(train.mass));
     if (train.natural_frequency)
-        append(text, fmt::format("natural frequency {} Hz",
-                                 short_text(*train.natural_frequency / (2.0 * std::numbers::pi))));
-    if (train.stiffness) append(text, "stiffness " + shown.spring_rate.text(*train.stiffness));
-    if (train.damping_ratio) append(text, "damping ratio " + short_text(*train.damping_ratio));
-    if (train.damping) append(text, damping_text(scene, *train.damping));
-    for (const TrainStage& stage : train.stages)
-        append(text, fmt::format("a stage before it of {} on {}{}", shown.mass.text(stage.mass),
-                                 shown.spring_rate.text(stage.stiffness),
-                                 stage.damping > 0.0 ? " and " + damping_text(scene, stage.damping) : ""));
+        append_item(text, "natural frequency " + hertz_shown.text(*train.natural_frequency));
+    if (train.stiffness) append_item(text, "stiffness " + shown.spring_rate.text(*train.stiffness));
+    if (train.damping_ratio) append_item(text, "damping ratio " + short_text(*train.damping_ratio));
+    if (train.damping) append_item(text, damping_text(scene, *train.damping));
+    for (const TrainStage& stage : train.stages) {
+        append_item(text, fmt::format("a stage before it of {} on {}", shown.mass.text(stage.mass),
+                                      shown.spring_rate.text(stage.stiffness)));
+        if (stage.damping > 0.0) append_item(text, damping_text(scene, stage.damping), " and ");
+    }
     if (train.return_stiffness > 0.0)
-        append(text, "return spring " + shown.spring_rate.text(train.return_stiffness));
-    if (train.preload > 0.0) append(text, "preload " + shown.load.text(train.preload));
-    if (train.speed_range)
-        append(text, fmt::format("from {} to {} rpm", short_text(rpm_shown.of((*train.speed_range)[0])),
-                                 short_text(rpm_shown.of((*train.speed_range)[1]))));
+        append_item(text, "return spring " + shown.spring_rate.text(train.return_stiffness));
+    if (train.preload > 0.0) append_item(text, "preload " + shown.load.text(train.preload));
+    if (train.speed_range) append_item(text, speeds_words(*train.speed_range));
     return text;
 }
 
@@ -296,17 +292,18 @@ std::string drive_line(const Scene& scene) {
     const bool angle = scene.motion.lift_is_angle;
     std::string text =
         fmt::format("Motor in place of a cam: load {} {}", short_text(drive.load), angle ? "kg m²" : "kg");
-    append(text, fmt::format("inertia of motor and gear {} kg m²", short_text(drive.motor_inertia)));
+    append_item(text, fmt::format("inertia of motor and gear {} kg m²", short_text(drive.motor_inertia)));
     const double a_turn = units::turn * drive.transmission;
-    append(text, angle ? fmt::format("{} deg a revolution", short_text(degrees_shown.of(a_turn)))
-                       : fmt::format("{} mm a revolution", short_text(millimetres_shown.of(a_turn))));
+    append_item(text, angle ? fmt::format("{} deg a revolution", short_text(degrees_shown.of(a_turn)))
+                            : fmt::format("{} mm a revolution", short_text(millimetres_shown.of(a_turn))));
     const auto add = [&](const char* name, double value, const char* unit) {
-        if (value != 0.0) append(text, fmt::format("{} {} {}", name, short_text(value), unit));
+        if (value != 0.0) append_item(text, fmt::format("{} {} {}", name, short_text(value), unit));
     };
     add("viscous friction", drive.viscous, angle ? "N m s/rad" : "N s/m");
     add(angle ? "constant moment" : "constant force", drive.force, angle ? "N m" : "N");
     add("dry friction", drive.friction, angle ? "N m" : "N");
-    if (drive.cycle) append(text, fmt::format("cycle {} deg", short_text(degrees_shown.of(*drive.cycle))));
+    if (drive.cycle)
+        append_item(text, fmt::format("cycle {} deg", short_text(degrees_shown.of(*drive.cycle))));
     return text;
 }
 
@@ -315,16 +312,16 @@ std::string limit_line(const Scene& scene) {
     std::string text;
     for (const PeakLimitRow& row : peak_limit_rows())
         if (const auto& limit = row.in(scene.limits))
-            append(text, limit_text(limit->key, row.side < 0, limit->given, limit->unit) +
-                             (limit->unit.empty() ? " (normalised)" : ""));
+            append_item(text, limit_text(limit->key, row.side < 0, limit->given, limit->unit) +
+                                  (limit->unit.empty() ? " (normalised)" : ""));
     for (const LimitRow& row : limit_rows())
         if (const auto& limit = row.in(scene.limits))
-            append(text, limit_text(limit->key, row.is_least(), limit->given(), limit->unit));
+            append_item(text, limit_text(limit->key, row.is_least(), limit->given(), limit->unit));
     std::string curve;
     for (const auto& [speed, torque] : scene.limits.motor_curve)
-        curve += fmt::format("{}{} N m at {} rpm", curve.empty() ? "" : ", ", short_text(torque),
-                             short_text(rpm_shown.of(speed)));
-    if (!curve.empty()) append(text, "torque-speed curve of the motor " + curve);
+        append_item(curve,
+                    fmt::format("{} N m at {} rpm", short_text(torque), short_text(rpm_shown.of(speed))));
+    if (!curve.empty()) append_item(text, "torque-speed curve of the motor " + curve);
     return text;
 }
 
@@ -333,10 +330,10 @@ std::string reference_text(const Reference& reference) {
     std::string numbers;
     for (const CostTerm& term : cost_terms())
         if (const std::optional<double>& value = reference.*term.reference)
-            append(numbers, fmt::format("{} {}", words_of(term.name()), short_text(*value)));
+            append_item(numbers, fmt::format("{} {}", words_of(term.name()), short_text(*value)));
     for (const ResponseTerm& term : response_terms())
         if (const std::optional<double>& value = reference.*term.reference)
-            append(numbers, fmt::format("{} {}", words_of(term.name), short_text(*value)));
+            append_item(numbers, fmt::format("{} {}", words_of(term.name), short_text(*value)));
     return fmt::format("that of the reference given as numbers{}", numbers.empty() ? "" : ": " + numbers);
 }
 
@@ -376,10 +373,10 @@ std::string solver_line(const SolverSpec& solver) {
                    : fmt::format("{} ({} where not convex)", short_text(solver.wanted_gap()),
                                  short_text(solver.wanted_gap(false))),
         short_text(solver.max_seconds));
-    if (solver.starts) append(text, fmt::format("{} starts", *solver.starts));
-    append(text, fmt::format("seed {}", solver.seed));
+    if (solver.starts) append_item(text, fmt::format("{} starts", *solver.starts));
+    append_item(text, fmt::format("seed {}", solver.seed));
     for (const auto& [name, value] : solver.options)
-        append(text, fmt::format("{} = {}", name, option_text(value)));
+        append_item(text, fmt::format("{} = {}", name, option_text(value)));
     return text;
 }
 

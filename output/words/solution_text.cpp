@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/solution_text.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/text/printable.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/peak_comparison.hpp"
 #include "output/view/valve_tables.hpp"
 #include "scene/limit_table.hpp"
-#include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/search/plan.hpp"
 
@@ -20,17 +20,11 @@ namespace {
 constexpr int solution_line_width = 110;
 // Of a peak in its unit, and by the cam angle beside it: "−123456 mm/rad³", "(−0.00287425 deg/deg³)".
 constexpr int width_of_first = 17, width_of_beside = 22;
-constexpr double least_shown_gap = 1e-9;
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
 /// No backend ran, since laws and dwells fix the motion.
 bool is_fixed(const Solution& solution) {
     return solution.scene.motion.prescribed() && solution.solver.termination == Termination::not_run;
-}
-
-std::string because(const Certificate& certificate) {
-    return certificate.reason == Reason::none ? std::string{}
-                                              : fmt::format(" ({})", words_of(name_of(certificate.reason)));
 }
 
 std::string indented(const std::string& lines) {
@@ -63,58 +57,6 @@ std::string peak_lines(const Solution& solution) {
     for (const PeakRow& row : peak_comparison(solution, reference))
         text += peak_line(row, reference_title(reference), solution.scene.motion.speed.has_value());
     return text;
-}
-
-bool searched(const Solution& solution) {
-    return !solution.solver.convex && solution.solver.starts > 0;
-}
-
-/// A motion that was found, and then did not stand the audit of what is delivered.
-bool was_found_wanting(const Solution& solution) {
-    return solution.certificate.verdict == Verdict::failed && solution.motion != nullptr;
-}
-
-/// A motion was found that doubles do not hold: it is not delivered.
-bool is_beyond_doubles(const Solution& solution) {
-    return solution.certificate.verdict == Verdict::failed && solution.motion == nullptr &&
-           is_no_motion(solution.certificate.reason);
-}
-
-/// Rounded up, to one digit below 1 %.
-std::string percent_above(double part) {
-    const double percent = 100.0 * part;
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(percent))));
-    const double unit = std::pow(10.0, -decimals);
-    return fmt::format("{:.{}f} %", unit * std::ceil(percent / unit * (1.0 - 1e-9)), decimals);
-}
-
-/// "8 starts" or "from one start"
-std::string starts_text(int starts) {
-    return starts == 1 ? std::string("from one start") : fmt::format("the best of {} starts", starts);
-}
-
-/// The user stopped it, and that is why it is no better.
-bool was_interrupted(const Certificate& certificate) {
-    return certificate.reason == Reason::interrupted;
-}
-
-/// Of a motion without a proof that it is the best one: what is proved.
-std::string not_optimal_words(const Certificate& certificate) {
-    const std::string gap = gap_words(certificate);
-    return gap.empty() ? "optimality is not proved" : "proved to be " + gap;
-}
-
-std::string interrupted_sentence(const Solution& solution) {
-    const int starts = solution.solver.starts;
-    const std::string where = !searched(solution) ? std::string()
-                              : starts == 1       ? std::string(" in the search from its first start")
-                                                  : fmt::format(" in the search, after {} starts", starts);
-    if (solution.certificate.verdict == Verdict::failed)
-        return fmt::format(
-            "Interrupted{}: no motion that satisfies every limit was found. Whether one exists is open.",
-            where);
-    return fmt::format("Interrupted{}: the best motion found so far satisfies every limit; {}.", where,
-                       not_optimal_words(solution.certificate));
 }
 
 std::string segment_lines(const Solution& solution) {
@@ -158,98 +100,16 @@ std::string relaxation_lines(const Solution& solution) {
 
 }  // namespace
 
-std::string gap_words(const Certificate& certificate) {
-    if (!certificate.gap) return {};
-    double part = std::max(*certificate.gap, least_shown_gap);
-    // The gap is relative to 1 at least; the objective may be smaller.
-    if (const std::optional<double>& bound = certificate.lower_bound) {
-        if (!(*bound > 0.0)) return {};
-        part = std::max(part, certificate.objective / *bound - 1.0);
-    }
-    return part <= 1.0 ? fmt::format("at most {} from the optimum", percent_above(part)) : std::string{};
-}
-
-std::string verdict_sentence(const Solution& solution) {
-    const Certificate& certificate = solution.certificate;
-    const SolverReport& solver = solution.solver;
-    if (was_found_wanting(solution))
-        return fmt::format("Failed: the motion found does not match the scene{}, see the notes.",
-                           because(certificate));
-    if (is_beyond_doubles(solution))
-        return fmt::format(
-            "Failed: double precision cannot represent the motion found{}, see the notes. Other "
-            "breakpoints may.",
-            because(certificate));
-    if (certificate.verdict == Verdict::feasible && !solution.machine.empty())
-        return fmt::format("An axis of a machine, solved with all the others: {}. Every limit is satisfied.",
-                           solution.machine);
-    if (was_interrupted(certificate)) return interrupted_sentence(solution);
-    if (solution.scene.motion.prescribed()) {
-        const bool kept = certificate.verdict == Verdict::optimal;
-        const bool free = solution.plan && solution.plan->dimensions > 0;
-        if (!free && (kept || certificate.verdict == Verdict::infeasible))
-            return kept ? "Prescribed motion, nothing to optimize; every limit is satisfied."
-                        : "Proved infeasible: the prescribed motion violates a limit.";
-        if (kept) return "Prescribed motion; the dimensions of its cam are proved optimal.";
-        if (certificate.verdict == Verdict::infeasible)
-            return "Proved infeasible: the prescribed motion violates a limit with every cam of this scene.";
-    }
-    if (!searched(solution) || certificate.verdict == Verdict::optimal ||
-        certificate.verdict == Verdict::infeasible)
-        return verdict_sentence(certificate);
-    const std::string gap = gap_words(certificate);
-    if (certificate.verdict == Verdict::local)
-        return fmt::format(
-            "Local optimum, {}: no small change improves it{}", starts_text(solver.starts),
-            gap.empty() ? ". A better one may exist." : ", and it is proved to be " + gap + ".");
-    if (certificate.verdict == Verdict::feasible)
-        return fmt::format("Feasible, {}: every limit is satisfied; {}{}.", starts_text(solver.starts),
-                           not_optimal_words(certificate), because(certificate));
-    return fmt::format(
-        "Failed: no motion that satisfies every limit was found from {} {}; infeasibility is not proved{}.",
-        solver.starts, solver.starts == 1 ? "start" : "starts", because(certificate));
-}
-
-std::string verdict_sentence(const Certificate& certificate) {
-    switch (certificate.verdict) {
-        case Verdict::optimal:
-            if (certificate.proof && certificate.proof->limits_relaxed_by > 0.0)
-                return fmt::format(
-                    "Proved optimal, with limits that lie within rounding of infeasible: no curve of this "
-                    "spline "
-                    "space that satisfies them to within {} of their size is better by more than the gap.",
-                    short_text(certificate.proof->limits_relaxed_by, 2));
-            return "Proved optimal: no curve of this spline space is better by more than the gap.";
-        case Verdict::local:
-            if (const std::string gap = gap_words(certificate); !gap.empty())
-                return fmt::format("Feasible and stationary, and proved to be {}; solver.gap requires less.",
-                                   gap);
-            return "Local optimum: feasible, and no small change improves it; not proved to be the "
-                   "global optimum.";
-        case Verdict::feasible:
-            return fmt::format("Feasible: every limit is satisfied; {}{}.", not_optimal_words(certificate),
-                               because(certificate));
-        case Verdict::infeasible:
-            if (certificate.reason == Reason::conditions_contradict)
-                return "Infeasible: no curve of this spline space meets all the conditions, see the notes.";
-            return "Proved infeasible: no curve of this spline space satisfies all the limits.";
-        case Verdict::failed:
-            break;
-    }
-    return fmt::format("Failed: neither a curve nor a proof was found{}.", because(certificate));
-}
-
 std::string objective_line(const Solution& solution, std::string_view separator) {
     const Certificate& certificate = solution.certificate;
     std::string line;
     const auto add = [&](std::string_view name, double value, int digits) {
-        line += fmt::format("{}{} {}", line.empty() ? std::string_view{} : separator, name,
-                            short_text(value, digits));
+        append_item(line, fmt::format("{} {}", name, short_text(value, digits)), separator);
     };
     if (std::isfinite(certificate.objective)) add("objective", certificate.objective, figures);
     if (certificate.lower_bound)
         add(certificate.proof_kind == ProofKind::any_curve_limit ? "bound for all curves"
-            : searched(solution) && certificate.proof_kind != ProofKind::boxes
+            : searched_from_starts(solution) && certificate.proof_kind != ProofKind::boxes
                 ? "bound of the convex relaxation"
                 : "proved bound",
             *certificate.lower_bound, figures);
@@ -310,7 +170,7 @@ std::vector<std::string> solver_sentences(const Solution& solution) {
                                           words_of(name_of(solver.termination)), solver.iterations,
                                           solver.exchange_rounds),
                         short_text(solution.seconds_total, 3)));
-    if (searched(solution))
+    if (searched_from_starts(solution))
         all.push_back(
             fmt::format("The scene is not convex; searches from different starts: {}.", solver.starts));
     if (!solver.proof_source.empty())

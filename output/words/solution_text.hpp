@@ -18,6 +18,17 @@ namespace camopt {
 /// The same, and what a search from several starts can say and cannot.
 [[nodiscard]] std::string verdict_sentence(const Solution& solution);
 
+/// Its headline, and what it means, for readers who do not know what a bound is.
+struct VerdictWords {
+    const char* tone;  ///< "good", "fair", "bad"
+    const char* headline;
+    std::string meaning;
+};
+[[nodiscard]] VerdictWords verdict_words(const Solution& solution);
+
+/// The search had several starts: the scene is not convex.
+[[nodiscard]] bool searched_from_starts(const Solution& solution);
+
 /// "at most 0.0002 % from the optimum": what a bound proves of a motion that is not proved optimal, rounded
 /// up. Empty without a bound, or where it allows a motion of half the objective.
 [[nodiscard]] std::string gap_words(const Certificate& certificate);
@@ -79,6 +90,8 @@ namespace camopt {
 
 // An elastic follower train in words for people.
 
+/// "from 300 to 1200 rpm"
+[[nodiscard]] std::string speeds_words(const std::array<double, 2>& speeds);
 /// Of the output at this speed of the camshaft, from lifts by x².
 [[nodiscard]] double acceleration_at(const Scene& scene, double normalised, double speed);
 /// A sentence a figure: of result reports.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/study_text.hpp"
 
+#include "core/text/list_text.hpp"
 #include "core/text/printable.hpp"
 #include "output/view/shown_units.hpp"
 #include "output/words/solution_text.hpp"
@@ -46,8 +47,7 @@ std::string physical_text(const SweepTable& table, const SweepRow& row, const Sc
           std::pair(SweepFigure::jerk, 3)}) {
         const MotionUnit& unit = shown.motion[order].first;
         if (const std::optional<double>& peak = row.figure(figure))
-            text +=
-                fmt::format("{}{} {}", text.empty() ? "" : ", ", unit.symbol, unit.normalised_text(*peak));
+            append_item(text, fmt::format("{} {}", unit.symbol, unit.normalised_text(*peak)));
     }
     return text.empty() ? text : "    peaks there: " + text + "\n";
 }

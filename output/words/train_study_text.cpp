@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/list_text.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/study_text.hpp"
@@ -74,11 +75,11 @@ std::string dynamics_text(const TrainStudy& study) {
     const MotionSpec& motion = study.scene.motion;
     for (std::size_t stroke = 0; stroke < study.strokes.size(); ++stroke) {
         const std::vector<MotionStretch>& moving = study.strokes[stroke].moving;
-        text += fmt::format("\nStroke from {} to {} deg, {} natural periods:\n\n{}",
-                            short_text(degrees_shown.of(motion.master_angle(moving.front().begin))),
-                            short_text(degrees_shown.of(motion.master_angle(moving.back().end))),
-                            short_text(study.rows[stroke * rows + nearest].frequency_ratio, 4),
-                            aligned_text(stroke_table(study, stroke)));
+        text +=
+            fmt::format("\n{}, {} natural periods:\n\n{}",
+                        capitalised(stroke_words(motion, stroke, moving.front().begin, moving.back().end)),
+                        short_text(study.rows[stroke * rows + nearest].frequency_ratio, 4),
+                        aligned_text(stroke_table(study, stroke)));
     }
     if (study.scene.dynamics->pressed())
         text +=

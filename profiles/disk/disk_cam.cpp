@@ -104,10 +104,9 @@ std::string dimension_fault(const DiskCam& cam) {
     for (int i = 0; i < dimension_count; ++i) {
         const auto index = static_cast<DimensionIndex>(i);
         if (!has_dimension(cam.follower, index)) continue;
-        if (!std::isfinite(cam[index])) return fmt::format("the {} is not a number", name_of(index));
         const bool has_sign = index == offset || index == face_offset;
-        if (!has_sign && !(cam[index] > 0.0))
-            return fmt::format("the {} of {} is not positive", name_of(index), length_text(cam[index]));
+        if (std::string fault = length_fault(name_of(index), cam[index], has_sign); !fault.empty())
+            return fault;
     }
     return {};
 }

@@ -73,10 +73,9 @@ std::string dimension_fault(RemoteLinkage linkage, std::span<const double> dimen
     for (int i = 0; i < remote_dimension_count; ++i) {
         const auto which = static_cast<RemoteDimension>(i);
         if (!has_dimension(linkage, which)) continue;
-        const double value = dimensions[static_cast<std::size_t>(i)];
-        if (!std::isfinite(value)) return fmt::format("the {} is not a number", name_of(which));
-        if (!has_sign(which) && !(value > 0.0))
-            return fmt::format("the {} of {} is not positive", name_of(which), length_text(value));
+        std::string fault =
+            length_fault(name_of(which), dimensions[static_cast<std::size_t>(i)], has_sign(which));
+        if (!fault.empty()) return fault;
     }
     return {};
 }

@@ -61,15 +61,13 @@ std::optional<Vector3d> pivot_of(const SpatialCam& cam) {
 std::string dimension_fault(const SpatialCam& cam) {
     for (int i = 0; i < spatial_dimension_count; ++i) {
         const auto index = static_cast<SpatialDimension>(i);
-        if (!std::isfinite(cam[index])) return fmt::format("the {} is not a number", name_of(index));
         const bool unused = index == arm_length && cam.follower == SpatialFollower::cylindrical_translating;
-        if (index != lateral_offset && !unused && !(cam[index] > 0.0))
-            return fmt::format("the {} of {} is not positive", name_of(index), length_text(cam[index]));
+        std::string fault = length_fault(name_of(index), cam[index], index == lateral_offset || unused);
+        if (!fault.empty()) return fault;
     }
     if (!std::isfinite(cam.axial_offset) || !std::isfinite(cam.start))
         return "the axial_offset or the start is not a number";
-    if (cam.roller_length > 0.0) return {};
-    return fmt::format("the roller_length of {} is not positive", length_text(cam.roller_length));
+    return length_fault("roller_length", cam.roller_length, false);
 }
 
 std::string swing_fault(double low, double high) {

@@ -3,6 +3,7 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -79,7 +80,7 @@ Fault force_fault(const Scene& scene) {
     for (std::size_t i = 0; i < load.size(); ++i)
         if (!std::isfinite(load[i][0]) || !std::isfinite(load[i][1]) ||
             (i > 0 && !(load[i][0] > load[i - 1][0])))
-            return SceneFault{fmt::format("forces.load[{}]", i),
+            return SceneFault{entry_key("forces.load", i),
                               fmt::format("{} at {} rad", load[i][1], load[i][0]),
                               "finite forces at ascending angles of one revolution"};
     return std::nullopt;

@@ -11,7 +11,7 @@ namespace {
 Fault inertia_fault(const DriveSpec& drive) {
     if (drive.load > 0.0 || drive.motor_inertia > 0.0) return std::nullopt;
     return SceneFault{"drive", "no mass and no inertia",
-                      "a load or drive.motor_inertia_kg_m2 > 0: nothing else resists acceleration"};
+                      "a load or drive.motor_inertia > 0: nothing else resists acceleration"};
 }
 
 /// The member of the scene that asks for a motor; empty: none.

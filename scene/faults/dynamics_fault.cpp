@@ -2,6 +2,7 @@
 // The [dynamics] table: its numbers, and the requirements of residual vibration and dynamic forces.
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ Fault stage_fault(const DynamicsSpec& spec) {
     for (std::size_t i = 0; i < spec.stages.size(); ++i) {
         const auto out_of = [i](const Range& range, double value, const char* name) -> Fault {
             if (range.contains(value)) return std::nullopt;
-            return SceneFault{fmt::format("dynamics.stage[{}].{}", i, name), fmt::format("{}", value),
+            return SceneFault{entry_key("dynamics.stage", i, name), fmt::format("{}", value),
                               range.number_text()};
         };
         if (Fault fault = out_of(positive, spec.stages[i].mass, "mass")) return fault;
@@ -104,22 +105,11 @@ Fault static_term_fault(const Scene& scene) {
 
 Fault response_limit_fault(const Scene& scene) {
     const LimitSpec& limits = scene.limits;
-    if (limits.residual && is_angle_unit(limits.residual->unit) != scene.motion.lift_is_angle &&
-        !limits.residual->unit.empty())
-        return SceneFault{"limits.residual", fmt::format("an amplitude in {}", limits.residual->unit),
-                          scene.motion.lift_is_angle ? "an angle, as the lift" : "a length, as the lift"};
+    if (Fault fault = limit_unit_fault(scene, LimitedFigure::residual)) return fault;
     if (limits.dynamic_contact_force_min && !scene.dynamics->pressed())
         return SceneFault{"limits.dynamic_contact_force_min", "a train without a force towards the cam",
                           "together with dynamics.return_spring or dynamics.preload"};
-    if (limits.dynamic_contact_force_min &&
-        std::ranges::any_of(spellings::moment,
-                            [&](const Spelling& spelling) {
-                                return spelling.unit == limits.dynamic_contact_force_min->unit;
-                            }) != scene.motion.lift_is_angle &&
-        !limits.dynamic_contact_force_min->unit.empty())
-        return SceneFault{"limits.dynamic_contact_force_min",
-                          fmt::format("a limit in {}", limits.dynamic_contact_force_min->unit),
-                          scene.motion.lift_is_angle ? "a moment in N m or lbf in" : "a force in N or lbf"};
+    if (Fault fault = limit_unit_fault(scene, LimitedFigure::dynamic_contact_force)) return fault;
     const bool wants_residual = limits.residual || scene.objective.residual > 0.0;
     if (wants_residual && scene.dynamics->formulas && !scene.dynamics->formulas->vibrates())
         return SceneFault{limits.residual ? "limits.residual" : "objective.residual",

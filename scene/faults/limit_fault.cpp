@@ -3,6 +3,7 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 #include "scene/unit_fault.hpp"
 
 #include <fmt/format.h>
@@ -92,9 +93,7 @@ Fault harmonic_fault(const Scene& scene) {
         return SceneFault{"limits.spring_harmonics", fmt::format("harmonics from {} to {}", first, last),
                           fmt::format("at most {} harmonics from 1 to {}", most_at_once, most_harmonic)};
     if (!limit) return std::nullopt;
-    if (!limit->unit.empty() && is_angle_unit(limit->unit) != scene.motion.lift_is_angle)
-        return SceneFault{"limits.spring_harmonic", fmt::format("an amplitude in {}", limit->unit),
-                          scene.motion.lift_is_angle ? "an angle, as the lift" : "a length, as the lift"};
+    if (Fault fault = limit_unit_fault(scene, LimitedFigure::spring_harmonic)) return fault;
     if (scene.spline.free_knots)
         return SceneFault{"limits.spring_harmonic", "a limit on harmonics with spline.knots = \"free\"",
                           "fixed knots"};
@@ -134,11 +133,19 @@ Fault positive_fault(const std::string& member, double value) {
 
 }  // namespace
 
+Fault limit_unit_fault(const Scene& scene, LimitedFigure figure) {
+    const LimitRow& row = limit_row(figure);
+    const std::array names = {KeyNames{row.name, row.spellings}};
+    const std::optional<WrittenLimit>& limit = row.in(scene.limits);
+    return limit ? unit_fault(joined_key("limits", row.name), limit->unit, scene.motion, names)
+                 : std::nullopt;
+}
+
 Fault own_rules_fault(const Scene& scene) {
     std::set<std::string> names;
     for (std::size_t i = 0; i < scene.own_terms.size(); ++i) {
         const OwnTerm& term = scene.own_terms[i];
-        const std::string member = fmt::format("own_terms[{}]", i);
+        const std::string member = entry_key("own_terms", i);
         if (Fault fault = own_rule_fault(term, member, names)) return fault;
         if (Fault fault = positive_fault(member + ".weight", term.weight)) return fault;
         if (Fault fault = positive_fault(member + ".reference", term.reference)) return fault;
@@ -146,7 +153,7 @@ Fault own_rules_fault(const Scene& scene) {
     names.clear();
     for (std::size_t i = 0; i < scene.own_limits.size(); ++i) {
         const OwnLimit& limit = scene.own_limits[i];
-        const std::string member = fmt::format("own_limits[{}]", i);
+        const std::string member = entry_key("own_limits", i);
         if (Fault fault = own_rule_fault(limit, member, names)) return fault;
         if (!std::isfinite(limit.limit))
             return SceneFault{member + ".limit", fmt::format("{}", limit.limit), "a finite number"};

@@ -2,6 +2,7 @@
 // The segments of a program: each separately, then their angles and their final displacement.
 #include "scene/faults/scene_faults.hpp"
 #include "scene/key_row.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -72,7 +73,7 @@ Fault angle_range_fault(const MotionSpec& motion) {
     const auto searched = [](const ProgramSegment& segment) { return segment.angle_range.has_value(); };
     const auto first = std::ranges::find_if(motion.segments, searched);
     if (first == motion.segments.end()) return std::nullopt;
-    const std::string member = fmt::format("motion.segments[{}].angle", first - motion.segments.begin());
+    const std::string member = segment_key(first - motion.segments.begin(), "angle");
     if (motion.repeat > 1)
         return SceneFault{member, "a range in a program that is repeated", "a number, or motion.repeat = 1"};
     if (!motion.closed)
@@ -91,7 +92,7 @@ Fault end_fault(const MotionSpec& motion) {
                                    [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
     if (last == motion.segments.rend() || last->to.value_or(0.0) == 0.0) return std::nullopt;
     const auto index = std::distance(last, motion.segments.rend()) - 1;
-    return SceneFault{fmt::format("motion.segments[{}].to", index),
+    return SceneFault{segment_key(index, "to"),
                       fmt::format("a closed program that ends at {} lifts", *last->to),
                       "0, where it began, or no `to`, or motion.closed = false"};
 }
@@ -110,7 +111,7 @@ Fault idle_fault(const MotionSpec& motion) {
     const auto others = std::count_if(first + 1, motion.segments.end(),
                                       [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
     const bool alone = motion.closed && others == 0;  // each rise has its return
-    return SceneFault{fmt::format("motion.segments[{}].to", std::distance(motion.segments.begin(), first)),
+    return SceneFault{segment_key(std::distance(motion.segments.begin(), first), "to"),
                       "a program in which nothing has to move: every displacement is 0 or free",
                       alone ? "two segments that move, the first with `to`, or motion.closed = false"
                             : "a displacement other than 0 for at least one segment (lifts: `to = 1`)"};
@@ -124,8 +125,7 @@ Fault prescribed_fault(const MotionSpec& motion) {
         const ProgramSegment& segment = motion.segments[i];
         moves = moves || segment.kind == SegmentKind::law;
         if (segment.kind == SegmentKind::law && !segment.to)
-            return SceneFault{fmt::format("motion.segments[{}].to", i),
-                              "no displacement, in a program of laws and dwells only",
+            return SceneFault{segment_key(i, "to"), "no displacement, in a program of laws and dwells only",
                               "the displacement at its end: nothing is optimised that could choose it"};
     }
     if (moves) return std::nullopt;
@@ -139,7 +139,7 @@ Fault joint_fault(const MotionSpec& motion) {
     for (std::size_t i = 0; i < count; ++i) {
         const ProgramSegment& segment = motion.segments[i];
         if (!segment.end) continue;
-        const std::string member = fmt::format("motion.segments[{}].end", i);
+        const std::string member = segment_key(i, "end");
         const bool last = i + 1 == count && !motion.periodic();
         const ProgramSegment& next = motion.segments[(i + 1) % count];
         if (last)
@@ -168,8 +168,7 @@ Fault program_fault(const MotionSpec& motion) {
         return SceneFault{"motion.repeat", fmt::format("{} in a program that is not closed", motion.repeat),
                           "1, or motion.closed = true"};
     for (std::size_t i = 0; i < motion.segments.size(); ++i)
-        if (Fault fault = segment_fault(motion.segments[i], fmt::format("motion.segments[{}]", i)))
-            return fault;
+        if (Fault fault = segment_fault(motion.segments[i], segment_key(i))) return fault;
     if (Fault fault = prescribed_fault(motion)) return fault;
     if (Fault fault = joint_fault(motion)) return fault;
     if (Fault fault = angle_range_fault(motion)) return fault;
@@ -249,7 +248,7 @@ Fault corridor_fault(const MotionSpec& motion) {
     const double whole = motion.length() * motion.unit_angle();
     for (std::size_t i = 0; i < motion.corridors.size(); ++i) {
         const Corridor& corridor = motion.corridors[i];
-        const std::string member = fmt::format("motion.corridor[{}]", i);
+        const std::string member = entry_key("motion.corridor", i);
         if (!(corridor.to > corridor.from) || !(corridor.from >= 0.0) ||
             !(corridor.to <= whole * (1.0 + turn_tolerance)))
             return SceneFault{

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Validation of a scene: numbers against their ranges in the order of the scene's members, then relations
 // between members.
+#include "core/text/list_text.hpp"
 #include "scene/faults/scene_faults.hpp"
+#include "scene/key_place.hpp"
 #include "scene/keys/own_rows.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/ranges.h>
 
@@ -15,19 +18,7 @@ using ranges::any, ranges::positive;
 
 Fault out_of(const Range& range, double value, std::string_view table, std::string_view name) {
     if (range.contains(value)) return std::nullopt;
-    return SceneFault{fmt::format("{}.{}", table, name), fmt::format("{}", value), range.number_text()};
-}
-
-/// The number of a key against the range of its row.
-Fault row_fault(const KeyRow& row, const Scene& scene) {
-    const std::optional<KeyValue> value = row.place->value(scene, {});
-    if (!value) return std::nullopt;
-    if (const auto* const number = std::get_if<double>(&*value))
-        return out_of(row.range.scaled(row.spellings.front().factor), *number, row.table, row.name);
-    const auto* const integer = std::get_if<long long>(&*value);
-    if (integer == nullptr || row.range.contains(static_cast<double>(*integer))) return std::nullopt;
-    return SceneFault{fmt::format("{}.{}", row.table, row.name), fmt::to_string(*integer),
-                      row.range.integer_text()};
+    return SceneFault{joined_key(table, name), fmt::format("{}", value), range.number_text()};
 }
 
 Fault limit_number_fault(const LimitSpec& limits) {
@@ -42,6 +33,22 @@ Fault limit_number_fault(const LimitSpec& limits) {
 }
 
 }  // namespace
+
+Fault row_fault(const KeyRow& row, const KeyOwner& owner) {
+    const std::optional<KeyValue> value = row.place->value(owner, {});
+    if (!value) return std::nullopt;
+    if (const auto* const number = std::get_if<double>(&*value))
+        return out_of(row.range.scaled(row.spellings.front().factor), *number, row.table, row.name);
+    const auto* const integer = std::get_if<long long>(&*value);
+    const auto* const word = row.type == KeyType::text ? std::get_if<std::string>(&*value) : nullptr;
+    if (integer == nullptr && word == nullptr) return std::nullopt;
+    const std::string found = integer != nullptr ? fmt::to_string(*integer) : *word;
+    if (!row.choices.empty() && std::ranges::find(row.choices, found) == row.choices.end())
+        return SceneFault{joined_key(row.table, row.name), word != nullptr ? in_quotes(found) : found,
+                          row.choices_text()};
+    if (integer == nullptr || row.range.contains(static_cast<double>(*integer))) return std::nullopt;
+    return SceneFault{joined_key(row.table, row.name), found, row.range.integer_text()};
+}
 
 Fault number_fault(const Scene& scene) {
     // Before its row, which has no lift of stops and that of the valve of a lobe: those are computed from it.
@@ -61,7 +68,7 @@ Fault breakpoint_fault(const Scene& scene) {
     if (points.empty()) return std::nullopt;
     const bool program = scene.motion.type == MotionType::program;
     const double length = program ? 1.0 : scene.motion.length();
-    const auto member = [](std::size_t i) { return fmt::format("spline.breakpoints[{}]", i); };
+    const auto member = [](std::size_t i) { return entry_key("spline.breakpoints", i); };
     if (points.size() < 2 || points.size() > 65537)
         return SceneFault{"spline.breakpoints", fmt::format("{} breakpoint(s)", points.size()), "2 to 65537"};
     if (!(std::abs(points.front()) <= same_place))

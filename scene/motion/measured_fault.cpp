@@ -3,6 +3,7 @@
 // the scene.
 #include "scene/cost_table.hpp"
 #include "scene/faults/scene_faults.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -54,7 +55,7 @@ class MeasuredCheck {
         return motion_.lift_is_angle ? angle_text(displacement) : length_text(displacement, lengths_);
     }
     [[nodiscard]] static std::string member(const char* column, std::size_t row) {
-        return fmt::format("measured.{}[{}]", column, row);
+        return entry_key(joined_key("measured", column), row);
     }
 
     [[nodiscard]] Fault rows_fault() const {

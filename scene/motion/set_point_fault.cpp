@@ -2,6 +2,7 @@
 // Set points and regions of all lists: locations inside their stretch, one per location, consistent values.
 #include "scene/faults/scene_faults.hpp"
 #include "scene/motion/set_points.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ struct PointStretch {
 
 std::string place_text(const PointStretch& stretch, const SetPoint& point, double at) {
     if (point.units.place.empty()) return fmt::format("{}", at);
-    return fmt::format("{:.10g} {}", at * stretch.angle / unit_of_place(point.units.place),
+    return fmt::format("{:.10g} {}", at * stretch.angle / spelling_of_place(point.units.place).factor,
                        point.units.place);
 }
 
@@ -86,25 +87,25 @@ Fault point_fault(const PointStretch& stretch, const SetPoint& point, const std:
 Fault pair_fault(const PointStretch& stretch, const std::vector<SetPoint>& points, std::size_t i,
                  std::size_t j) {
     const SetPoint &one = points[i], &other = points[j];
-    const std::string member = fmt::format("{}[{}]", stretch.member, i);
+    const std::string member = entry_key(stretch.member, i);
     if (one.is_region() && other.is_region() && one.at < *other.until - same_place &&
         other.at < *one.until - same_place)
         return SceneFault{member + ".from",
-                          fmt::format("{} to {}, which overlaps {}[{}]", place_text(stretch, one, one.at),
-                                      place_text(stretch, one, *one.until), stretch.member, j),
+                          fmt::format("{} to {}, which overlaps {}", place_text(stretch, one, one.at),
+                                      place_text(stretch, one, *one.until), entry_key(stretch.member, j)),
                           "regions that do not overlap"};
     const bool points_both = !one.is_region() && !other.is_region();
     if (points_both && std::abs(one.at - other.at) <= same_place)
-        return SceneFault{
-            member + ".at",
-            fmt::format("{}, the location of {}[{}]", place_text(stretch, one, one.at), stretch.member, j),
-            "one point at each location"};
+        return SceneFault{member + ".at",
+                          fmt::format("{}, the location of {}", place_text(stretch, one, one.at),
+                                      entry_key(stretch.member, j)),
+                          "one point at each location"};
     return std::nullopt;
 }
 
 Fault list_fault(const PointStretch& stretch, const std::vector<SetPoint>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::string member = fmt::format("{}[{}]", stretch.member, i);
+        const std::string member = entry_key(stretch.member, i);
         if (Fault fault = points[i].is_region() ? region_fault(stretch, points[i], member)
                                                 : point_fault(stretch, points[i], member))
             return fault;
@@ -123,7 +124,7 @@ std::string end_words(const MotionSpec& motion, std::size_t segment, bool after)
     const std::size_t other = (segment + (after ? 1 : count - 1)) % count;
     const SegmentKind kind = motion.segments[other].kind;
     if (kind != SegmentKind::spline)
-        return fmt::format("where segments[{}], a {}, gives the velocity", other, name_of(kind));
+        return fmt::format("where {}, a {}, gives the velocity", segment_key(other), name_of(kind));
     return outer ? "where the turn closes" : "";
 }
 
@@ -135,7 +136,7 @@ Fault set_point_fault(const MotionSpec& motion) {
     const auto is_spline = [&](std::size_t i) { return motion.segments[i].kind == SegmentKind::spline; };
     for (std::size_t i = 0; i < motion.segments.size(); ++i) {
         const ProgramSegment& segment = motion.segments[i];
-        const std::string member = fmt::format("motion.segments[{}].via", i);
+        const std::string member = segment_key(i, "via");
         if (segment.via.empty()) continue;
         if (!is_spline(i))
             return SceneFault{member,

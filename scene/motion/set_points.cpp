@@ -5,13 +5,12 @@
 #include "core/text/printable.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 
 namespace camopt {
 namespace {
-
-constexpr std::array<const char*, 4> value_names = {"displacement", "velocity", "acceleration", "jerk"};
 
 const std::string& unit_of(const SetPointUnits& units, int order) {
     return order == 0 ? units.displacement : order == 1 ? units.velocity : units.acceleration;
@@ -46,7 +45,7 @@ PlacedPoint placed_on(const PlacedPoint& stretch, const SetPoint& point, std::st
 void add_points(std::vector<PlacedPoint>& all, const std::vector<SetPoint>& points, const std::string& member,
                 const PlacedPoint& stretch) {
     for (std::size_t i = 0; i < points.size(); ++i)
-        all.push_back(placed_on(stretch, points[i], fmt::format("{}[{}]", member, i)));
+        all.push_back(placed_on(stretch, points[i], entry_key(member, i)));
 }
 
 /// The angle by which a point was normalised, rad.
@@ -65,7 +64,8 @@ std::string place_words(const MotionSpec& motion, const PlacedPoint& point, doub
     if (point.units.place.empty())
         return fmt::format("{}{:.6g}{}",
                            segment ? "" : "x = ", segment ? angle / own_angle(motion, point) : x, of);
-    return fmt::format("{:.6g} {}{}", angle / unit_of_place(point.units.place), point.units.place, of);
+    return fmt::format("{:.6g} {}{}", angle / spelling_of_place(point.units.place).factor, point.units.place,
+                       of);
 }
 
 }  // namespace
@@ -76,13 +76,13 @@ const Spelling& spelling_of_unit(int order, std::string_view unit) {
     throw InputError(
         fmt::format("a set point: found a {} in \"{}\"; allowed: none (normalised), or the unit of "
                     "a key of the scene file",
-                    value_names[static_cast<std::size_t>(order)], unit));
+                    derivative_names[static_cast<std::size_t>(order)], unit));
 }
 
-double unit_of_place(std::string_view unit) {
+const Spelling& spelling_of_place(std::string_view unit) {
     for (const Spelling& spelling : spellings::place)
-        if (spelling.unit == unit) return spelling.factor;
-    return 1.0;
+        if (spelling.unit == unit) return spelling;
+    return spellings::place.front();
 }
 
 std::optional<double>& value_of(SetPoint& point, int order) {
@@ -102,9 +102,9 @@ std::vector<PlacedPoint> placed_points(const MotionSpec& motion) {
         stretch.begin = angle / unit;
         angle += motion.segments[i].angle;
         stretch.end = angle / unit;
-        add_points(all, motion.segments[i].via, fmt::format("motion.segments[{}].via", i), stretch);
+        add_points(all, motion.segments[i].via, segment_key(i, "via"), stretch);
         if (const auto& end = motion.segments[i].end)
-            all.push_back(placed_on(stretch, *end, fmt::format("motion.segments[{}].end", i)));
+            all.push_back(placed_on(stretch, *end, segment_key(i, "end")));
     }
     return all;
 }
@@ -129,8 +129,8 @@ WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, i
     const std::string& unit = unit_of(point.units, order);
     const Spelling& spelling = spelling_of_unit(order, unit);
     WrittenValue written;
-    written.key =
-        fmt::format("{}.{}{}", point.member, value_names[static_cast<std::size_t>(order)], spelling.suffix);
+    written.key = fmt::format("{}.{}{}", point.member, derivative_names[static_cast<std::size_t>(order)],
+                              spelling.suffix);
     written.unit = unit;
     if (unit.empty()) {
         written.per_normalised = std::pow(own_angle(motion, point) / motion.unit_angle(), order);
@@ -139,36 +139,6 @@ WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, i
     const SetPointScale whole{motion.unit_angle(), motion.lift, motion.speed};
     written.per_normalised = set_point_unit(whole, order, is_unit_of_time(unit)) / spelling.factor;
     return written;
-}
-
-std::string segment_words(std::size_t index) {
-    return fmt::format("segment {}", index + 1);
-}
-
-std::string listed_words(std::string_view key) {
-    const std::size_t name = key.rfind('.') + 1;
-    std::string words(key.substr(name, key.find('_', name) - name));
-    const bool end = key.find("].end.") != std::string_view::npos;
-    if (key.find(".via[") != std::string_view::npos)
-        words = words == "at"     ? "angle"
-                : words == "from" ? "first angle"
-                : words == "to"   ? "last angle"
-                                  : words;
-    else if (words == "to")
-        words = "last displacement";
-    if (end) words += " at the end";
-    std::string places;
-    for (std::size_t open = key.find('['); open != std::string_view::npos; open = key.find('[', open + 1)) {
-        const std::size_t dot = key.rfind('.', open) + 1;
-        const std::string_view list = key.substr(dot, open - dot);
-        const std::string_view index = key.substr(open + 1, key.find(']', open) - open - 1);
-        places.insert(0, fmt::format(" of {} {}",
-                                     list == "via"        ? "set point"
-                                     : list == "segments" ? "segment"
-                                                          : list,
-                                     1 + integer_in(index).value_or(0)));
-    }
-    return key.ends_with(']') ? places.substr(std::string_view(" of ").size()) : words + places;
 }
 
 std::string words_of(const MotionSpec& motion, const PlacedPoint& point, int order) {

@@ -15,8 +15,8 @@ namespace camopt {
 
 /// The spelling of a set point's derivative of `order` in this unit. Throws InputError if there is none.
 [[nodiscard]] const Spelling& spelling_of_unit(int order, std::string_view unit);
-/// SI value of the unit of a location: "deg", "rad", "crank deg".
-[[nodiscard]] double unit_of_place(std::string_view unit);
+/// Of a location: "deg", "rad", "crank deg"; that without a unit for another.
+[[nodiscard]] const Spelling& spelling_of_place(std::string_view unit);
 
 /// The wanted number of derivative `order`.
 [[nodiscard]] std::optional<double>& value_of(SetPoint& point, int order);
@@ -48,13 +48,6 @@ struct WrittenValue {
 
 /// The spelling of the wanted number of derivative `order`.
 [[nodiscard]] WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, int order);
-
-/// As a person counts: "segment 1" is motion.segments[0].
-[[nodiscard]] std::string segment_words(std::size_t index);
-/// What a key in a list of the motion names, numbered from 1: "motion.segments[1].via[0].velocity_mm_deg" is
-/// "velocity of set point 1 of segment 2", "motion.segments[1].end.velocity" "velocity at the end of segment
-/// 2", "motion.via[0]" "set point 1".
-[[nodiscard]] std::string listed_words(std::string_view key);
 
 /// "velocity of set point 1 = 120 mm/s at 40 deg", "… = 80 mm/s from 30 deg to 50 deg"; in normalised units
 /// if written so.

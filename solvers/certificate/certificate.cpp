@@ -2,6 +2,7 @@
 #include "solvers/certificate/certificate.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/list_text.hpp"
 #include "core/word_of.hpp"
 
 #include <fmt/format.h>
@@ -130,8 +131,7 @@ Reason reason_named(std::string_view name) {
         if (name == row.name) return row.reason;
     std::string allowed;
     for (const Named& row : named_reasons)
-        if (row.reason != Reason::none)
-            allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : ", ", row.name);
+        if (row.reason != Reason::none) append_item(allowed, in_quotes(row.name));
     throw InputError(fmt::format("reason: found \"{}\"; allowed: {}", name, allowed));
 }
 

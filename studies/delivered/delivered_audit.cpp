@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered_audit.hpp"
 
+#include "core/text/list_text.hpp"
 #include "objectives/motion_bounds.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/scene_limits.hpp"
@@ -186,8 +187,7 @@ void drop_passed_bound(Certificate& certificate, double tolerance) {
 std::string active_limits(const Solution& solution) {
     std::string text;
     for (const ConstraintReport& report : solution.constraints)
-        if (report.active)
-            text += fmt::format("{}{} = {:.9g}", text.empty() ? "" : ", ", report.key, report.limit);
+        if (report.active) append_item(text, fmt::format("{} = {:.9g}", report.key, report.limit));
     return text.empty() ? "the limits" : text;
 }
 

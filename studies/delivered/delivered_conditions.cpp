@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/scene_model.hpp"
+#include "scene/part_names.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
@@ -42,7 +43,7 @@ class Audit {
         wants({motion_.begin(), Side::right}, 0, 0.0, "start");
         for (std::size_t i = 0; i < count; ++i) {
             const ChainPart& part = motion_.parts()[i];
-            const std::string name = fmt::format("motion.segments[{}]", i);
+            const std::string name = segment_key(i);
             if (segments[i].to) wants({part.end, Side::left}, 0, *segments[i].to, name + ".to");
             const bool last = i + 1 == count;
             if (!last || scene_.motion.periodic())

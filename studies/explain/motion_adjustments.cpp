@@ -2,6 +2,7 @@
 // Angles, lift and displacements: what a user could change about the motion that was asked for. What a scene
 // file gives in units keeps its value in units, so that the file with the changed numbers is the scene.
 #include "scene/motion/set_points.hpp"
+#include "scene/part_names.hpp"
 #include "studies/explain/adjustment.hpp"
 
 #include <fmt/format.h>
@@ -46,9 +47,10 @@ void add_moved_points(std::vector<CompanionChange>& all, const MotionSpec& befor
     for (std::size_t i = 0; i < now.via.size(); ++i) {
         const SetPoint &then = before.via[i], &point = now.via[i];
         if (then.at <= 1.0 + at_the_top || point.units.place.empty()) continue;
-        const double unit = unit_of_place(point.units.place);
+        const Spelling& place = spelling_of_place(point.units.place);
+        const double unit = place.factor;
         const auto add = [&](const char* name, double from, double to) {
-            all.push_back({fmt::format("motion.via[{}].{}_{}", i, name, point.units.place),
+            all.push_back({entry_key("motion.via", i, name).append(place.suffix),
                            as_written(from * before.rise / unit), as_written(to * now.rise / unit)});
         };
         add(point.until ? "from" : "at", then.at, point.at);
@@ -119,8 +121,7 @@ struct WrittenAngle {
     std::string key;
     double unit = units::degree, given = 0.0;
 
-    WrittenAngle(const Scene& scene, std::size_t segment)
-        : key(fmt::format("motion.segments[{}].angle", segment)) {
+    WrittenAngle(const Scene& scene, std::size_t segment) : key(segment_key(segment, "angle")) {
         const Spelling spelling = scene.spelling_of(key, spellings::angle[0]);
         key += spelling.suffix;
         unit = spelling.factor;
@@ -190,8 +191,8 @@ void add_displacements(std::vector<Adjustment>& all, const Scene& scene) {
         const double unit = segment.to_unit.empty() ? 1.0 : spelling.factor / motion.lift;  // lifts
         const double given = as_written(*segment.to / unit), reach = farthest_displacement / unit;
         all.push_back(number_adjustment(
-            fmt::format("motion.segments[{}].to{}", i, spelling.suffix), given,
-            std::max(std::abs(given), reach), Range::between(given - reach, given + reach),
+            segment_key(i, "to").append(spelling.suffix), given, std::max(std::abs(given), reach),
+            Range::between(given - reach, given + reach),
             [i, unit](Scene& changed, double value) { changed.motion.segments[i].to = value * unit; }));
         all.back().usefulness = Usefulness::lift;
     }
@@ -327,7 +328,7 @@ void add_ends(std::vector<Adjustment>& all, const Scene& scene) {
 
 Adjustment place_change(const Scene& scene, const PlacedPoint& point, const Place& place) {
     const std::string& written = point.units.place;
-    const double unit = written.empty() ? 1.0 : unit_of_place(written) / place.angle;
+    const double unit = written.empty() ? 1.0 : spelling_of_place(written).factor / place.angle;
     Scene copy = scene;
     const double given = as_written(place.in(copy).at / unit);
     const double last = (place.segment < 0 ? scene.motion.length() : 1.0) / unit;

@@ -314,8 +314,7 @@ class Explainer {
 
     [[nodiscard]] bool is_idle_fallback(const Adjustment& adjustment) const {
         return adjustment.fallback && std::ranges::any_of(solution_.relaxation, [](const Relaxation& row) {
-                   return row.needed && row.key.starts_with("motion.") &&
-                          (row.key.ends_with("_deg") || row.key.ends_with("_rad"));
+                   return row.needed && row.key.starts_with("motion.") && is_angle_key(row.key);
                });
     }
 

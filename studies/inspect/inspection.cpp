@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/inspect/inspection.hpp"
 
+#include "input/keys/scene_keys.hpp"
+#include "scene/unit_fault.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <Eigen/Geometry>
@@ -98,9 +100,11 @@ struct NominalSurface {
 
 CompareRow row_comparison(const Solution& nominal, const input::InspectedTable& table, double probe_radius) {
     const bool turns = nominal.scene.motion.lift_is_angle;
-    const char* const lifts = turns ? "displacements s_deg or s_rad" : "displacements s_mm, s_in or s_m";
+    const std::array lifts = {input::find_row("measured", "s")->names()};
     const auto refuse = [&](bool wrong, const std::string& found) {
-        if (wrong) throw InputError(fmt::format("{}: found {}; allowed: {}", table.file, found, lifts));
+        if (wrong)
+            throw InputError(fmt::format("{}: found {}; allowed: displacements {}", table.file, found,
+                                         fitting_keys(lifts, turns)));
     };
     NominalMotion motion(nominal);
     if (!table.points) {

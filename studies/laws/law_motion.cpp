@@ -3,6 +3,7 @@
 
 #include "motions/laws/law_catalogue.hpp"
 #include "scene/motion/set_points.hpp"
+#include "scene/part_names.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/machine/machine.hpp"
 
+#include "scene/part_names.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/machine/machine_build.hpp"
@@ -484,8 +485,8 @@ MachineSolution solve_machine(const MachineSpec& machine, const MachineOptions& 
         try {
             validate(with_written_limits(at_speed(machine.axes[b].scene, machine.least_speed)));
         } catch (const SceneError& error) {
-            throw SceneError({fmt::format("axis[{}].scene.{}", b, error.fault().member), error.fault().found,
-                              error.fault().allowed});
+            throw SceneError({entry_key("axis", b, joined_key("scene", error.fault().member)),
+                              error.fault().found, error.fault().allowed});
         }
     }
     if (!searches_timing(machine)) return MachineSearch(machine, options, control).run();

@@ -2,6 +2,7 @@
 #include "studies/machine/machine_build.hpp"
 
 #include "scene/limit_table.hpp"
+#include "scene/part_names.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
@@ -31,7 +32,7 @@ void refuse_general(const CamModel& model, std::size_t axis) {
     const PointRule* const rule = general_rule(model);
     if (!rule) return;
     const std::string key = rule->limit() ? rule->name() : "objective.torque";
-    throw SceneError({fmt::format("axis[{}].scene.{}", axis, key), "a limit or term that is not convex",
+    throw SceneError({entry_key("axis", axis, joined_key("scene", key)), "a limit or term that is not convex",
                       "in a machine linear and convex ones (velocity, acceleration, jerk, pressure angle, "
                       "drive): only for these a largest speed can be proved"});
 }

@@ -195,14 +195,13 @@ PaperSeries series_of(const std::string& title, const Motion& motion, std::size_
     return series;
 }
 
-constexpr std::array<const char*, 4> order_words = {"displacement", "velocity", "acceleration", "jerk"};
 constexpr std::array<const char*, 4> order_symbols = {"y", "y′", "y″", "y‴"};
 
 std::vector<PaperFigure> figures_of(const ReferenceTable& reference) {
     std::vector<PaperFigure> figures;
-    for (std::size_t order = 0; order < order_words.size(); ++order) {
+    for (std::size_t order = 0; order < derivative_names.size(); ++order) {
         PaperFigure figure{fmt::format("figure_{}", order + 1),
-                           fmt::format("Fig. {}: convergence of the {}", order + 1, order_words[order]),
+                           fmt::format("Fig. {}: convergence of the {}", order + 1, derivative_names[order]),
                            "x",
                            order_symbols[order],
                            {}};
@@ -213,10 +212,10 @@ std::vector<PaperFigure> figures_of(const ReferenceTable& reference) {
         figures.push_back(std::move(figure));
     }
     const auto law = make_law("modified_sine");
-    for (std::size_t order = 0; order < order_words.size(); ++order) {
+    for (std::size_t order = 0; order < derivative_names.size(); ++order) {
         PaperFigure figure{fmt::format("figure_{}", order + 5),
                            fmt::format("Fig. {}: {}, best cubic of {} segments and modified sine", order + 5,
-                                       order_words[order], compared_segments),
+                                       derivative_names[order], compared_segments),
                            "x",
                            order_symbols[order],
                            {}};

@@ -3,6 +3,7 @@
 
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
+#include "scene/part_names.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"
@@ -63,8 +64,7 @@ double dimension_of(const CamRecord& cam, const std::string& name, const Dimensi
 std::vector<double> dimensions_of(const CamSpec& spec, const CamRecord& record) {
     std::vector<double> numbers;
     for (const CamDimension& dimension : spec.dimensions)
-        numbers.push_back(
-            dimension_of(record, dimension.name + (dimension.is_angle ? "_rad" : "_m"), dimension.value));
+        numbers.push_back(dimension_of(record, dimension.si_key(), dimension.value));
     return numbers;
 }
 
@@ -164,7 +164,7 @@ Scene with_found_angles(const Scene& scene, const ResultRecord& record) {
         angles.push_back(scene.motion.segments[i].angle);
         if (!scene.motion.segments[i].angle_range || record.parts.empty()) continue;
         const auto& names = record.design.names;
-        const std::string name = fmt::format("motion.segments[{}].angle_rad", i);
+        const std::string name = searched_angle_key(i);
         const auto found = std::ranges::find(names, name);
         if (found == names.end()) refuse(fmt::format("found no {} in its design", name));
         angles.back() = record.design.values[static_cast<std::size_t>(found - names.begin())];

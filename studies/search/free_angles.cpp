@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motions/laws/law_catalogue.hpp"
 #include "scene/cost_table.hpp"
+#include "scene/part_names.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/search/solve_steps.hpp"
 
@@ -301,8 +302,8 @@ class AngleSearch {
     }
 
     [[nodiscard]] std::string words(const AngleBox& box, std::size_t k) const {
-        return fmt::format("{:.9g} deg <= angle of motion.segments[{}] <= {:.9g} deg",
-                           box.least[k] / units::degree, searched_[k], box.most[k] / units::degree);
+        return fmt::format("{:.9g} deg <= angle of {} <= {:.9g} deg", box.least[k] / units::degree,
+                           segment_key(searched_[k]), box.most[k] / units::degree);
     }
 
     /// What is proved of the boxes, which together hold everything.
@@ -369,8 +370,7 @@ class AngleSearch {
                 "the search for angles reached its time limit: the result depends on the machine");
         if (!solution.motion) return;
         std::vector<std::string> names;
-        for (const std::size_t segment : searched_)
-            names.push_back(fmt::format("motion.segments[{}].angle_rad", segment));
+        for (const std::size_t segment : searched_) names.push_back(searched_angle_key(segment));
         add_to_design(solution, std::move(names), best_angles_);
     }
 

@@ -6,6 +6,7 @@
 #include "profiles/factory/cam_formulas.hpp"
 #include "tests/output/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/written_rows.hpp"
 
 #include <gtest/gtest.h>
 
@@ -118,6 +119,25 @@ TEST_F(MachineFile, IsReadInSiUnits) {
     EXPECT_DOUBLE_EQ(read_machine.clearances[0].at_least, -0.04);
     EXPECT_DOUBLE_EQ(read_machine.clearances[0].from, 300.0 * units::degree);
     EXPECT_EQ(read_machine.clearances[0].key, "clearance[0].at_least_mm");
+}
+
+TEST(MachineRows, AreReadAsTheyAreWritten) {
+    const auto samples_of = [](const KeyRow& row) -> std::vector<KeyValue> {
+        if (row.type == KeyType::number_or_range) return {0.25, KeyBounds{0.25, 0.5}};
+        if (row.type == KeyType::number) return {0.25, 3.0};
+        if (row.type == KeyType::numbers) return {std::vector<double>{-0.5}};
+        if (row.type == KeyType::texts) return {std::vector<std::string>{"one"}};
+        return {std::string("two")};
+    };
+    const auto file_of = [](const KeyRow& row, const std::string& line) {
+        if (row.table.empty()) return line;
+        if (row.table == "machine") return "[machine]\n" + line;
+        if (row.table == "axis") return "[[axis]]\n" + line;
+        return "[[axis]]\nname = 'one'\n[[clearance]]\n" + line +
+               (row.name == "factors" ? "between = ['one']\n" : "");
+    };
+    EXPECT_EQ(
+        testing_support::expect_rows_read_as_written(machine_rows(), MachineSpec(), samples_of, file_of), 30);
 }
 
 TEST_F(MachineFile, FaultsAreToldWithTheirPlace) {

@@ -223,7 +223,7 @@ TEST_F(MeasuredScene, TableFaultsNameTheirLines) {
     std::string swings = table;
     swings.replace(0, 14, "theta_deg,s_deg");
     EXPECT_EQ(refusal_of(swings),
-              "s.toml:3:18: measured.table: found a value in deg where the lift is a length; "
+              "s.toml:3:18: measured.table: found the unit \"deg\" where the lift is a length; "
               "allowed: s_mm, s_in or s_m");
 }
 

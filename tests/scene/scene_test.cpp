@@ -91,7 +91,7 @@ TEST(Scene, WrongMembersAreNamed) {
         {[](Scene& s) { s.limits.velocity = PeakLimit(0); },
          "limits.velocity: found 0; allowed: a number > 0"},
         {[](Scene& s) { s.limits.jerk = PeakLimit(1, {}, 1, "mm/s^3"); },
-         "limits.jerk: found a value in mm/s^3 without a speed; allowed: together with motion.speed, or by "
+         "limits.jerk: found the unit \"mm/s^3\" without a speed; allowed: together with motion.speed, or by "
          "the "
          "cam angle: jerk, jerk_mm_rad3, jerk_in_rad3, jerk_m_rad3, jerk_mm_deg3 or jerk_in_deg3"},
         {[](Scene& s) { s.solver.tolerance = 1; },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The files of a solution in Python: drawings, solids, NC programs, electronic cams, reports.
 #include "bindings/python/source/parts.hpp"
+#include "core/text/list_text.hpp"
 #include "output/exports/exports.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +26,6 @@ constexpr const char* options_words =
 
 /// Keywords as options.
 ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
-    constexpr double minute = 60.0;
     ExportOptions options;
     options.origin = solved.origin;
     const std::map<std::string, std::function<void(const py::handle&)>> known = {
@@ -35,7 +35,9 @@ ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
         {"cutter_mm",
          [&](py::handle value) { options.nc.cutter_diameter = value.cast<double>() * units::millimetre; }},
         {"feed_mm_min",
-         [&](py::handle value) { options.nc.feed = value.cast<double>() * units::millimetre / minute; }},
+         [&](py::handle value) {
+             options.nc.feed = value.cast<double>() * units::millimetre / units::minute;
+         }},
         {"spindle_rpm", [&](py::handle value) { options.nc.spindle_rpm = value.cast<double>(); }},
         {"post", [&](py::handle value) { options.nc.post = py::str(value).cast<std::string>(); }},
         {"points", [&](py::handle value) { options.plc.points = value.cast<int>(); }}};
@@ -43,7 +45,7 @@ ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
         const auto option = known.find(key.cast<std::string>());
         if (option == known.end()) {
             std::string allowed;
-            for (const auto& [name, set] : known) allowed += (allowed.empty() ? "" : ", ") + name;
+            for (const auto& [name, set] : known) append_item(allowed, name);
             throw py::type_error(
                 fmt::format("found the option {}; allowed: {}", key.cast<std::string>(), allowed));
         }

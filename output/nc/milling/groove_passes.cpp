@@ -2,6 +2,7 @@
 #include "output/nc/milling/groove_passes.hpp"
 
 #include "core/errors.hpp"
+#include "core/units.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -10,11 +11,10 @@ namespace camopt {
 
 namespace {
 
-constexpr double same_place = 1e-9;   // m: the groove closes
-constexpr double small_angle = 1e-5;  // rad: for the direction of travel
-constexpr double ramp_step =
-    0.5 * std::numbers::pi / 180.0;     // of the ramp's blocks, rad: 1 µm where 0.8° leave that
-constexpr double ramp_diameters = 5.0;  // of one way to or fro
+constexpr double same_place = 1e-9;                // m: the groove closes
+constexpr double small_angle = 1e-5;               // rad: for the direction of travel
+constexpr double ramp_step = 0.5 * units::degree;  // of the ramp's blocks, rad: 1 µm where 0.8° leave that
+constexpr double ramp_diameters = 5.0;             // of one way to or fro
 constexpr int most_ramp_ways = 40, lead_blocks = 24, height_samples = 360;
 constexpr double most_lead_share = 0.1;  // of the groove
 constexpr double over_cut_layer = 2e-4;  // m: the ramp begins so far above the layer cut before

@@ -2,6 +2,7 @@
 // The part "pdf": a separate module, or a part of camopt_output_pdf.
 #include "core/errors.hpp"
 #include "core/platform/part_entry.hpp"
+#include "core/units.hpp"
 #include "output/sheet/pdf/pdf_part.hpp"
 
 #include <fmt/format.h>
@@ -15,9 +16,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double points_a_metre = 72.0 / 0.0254, points_a_mm = 72.0 / 25.4;
+// A point of PDF is 1/72 in: no unit of a scene.
+constexpr double points_a_metre = 72.0 / units::inch, points_a_mm = 72.0 / (units::inch / units::millimetre);
 // cairo counts in mm here: it takes gaps of a dash pattern below 1/512 of its unit for none.
-constexpr double mm_a_metre = 1e3;
+constexpr double mm_a_metre = 1.0 / units::millimetre;
 constexpr double capital_height = 0.729;  // of the font's size
 constexpr double halo = 0.8;              // mm: the white rim of words
 constexpr const char* font = "DejaVu Sans";

@@ -3,10 +3,12 @@
 #include "output/nc/post_processor.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/parsing.hpp"
 #include "core/units.hpp"
 #include "output/nc/nc_program.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/source_folder.hpp"
+#include "tests/support/written_rows.hpp"
 
 #include <gtest/gtest.h>
 
@@ -78,22 +80,41 @@ TEST(PostProcessor, FilesOfTheManual) {
     EXPECT_EQ(millimetres.axes.at("rotary").letter, "A");
 }
 
-TEST(PostProcessor, RowsKeepAssignedValues) {
-    int rows = 0;
-    for (const KeyRow& row : post_rows()) {
-        if (!row.place->assign) continue;
-        SCOPED_TRACE(std::string(row.table) + "." + std::string(row.name));
-        KeyValue sample = std::string(row.choices.empty() ? "U" : row.choices.back());
-        if (row.type == KeyType::integer) sample = row.choices.empty() ? 2LL : -1LL;
-        if (row.type == KeyType::boolean) sample = false;
-        if (row.type == KeyType::number) sample = 0.25;
-        if (row.type == KeyType::texts) sample = std::vector<std::string>{"G54", "M2"};
+TEST(PostProcessor, RowsAreReadAsTheyAreWritten) {
+    const auto samples_of = [](const KeyRow& row) -> std::vector<KeyValue> {
+        std::vector<KeyValue> samples;
+        for (const std::string_view choice : row.choices)
+            samples.push_back(row.type == KeyType::integer ? KeyValue(integer_in(choice).value())
+                                                           : KeyValue(std::string(choice)));
+        if (!samples.empty()) return samples;
+        if (row.type == KeyType::integer) return {0LL, 2LL};
+        if (row.type == KeyType::boolean) return {false, true};
+        if (row.type == KeyType::number) return {0.25, -3.0};
+        if (row.type == KeyType::texts) return {std::vector<std::string>{"G54", "M2"}};
+        return {std::string("U")};
+    };
+    const auto file_of = [](const KeyRow& row, const std::string& line) {
+        return row.table.empty() ? line : fmt::format("[{}]\n{}", row.table, line);
+    };
+    EXPECT_EQ(testing_support::expect_rows_read_as_written(post_rows(), five_axes(), samples_of, file_of),
+              71);
+}
+
+TEST(PostProcessor, RefusesValuesOfProgramsByItsRows) {
+    const auto refused = [](const auto& change) {
         PostProcessor post = five_axes();
-        row.place->assign(post, sample, {.choices = row.choices.size()});
-        EXPECT_EQ(row.place->value(post, {}), sample);
-        ++rows;
-    }
-    EXPECT_EQ(rows, 30);
+        change(post);
+        return refusal([&] { post.validate(); });
+    };
+    EXPECT_EQ(refused([](PostProcessor& post) { post.feed_decimals = 10; }),
+              "post-processor: feed_decimals: found 10; allowed: an integer from 0 to 9");
+    EXPECT_EQ(refused([](PostProcessor& post) { post.block_step = -1; }),
+              "post-processor: block_step: found -1; allowed: an integer from 0 to 1000000000");
+    EXPECT_EQ(refused([](PostProcessor& post) { post.axes["x"].sign = 2; }),
+              "post-processor: axes.x.sign: found 2; allowed: 1 or -1");
+    EXPECT_EQ(refused([](PostProcessor& post) { post.comment_begin = "/*"; }),
+              "post-processor: comment_begin: found \"/*\"; allowed: \"(\" or \";\"");
+    EXPECT_EQ(refused([](PostProcessor&) {}), "no refusal");
 }
 
 TEST(PostProcessor, RefusesWrongFiles) {

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Every file whose keys are described by rows: for lists and the manual.
+// The keys of every kind of file as lists and the manual describe them.
 #pragma once
 
 #include "scene/key_row.hpp"
 
 namespace camopt::apps {
 
-struct KeyFile {
+struct DescribedKeys {
     std::string_view name;     ///< "scene"
     std::string_view heading;  ///< "KEYS OF A SCENE"
     std::span<const KeyRow> rows;
 };
 
 /// Scenes first.
-[[nodiscard]] std::vector<KeyFile> key_files();
+[[nodiscard]] std::vector<DescribedKeys> described_keys();
 
 /// "Top level", "[motion]".
 [[nodiscard]] std::string table_heading(const KeyRow& row);
