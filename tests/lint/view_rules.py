@@ -9,8 +9,8 @@ import sys
 
 import source_tree
 
-# output/view converts. NC programs and surfaces know no scene: their formats demand mm and degrees.
-WITHOUT_VIEW = ("output/view/", "output/nc/", "output/surface/")
+# output/view converts. NC programs and surfaces know no scene: their formats demand mm and degrees; a page of PDF counts in points.
+WITHOUT_VIEW = ("output/view/", "output/nc/", "output/surface/", "output/sheet/pdf/")
 EVALUATION = re.compile(r"formulas(?:\(\))?(?:->|\.)point\(|\b(?:mechanism_point|mechanism_profile|sampled_profile)\(")
 CONVERSION = re.compile(r"/ (?:units::)?(?:degree|millimetre|inch|megapascal|revolution_per_minute)\b")
 

@@ -80,7 +80,7 @@ TEST(PostProcessor, FilesOfTheManual) {
     EXPECT_EQ(millimetres.axes.at("rotary").letter, "A");
 }
 
-TEST(PostProcessor, RowsAreReadAsTheyAreWritten) {
+TEST(PostProcessor, RowsAreReadAsWritten) {
     const auto samples_of = [](const KeyRow& row) -> std::vector<KeyValue> {
         std::vector<KeyValue> samples;
         for (const std::string_view choice : row.choices)
@@ -100,7 +100,7 @@ TEST(PostProcessor, RowsAreReadAsTheyAreWritten) {
               71);
 }
 
-TEST(PostProcessor, RefusesValuesOfProgramsByItsRows) {
+TEST(PostProcessor, RefusesValuesByItsRows) {
     const auto refused = [](const auto& change) {
         PostProcessor post = five_axes();
         change(post);
