@@ -38,10 +38,6 @@ struct SceneTable {
     const Node* node = nullptr;
 };
 
-std::string joined(std::string_view table, std::string_view key) {
-    return table.empty() ? std::string(key) : fmt::format("{}.{}", table, key);
-}
-
 /// Those that are there, each before what is in it.
 void collect_tables(const SceneTable& table, std::vector<SceneTable>& found) {
     found.push_back(table);
@@ -49,7 +45,8 @@ void collect_tables(const SceneTable& table, std::vector<SceneTable>& found) {
         const KeyRow* const row = input::match_key(table.path, member.name).row;
         if (row == nullptr || row->type == KeyType::options || row->type == KeyType::number_or_range)
             continue;
-        const std::string path = joined(table.path, row->name), written = joined(table.written, member.name);
+        const std::string path = joined_key(table.path, row->name),
+                          written = joined_key(table.written, member.name);
         if (member.value.kind == NodeKind::table) collect_tables({path, written, &member.value}, found);
         for (std::size_t i = 0; i < member.value.items.size(); ++i)
             if (member.value.items[i].kind == NodeKind::table)
@@ -160,7 +157,7 @@ ControlJson control_json(const SceneTable& table, const KeyRow& row, const Spell
     const ControlJson choices = choices_json(row);
     const std::string type = type_of(row, !choices.empty(), value);
     const bool slides = value != nullptr && (type == "number" || type == "integer");
-    const ControlWords words = control_words(table.written, row.name, spelling.unit);
+    const ControlWords words = control_words(table.written, row.table, row.name, spelling.unit);
     return {{"table", table.written},
             {"key", row.key(spelling)},
             {"item", row.name},

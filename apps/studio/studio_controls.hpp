@@ -27,14 +27,15 @@ namespace camopt::apps {
 
 // What a control is called: words, no keys.
 struct ControlWords {
-    std::string group;  ///< of its table: "Motion", "Segment 1", "Segment 1, set point 2"
+    std::string group;  ///< of its table: "Motion", "Segment 1", "Set point 2 of segment 1"
     std::string name;   ///< "Largest camshaft torque"; in a list "cam angle"
     std::string unit;   ///< "deg", "mm/s²"; empty: none
     std::string label;  ///< "Segment 1: cam angle, deg", "Largest camshaft torque, N m"
 };
 
-/// table: as written, "motion.segments[0]"; key without its unit: "angle".
-[[nodiscard]] ControlWords control_words(std::string_view table, std::string_view key, std::string_view unit);
+/// table: as written, "motion.segments[0]"; path: in the key table; key without its unit: "angle".
+[[nodiscard]] ControlWords control_words(std::string_view table, std::string_view path, std::string_view key,
+                                         std::string_view unit);
 
 // A unit that a number may be typed in: what the key is written in = number · factor.
 struct UnitChoice {

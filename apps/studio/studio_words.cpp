@@ -2,13 +2,9 @@
 // What the studio calls the keys of a scene, and in which units it takes and shows their numbers.
 #include "apps/studio/studio_controls.hpp"
 #include "core/text/list_text.hpp"
-#include "core/text/parsing.hpp"
 #include "output/view/number_text.hpp"
 #include "scene/limit_table.hpp"
-
-#include <fmt/ranges.h>
-
-#include <cctype>
+#include "scene/part_names.hpp"
 
 namespace camopt::apps {
 
@@ -63,23 +59,16 @@ constexpr std::array named_keys = {
     NamedKey{"solver", "seed", "seed of the starting points"},
 };
 
-// One table of a list, and tables whose key is not their name.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> named_tables = {
-    {{"segments", "segment"},
-     {"via", "set point"},
-     {"dynamics", "follower train"},
-     {"reference", "reference values"}}};
+// Tables whose key is not their name.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> named_tables = {
+    {{"dynamics", "follower train"}, {"reference", "reference values"}}};
 
-/// "segments[1]" is "segment 2".
-std::string table_words(std::string_view part) {
-    const std::size_t bracket = part.find('[');
-    const std::string_view name = part.substr(0, bracket);
-    const std::span tables(named_tables);
-    const auto named = std::ranges::find(tables, name, &std::pair<std::string_view, std::string_view>::first);
-    std::string words = named == tables.end() ? words_of(name) : std::string(named->second);
-    if (bracket == std::string_view::npos) return words;
-    const auto index = integer_in(part.substr(bracket + 1, part.size() - bracket - 2));
-    return fmt::format("{} {}", words, index.value_or(0) + 1);
+/// What lies in its own table needs no other name: "keyway".
+std::string table_words(std::string_view table) {
+    if (table.find('[') != std::string_view::npos) return listed_words(table);
+    const std::string_view name = table.substr(table.rfind('.') + 1);
+    const auto named = std::ranges::find(named_tables, name, [](const auto& one) { return one.first; });
+    return named == named_tables.end() ? words_of(name) : std::string(named->second);
 }
 
 bool ends_with_bound(std::string_view key, std::string_view bound, std::string& words) {
@@ -104,20 +93,10 @@ std::string key_name(std::string_view table, std::string_view key) {
 
 }  // namespace
 
-ControlWords control_words(std::string_view table, std::string_view key, std::string_view unit) {
+ControlWords control_words(std::string_view table, std::string_view path, std::string_view key,
+                           std::string_view unit) {
     ControlWords words;
-    std::string path;  // of the key table: without indices
-    std::vector<std::string> parts;
-    for (std::string_view rest = table; !rest.empty();) {
-        const std::size_t dot = rest.find('.');
-        const std::string_view part = rest.substr(0, dot);
-        path += (path.empty() ? "" : ".") + std::string(part.substr(0, part.find('[')));
-        parts.push_back(table_words(part));
-        rest = dot == std::string_view::npos ? std::string_view() : rest.substr(dot + 1);
-    }
-    // What lies in its own table needs no other name: "Segment 1, set point 2", "Keyway".
-    if (parts.size() > 1) parts.erase(parts.begin());
-    words.group = capitalised(fmt::format("{}", fmt::join(parts, ", ")));
+    words.group = capitalised(table_words(table));
     words.name = key_name(path, key);
     words.unit = unit_words(unit);
     words.label = words.name + (words.unit.empty() ? "" : ", " + words.unit);

@@ -30,7 +30,8 @@ inline void append_item(std::string& list, std::string_view item, std::string_vi
 
 /// The first letter, where it is one of ASCII.
 [[nodiscard]] inline std::string capitalised(std::string text) {
-    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') text.front() += 'A' - 'a';
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
     return text;
 }
 

@@ -251,8 +251,9 @@ std::string guide_svg(const View& view, const std::vector<DeliveredRow>& left_wa
     on.circle({0.0, 0.0}, on.px(5), "pivot");
     label({0.0, 0.0}, 6, "body's pivot");
     LegendColumn column(canvas, length, 8 + figure_entries(solution));
-    column.sample("wall-left", "left wall");
-    column.sample("wall-right", "right wall");
+    const CamMechanism& guide = *solution.cam->cam.formulas;
+    column.sample("wall-left", guide.station_name(0));
+    column.sample("wall-right", guide.station_name(1));
     column.sample("pitch", "path of the roller's centre");
     column.sample("roller", "roller at both ends");
     add_figures(column, solution);

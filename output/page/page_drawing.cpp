@@ -114,14 +114,11 @@ Json outline(const PlaneCourse& course, int station, std::string_view name, bool
 Json outlines_of(const PlaneCourse& course) {
     const CamMechanism& formulas = *course.cam().formulas;
     Json all = Json::array();
-    if (formulas.has_guide()) {
-        all.push_back(outline(course, 0, "left wall", false));
-        all.push_back(outline(course, 1, "right wall", false));
-    } else if (formulas.stations() > 1) {
-        // The first side is filled, the other one a line.
-        all.push_back(outline(course, 0, formulas.station_name(0), false));
-        all.push_back(outline(course, 1, formulas.station_name(1), false));
-        all.back()["closed"] = false;
+    if (formulas.stations() > 1) {
+        // Of a cam the first side is filled, the other one a line.
+        for (const int side : {0, 1})
+            all.push_back(outline(course, side, formulas.station_name(side), false));
+        if (!formulas.has_guide()) all.back()["closed"] = false;
     } else {
         all.push_back(outline(course, 0, "cam", false));
     }

@@ -50,10 +50,6 @@ Fault segment_fault(const ProgramSegment& segment, const std::string& member) {
     return std::nullopt;
 }
 
-std::string joined(const std::string& member, const std::string& key) {
-    return key.empty() ? member : fmt::format("{}.{}", member, key);
-}
-
 Fault turn_fault(const MotionSpec& motion) {
     double total = 0.0;
     for (const ProgramSegment& segment : motion.segments) total += segment.angle;
@@ -260,12 +256,13 @@ Fault corridor_fault(const MotionSpec& motion) {
         for (const Corridor::Bounds& bounds : corridor.bounds) {
             for (const std::optional<double>& side : {bounds.least, bounds.most}) {
                 if (side && !std::isfinite(*side))
-                    return SceneFault{joined(member, bounds.key), fmt::format("{}", *side),
-                                      Range{}.number_text()};
+                    return SceneFault{(bounds.key.empty() ? member : joined_key(member, bounds.key)),
+                                      fmt::format("{}", *side), Range{}.number_text()};
                 bounded = bounded || side;
             }
             if (bounds.least && bounds.most && !(*bounds.least < *bounds.most))
-                return SceneFault{joined(member, bounds.key), "min not below max", "min below max"};
+                return SceneFault{(bounds.key.empty() ? member : joined_key(member, bounds.key)),
+                                  "min not below max", "min below max"};
         }
         if (!bounded)
             return SceneFault{member, "no bound",

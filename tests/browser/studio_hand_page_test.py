@@ -189,7 +189,7 @@ class ByMouse(unittest.TestCase):
         self.assertEqual(hand.fault(), "")
         hand.click('.group[data-table="motion.segments[1]"] [data-edit=add-point]')
         self.assertEqual(hand.fault(), "")
-        self.assertIn("Segment 2, set point 1", hand.groups())
+        self.assertIn("Set point 1 of segment 2", hand.groups())
         self.picture("segments")
         while hand.run("return !document.querySelector('[data-control=undo]').disabled"):
             hand.click("[data-control=undo]")

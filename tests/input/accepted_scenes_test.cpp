@@ -300,6 +300,29 @@ TEST_P(AcceptedScenes, AreWrittenAsTheyWereRead) {
     EXPECT_GE(in_their_units, all.size() * 3 / 4);
 }
 
+/// As C and Python do, and --set.
+TEST_P(AcceptedScenes, AreSetByPrograms) {
+    const KnownNames names = reaching();
+    std::size_t count = 0;
+    const std::vector<AcceptedScene> all = accepted_scenes(GetParam());
+    for (const AcceptedScene& one : all) {
+        SCOPED_TRACE(one.place + ": " + one.key + "\n" + one.toml);
+        const Scene scene = read_scene(one.toml, "s.toml", names, {});
+        const std::vector<WrittenKey> keys = keys_written_in(one.toml, "s.toml");
+        const auto key = std::ranges::find(
+            keys, one.key, [](const WrittenKey& written) { return without_indices(written.key); });
+        if (key == keys.end()) continue;
+        SceneDocument document(one.toml, "s.toml", names);
+        const std::vector<std::string> setting = {key->key + "=" + key->value};
+        EXPECT_EQ(testing_support::differing_parts(scene, document.scene(setting)), "");
+        document.unset(key->key);
+        document.set(key->key, TomlValue{key->value});
+        EXPECT_EQ(testing_support::differing_parts(scene, document.scene()), "");
+        ++count;
+    }
+    EXPECT_GE(count, all.size() * 3 / 4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Files, AcceptedScenes,
                          testing::ValuesIn(case_files(source_folder() + "/tests/input/accepted")),
                          [](const auto& info) { return info.param.stem().string(); });
