@@ -48,7 +48,8 @@ constexpr std::string_view crank_column = unit_named<"crank deg">.suffix.substr(
 
 /// Every name of the column of a quantity.
 std::string columns_of(std::string_view quantity) {
-    const std::array names = {find_row("measured", quantity)->names()};
+    std::vector<KeyNames> names = {find_row("measured", quantity)->names()};
+    if (quantity == "theta") names.push_back({crank_column, spellings::plain});
     return keys_text(names, [](const Spelling&) { return true; });
 }
 

@@ -137,7 +137,7 @@ TEST(MachineRows, AreReadAsTheyAreWritten) {
                (row.name == "factors" ? "between = ['one']\n" : "");
     };
     EXPECT_EQ(
-        testing_support::expect_rows_read_as_written(machine_rows(), MachineSpec(), samples_of, file_of), 30);
+        testing_support::expect_rows_read_as_written(machine_rows(), MachineSpec(), samples_of, file_of), 31);
 }
 
 TEST_F(MachineFile, FaultsAreToldWithTheirPlace) {

@@ -44,7 +44,8 @@ TEST(MeasuredTable, SaysWhatIsWrongAndWhere) {
               "s_mm, and rows of numbers");
     EXPECT_EQ(
         refusal("angle,s_mm\n"),
-        "m.csv:1: found 2 columns, of these only s_mm; allowed: one of them named theta_deg, theta_rad or "
+        "m.csv:1: found 2 columns, of these only s_mm; allowed: one of them named theta_deg, theta_rad, "
+        "theta_crank_deg or "
         "crank_deg, or step_deg in [measured], or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the "
         "order "
         "of the file");

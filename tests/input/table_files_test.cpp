@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
          "line"},
         {"no_names.csv", "", 0, 0.0,
          "no_names.csv:1: found 2 columns, none of these; allowed: one of them named theta_deg, "
-         "theta_rad or "
+         "theta_rad, theta_crank_deg or "
          "crank_deg, or step_deg in [measured], or columns = [\"theta_deg\", \"s_mm\"] in [measured], in the "
          "order "
          "of the file"},
