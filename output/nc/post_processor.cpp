@@ -141,7 +141,7 @@ void PostProcessor::validate() const {
     for (const KeyRow& row : post_rows())
         if (row.place)
             if (const auto fault = row_fault(row, *this))
-                throw InputError("post-processor: " + words_of(*fault));
+                throw InputError(fmt::format("post-processor: {}: {}", fault->member, words_of(*fault)));
     const bool known_comment =
         (comment_begin == "(" && comment_end == ")") || (comment_begin == ";" && comment_end.empty());
     if (!known_comment)

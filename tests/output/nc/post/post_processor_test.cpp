@@ -97,7 +97,7 @@ TEST(PostProcessor, RowsAreReadAsWritten) {
         return row.table.empty() ? line : fmt::format("[{}]\n{}", row.table, line);
     };
     EXPECT_EQ(testing_support::expect_rows_read_as_written(post_rows(), five_axes(), samples_of, file_of),
-              71);
+              66);
 }
 
 TEST(PostProcessor, RefusesValuesByItsRows) {
