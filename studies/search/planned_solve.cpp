@@ -140,11 +140,17 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
     return result;
 }
 
+/// The solve ended at a relaxation that settles the whole and leaves its strokes.
+bool holds_strokes_next(const PlannedRun& run) {
+    return run.leaves_strokes != nullptr && *run.leaves_strokes;
+}
+
 ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamProblem& problem,
                                Solution& solution) {
     StartsResult all = solve_from_starts(run, problem.model(), solver);
     solution.solver.convex = false;
     solution.solver.starts = all.starts;
+    if (holds_strokes_next(run)) return std::move(all.result);
     if (all.starts > 0 && all.starts < run.plan.starts && run.control.stopped())
         solution.notes.push_back(
             fmt::format("interrupted in the search: {} of {} starts were run", all.starts, run.plan.starts));
@@ -310,7 +316,10 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     if (plan->searching < 1.0)
         timed.in_vain = control.deadline.sooner(plan->searching * control.deadline.seconds_left());
     KnownSolutions none;
-    const PlannedRun run{posed, *plan, timed, known != nullptr ? *known : none};
+    bool leaves_strokes = false;
+    const bool may_end = plan->strokes_first_free && plan->breakpoints == 0;
+    const PlannedRun run{posed, *plan, timed, known != nullptr ? *known : none,
+                         may_end ? &leaves_strokes : nullptr};
     const double seconds_posed = watch.seconds();
     Solution solution;
     if (plan->angles > 0) {
@@ -318,7 +327,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     } else {
         solution = plan->breakpoints > 0 ? solve_free_knots(run) : solve_motion(run);
         const bool unbounded = solution.certificate.reason == Reason::unbounded;  // a lost area may be
-        if (plan->strokes_first_free && (unbounded || leaves_its_strokes(solution))) {
+        if (plan->strokes_first_free && (leaves_strokes || unbounded || leaves_its_strokes(solution))) {
             run.known.optima.withdraw();
             Solution held = plan->breakpoints > 0 ? solve_held_on_breakpoints(posed.scene(), solution, timed)
                                                   : solve_held_strokes(posed.scene(), timed);
