@@ -102,11 +102,21 @@ void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exc
     try_again(part, solver, exchange, judge, problem, result);
 }
 
-void timed_break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result,
-                     Solution& solution) {
-    const Stopwatch watch;
-    break_tie(run, problem, result);
-    solution.phases.tie_break = watch.seconds();
+/// The smoothest optimum of a relaxation that satisfies the rules of the whole is that of the whole, and the
+/// rows of the relaxation are convex; else it is searched with all rules.
+void break_tie_of_relaxation(const PlannedRun& run, CamProblem& relaxation, CamProblem& whole,
+                             ContinuousResult& result) {
+    const double allowed = std::max(run.posed.scene().solver.tolerance, result.certificate.worst_violation);
+    ContinuousResult relaxed = result;
+    if (break_tie(run, relaxation, relaxed)) {
+        const double violation = judged(whole, relaxed.x).violation;
+        if (violation <= allowed) {
+            result = std::move(relaxed);
+            result.certificate.worst_violation = violation;
+            return;
+        }
+    }
+    break_tie(run, whole, result);
 }
 
 ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamProblem& problem,
@@ -136,7 +146,9 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
     }
     try_next_solver(run, judge, problem, result, solution);
     run.known.keep(problem);
-    timed_break_tie(run, problem, result, solution);
+    const Stopwatch watch;
+    break_tie(run, problem, result);
+    solution.phases.tie_break = watch.seconds();
     return result;
 }
 
@@ -161,7 +173,9 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
     if (all.starts > 0) return std::move(all.result);
     solution.solver.name = "structured";  // the relaxation settled it
     if (all.result.certificate.verdict != Verdict::optimal) return std::move(all.result);
-    timed_break_tie(run, problem, all.result, solution);
+    const Stopwatch watch;
+    break_tie_of_relaxation(run, *all.relaxation, problem, all.result);
+    solution.phases.tie_break = watch.seconds();
     solution.notes.emplace_back(
         "the limits that are not convex are inactive: the optimum without them satisfies them, so it is the "
         "optimum of the whole");

@@ -10,8 +10,8 @@ namespace camopt {
 /// square jerk. On a linear program a small enough weight on the energy picks exactly that one; how small is
 /// found by trying. (To demand "objective <= optimum" as a row instead leaves a feasible set without an
 /// inside, on which an interior point loses its digits.) Leaves the result alone where nothing smoother is
-/// found. The grid of `problem` is refined.
-void break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result);
+/// found; false: where none was tried to the end. The grid of `problem` is refined.
+bool break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result);
 
 // motion.within_lift and motion.monotone: scenes whose best motion leaves the range of a stroke.
 //

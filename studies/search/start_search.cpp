@@ -67,7 +67,7 @@ Eigen::VectorXd same_motion(const MotionFamily& family, const MotionChain& motio
 /// What a relaxation gives. `settled`: the answer of the whole already.
 struct Relaxed {
     ContinuousResult result;
-    std::shared_ptr<const CamProblem> problem;  ///< what its bound is of
+    std::shared_ptr<CamProblem> problem;  ///< what its bound is of
     bool settled = false;
 };
 
@@ -102,6 +102,7 @@ class GeneralSolve {
                 *leaves_strokes_ = true;
                 all.result.x.resize(0);
             }
+            all.relaxation = std::move(relaxed.problem);
             return all;
         }
         StartSearch search(CamProblem(model_), solver_, exchange_, judge_, first_control_);
