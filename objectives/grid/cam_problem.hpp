@@ -47,6 +47,8 @@ class GridNlp final : public Nlp {
 
     /// Takes the weights of the model's parameters again.
     void follow_weights();
+    /// Takes the right-hand sides of the model's rows on parameters again.
+    void follow_uppers();
 
  private:
     /// One row: affine rows have their coefficients, others the map (y … y''') = offset + matrix ·
@@ -160,6 +162,8 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] const std::vector<RuleSample>& samples() const { return samples_; }
     /// Other weights of the same terms: the parameters' positive ones, one for each parameter.
     void set_weights(std::span<const double> weights);
+    /// Other numbers for the same limits: the right-hand sides of the rows on parameters, one for each.
+    void set_uppers(std::span<const double> uppers);
     [[nodiscard]] MotionChain motion(const Eigen::VectorXd& x) const {
         return model_->design.motion(design_values(x));
     }

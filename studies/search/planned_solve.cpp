@@ -370,7 +370,13 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
     validate(scene);
     if (known != nullptr) {
         known->optima.withdraw();
-        if (std::optional<Solution> proved = known->optima.proved(scene)) return std::move(*proved);
+        std::optional<Solution> proved = known->optima.proved(scene, [](const Solution& solution) {
+            return !solution.family || !leaves_its_strokes(solution);  // none: the motion of a solution
+        });
+        if (proved) {
+            proved->family.reset();
+            return std::move(*proved);
+        }
     }
     const SolveControl timed = control.sooner(scene.solver.max_seconds);
     Solution solution = solve_and_audit(scene, timed, known, options);
