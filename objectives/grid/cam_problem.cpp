@@ -125,6 +125,15 @@ void CamProblem::set_weights(std::span<const double> weights) {
     grid_->follow_weights();
 }
 
+void CamProblem::set_uppers(std::span<const double> uppers) {
+    for (std::size_t k = 0; k < uppers.size(); ++k) {
+        ParameterRow& row = model_->parameter_rows[k];
+        row.upper = uppers[k];
+        if (row.limit) row.scale = row.upper;
+    }
+    grid_->follow_uppers();
+}
+
 double CamProblem::objective(const Eigen::VectorXd& x) const {
     return grid_->cost(completed(x));
 }

@@ -47,6 +47,8 @@ class GridNlp final : public Nlp {
 
     /// Takes the weights of the model's parameters again.
     void follow_weights();
+    /// Takes the right-hand sides of the model's rows on parameters again.
+    void follow_uppers();
 
  private:
     /// One row: affine rows have their coefficients, others the map (y … y''') = offset + matrix ·
@@ -160,6 +162,8 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] const std::vector<RuleSample>& samples() const { return samples_; }
     /// Other weights of the same terms: the parameters' positive ones, one for each parameter.
     void set_weights(std::span<const double> weights);
+    /// Other numbers for the same limits: the right-hand sides of the rows on parameters, one for each.
+    void set_uppers(std::span<const double> uppers);
     [[nodiscard]] MotionChain motion(const Eigen::VectorXd& x) const {
         return model_->design.motion(design_values(x));
     }
@@ -221,18 +225,17 @@ class CamProblem final : public ContinuousProblem {
 // on the problem's own grid, which both refine. For a weight small enough the optimum is, among the optima of
 // the problem, the one of least ∫ y'''².
 
+/// e of design entries in the optimizer's units.
+[[nodiscard]] QuadraticForm jerk_energy(const CamModel& model);
+
 class TiedProblem final : public ContinuousProblem {
  public:
     /// The problem must outlive this one. weight > 0.
-    TiedProblem(CamProblem& problem, double weight);
+    TiedProblem(CamProblem& problem, QuadraticForm energy, double weight);
     ~TiedProblem() override;
 
     /// Changes the weight of the energy; > 0.
     void set_weight(double weight);
-    /// e of the motion of x.
-    [[nodiscard]] double energy(const Eigen::VectorXd& x) const {
-        return energy_.value(x.head(energy_.linear.size()));
-    }
 
     [[nodiscard]] const Nlp& grid() const override;
     [[nodiscard]] Eigen::VectorXd start() const override { return problem_.start(); }
@@ -259,7 +262,7 @@ class TiedProblem final : public ContinuousProblem {
     void follow(int added);
 
     CamProblem& problem_;
-    QuadraticForm energy_;  ///< of design entries in the optimizer's units
+    QuadraticForm energy_;
     double weight_;
     std::unique_ptr<Grid> grid_;
 };

@@ -252,6 +252,14 @@ void GridNlp::follow_weights() {
     }
 }
 
+void GridNlp::follow_uppers() {
+    std::size_t row = model_->design.equalities().size();
+    for (const ParameterRow& source : model_->parameter_rows) {
+        shape_.g_upper[static_cast<Eigen::Index>(row)] = source.upper;
+        shape_.rows[row++].scale = source.scale;
+    }
+}
+
 void GridNlp::claim_cost() {
     const auto claim = [&](int row, int column) { hessian_slots_.claim(shape_.hessian, row, column); };
     for (const RmsTerm& term : rms_) {

@@ -227,13 +227,14 @@ class DirectionSearch {
 
 }  // namespace
 
-bool leaves_its_strokes(const Solution& solution) {
-    const Scene& scene = solution.scene;
-    if (!solution.motion) return false;
-    const auto family = family_of(solution);
-    return std::ranges::any_of(excursions_of(scene, *family, *solution.motion),
+bool leaves_its_strokes(const Scene& scene, const MotionFamily& family, const MotionChain& motion) {
+    return std::ranges::any_of(excursions_of(scene, family, motion),
                                [&](double excursion) { return excursion > scene.solver.tolerance; }) ||
-           !passed_turning_points(scene, *family, *solution.motion).empty();
+           !passed_turning_points(scene, family, motion).empty();
+}
+
+bool leaves_its_strokes(const Solution& solution) {
+    return solution.motion && leaves_its_strokes(solution.scene, *family_of(solution), *solution.motion);
 }
 
 Solution solve_held_strokes(const Scene& scene, const SolveControl& control) {

@@ -102,11 +102,21 @@ void try_harder(const PlannedRun& run, const Solver& solver, ExchangeOptions exc
     try_again(part, solver, exchange, judge, problem, result);
 }
 
-void timed_break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result,
-                     Solution& solution) {
-    const Stopwatch watch;
-    break_tie(run, problem, result);
-    solution.phases.tie_break = watch.seconds();
+/// The smoothest optimum of a relaxation that satisfies the rules of the whole is that of the whole, and the
+/// rows of the relaxation are convex; else it is searched with all rules.
+void break_tie_of_relaxation(const PlannedRun& run, CamProblem& relaxation, CamProblem& whole,
+                             ContinuousResult& result) {
+    const double allowed = std::max(run.posed.scene().solver.tolerance, result.certificate.worst_violation);
+    ContinuousResult relaxed = result;
+    if (break_tie(run, relaxation, relaxed)) {
+        const double violation = judged(whole, relaxed.x).violation;
+        if (violation <= allowed) {
+            result = std::move(relaxed);
+            result.certificate.worst_violation = violation;
+            return;
+        }
+    }
+    break_tie(run, whole, result);
 }
 
 ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamProblem& problem,
@@ -136,8 +146,15 @@ ContinuousResult solve_convex(const PlannedRun& run, const Solver& solver, CamPr
     }
     try_next_solver(run, judge, problem, result, solution);
     run.known.keep(problem);
-    timed_break_tie(run, problem, result, solution);
+    const Stopwatch watch;
+    break_tie(run, problem, result);
+    solution.phases.tie_break = watch.seconds();
     return result;
+}
+
+/// The solve ended at a relaxation that settles the whole and leaves its strokes.
+bool holds_strokes_next(const PlannedRun& run) {
+    return run.leaves_strokes != nullptr && *run.leaves_strokes;
 }
 
 ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamProblem& problem,
@@ -145,6 +162,7 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
     StartsResult all = solve_from_starts(run, problem.model(), solver);
     solution.solver.convex = false;
     solution.solver.starts = all.starts;
+    if (holds_strokes_next(run)) return std::move(all.result);
     if (all.starts > 0 && all.starts < run.plan.starts && run.control.stopped())
         solution.notes.push_back(
             fmt::format("interrupted in the search: {} of {} starts were run", all.starts, run.plan.starts));
@@ -155,7 +173,9 @@ ContinuousResult solve_general(const PlannedRun& run, const Solver& solver, CamP
     if (all.starts > 0) return std::move(all.result);
     solution.solver.name = "structured";  // the relaxation settled it
     if (all.result.certificate.verdict != Verdict::optimal) return std::move(all.result);
-    timed_break_tie(run, problem, all.result, solution);
+    const Stopwatch watch;
+    break_tie_of_relaxation(run, *all.relaxation, problem, all.result);
+    solution.phases.tie_break = watch.seconds();
     solution.notes.emplace_back(
         "the limits that are not convex are inactive: the optimum without them satisfies them, so it is the "
         "optimum of the whole");
@@ -310,7 +330,10 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     if (plan->searching < 1.0)
         timed.in_vain = control.deadline.sooner(plan->searching * control.deadline.seconds_left());
     KnownSolutions none;
-    const PlannedRun run{posed, *plan, timed, known != nullptr ? *known : none};
+    bool leaves_strokes = false;
+    const bool may_end = plan->strokes_first_free && plan->breakpoints == 0;
+    const PlannedRun run{posed, *plan, timed, known != nullptr ? *known : none,
+                         may_end ? &leaves_strokes : nullptr};
     const double seconds_posed = watch.seconds();
     Solution solution;
     if (plan->angles > 0) {
@@ -318,7 +341,7 @@ Solution solve_planned(const Scene& scene, const SolveControl& control, KnownSol
     } else {
         solution = plan->breakpoints > 0 ? solve_free_knots(run) : solve_motion(run);
         const bool unbounded = solution.certificate.reason == Reason::unbounded;  // a lost area may be
-        if (plan->strokes_first_free && (unbounded || leaves_its_strokes(solution))) {
+        if (plan->strokes_first_free && (leaves_strokes || unbounded || leaves_its_strokes(solution))) {
             run.known.optima.withdraw();
             Solution held = plan->breakpoints > 0 ? solve_held_on_breakpoints(posed.scene(), solution, timed)
                                                   : solve_held_strokes(posed.scene(), timed);
@@ -347,7 +370,13 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
     validate(scene);
     if (known != nullptr) {
         known->optima.withdraw();
-        if (std::optional<Solution> proved = known->optima.proved(scene)) return std::move(*proved);
+        std::optional<Solution> proved = known->optima.proved(scene, [](const Solution& solution) {
+            return !solution.family || !leaves_its_strokes(solution);  // none: the motion of a solution
+        });
+        if (proved) {
+            proved->family.reset();
+            return std::move(*proved);
+        }
     }
     const SolveControl timed = control.sooner(scene.solver.max_seconds);
     Solution solution = solve_and_audit(scene, timed, known, options);

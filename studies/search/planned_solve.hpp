@@ -46,6 +46,9 @@ struct PlannedRun {
     const SolvePlan& plan;
     const SolveControl& control;
     KnownSolutions& known;
+    /// Not null: a relaxation that settles the whole but leaves its strokes ends the solve and sets this. The
+    /// caller then holds the strokes; what is returned has no motion but the bound of the relaxation.
+    bool* leaves_strokes = nullptr;
 };
 
 /// As solve() (studies/solve/solve.hpp), but infeasible scenes are not explained. `known`: of the scene

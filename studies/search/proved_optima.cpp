@@ -2,7 +2,10 @@
 #include "studies/search/proved_optima.hpp"
 
 #include "scene/cost_table.hpp"
+#include "solvers/exchange/exchange.hpp"
+#include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
+#include "studies/delivered/solution_report.hpp"
 #include "studies/search/cost_scale.hpp"
 
 namespace camopt {
@@ -25,6 +28,10 @@ constexpr int most_refinements = 3;
 constexpr int most_fits = 6;
 constexpr double rounded_multiplier = 1e-13;  // turned by less: rounding of 0
 constexpr double near_bound = 1e-6;           // relative: rows that may have a multiplier (certificate.hpp)
+// Parts of the largest multiplier and of the largest pivot: rows and directions with less are not held.
+constexpr double carrying = 1e-6, least_pivot = 1e-11;
+// Times the tolerance: what the objective of a moved motion may exceed the bound by.
+constexpr double moved_gap = 10.0;
 
 bool is_weighed_peak(const Parameter& parameter) {
     const bool peak = parameter.kind == Parameter::Kind::peak || parameter.kind == Parameter::Kind::torque;
@@ -41,6 +48,17 @@ double weight_of(const Parameter& parameter, const ObjectiveSpec& objective) {
     return parameter.weight;
 }
 
+bool is_proved_for(const Scene& scene, const Certificate& certificate, double gap) {
+    return certificate.lower_bound && *certificate.gap <= gap &&
+           *certificate.gap <= scene.solver.wanted_gap() &&
+           !bound_passes(certificate.objective, *certificate.lower_bound, scene.solver.tolerance);
+}
+
+/// Whether an optimum of one scene may serve the other.
+bool may_share_optima(const Scene& one, const Scene& other) {
+    return differ_in_peak_weights_only(one, other) || differ_in_peak_limits_only(one, other);
+}
+
 SparseMatrix jacobian_of(const Nlp& problem, const VectorXd& x) {
     const SparsityPattern& pattern = problem.shape().jacobian;
     std::vector<double> values(static_cast<std::size_t>(pattern.size()));
@@ -55,6 +73,28 @@ SparseMatrix jacobian_of(const Nlp& problem, const VectorXd& x) {
 }
 
 }  // namespace
+
+bool differ_in_peak_limits_only(const Scene& one, const Scene& other) {
+    const auto is_plain = [](const Scene& scene) {
+        const MotionSpec& motion = scene.motion;
+        return motion.type != MotionType::program && motion.via.empty() && motion.corridors.empty() &&
+               !motion.start && !motion.end && !scene.cam && !scene.forces && !scene.dynamics &&
+               !scene.drive && !scene.measured && scene.own_terms.empty() && scene.own_limits.empty();
+    };
+    if (!is_plain(one) || !is_plain(other)) return false;
+    MotionSpec motion = other.motion;
+    motion.lift = one.motion.lift;
+    LimitSpec limits = other.limits;
+    for (const CostTerm& term : cost_terms()) {
+        if (term.limit == nullptr) continue;
+        std::optional<PeakLimit>& limit = limits.*term.limit;
+        const std::optional<PeakLimit>& wanted = one.limits.*term.limit;
+        if (limit && wanted && limit->key == wanted->key) limit = wanted;
+    }
+    return one.objective == other.objective && one.motion == motion && one.spline == other.spline &&
+           one.limits == limits && one.solver == other.solver && one.title == other.title &&
+           one.length_unit == other.length_unit;
+}
 
 ProvedOptimum::ProvedOptimum(CamProblem problem, VectorXd x, VectorXd multipliers)
     : problem_(std::move(problem)), x_(std::move(x)), multipliers_(std::move(multipliers)) {
@@ -82,14 +122,44 @@ std::vector<double> ProvedOptimum::weights_for(const Scene& scene) const {
     return weights;
 }
 
-double ProvedOptimum::objective_for(const Scene& scene) const {
-    double objective = solution_.certificate.objective;
-    for (const int variable : weighed_) {
-        const auto p = static_cast<std::size_t>(variable - problem_.model().design.size());
-        objective +=
-            (weight_of(problem_.model().parameters[p], scene.objective) - cost_[variable]) * x_[variable];
+/// Of the rows on parameters; empty where a limit of the scene has none.
+std::vector<double> ProvedOptimum::uppers_for(const Scene& scene) const {
+    const CamModel& model = problem_.model();
+    std::vector<double> uppers;
+    for (const ParameterRow& row : model.parameter_rows) uppers.push_back(row.upper);
+    for (const CostTerm& term : cost_terms()) {
+        if (term.limit == nullptr || !(scene.limits.*term.limit)) continue;
+        const PeakLimit& limit = *(scene.limits.*term.limit);
+        const auto row = std::ranges::find(model.parameter_rows, limit.key, &ParameterRow::name);
+        if (row == model.parameter_rows.end()) return {};
+        const Parameter& peak = model.parameters[static_cast<std::size_t>(row->parameters.front())];
+        uppers[static_cast<std::size_t>(row - model.parameter_rows.begin())] =
+            limit.normalised / peak.reference;
     }
-    return objective;
+    return uppers;
+}
+
+double ProvedOptimum::rank_for(const Scene& scene) const {
+    double objective = solution_.certificate.objective;
+    if (differ_in_peak_weights_only(solution_.scene, scene)) {
+        for (const int variable : weighed_) {
+            const auto p = static_cast<std::size_t>(variable - problem_.model().design.size());
+            objective +=
+                (weight_of(problem_.model().parameters[p], scene.objective) - cost_[variable]) * x_[variable];
+        }
+        return objective;
+    }
+    const std::vector<double> own = uppers_for(solution_.scene), uppers = uppers_for(scene);
+    const auto first = static_cast<Index>(problem_.model().design.equalities().size());
+    for (std::size_t k = 0; k < std::min(own.size(), uppers.size()); ++k)
+        objective -= multipliers_[first + static_cast<Index>(k)] * (uppers[k] - own[k]);
+    return -objective;
+}
+
+/// The problem becomes that of the scene.
+void ProvedOptimum::pose(const Scene& scene) {
+    problem_.set_weights(weights_for(scene));
+    problem_.set_uppers(uppers_for(scene));
 }
 
 /// The step Λ G y of least Σ step² / |λ| with Gᵀ step = rest, in the columns of `rest`; refined on its own
@@ -143,44 +213,126 @@ VectorXd ProvedOptimum::fitted(const VectorXd& cost) {
     return result;
 }
 
-Certificate ProvedOptimum::certificate_for(const Scene& scene) {
-    problem_.set_weights(weights_for(scene));
+Certificate ProvedOptimum::proved(const VectorXd& x, const VectorXd& multipliers) const {
     const Nlp& grid = problem_.grid();
     Certificate certificate = solution_.certificate;
-    certificate.objective = grid.cost(x_);
+    certificate.objective = grid.cost(x);
     forget_proof(certificate);
     if (!problem_.convex(certificate.objective)) return certificate;
-    VectorXd cost(x_.size());
-    grid.gradient(x_, cost);
-    const VectorXd multipliers = fitted(cost);
     certificate.proof =
-        duality_proof(grid, x_, multipliers, problem_.box(certificate.objective, 0.0), "objective");
+        duality_proof(grid, x, multipliers, problem_.box(certificate.objective, 0.0), "objective");
     certificate.proof_kind = ProofKind::duality;
     certificate.lower_bound = certificate.proof->bound;
     certificate.gap = relative_gap(certificate.objective, certificate.proof->bound);
-    certificate.stationarity = stationarity_of(grid, x_, multipliers, near_bound);
+    certificate.stationarity = stationarity_of(grid, x, multipliers, near_bound);
     return certificate;
+}
+
+Certificate ProvedOptimum::certificate_for(const Scene& scene) {
+    pose(scene);
+    VectorXd cost(x_.size());
+    problem_.grid().gradient(x_, cost);
+    return proved(x_, fitted(cost));
+}
+
+std::optional<Solution> ProvedOptimum::same_motion_for(const Scene& scene) {
+    Certificate certificate = certificate_for(scene);
+    if (!is_proved_for(scene, certificate, scene.solver.tolerance)) return std::nullopt;
+    Solution solution = solution_;
+    solution.scene.objective = scene.objective;
+    solution.certificate = std::move(certificate);
+    solution.solver.proof_source = "multipliers fitted to a known optimum";
+    return solution;
+}
+
+/// M, and in a last column the step that removes the rounding of x from these rows; of the posed problem.
+/// Empty where the rows leave a direction open: several motions are optimal.
+Eigen::MatrixXd ProvedOptimum::moves() const {
+    const Nlp& grid = problem_.grid();
+    const NlpShape& shape = grid.shape();
+    const auto first = static_cast<Index>(problem_.model().design.equalities().size());
+    const auto count = static_cast<Index>(problem_.model().parameter_rows.size());
+    const double least = carrying * multipliers_.lpNorm<Eigen::Infinity>();
+    VectorXd values(shape.constraints());
+    grid.constraints(x_, values);
+    SparseMatrix columns = jacobian_of(grid, x_).transpose();  // Nᵀ: its columns are unit rows, or 0
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(columns.rows(), count + 1);
+    for (Index i = 0; i < columns.cols(); ++i) {
+        const bool held = shape.g_lower[i] == shape.g_upper[i] || std::abs(multipliers_[i]) > least;
+        const double length = columns.col(i).norm();
+        columns.col(i) *= held && length > 0.0 ? 1.0 / length : 0.0;
+        if (!held || !(length > 0.0)) continue;
+        const double bound = multipliers_[i] < 0.0 ? shape.g_lower[i] : shape.g_upper[i];
+        right.col(count) += (bound - values[i]) / length * columns.col(i);
+        if (i >= first && i < first + count) right.col(i - first) = columns.col(i) / length;
+    }
+    SparseMatrix normal = columns * SparseMatrix(columns.transpose());
+    // A peak that is limited but neither weighed nor at its limit is in no row: it follows from the motion.
+    for (Index j = problem_.model().design.size(); j < normal.cols(); ++j)
+        if (!(normal.coeff(j, j) > 0.0)) normal.coeffRef(j, j) = 1.0;
+    const Eigen::SimplicialLDLT<SparseMatrix> factor(normal);
+    if (factor.info() != Eigen::Success) return {};
+    const VectorXd pivots = factor.vectorD();
+    if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff())) return {};
+    Eigen::MatrixXd moves = factor.solve(right);
+    for (int round = 0; round < most_refinements; ++round)
+        moves += factor.solve(right - normal * moves).eval();
+    return moves;
+}
+
+/// The limits move the motion, and the rows that carry the multipliers hold it.
+std::optional<Solution> ProvedOptimum::moved_motion_for(const Scene& scene) {
+    if (!solution_.notes.empty()) return std::nullopt;  // they may be of the other motion
+    if (!moves_) {
+        pose(solution_.scene);
+        moves_ = moves();
+    }
+    const std::vector<double> own = uppers_for(solution_.scene), uppers = uppers_for(scene);
+    if (moves_->size() == 0 || uppers.empty()) return std::nullopt;
+    pose(scene);
+    const double tolerance = scene.solver.tolerance;
+    double part = 1.0;  // of the limits
+    Candidate moved;
+    for (int pass = 0; pass < 2; ++pass) {
+        VectorXd x = x_ + moves_->rightCols(1);
+        for (std::size_t k = 0; k < uppers.size(); ++k)
+            x += (part * uppers[k] - own[k]) * moves_->col(static_cast<Index>(k));
+        moved = judged(problem_, x);
+        if (moved.violation <= 0.0 || moved.violation > moved_gap * tolerance) break;
+        part = 1.0 - moved.violation;  // between its rows, whose maximum moves along
+    }
+    if (!(moved.violation <= tolerance)) return std::nullopt;
+    Solution solution;
+    solution.certificate = proved(moved.x, multipliers_);
+    solution.certificate.worst_violation = moved.violation;
+    if (!is_proved_for(scene, solution.certificate, moved_gap * tolerance)) return std::nullopt;
+    solution.scene = scene;
+    solution.plan = solution_.plan;
+    solution.reference_peaks = solution_.reference_peaks;
+    solution.solver = solution_.solver;
+    solution.any_curve_limit = solution_.any_curve_limit;
+    solution.design.kind = solution_.design.kind;
+    solution.family = problem_.family();
+    report_motion(solution, problem_, moved.x);
+    audit_delivered(solution);
+    if (solution.certificate.verdict != Verdict::optimal) return std::nullopt;
+    solution.solver.proof_source = "multipliers of a known optimum";
+    return solution;
 }
 
 std::optional<Solution> ProvedOptimum::solution_for(const Scene& scene) {
     const Stopwatch watch;
     const std::lock_guard turn(busy_);
-    Certificate certificate = certificate_for(scene);
-    const bool proved =
-        certificate.lower_bound && *certificate.gap <= scene.solver.tolerance &&
-        *certificate.gap <= scene.solver.wanted_gap() &&
-        !bound_passes(certificate.objective, *certificate.lower_bound, scene.solver.tolerance);
-    if (!proved) return std::nullopt;
-    Solution solution = solution_;
-    solution.scene.objective = scene.objective;
-    solution.certificate = std::move(certificate);
-    if (solution.any_curve_limit) solution.any_curve_limit = limit_curve(scene, solution.reference_peaks);
-    solution.solver.iterations = solution.solver.exchange_rounds = 0;
-    solution.solver.proof_source = "multipliers fitted to a known optimum";
-    solution.solver.proved_from = number_;
-    solution.evaluations = {};
-    solution.phases = {};
-    solution.seconds_total = solution.seconds_solve = solution.phases.proof = watch.seconds();
+    std::optional<Solution> solution = differ_in_peak_weights_only(solution_.scene, scene)
+                                           ? same_motion_for(scene)
+                                           : moved_motion_for(scene);
+    if (!solution) return std::nullopt;
+    if (solution->any_curve_limit) solution->any_curve_limit = limit_curve(scene, solution->reference_peaks);
+    solution->solver.iterations = solution->solver.exchange_rounds = 0;
+    solution->solver.proved_from = number_;
+    solution->evaluations = {};
+    solution->phases = {};
+    solution->seconds_total = solution->seconds_solve = solution->phases.proof = watch.seconds();
     return solution;
 }
 
@@ -195,7 +347,7 @@ void ProvedOptima::settle(const Solution& solution, int number) {
                         !weighs_any(solution.scene.objective, CostTerm::Kind::rms);
     if (!useful) return;
     std::erase_if(known_, [&](const auto& other) {
-        return !differ_in_peak_weights_only(other->solution().scene, solution.scene);
+        return !may_share_optima(other->solution().scene, solution.scene);
     });
     optimum->join(solution, number);
     known_.push_front(optimum);
@@ -204,20 +356,28 @@ void ProvedOptima::settle(const Solution& solution, int number) {
     if (known_.size() > most) known_.pop_back();
 }
 
-std::optional<Solution> ProvedOptima::proved(const Scene& scene) {
-    if (known_.empty() || !differ_in_peak_weights_only(known_.front()->solution().scene, scene))
-        return std::nullopt;
-    std::vector<std::pair<double, ProvedOptimum*>> tries;  // by their objectives
+std::optional<Solution> ProvedOptima::proved(const Scene& scene,
+                                             const std::function<bool(const Solution&)>& accepts) {
+    if (known_.empty()) return std::nullopt;
+    const bool weights = differ_in_peak_weights_only(known_.front()->solution().scene, scene);
+    const auto serves = [&](const Scene& own) {
+        if (differ_in_peak_weights_only(own, scene)) return weights;
+        return !weights && differ_in_peak_limits_only(own, scene);
+    };
+    std::vector<std::pair<double, ProvedOptimum*>> tries;
     for (const std::shared_ptr<ProvedOptimum>& optimum : known_)
-        if (weigh_same_peaks(optimum->solution().scene.objective, scene.objective) &&
+        if (serves(optimum->solution().scene) &&
+            weigh_same_peaks(optimum->solution().scene.objective, scene.objective) &&
             CostScale::are_near_one(scene, optimum->solution().reference_peaks))
-            tries.emplace_back(optimum->objective_for(scene), optimum.get());
+            tries.emplace_back(optimum->rank_for(scene), optimum.get());
+    if (tries.empty()) return std::nullopt;
     std::ranges::stable_sort(tries, {}, [](const auto& one) { return one.first; });
     tries.resize(std::min(tries.size(), most_tries));
-    for (const auto& [objective, optimum] : tries) {
+    for (const auto& [rank, optimum] : tries) {
         const double least = tries.front().first;
-        if (objective > least + scene.solver.tolerance * std::max(1.0, std::abs(least))) break;
-        if (std::optional<Solution> solution = optimum->solution_for(scene)) return solution;
+        if (rank > least + scene.solver.tolerance * std::max(1.0, std::abs(least))) break;
+        if (std::optional<Solution> solution = optimum->solution_for(scene); solution && accepts(*solution))
+            return solution;
     }
     return std::nullopt;
 }

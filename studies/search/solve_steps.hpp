@@ -10,20 +10,23 @@ namespace camopt {
 /// square jerk. On a linear program a small enough weight on the energy picks exactly that one; how small is
 /// found by trying. (To demand "objective <= optimum" as a row instead leaves a feasible set without an
 /// inside, on which an interior point loses its digits.) Leaves the result alone where nothing smoother is
-/// found. The grid of `problem` is refined.
-void break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result);
+/// found; false: where none was tried to the end. The grid of `problem` is refined.
+bool break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result);
 
 // motion.within_lift and motion.monotone: scenes whose best motion leaves the range of a stroke.
 //
 // A scene is solved without the rules of its strokes first (objectives/strokes.hpp). Usually that motion
 // stays within their range, and is the optimum. Else the scene is solved with the rules; the bound of the
-// first solve, of a relaxation, holds for it too.
+// first solve, of a relaxation, holds for it too. Where a relaxation without the rules
+// that are not convex settles a scene, its motion is checked before the tie is broken.
 //
 // The rules depend on whether a stroke rises or falls, which a free displacement leaves open. Such strokes
 // are not held at first. Where the motion leaves the range of one for the direction that it takes, the stroke
 // that does so most is split into two cases, it rises or it falls; together they hold everything.
 
 /// Whether the motion leaves the range of a stroke by more than the scene's tolerance.
+[[nodiscard]] bool leaves_its_strokes(const Scene& scene, const MotionFamily& family,
+                                      const MotionChain& motion);
 [[nodiscard]] bool leaves_its_strokes(const Solution& solution);
 
 /// With rules for every stroke of a scene whose objective is near one. Optimal within solver.gap of the least

@@ -5,6 +5,7 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/bound/box_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"
+#include "studies/search/solve_steps.hpp"
 
 #include <Eigen/QR>
 
@@ -66,7 +67,7 @@ Eigen::VectorXd same_motion(const MotionFamily& family, const MotionChain& motio
 /// What a relaxation gives. `settled`: the answer of the whole already.
 struct Relaxed {
     ContinuousResult result;
-    std::shared_ptr<const CamProblem> problem;  ///< what its bound is of
+    std::shared_ptr<CamProblem> problem;  ///< what its bound is of
     bool settled = false;
 };
 
@@ -77,6 +78,7 @@ class GeneralSolve {
         : plan_(run.plan),
           posed_(run.posed),
           known_(run.known),
+          leaves_strokes_(run.leaves_strokes),
           model_(model),
           solver_(solver),
           exchange_(exchange_options(run.posed.scene())),
@@ -94,7 +96,13 @@ class GeneralSolve {
         Relaxed relaxed = solve_relaxations();
         if (relaxed.settled) {
             known_.found = {};
+            const bool leaves = leaves_strokes_ != nullptr && leaves_strokes(relaxed);
             all.result = std::move(relaxed.result);
+            if (leaves) {
+                *leaves_strokes_ = true;
+                all.result.x.resize(0);
+            }
+            all.relaxation = std::move(relaxed.problem);
             return all;
         }
         StartSearch search(CamProblem(model_), solver_, exchange_, judge_, first_control_);
@@ -120,6 +128,7 @@ class GeneralSolve {
     const SolvePlan& plan_;
     const PosedScene& posed_;
     KnownSolutions& known_;
+    bool* leaves_strokes_;
     const CamModel& model_;
     const Solver& solver_;
     ExchangeOptions exchange_;
@@ -183,6 +192,14 @@ class GeneralSolve {
         certificate.worst_violation = kept.violation;
         relaxed.settled = true;
         return relaxed;
+    }
+
+    /// Breaking the tie would take long, and seldom bring the motion back.
+    [[nodiscard]] bool leaves_strokes(const Relaxed& relaxed) const {
+        const bool found =
+            relaxed.result.certificate.verdict == Verdict::optimal && relaxed.result.x.size() > 0;
+        return found && leaves_its_strokes(posed_.scene(), relaxed.problem->model().design,
+                                           relaxed.problem->motion(relaxed.result.x));
     }
 
     /// The starts from `first` on; of the next solver all, if nothing was found.

@@ -75,6 +75,7 @@ class StartSearch {
 struct StartsResult {
     ContinuousResult result;
     int starts = 0;  ///< searches that ran; 0 where the relaxation settled everything
+    std::shared_ptr<CamProblem> relaxation = {};  ///< that did; `result` is its optimum
     bool next_solver_ran = false, found_by_next = false;
 };
 

@@ -56,8 +56,8 @@ Candidate smoother_optimum(const CamProblem& problem, TiedProblem& tied, Candida
 
 }  // namespace
 
-void break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result) {
-    if (!run.plan.tie_break || result.certificate.verdict != Verdict::optimal) return;
+bool break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& result) {
+    if (!run.plan.tie_break || result.certificate.verdict != Verdict::optimal) return false;
     const Scene& scene = run.posed.scene();
     // Neighbours of a convex problem need the grid of the optimum alone, unless they are only looked at.
     const bool keeps = run.plan.look || !run.plan.convex;
@@ -65,32 +65,38 @@ void break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& res
     const Allowance allowance{objective, scene.solver.tolerance * relative_to(objective),
                               std::max(scene.solver.tolerance, result.certificate.worst_violation),
                               result.inside};
+    const QuadraticForm energy = jerk_energy(problem.model());
+    const auto is_rougher = [&](const Eigen::VectorXd& x) {
+        const Eigen::Index size = energy.linear.size();
+        return energy.value(x.head(size)) > energy.value(result.x.head(size));
+    };
     ExchangeOptions options = exchange_options(scene);
     options.backend.native.clear();
     options.backend.tolerance = options.tolerance = tie_break_accuracy * scene.solver.tolerance;
     const Candidate start{result.x, objective, result.certificate.worst_violation};
     const std::vector<PathPoint>& path = result.exchange.last.path;
-    TiedProblem tied(problem, tie_break_weights.front());
+    TiedProblem tied(problem, energy, tie_break_weights.front());
     for (const double weight : tie_break_weights) {
         if (run.plan.look && weight > run.known.tie_break_weight.value_or(weight)) continue;
         tied.set_weight(weight);
         if (const PathPoint* place = point_before(path, energy_room * weight)) options.backend.near = *place;
         const Candidate delivered = smoother_optimum(problem, tied, start, options, allowance, run.control);
         if (keeps) run.known.keep(problem);
-        if (run.control.ending() || delivered.x.size() == 0) return;
+        if (run.control.ending() || delivered.x.size() == 0) return false;
         if (!allowance.holds(delivered)) continue;
         if (keeps) run.known.tie_break_weight = weight;
         // What is proved of the motion before must be proved of this one too.
         if (relative_gap(delivered.objective, *result.certificate.lower_bound) > scene.solver.wanted_gap())
             continue;
-        if (tied.energy(delivered.x) > tied.energy(result.x)) return;
+        if (is_rougher(delivered.x)) return true;
         result.x = delivered.x;
         Certificate& certificate = result.certificate;
         certificate.objective = delivered.objective;
         certificate.worst_violation = delivered.violation;
         certificate.gap = relative_gap(delivered.objective, *certificate.lower_bound);
-        return;
+        return true;
     }
+    return false;
 }
 
 }  // namespace camopt

@@ -307,11 +307,27 @@ SweepRow failed_row(int number, std::span<const double> settings, std::string_vi
     return row;
 }
 
+namespace {
+
+/// The key that moves fastest is one whose rows may be proved from one another (proved_optima.hpp).
+bool may_prove_neighbours(SweepScenes& scenes) {
+    const std::string& key = scenes.plan().keys.back();
+    if (is_weight_key(key)) return true;
+    const Scene& first = scenes.scene(0);
+    return differ_in_peak_limits_only(first, first) &&
+           std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& row) {
+               const std::optional<PeakLimit>& limit = row.in(first.limits);
+               return row.side == 0 && limit && limit->key == key;
+           });
+}
+
+}  // namespace
+
 int chunk_size_for(SweepScenes& scenes) {
     constexpr int segments_of_a_chunk = 16'000;
     const SweepPlan& plan = scenes.plan();
     int most = default_chunk_size;
-    if (plan.rows() > least_chunks * most && is_weight_key(plan.keys.back())) {
+    if (plan.rows() > least_chunks * most && may_prove_neighbours(scenes)) {
         const Scene& first = scenes.scene(0);
         const int segments = std::max(1, segments_of(first.spline));
         if (camopt::plan(first).convex)

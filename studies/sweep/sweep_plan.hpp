@@ -79,8 +79,9 @@ class SweepScenes {
 
 /// Long enough for warm starts to pay, short enough to lose little where a run is stopped.
 inline constexpr int default_chunk_size = 25;
-/// Where the weights of a convex scene move fastest, most rows need no solve, and the more of them the longer
-/// a chunk: up to this, or fewer where splines have so many segments that a solve takes long.
+/// Where the weights of a convex scene or limits on its peaks move fastest, most rows need no solve, and the
+/// more of them the longer a chunk: up to this, or fewer where splines have so many segments that a solve
+/// takes long.
 inline constexpr int weight_chunk_size = 500;
 /// The chunks a small sweep is cut into at least, so that several workers find something to do.
 inline constexpr int least_chunks = 16;

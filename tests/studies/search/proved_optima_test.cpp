@@ -4,11 +4,13 @@
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/scene_kit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace camopt {
 namespace proved_optima_test {
@@ -55,6 +57,68 @@ TEST(ProvedOptima, WholeLatticeEqualsColdSolves) {
             << "another optimum";
     }
     EXPECT_GT(reused, lattice.points() / 3);
+}
+
+/// Of limits along a range many need no solve: motion and bound follow from a neighbour's rows.
+void expect_limits_proved(Scene scene, int rows, const std::function<void(Scene&, double part)>& set) {
+    KnownSolutions known;
+    int reused = 0;
+    for (int row = 0; row < rows; ++row) {
+        SCOPED_TRACE(row);
+        set(scene, static_cast<double>(row) / (rows - 1));
+        const Solution found = neighbour(scene, known);
+        const Certificate& certificate = found.certificate;
+        EXPECT_EQ(certificate.verdict, Verdict::optimal);
+        if (!found.solver.proved_from) continue;
+        ++reused;
+        ASSERT_TRUE(certificate.proof && certificate.lower_bound);
+        EXPECT_EQ(recomputed_bound(*certificate.proof), *certificate.lower_bound);
+        EXPECT_LE(*certificate.gap, 1e-8);
+        EXPECT_LE(certificate.worst_violation, 1e-9);
+        if (reused % 4 != 0) continue;
+        const Solution cold = solve(scene);
+        EXPECT_NEAR(certificate.objective, cold.certificate.objective, 1e-8);
+        EXPECT_NEAR(*certificate.lower_bound, *cold.certificate.lower_bound, 1e-8);
+        EXPECT_EQ(found.scene.motion.lift, scene.motion.lift);
+        ASSERT_EQ(found.constraints.size(), cold.constraints.size());
+        for (std::size_t k = 0; k < cold.constraints.size(); ++k) {
+            EXPECT_EQ(found.constraints[k].limit, cold.constraints[k].limit);
+            EXPECT_EQ(found.constraints[k].active, cold.constraints[k].active);
+        }
+        EXPECT_EQ(found.any_curve_limit.has_value(), cold.any_curve_limit.has_value());
+        EXPECT_NEAR(found.peaks.jerk.value, cold.peaks.jerk.value, 1e-6 * cold.peaks.jerk.value);
+        EXPECT_NEAR(found.peaks.rms_jerk, cold.peaks.rms_jerk, 1e-3 * cold.peaks.rms_jerk)
+            << "another optimum";
+    }
+    EXPECT_GT(reused, rows / 3);
+}
+
+TEST(ProvedOptima, VelocityLimitsEqualColdSolves) {
+    const Scene scene = weighted({0.4, 0.4, 0.2});
+    expect_limits_proved(scene, 60,
+                         [](Scene& one, double part) { one.limits.velocity = PeakLimit{1.6 + 0.4 * part}; });
+}
+
+TEST(ProvedOptima, LiftSweepEqualsColdSolves) {
+    const Scene scene = scene_named("drd_physical_limits");
+    expect_limits_proved(scene, 40, [&scene](Scene& one, double part) {
+        one = scene;
+        one.motion.lift *= 1.0 + 0.05 * part;
+        for (std::optional<PeakLimit>* const limit : {&one.limits.velocity, &one.limits.acceleration})
+            *limit = PeakLimit{0.0, (*limit)->key, (*limit)->given, (*limit)->unit};
+    });
+}
+
+/// The rows that carry multipliers differ: nothing is proved from the neighbour.
+TEST(ProvedOptima, FarLimitIsSolved) {
+    KnownSolutions known;
+    Scene scene = weighted({0.4, 0.4, 0.2});
+    scene.limits.velocity = PeakLimit{1.5};
+    EXPECT_FALSE(neighbour(scene, known).solver.proved_from);
+    scene.limits.velocity = PeakLimit{2.5};
+    const Solution far = neighbour(scene, known);
+    EXPECT_FALSE(far.solver.proved_from);
+    EXPECT_NEAR(far.certificate.objective, solve(scene).certificate.objective, 1e-8);
 }
 
 TEST(ProvedOptima, FarWeightsAreSolved) {

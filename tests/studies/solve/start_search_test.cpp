@@ -6,6 +6,7 @@
 #include "objectives/scene_model.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/structured/structured_solver.hpp"
+#include "studies/search/solve_steps.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/scene_kit.hpp"
 
@@ -110,6 +111,25 @@ TEST(StartSearch, NextSolverFollowsFailedOne) {
     EXPECT_TRUE(found.next_solver_ran && found.found_by_next);
     EXPECT_EQ(found.starts, plan.starts);
     EXPECT_NEAR(found.result.certificate.objective, searched(scene, 1).objective, 1e-7);
+}
+
+/// Its relaxation settles it; the rules of its strokes follow.
+TEST(StartSearch, RelaxationThatLeavesStrokesEndsSolve) {
+    const Scene scene = with_written_limits(scene_named("cam_conjugate"));
+    PosedScene posed(scene);
+    const SolvePlan plan = plan_of(posed);
+    const SolveControl control;
+    KnownSolutions none;
+    bool leaves_strokes = false;
+    const StartsResult ended =
+        solve_from_starts({posed, plan, control, none, &leaves_strokes}, posed.model, IdleSolver());
+    EXPECT_TRUE(leaves_strokes);
+    EXPECT_EQ(ended.starts, 0);
+    EXPECT_EQ(ended.result.x.size(), 0);
+    const Solution held = solve(scene);
+    EXPECT_EQ(held.certificate.verdict, Verdict::optimal);
+    EXPECT_LT(*ended.result.certificate.lower_bound, held.certificate.objective);
+    EXPECT_FALSE(leaves_its_strokes(held));
 }
 
 /// Boxes are halved in an order that a last digit of the motion at hand could change.
