@@ -35,7 +35,8 @@ CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
         "compare",
         "Every classical law on the same scene, compared with its optimum: losses and violated limits");
     add_scene(command, request.scene);
-    add_option(command, "--out", request.out, "DIR", "Write comparison.csv, .json and .svg here");
+    add_option(command, "--out", request.out, "DIR",
+               "Write comparison.csv, .json, .svg, .html and report.md here");
     add_solving(command, request);
     add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the comparison as JSON and nothing else");

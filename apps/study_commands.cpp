@@ -6,6 +6,7 @@
 #include "core/text/parsing.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
+#include "output/compare/comparison_document.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/csv/study_csv.hpp"
 #include "output/inspect/inspection_document.hpp"
@@ -14,7 +15,6 @@
 #include "output/machine/machine_folder.hpp"
 #include "output/machine/machine_json.hpp"
 #include "output/page/result_page.hpp"
-#include "output/page/study_html.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/result_folder_reader.hpp"
 #include "output/valves/valves_document.hpp"
@@ -79,10 +79,11 @@ MachineSolution solve_with_progress(const MachineRequest& request, const Machine
 
 /// The folder of a study where it has one, then the console.
 template <class Request>
-void write_and_print(const Document& document, const Request& request, const DocumentNames& names) {
+void write_and_print(const Document& document, const Request& request, const DocumentNames& names,
+                     const RunOrigin& origin) {
     if (!request.out.empty()) {
         FolderUpdate folder(request.out);
-        for (const FolderFile& file : document_files(document, {{}, request.command, {}}, names))
+        for (const FolderFile& file : document_files(document, origin, names))
             folder.write(file.name, file.text);
         folder.finish();
     }
@@ -99,16 +100,8 @@ ExitCode compare_command(const CompareRequest& request) {
         with_progress([&](const SolveControl& control) { return compare(loaded.scene, control); });
     show_in(comparison.optimum.scene, request.units);
     const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
-    if (!request.out.empty()) {
-        FolderUpdate folder(request.out);
-        folder.write("comparison.csv", comparison_csv(comparison));
-        folder.write("comparison.svg", comparison_svg(comparison));
-        folder.write("comparison.html", comparison_html(comparison, origin));
-        folder.write("comparison.json", comparison_json(comparison, origin));
-        folder.finish();
-    }
-    const std::string text = request.json ? comparison_json(comparison, origin) : comparison_text(comparison);
-    print(text);
+    write_and_print(comparison_document(comparison, origin), request, {"comparison.html", "comparison.json"},
+                    origin);
     return exit_code_of(comparison.optimum.certificate.verdict);
 }
 
@@ -151,7 +144,7 @@ ExitCode inspect_command(const InspectRequest& request) {
     const Inspection found =
         inspect_cam(nominal, table, request.probe_radius_mm * units::millimetre, tolerance);
     write_and_print(inspection_document(found, fmt::format("{} compared with {}", table.file, request.scene)),
-                    request, {"inspection.html", "inspection.json"});
+                    request, {"inspection.html", "inspection.json"}, {{}, request.command});
     return found.out.empty() ? success : failure;
 }
 
@@ -178,7 +171,7 @@ ExitCode valves_command(const ValvesRequest& request) {
              fmt::format(
                  "Lengths are in {}, as the intake is written; the exhaust is written in {} (--units).",
                  name_of(unit), name_of(other))});
-    write_and_print(document, request, {.json = "valves.json"});
+    write_and_print(document, request, {.json = "valves.json"}, {{}, request.command});
     return !pair.clearance || *pair.clearance > 0.0 ? success : failure;
 }
 

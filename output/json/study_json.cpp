@@ -4,7 +4,6 @@
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/shown_units.hpp"
-#include "output/words/study_text.hpp"
 
 namespace camopt {
 
@@ -55,61 +54,6 @@ Json steady_json(const TrainStudy& study) {
     return list;
 }
 
-Json limits_json(const ComparisonRow& row, double degrees_per_x) {
-    Json list = Json::array();
-    for (const LimitOutcome& outcome : row.limits) {
-        const ConstraintReport& reached = outcome.reached;
-        list.push_back(
-            {{"name", reached.name},
-             {"limit", number_json(reached.limit)},
-             {"worst", number_json(reached.worst)},
-             {"unit", reached.unit},
-             {"at_deg", is_nowhere(reached) ? Json(nullptr) : number_json(reached.at * degrees_per_x)},
-             {"kept", outcome.kept},
-             {"no_contact", reached.no_contact},
-             {"excess", number_json(outcome.excess)},
-             {"key", reached.key}});
-    }
-    return list;
-}
-
-Json base_json(const ComparisonRow& row) {
-    if (!row.base) return nullptr;
-    const std::optional<double>& radius = row.base->radius;
-    return {{"needed_mm", radius ? number_json(millimetres_shown.of(*radius)) : Json(nullptr)},
-            {"stays_broken", words_json(row.base->broken)}};
-}
-
-Json row_json(const Scene& scene, const ComparisonRow& row) {
-    Json json;
-    json["law"] = words_json(row.key);
-    json["title"] = row_title(row);
-    json["fits"] = row.misfit.empty();
-    json["misfit"] = words_json(row.misfit);
-    json["feasible"] = row.feasible;
-    json["objective"] = row.misfit.empty() ? number_json(row.objective) : Json(nullptr);
-    json["loss_percent"] = number_json(row.loss_percent);
-    json["peaks"] = peaks_json(row.misfit.empty() ? std::optional(row.peaks) : std::nullopt);
-    json["limits"] = limits_json(row, file_units(scene).degrees_per_x);
-    json["base_radius"] = base_json(row);
-    if (scene.drive) json["drive"] = row.drive ? drive_json(scene, *row.drive) : Json(nullptr);
-    return json;
-}
-
-Json dimensions_json(const Comparison& comparison) {
-    const std::optional<CamSpec>& spec = comparison.optimum.scene.cam;
-    if (!comparison.cam || !spec) return nullptr;
-    Json json = Json::object();
-    for (std::size_t i = 0; i < spec->dimensions.size(); ++i) {
-        const CamDimension& dimension = spec->dimensions[i];
-        if (dimension.value.key.empty()) continue;  // this variant has no such dimension
-        const ShownUnit& unit = dimension.is_angle ? degrees_shown : millimetres_shown;
-        json[dimension.name + (dimension.is_angle ? "_deg" : "_mm")] =
-            number_json(unit.of(comparison.cam->dimensions[i]));
-    }
-    return json;
-}
-
 }  // namespace
 
 std::string dynamics_json(const TrainStudy& study) {
@@ -121,24 +65,6 @@ std::string dynamics_json(const TrainStudy& study) {
     json["rows"] = Json::array();
     for (const TrainRow& row : study.rows) json["rows"].push_back(train_row_json(study.scene, row));
     json["steady_state"] = steady_json(study);
-    return json_text(json);
-}
-
-std::string comparison_json(const Comparison& comparison, const RunOrigin& origin) {
-    const Solution& solution = comparison.optimum;
-    const Certificate& certificate = solution.certificate;
-    Json json;
-    json["camopt"] = version();
-    json["study"] = "compare";
-    json["scene"] = words_json(origin.scene_file);
-    json["title"] = words_json(solution.scene.title);
-    json["command"] = words_json(origin.command);
-    add_verdict(json, certificate);
-    json["dimensions"] = dimensions_json(comparison);
-    const ComparisonRow* best = best_law(comparison);
-    json["best_law"] = best ? Json(best->key) : Json(nullptr);
-    json["rows"] = Json::array();
-    for (const ComparisonRow& row : comparison.rows) json["rows"].push_back(row_json(solution.scene, row));
     return json_text(json);
 }
 

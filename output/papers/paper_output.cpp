@@ -4,6 +4,7 @@
 #include "core/version.hpp"
 #include "output/chart/chart.hpp"
 #include "output/csv/csv_line.hpp"
+#include "output/document/common_figures.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/number_text.hpp"
 
@@ -95,7 +96,7 @@ Json limit_json(const LimitCurve& limit) {
 Json solution_json(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     Json json;
-    add_verdict(json, certificate);
+    json.update(figures_json(verdict_figures(certificate)));
     json["peaks"] = nullptr;
     if (solution.curve) {
         json["peaks"] = {{"velocity", extremum_json(solution.peaks.velocity)},

@@ -84,46 +84,6 @@ std::string failure_lines(const std::vector<SweepRow>& rows) {
     return text;
 }
 
-constexpr int comparison_line_width = 110;
-constexpr int objective_decimals = 6, peak_decimals = 4;
-
-std::string limits_cell(const Comparison& comparison, const ComparisonRow& row) {
-    if (!row.misfit.empty()) return "left out: " + row.misfit;
-    const std::vector<std::string> broken = broken_limits(row);
-    if (!broken.empty()) return fmt::format("{}", fmt::join(broken, "; "));
-    if (row.limits.empty()) return "";
-    if (row.is_optimum() && !row.feasible)
-        return fmt::format("the solve is {}", name_of(comparison.optimum.certificate.verdict));
-    return "kept";
-}
-
-TextTable table_of(const Comparison& comparison) {
-    const bool bases = has_bases(comparison);
-    TextTable table;
-    const std::vector<PhysicalPeak> physical = physical_peaks(comparison);
-    table.columns = {{"law", true}, {"objective"}, {"loss"}};
-    for (const PhysicalPeak& peak : physical) table.columns.push_back({peak.title});
-    for (const char* const symbol : {"V", "A", "J"}) table.columns.push_back({symbol});
-    if (bases) table.columns.push_back({base_title(comparison)});
-    table.columns.push_back({"limits", true});
-    for (const ComparisonRow& row : comparison.rows) {
-        std::vector<std::string> cells = {row_title(row)};
-        if (row.misfit.empty()) {
-            cells.insert(cells.end(), {fixed_text(row.objective, objective_decimals), loss_words(row)});
-            for (const PhysicalPeak& peak : physical) cells.push_back(peak.text(row));
-            cells.insert(cells.end(), {fixed_text(row.peaks.velocity.value, peak_decimals),
-                                       fixed_text(row.peaks.acceleration.value, peak_decimals),
-                                       fixed_text(row.peaks.jerk.value, peak_decimals)});
-        } else {
-            cells.insert(cells.end(), 5 + physical.size(), "");
-        }
-        if (bases) cells.push_back(base_words(comparison, row));
-        cells.push_back(limits_cell(comparison, row));
-        table.rows.push_back(std::move(cells));
-    }
-    return table;
-}
-
 /// How many rows needed no solve; empty: none.
 std::string reuse_words(const std::vector<SweepRow>& rows) {
     const auto proved =
@@ -141,25 +101,6 @@ std::string sweep_text(const SweepTable& table, const Scene* scene) {
     return verdict_line(table.rows) + front_line(table) + best_line(table, scene) +
            failure_lines(table.rows) +
            fmt::format("  solving: {} s{}\n", short_text(seconds, 3), reuse_words(table.rows));
-}
-
-std::string comparison_text(const Comparison& comparison) {
-    const Solution& solution = comparison.optimum;
-    std::string text;
-    if (!solution.scene.title.empty()) text += printable(solution.scene.title) + "\n";
-    text += verdict_sentence(solution) + "\n";
-    if (!solution.motion) text += "For the suggested changes run camopt solve.\n";
-    for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
-    text += wrapped_text(comparison_sentence(comparison), "", comparison_line_width);
-    text += "\n" + aligned_text(table_of(comparison));
-    const std::string objective = objective_words(comparison);
-    text += fmt::format("\nobjective: {}\n", objective.empty() ? "none" : objective);
-    if (has_bases(comparison))
-        text += wrapped_text(
-            "the smallest base radius at which the motion satisfies every limit, the cam's other dimensions "
-            "unchanged; none: no radius tried satisfies them",
-            base_title(comparison) + ": ", comparison_line_width);
-    return text;
 }
 
 }  // namespace camopt

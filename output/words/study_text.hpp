@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sweeps, comparisons and elastic follower trains over speed, for people.
+// Sweeps and elastic follower trains over speed, for people.
 #pragma once
 
-#include "output/words/comparison_words.hpp"
 #include "studies/response/train_study.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
@@ -13,9 +12,6 @@ namespace camopt {
 /// scene: that of any row, to name the peaks of the best row in time where it has a speed; null: they are not
 /// named.
 [[nodiscard]] std::string sweep_text(const SweepTable& table, const Scene* scene = nullptr);
-
-// A comparison for a terminal: one line a law, sorted by the objective. Infinite is "∞". Nothing throws.
-[[nodiscard]] std::string comparison_text(const Comparison& comparison);
 
 // An elastic follower train over speed.
 

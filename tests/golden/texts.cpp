@@ -6,8 +6,10 @@
 #include "output/chart/curve_chart.hpp"
 #include "output/chart/studies/study_svg.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
+#include "output/compare/comparison_document.hpp"
 #include "output/csv/study_csv.hpp"
 #include "output/csv/sweep_csv.hpp"
+#include "output/document/document_text.hpp"
 #include "output/json/result_json.hpp"
 #include "output/json/study_json.hpp"
 #include "output/page/page_html.hpp"
@@ -293,11 +295,12 @@ void write_comparison() {
     comparison.rows[4].title = "Turning";
     comparison.rows[4].misfit = "turns back at its top";
     comparison.rows[4].objective = infinity;
-    write("comparison.txt", comparison_text(comparison));
-    write("comparison.json", comparison_json(comparison, {"scene.toml", "camopt compare scene.toml"}));
-    write("comparison.csv", comparison_csv(comparison));
-    write("comparison.svg", comparison_svg(comparison));
-    write("comparison_of_nothing.svg", comparison_svg({}));
+    const RunOrigin origin{"scene.toml", "camopt compare scene.toml"};
+    const Document document = comparison_document(comparison, origin);
+    write("comparison.txt", console_text(document));
+    write("comparison.json", document_json(document));
+    for (const FolderFile& file : text_files(document, origin)) write(file.name, file.text);
+    write("comparison_of_nothing.svg", text_files(comparison_document({}), {}).back().text);
 }
 
 void write_paper(const std::string& name, const PaperReport& report) {

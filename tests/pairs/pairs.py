@@ -41,7 +41,8 @@ OUTPUTS = {
     "picture": ("export", ["RESULT", "--picture"], ["cam.svg"]),
     "NC": ("export", ["RESULT", "--nc"], ["cam.nc", "_nc.svg", "_nc_check.txt"]),
     "check": ("check", ["SCENE"], []),
-    "comparison": ("compare", ["SCENE"], ["comparison.csv", "comparison.html", "comparison.json", "comparison.svg"]),
+    "comparison": ("compare", ["SCENE"], ["comparison.csv", "comparison.html", "comparison.json", "comparison.svg",
+                                             "report.md", "tables.csv"]),
     "dynamics": ("dynamics", ["SCENE", "--speeds", "100:200:3"], [
         "dynamics.csv", "dynamics.json", "history.csv", "residual_over_speed.svg", "acceleration_over_speed.svg", "deflection.svg",
         "acceleration.svg", "force.svg"]),

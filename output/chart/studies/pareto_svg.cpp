@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/chart.hpp"
 #include "output/chart/studies/study_svg.hpp"
 #include "output/csv/sweep_csv.hpp"
 
@@ -188,13 +187,12 @@ std::string end_sentence(const ParetoPicture& picture) {
 
 }  // namespace
 
-std::string pareto_svg(const ParetoPicture& picture) {
-    return chart_svg(
-        {fmt::format("{}: {} against {}", picture.scene.title.empty() ? "Front" : picture.scene.title,
-                     goal_title(picture, 0), goal_title(picture, 1)),
-         {count_sentence(picture.front),
-          end_sentence(picture) + " Dashed: lower bound for every curve. Diamonds: classical laws."},
-         panels_of(picture)});
+Chart pareto_chart(const ParetoPicture& picture) {
+    return {fmt::format("{}: {} against {}", picture.scene.title.empty() ? "Front" : picture.scene.title,
+                        goal_title(picture, 0), goal_title(picture, 1)),
+            {count_sentence(picture.front),
+             end_sentence(picture) + " Dashed: lower bound for every curve. Diamonds: classical laws."},
+            panels_of(picture)};
 }
 
 std::string pareto_text(const ParetoPicture& picture) {
