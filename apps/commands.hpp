@@ -64,6 +64,7 @@ struct DynamicsRequest {
     std::vector<std::string> settings;  ///< KEY=VALUE
     std::string speeds;                 ///< "FROM:TO:COUNT" in rpm; empty: about the scene's range
     bool json = false;
+    std::string command;  ///< the whole command line, for the record
 };
 [[nodiscard]] ExitCode dynamics_command(const DynamicsRequest& request);
 

@@ -50,7 +50,7 @@ CLI::App& add_dynamics(CLI::App& program, DynamicsRequest& request) {
     add_option(command, "--speeds", request.speeds, "RANGE",
                "FROM:TO:COUNT in rpm; default: about the scene's speeds");
     add_option(command, "--out", request.out, "DIR",
-               "Write dynamics.csv, .json, history.csv and pictures here");
+               "Write dynamics.csv, .json, .html, history.csv, report.md and pictures here");
     add_solving(command, request);
     command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
     return command;

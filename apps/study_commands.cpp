@@ -8,9 +8,8 @@
 #include "input/machine/machine_reader.hpp"
 #include "output/compare/comparison_document.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/csv/study_csv.hpp"
+#include "output/dynamics/dynamics_document.hpp"
 #include "output/inspect/inspection_document.hpp"
-#include "output/json/study_json.hpp"
 #include "output/machine/machine_document.hpp"
 #include "output/machine/machine_folder.hpp"
 #include "output/machine/machine_json.hpp"
@@ -19,7 +18,6 @@
 #include "output/report/result_folder_reader.hpp"
 #include "output/valves/valves_document.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/study_text.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>
@@ -113,15 +111,8 @@ ExitCode dynamics_command(const DynamicsRequest& request) {
     const InterruptWatch watch;
     const TrainStudy study = with_progress(
         [&](const SolveControl& control) { return train_study(loaded.scene, speeds, control); });
-    if (!request.out.empty()) {
-        FolderUpdate folder(request.out);
-        folder.write("dynamics.csv", dynamics_csv(study));
-        folder.write("history.csv", history_csv(study));
-        folder.write("dynamics.json", dynamics_json(study));
-        for (const auto& [name, picture] : dynamics_pictures(study)) folder.write(name, picture);
-        folder.finish();
-    }
-    print(request.json ? dynamics_json(study) : dynamics_text(study));
+    write_and_print(dynamics_document(study), request, {"dynamics.html", "dynamics.json"},
+                    {request.scene, request.command, std::move(loaded.text)});
     return exit_code_of(study.optimum.certificate.verdict);
 }
 

@@ -27,9 +27,10 @@ struct Cell {
     int digits = 6;                      ///< significant
     Bound bound = Bound::exact;
     std::optional<bool> holds = {};  ///< true or false instead
-    /// In JSON in the place of the words: an object, a list of objects.
+    /// In JSON in the place of the words: an object, a list of objects, a list of numbers.
     std::shared_ptr<const std::vector<Figure>> object = {};
     std::shared_ptr<const std::vector<std::vector<Figure>>> list = {};
+    std::vector<double> numbers = {};
 
     Cell() = default;
     explicit(false) Cell(std::string text) : words(std::move(text)) {}
@@ -46,6 +47,12 @@ struct Cell {
 };
 [[nodiscard]] inline Cell flag(std::optional<bool> holds) {
     Cell cell;
+    cell.holds = holds;
+    return cell;
+}
+/// The same, 1 or 0 in CSV.
+[[nodiscard]] inline Cell counted_flag(bool holds) {
+    Cell cell(holds ? 1.0 : 0.0);
     cell.holds = holds;
     return cell;
 }
@@ -80,6 +87,7 @@ struct Overlay {
     std::vector<std::vector<double>> lines = {};  ///< by row, in `unit`; empty: none
 };
 
+/// Tables of one key are one list in JSON.
 struct Table {
     std::string key = {}, title = {};
     std::vector<Field> columns = {};
@@ -88,6 +96,7 @@ struct Table {
     std::vector<std::string> folders = {};  ///< result folders of the rows, to which their first cells lead
     /// Only in this CSV file, as it is: rows by the hundred. Empty: shown everywhere.
     std::string file = {};
+    bool in_json = false;                  ///< of such a file: in JSON too
     std::vector<RowMotion> motions = {};   ///< a row each, or none
     std::array<std::string, 2> axes = {};  ///< keys of the columns that are drawn first, to the right and up
     std::vector<double> overlay_angles = {};  ///< deg

@@ -29,10 +29,10 @@ std::vector<const Figure*> figures_of(const Document& document) {
 }
 
 void add_cell(CsvLine& line, const Cell& cell, const Field& field) {
-    if (cell.holds)
-        line.words(*cell.holds ? "true" : "false");
-    else if (cell.value)
+    if (cell.value)
         line.number(file_number(cell, field));
+    else if (cell.holds)
+        line.words(*cell.holds ? "true" : "false");
     else
         line.words(file_words(cell));
 }

@@ -12,6 +12,7 @@ constexpr std::array kind_names = {"headline", "verdict", "remark", "warning", "
 Json cell_json(const Cell& cell, const Field& field) {
     if (cell.holds) return *cell.holds;
     if (cell.object) return figures_json(*cell.object);
+    if (!cell.numbers.empty()) return numbers_json(cell.numbers);
     if (cell.list) {
         Json list = Json::array();
         for (const std::vector<Figure>& one : *cell.list) list.push_back(figures_json(one));
@@ -43,14 +44,13 @@ void add_cell(Json& json, const Cell& cell, const Field& field) {
     (*place)[key] = cell_json(cell, field);
 }
 
-Json rows_json(const Table& table) {
-    Json rows = Json::array();
+void add_rows(Json& rows, const Table& table) {
+    if (rows.is_null()) rows = Json::array();
     for (const std::vector<Cell>& row : table.rows) {
         Json& one = rows.emplace_back(Json::object());
         for (std::size_t i = 0; i < row.size(); ++i) add_cell(one, row[i], table.columns[i]);
         for (Json& part : one) close_empty(part);
     }
-    return rows;
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ std::string document_json(const Document& document) {
                     {{"kind", kind_names[static_cast<std::size_t>(kind)]}, {"key", key}, {"text", text}});
     for (const Section& section : document.sections)
         for (const Table& table : section.tables)
-            if (table.file.empty()) json[table.key] = rows_json(table);
+            if (table.file.empty() || table.in_json) add_rows(json[table.key], table);
     return json_text(json);
 }
 

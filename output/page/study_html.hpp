@@ -2,7 +2,7 @@
 // sweep.html and pareto.html: each a table of motions (page_html.hpp).
 #pragma once
 
-#include "output/chart/studies/study_svg.hpp"
+#include "output/chart/studies/pareto_svg.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
 #include "output/json/result_json.hpp"
 #include "output/json/sweep_json.hpp"

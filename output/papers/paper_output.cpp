@@ -2,7 +2,6 @@
 #include "output/papers/paper_output.hpp"
 
 #include "core/version.hpp"
-#include "output/chart/chart.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/document/common_figures.hpp"
 #include "output/json/json_text.hpp"
@@ -215,7 +214,7 @@ std::string paper_figure_csv(const PaperFigure& figure) {
     return text;
 }
 
-std::string paper_figure_svg(const PaperFigure& figure) {
+Chart paper_chart(const PaperFigure& figure) {
     ChartPanel panel{.width = 752, .height = 436, .equal_scales = figure.equal_scales};
     panel.frame.horizontal_title = figure.x_title;
     panel.frame.vertical_title = figure.y_title;
@@ -227,7 +226,7 @@ std::string paper_figure_svg(const PaperFigure& figure) {
             drawn.points.push_back({series.x[i], series.y[i]});
         panel.series.push_back(std::move(drawn));
     }
-    return chart_svg({figure.title, {}, {std::move(panel)}});
+    return {figure.title, {}, {std::move(panel)}};
 }
 
 std::vector<std::pair<std::string, std::string>> paper_report_files(const PaperReport& report) {

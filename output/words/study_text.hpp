@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sweeps and elastic follower trains over speed, for people.
+// Sweeps for people.
 #pragma once
 
-#include "studies/response/train_study.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
 namespace camopt {
@@ -12,10 +11,5 @@ namespace camopt {
 /// scene: that of any row, to name the peaks of the best row in time where it has a speed; null: they are not
 /// named.
 [[nodiscard]] std::string sweep_text(const SweepTable& table, const Scene* scene = nullptr);
-
-// An elastic follower train over speed.
-
-/// What the command prints: the train, every motion at the scene's speed, where it lifts off.
-[[nodiscard]] std::string dynamics_text(const TrainStudy& study);
 
 }  // namespace camopt

@@ -45,7 +45,7 @@ OUTPUTS = {
                                              "report.md", "tables.csv"]),
     "dynamics": ("dynamics", ["SCENE", "--speeds", "100:200:3"], [
         "dynamics.csv", "dynamics.json", "history.csv", "residual_over_speed.svg", "acceleration_over_speed.svg", "deflection.svg",
-        "acceleration.svg", "force.svg"]),
+        "acceleration.svg", "force.svg", "dynamics.html", "report.md", "steady.csv", "tables.csv"]),
     "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=8:9:2"], ["sweep.csv", "sweep.html", "sweep.json", "sweep.svg"]),
     "inspection": ("inspect", ["RESULT", "TABLE"], ["inspection.csv", "inspection.html", "inspection.json", "inspection.svg", "report.md",
                                                    "tables.csv"]),

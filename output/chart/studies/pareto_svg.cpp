@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/studies/study_svg.hpp"
+#include "output/chart/studies/pareto_svg.hpp"
+
 #include "output/csv/sweep_csv.hpp"
 
 #include <fmt/format.h>
