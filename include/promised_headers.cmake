@@ -307,11 +307,11 @@ camopt_promise(version [[
 The version of this camopt, "MAJOR.MINOR.PATCH".]]
   core/version.hpp)
 camopt_promise(words [[
-A solution in words: the verdict in a sentence, limits, what would help. UTF-8, display
-units. Nothing throws.]]
+A solution and a sweep in words: the verdict in a sentence, limits, what would help. UTF-8, display units.
+Nothing throws.]]
+  output/sweep/sweep_document.hpp
   output/words/plan_text.hpp
-  output/words/solution_text.hpp
-  output/words/study_text.hpp)
+  output/words/solution_text.hpp)
 camopt_promise(camopt [[
 Everything an embedder calls. Each header below is a promise by itself: its names stay as they are within a
 minor version. What stands below camopt/detail/ is what they are made of, and may change with every

@@ -64,7 +64,10 @@ Figure place_figure(const Figure& figure) {
 
 TextTable text_table(const Table& table) {
     TextTable shown;
-    shown.rows.resize(table.rows.size());
+    std::vector<std::size_t> rows;
+    for (std::size_t r = 0; r < table.rows.size(); ++r)
+        if (table.in_texts(r)) rows.push_back(r);
+    shown.rows.resize(rows.size());
     shown.folders = table.folders;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const auto is_empty = [&](const std::vector<Cell>& row) {
@@ -73,8 +76,8 @@ TextTable text_table(const Table& table) {
         const Field& field = table.columns[i];
         if (field.only_files || std::ranges::all_of(table.rows, is_empty)) continue;
         shown.columns.push_back({field.shown_title(), field.left});
-        for (std::size_t r = 0; r < table.rows.size(); ++r)
-            shown.rows[r].push_back(shown_text(table.rows[r][i], field));
+        for (std::size_t r = 0; r < rows.size(); ++r)
+            shown.rows[r].push_back(shown_text(table.rows[rows[r]][i], field));
     }
     return shown;
 }
@@ -87,11 +90,14 @@ std::vector<std::string> Document::sentences(std::initializer_list<Sentence::Kin
     return all;
 }
 
-std::vector<const Table*> Document::shown_tables() const {
+std::vector<const Table*> Document::shown_tables(bool on_page) const {
     std::vector<const Table*> all;
     for (const Section& section : sections)
         for (const Table& table : section.tables)
-            if (table.file.empty() && !table.rows.empty()) all.push_back(&table);
+            if (table.file.empty() && !table.rows.empty() &&
+                (on_page || table.motions.empty() ||
+                 !std::ranges::all_of(table.motions, &RowMotion::only_page)))
+                all.push_back(&table);
     return all;
 }
 

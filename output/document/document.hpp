@@ -74,8 +74,9 @@ struct Field {
 /// hands out the scene of each.
 struct RowMotion {
     std::string name;
-    std::string tone = {};  ///< "good", "bad"
-    int number = 0;         ///< the class "rN" of its marks in pictures
+    std::string tone = {};   ///< "good", "bad"
+    int number = 0;          ///< the class "rN" of its marks in pictures
+    bool only_page = false;  ///< texts leave the row out
     /// KEY=VALUE, which make its scene of that of the document; none: the page has no scene of it.
     std::optional<std::vector<std::string>> settings = {};
 };
@@ -105,6 +106,7 @@ struct Table {
     /// in the name of the row ("row 7: KEY=VALUE, KEY=VALUE").
     std::string without_scenes = {}, scene_command = {};
 
+    [[nodiscard]] bool in_texts(std::size_t row) const { return motions.empty() || !motions[row].only_page; }
     /// One more column: `cell_of` every item of the rows.
     template <class Rows, class CellOf>
     void add_column(Field field, const Rows& items, const CellOf& cell_of) {
@@ -167,7 +169,7 @@ struct Document {
 
     /// Of all sections, in their order.
     [[nodiscard]] std::vector<std::string> sentences(std::initializer_list<Sentence::Kind> kinds) const;
-    [[nodiscard]] std::vector<const Table*> shown_tables() const;
+    [[nodiscard]] std::vector<const Table*> shown_tables(bool on_page = false) const;
     [[nodiscard]] std::vector<const Picture*> pictures() const;
     [[nodiscard]] const Curves* curves() const;  ///< the first; null: none
 };

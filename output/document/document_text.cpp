@@ -94,7 +94,9 @@ std::string document_markdown(const Document& document, const RunOrigin& origin)
     const std::vector<std::string> notes = document.sentences({Kind::note});
     if (!notes.empty()) text += "\n## Notes\n\n";
     for (const std::string& note : notes) text += "- " + markdown_words(note) + "\n";
-    return text + fmt::format("\nCommand: {}, camopt {}\n", markdown_code(origin.command), version());
+    const std::string command =
+        origin.command.empty() ? "" : fmt::format("Command: {}, ", markdown_code(origin.command));
+    return text + fmt::format("\n{}camopt {}\n", command, version());
 }
 
 std::string cells_csv(const Document& document) {

@@ -164,7 +164,7 @@ std::string document_html(const Document& document, const RunOrigin& origin) {
                 figures.push_back({{"name", figure.field.title},
                                    {"value", shown_text(figure.cell, figure.field)},
                                    {"at", place_text(figure)}});
-    for (const Table* table : document.shown_tables())
+    for (const Table* table : document.shown_tables(true))
         tables.push_back(table->motions.empty()
                              ? table_json(table->key, table->title, text_table(*table), table->note)
                              : motions_json(*table, origin));

@@ -14,11 +14,11 @@
 #include "output/page/result_page.hpp"
 #include "output/papers/paper_output.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/sweep/sweep_document.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/words/plan_text.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/study_text.hpp"
 #include "studies/papers/reference_table.hpp"
 #include "studies/search/plan.hpp"
 #include "tests/output/sample_solution.hpp"
@@ -384,7 +384,7 @@ void write_sweeps() {
         table->rows[2].reason = table->rows[3].reason;
         table->rows[2].objective.reset();
     }
-    write("sweep_lines.txt", sweep_text(lines, &scene));
+    write("sweep_lines.txt", console_text(sweep_summary(lines, &scene)));
     map.columns.length_unit = LengthUnit::inch;
     write("sweep_map.svg", sweep_svg({map, scene}));
     const LawLosses losses = test::some_losses();

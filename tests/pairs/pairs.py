@@ -132,7 +132,7 @@ ELSEWHERE = {
     "table": "tests/output/paper_report_test.cpp", "table.json": "",
     "studio": "tests/browser/studio_page_test.py", "camopt.html": "tests/apps/studio_offline_test.py",
     "surface.csv": "tests/apps/sweep_test.cpp", "surface.html": "", "surface.json": "", "surface.obj": "", "surface.svg": "",
-    "pareto.csv": "tests/apps/pareto_test.cpp", "pareto.html": "", "pareto.svg": "",
+    "pareto.csv": "tests/apps/pareto_test.cpp", "pareto.html": "", "pareto.json": "", "pareto.svg": "",
     "cam.csv": "tests/output/spatial", "cam.dxf": "tests/output/drawing",
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pages of many motions: every row with its numbers, its marks, its scene.
-#include "output/page/study_html.hpp"
-
 #include "output/compare/comparison_document.hpp"
 #include "output/page/page_html.hpp"
-
+#include "output/sweep/pareto_document.hpp"
+#include "output/sweep/sweep_document.hpp"
 #include "tests/output/page/page_reading.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +12,7 @@
 #include <vector>
 
 namespace camopt {
-namespace study_html_test {
+namespace motions_page_test {
 
 using nlohmann::json;
 using testing_support::count_of;
@@ -76,7 +75,8 @@ TEST(ComparisonHtml, ContainsEveryLawAndScene) {
     for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
         const ComparisonRow& row = comparison.rows[i];
         if (row.motion) {
-            EXPECT_NEAR(column(data, "peaks.velocity.value")[i].get<double>(), row.peaks.velocity.value, 1e-6);
+            EXPECT_NEAR(column(data, "peaks.velocity.value")[i].get<double>(), row.peaks.velocity.value,
+                        1e-6);
         }
         const std::string scene = scene_of(data, i);
         if (row.is_optimum()) {
@@ -106,7 +106,7 @@ TEST(ParetoHtml, ThePointsHaveTheirScenes) {
     request.points = 4;
     const ParetoFront front = pareto_front(scene, request);
     const ParetoPicture picture{front, scene};
-    const std::string html = pareto_html(picture, {"front.toml", "", scene_text});
+    const std::string html = document_html(pareto_document(picture, "front"), {"front.toml", "", scene_text});
     const json data = motions_of(html);
     ASSERT_EQ(data.at("items").at("names").size(), front.points.size());
     EXPECT_EQ(count_of(data_of(html).at("pictures").at(0).get<std::string>(), "<svg"), 1);
@@ -138,13 +138,13 @@ TEST(SweepHtml, RowsContainSettingsAndEscapedText) {
     identity.scene_text = scene_text;
     identity.axes = {"--vary objective.velocity=0.25:1:4"};
     const Scene scene = small_scene();
-    const std::string html = sweep_html({table, scene}, identity);
-    const json data = motions_of(html);
+    const json data =
+        motions_of(document_html(sweep_document({table, scene}, identity), {"front.toml", "", scene_text}));
     ASSERT_EQ(data.at("items").at("names").size(), 4U);
     EXPECT_EQ(column(data, "reason")[3], "signal 11 </script>");
     EXPECT_NE(scene_of(data, 1).find("0.5"), std::string::npos);
     EXPECT_EQ(data.at("items").at("tones")[3], "bad");
 }
 
-}  // namespace study_html_test
+}  // namespace motions_page_test
 }  // namespace camopt
