@@ -64,6 +64,7 @@ struct DynamicsRequest {
     std::vector<std::string> settings;  ///< KEY=VALUE
     std::string speeds;                 ///< "FROM:TO:COUNT" in rpm; empty: about the scene's range
     bool json = false;
+    std::string command;  ///< the whole command line, for the record
 };
 [[nodiscard]] ExitCode dynamics_command(const DynamicsRequest& request);
 
@@ -207,8 +208,8 @@ struct TableRequest {
 
 // camopt sweep SCENE --pareto first,second: a front by limits.
 
-/// Writes pareto.csv, pareto.svg and pareto.html into request.out and prints the front. After Ctrl-C the
-/// points that are finished are written.
+/// Writes pareto.csv, pareto.json, pareto.svg, pareto.html and report.md into request.out and prints the
+/// front. After Ctrl-C the points that are finished are written.
 [[nodiscard]] ExitCode pareto_run(const SweepRequest& request);
 
 // camopt sweep SCENE --surface ERROR: every weight of V, A and J to a proved error, and its look-up.

@@ -35,7 +35,8 @@ CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
         "compare",
         "Every classical law on the same scene, compared with its optimum: losses and violated limits");
     add_scene(command, request.scene);
-    add_option(command, "--out", request.out, "DIR", "Write comparison.csv, .json and .svg here");
+    add_option(command, "--out", request.out, "DIR",
+               "Write comparison.csv, .json, .svg, .html and report.md here");
     add_solving(command, request);
     add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the comparison as JSON and nothing else");
@@ -49,7 +50,7 @@ CLI::App& add_dynamics(CLI::App& program, DynamicsRequest& request) {
     add_option(command, "--speeds", request.speeds, "RANGE",
                "FROM:TO:COUNT in rpm; default: about the scene's speeds");
     add_option(command, "--out", request.out, "DIR",
-               "Write dynamics.csv, .json, history.csv and pictures here");
+               "Write dynamics.csv, .json, .html, history.csv, report.md and pictures here");
     add_solving(command, request);
     command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
     return command;

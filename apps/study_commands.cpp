@@ -7,20 +7,18 @@
 #include "core/unit.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
+#include "output/compare/comparison_document.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/csv/study_csv.hpp"
+#include "output/dynamics/dynamics_document.hpp"
 #include "output/inspect/inspection_document.hpp"
-#include "output/json/study_json.hpp"
 #include "output/machine/machine_document.hpp"
 #include "output/machine/machine_folder.hpp"
 #include "output/machine/machine_json.hpp"
 #include "output/page/result_page.hpp"
-#include "output/page/study_html.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/result_folder_reader.hpp"
 #include "output/valves/valves_document.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/study_text.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>
@@ -80,10 +78,11 @@ MachineSolution solve_with_progress(const MachineRequest& request, const Machine
 
 /// The folder of a study where it has one, then the console.
 template <class Request>
-void write_and_print(const Document& document, const Request& request, const DocumentNames& names) {
+void write_and_print(const Document& document, const Request& request, const DocumentNames& names,
+                     const RunOrigin& origin) {
     if (!request.out.empty()) {
         FolderUpdate folder(request.out);
-        for (const FolderFile& file : document_files(document, {{}, request.command, {}}, names))
+        for (const FolderFile& file : document_files(document, origin, names))
             folder.write(file.name, file.text);
         folder.finish();
     }
@@ -100,16 +99,8 @@ ExitCode compare_command(const CompareRequest& request) {
         with_progress([&](const SolveControl& control) { return compare(loaded.scene, control); });
     show_in(comparison.optimum.scene, request.units);
     const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
-    if (!request.out.empty()) {
-        FolderUpdate folder(request.out);
-        folder.write("comparison.csv", comparison_csv(comparison));
-        folder.write("comparison.svg", comparison_svg(comparison));
-        folder.write("comparison.html", comparison_html(comparison, origin));
-        folder.write("comparison.json", comparison_json(comparison, origin));
-        folder.finish();
-    }
-    const std::string text = request.json ? comparison_json(comparison, origin) : comparison_text(comparison);
-    print(text);
+    write_and_print(comparison_document(comparison, origin), request, {"comparison.html", "comparison.json"},
+                    origin);
     return exit_code_of(comparison.optimum.certificate.verdict);
 }
 
@@ -121,15 +112,8 @@ ExitCode dynamics_command(const DynamicsRequest& request) {
     const InterruptWatch watch;
     const TrainStudy study = with_progress(
         [&](const SolveControl& control) { return train_study(loaded.scene, speeds, control); });
-    if (!request.out.empty()) {
-        FolderUpdate folder(request.out);
-        folder.write("dynamics.csv", dynamics_csv(study));
-        folder.write("history.csv", history_csv(study));
-        folder.write("dynamics.json", dynamics_json(study));
-        for (const auto& [name, picture] : dynamics_pictures(study)) folder.write(name, picture);
-        folder.finish();
-    }
-    print(request.json ? dynamics_json(study) : dynamics_text(study));
+    write_and_print(dynamics_document(study), request, {"dynamics.html", "dynamics.json"},
+                    {request.scene, request.command, std::move(loaded.text)});
     return exit_code_of(study.optimum.certificate.verdict);
 }
 
@@ -152,7 +136,7 @@ ExitCode inspect_command(const InspectRequest& request) {
     const Inspection found =
         inspect_cam(nominal, table, request.probe_radius_mm * units::millimetre, tolerance);
     write_and_print(inspection_document(found, fmt::format("{} compared with {}", table.file, request.scene)),
-                    request, {"inspection.html", "inspection.json"});
+                    request, {"inspection.html", "inspection.json"}, {{}, request.command});
     return found.out.empty() ? success : failure;
 }
 
@@ -179,7 +163,7 @@ ExitCode valves_command(const ValvesRequest& request) {
              fmt::format(
                  "Lengths are in {}, as the intake is written; the exhaust is written in {} (--units).",
                  name_of(unit), name_of(other))});
-    write_and_print(document, request, {.json = "valves.json"});
+    write_and_print(document, request, {.json = "valves.json"}, {{}, request.command});
     return !pair.clearance || *pair.clearance > 0.0 ? success : failure;
 }
 

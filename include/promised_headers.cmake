@@ -51,7 +51,10 @@ are without units. Nothing throws.]]
   solvers/certificate/certificate.hpp)
 camopt_promise(comparison [[
 Every classical law on one scene beside the optimum: what each loses, which limits it breaks, how large
-its cam would have to be. Units as in Solution; infinite peaks are infinite. Throws as solve() does.]]
+its cam would have to be. Units as in Solution; infinite peaks are infinite. Throws as solve() does.
+comparison_document() is what there is to say of it: console_text(), document_json() and others write it.]]
+  output/compare/comparison_document.hpp
+  output/document/document_text.hpp
   studies/compare/comparison.hpp)
 camopt_promise(continuous_problem [[
 The problem behind the grid: constraints that hold at every cam angle. Derive from ContinuousProblem to
@@ -304,11 +307,11 @@ camopt_promise(version [[
 The version of this camopt, "MAJOR.MINOR.PATCH".]]
   core/version.hpp)
 camopt_promise(words [[
-A solution and a comparison in words: the verdict in a sentence, limits, what would help. UTF-8, display
-units. Nothing throws.]]
+A solution and a sweep in words: the verdict in a sentence, limits, what would help. UTF-8, display units.
+Nothing throws.]]
+  output/sweep/sweep_document.hpp
   output/words/plan_text.hpp
-  output/words/solution_text.hpp
-  output/words/study_text.hpp)
+  output/words/solution_text.hpp)
 camopt_promise(camopt [[
 Everything an embedder calls. Each header below is a promise by itself: its names stay as they are within a
 minor version. What stands below camopt/detail/ is what they are made of, and may change with every

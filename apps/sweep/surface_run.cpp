@@ -6,8 +6,9 @@
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/page/study_html.hpp"
+#include "output/page/page_html.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/sweep/sweep_document.hpp"
 
 #include <fmt/format.h>
 
@@ -73,11 +74,9 @@ std::string end_words(const TradeOffSurface& surface, double asked_for) {
 
 std::string surface_text(const TradeOffSurface& surface, double asked_for) {
     const std::size_t solves = surface.table.rows.size();
-    if (!surface.hull)
-        return fmt::format("  no surface: {} solves{}\n", solves, end_words(surface, asked_for));
+    if (!surface.hull) return fmt::format("No surface: {} solves{}", solves, end_words(surface, asked_for));
     return fmt::format(
-        "  {} solves: for every weight of velocity, acceleration and jerk the least objective is known to "
-        "{}{}\n",
+        "{} solves: for every weight of velocity, acceleration and jerk the least objective is known to {}{}",
         solves, short_text(surface.error, 3), end_words(surface, asked_for));
 }
 
@@ -154,6 +153,9 @@ ExitCode surface_run(const SweepRequest& request) {
         losses = law_losses(scene, {InterruptWatch::interrupted, progress}, peaks_of(surface));
     end_progress();
 
+    Document summary{"Surface of " + request.scene};
+    summary.sections.push_back(
+        {.sentences = {{Sentence::Kind::headline, "error", surface_text(surface, wanted.error)}}});
     FolderUpdate update(request.out);
     update.write(table_name, sweep_csv(surface.table));
     if (surface.hull) {
@@ -164,14 +166,15 @@ ExitCode surface_run(const SweepRequest& request) {
         page.scene_text = identity.scene_text;
         page.axes = {fmt::format("--surface {:g}", wanted.error)};
         page.columns = surface.table.columns;
-        update.write("surface.svg", sweep_svg(picture));
-        update.write("surface.html", sweep_html(picture, page));
+        Document document = sweep_document(picture, page);
+        document.sections.front().sentences = summary.sections.front().sentences;
+        update.write("surface.svg", chart_svg(document.pictures().front()->chart));
+        update.write("surface.html", document_html(document, {request.scene, "", loaded.text}));
         update.write("surface.obj", surface_obj(surface, scene.title));
     }
     update.write(identity_name, surface_json(identity, surface));
     const std::filesystem::path table = update.finish().front();
-    print(fmt::format("Surface of {}\n{}  wrote {}\n", request.scene, surface_text(surface, wanted.error),
-                      table.string()));
+    print(fmt::format("{}wrote {}\n", console_text(summary), table.string()));
     return surface_exit_code(surface);
 }
 

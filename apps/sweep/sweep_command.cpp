@@ -2,8 +2,9 @@
 #include "apps/sweep/sweep_job.hpp"
 #include "apps/terminal.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/page/study_html.hpp"
+#include "output/page/page_html.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/sweep/pareto_document.hpp"
 
 #include <fmt/format.h>
 
@@ -124,12 +125,13 @@ ExitCode pareto_run(const SweepRequest& request) {
     const ExitCode code = exit_code_of(front);
     const Comparison laws = laws_of(scene);
     const ParetoPicture picture{front, scene, &laws};
+    const Document document = pareto_document(picture, "Front of " + request.scene);
     FolderUpdate folder(request.out);
-    folder.write("pareto.csv", pareto_csv(front));
-    folder.write("pareto.svg", pareto_svg(picture));
-    folder.write("pareto.html", pareto_html(picture, {request.scene, "", loaded.text}));
-    const std::filesystem::path table = folder.finish().front();
-    print(fmt::format("Front of {}\n{}  wrote {}\n", request.scene, pareto_text(picture), table.string()));
+    for (const FolderFile& file :
+         document_files(document, {request.scene, "", loaded.text}, {"pareto.html", "pareto.json"}))
+        folder.write(file.name, file.text);
+    folder.finish();
+    print(fmt::format("{}wrote {}\n", console_text(document), request.out));
     if (code == interrupted) print_error("camopt: interrupted; the points that are finished are written\n");
     return code;
 }

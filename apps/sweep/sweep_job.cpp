@@ -12,9 +12,9 @@
 #include "input/scene_reader.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
 #include "output/machine/machine_folder.hpp"
-#include "output/page/study_html.hpp"
+#include "output/page/page_html.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/words/study_text.hpp"
+#include "output/sweep/sweep_document.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>
@@ -102,8 +102,10 @@ void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, st
     }
     const SweepPicture picture{table, scene, losses ? &*losses : nullptr};
     FolderUpdate update(folder.path());
-    update.write("sweep.svg", sweep_svg(picture));
-    update.write("sweep.html", sweep_html(picture, identity));
+    const Document document = sweep_document(picture, identity);
+    const RunOrigin origin{identity.scene_file, "", identity.columns.machine ? "" : identity.scene_text};
+    update.write("sweep.svg", chart_svg(document.pictures().front()->chart));
+    update.write("sweep.html", document_html(document, origin));
     update.finish();
 }
 
@@ -296,23 +298,19 @@ ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene, std::string
     SweepTable table = shard.is_whole() ? folder.write_table() : folder.table();
     // The table is written, its columns are in mm: from here on for people.
     table.columns.length_unit = length_unit_of(units, table.columns.length_unit);
-    std::string text = shard.is_whole() ? fmt::format("Sweep of {}\n", folder.identity().scene_file)
-                                        : fmt::format("Sweep of {}, shard {} of {}\n",
-                                                      folder.identity().scene_file, shard.index, shard.count);
-    if (scene != nullptr) {
-        Scene shown = *scene;
-        show_in(shown, units);
-        text += sweep_text(table, &shown);
-    } else {
-        text += sweep_text(table);
-    }
+    const std::string title =
+        fmt::format("Sweep of {}{}", folder.identity().scene_file,
+                    shard.is_whole() ? "" : fmt::format(", shard {} of {}", shard.index, shard.count));
+    std::optional<Scene> shown;
+    if (scene != nullptr) show_in(shown.emplace(*scene), units);
+    std::string text = console_text(sweep_summary(table, shown ? &*shown : nullptr, title));
     if (shard.is_whole() && table.rows.size() <= most_drawn_rows)
         write_sweep_pictures(folder, table, units);
     else if (shard.is_whole())
-        text += fmt::format("  no sweep.svg and sweep.html: they are drawn for at most {} rows\n",
-                            most_drawn_rows);
-    text += shard.is_whole() ? fmt::format("  wrote {}\n", folder.table_path().string())
-                             : fmt::format("  kept in {}; join the shards with camopt sweep merge\n",
+        text +=
+            fmt::format("no sweep.svg and sweep.html: they are drawn for at most {} rows\n", most_drawn_rows);
+    text += shard.is_whole() ? fmt::format("wrote {}\n", folder.table_path().string())
+                             : fmt::format("kept in {}; join the shards with camopt sweep merge\n",
                                            folder.path().string());
     print(text);
     return std::ranges::find(table.rows, Verdict::failed, &SweepRow::verdict) == table.rows.end() ? success

@@ -35,18 +35,7 @@ using SweepDriveColumn = SweepPartColumn<SweepDrive>;
 /// "NAME:LINE: …" for anything that sweep_csv would not have written.
 [[nodiscard]] SweepTable read_sweep_csv(std::string_view text, std::string_view name);
 
-// pareto.csv: one line a point of a front, by the first goal.
-//
-// Columns: point (from 0; empty for what lies between), solve (its number in the order of the solves), end
-// ("attained", "cut_off", "beyond" or empty), both goals (dimensions in mm), arc, minimized, cap (on the
-// other goal, its unit), verdict, reason, objective, lower_bound, gap, limit_first and limit_second (the
-// any-curve limit of both goals for this point), the figures, the variable dimensions in mm, active_limits,
-// iterations, seconds_total. A finished front has its spaced points here and what failed; a stopped one
-// everything.
-[[nodiscard]] std::string pareto_csv(const ParetoFront& front);
-
-/// The points that stand in the table, in its order.
-[[nodiscard]] std::vector<const FrontPoint*> tabulated_points(const ParetoFront& front);
+// The goals of a front in files.
 
 /// The name of a goal with its unit: "velocity", "base_radius_mm"; "weighted_velocity" where the scene's
 /// other weights stay in force.

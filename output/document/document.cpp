@@ -34,6 +34,7 @@ std::string shown_text(const Cell& cell, const Field& field) {
     if (!cell.words.empty()) return cell.words;
     if (cell.holds) return *cell.holds ? "yes" : "no";
     if (!cell.value) return field.left ? "" : "–";
+    if (field.decimals) return fixed_text(field.unit.of(*cell.value), *field.decimals);
     const std::string number = cell.unit ? cell.unit->text(*cell.value, cell.digits)
                                          : short_text(field.unit.of(*cell.value), cell.digits);
     return bound_words(cell.bound) + number;
@@ -44,19 +45,39 @@ std::string place_text(const Figure& figure) {
     return figure.place.text(*figure.at);
 }
 
+bool has_own_unit(const Cell& cell, const Field& field) {
+    return cell.value && cell.unit && field.unit.name.empty();
+}
+
+std::optional<double> file_number(const Cell& cell, const Field& field) {
+    if (!cell.value) return {};
+    return (has_own_unit(cell, field) ? *cell.unit : field.unit).of(*cell.value);
+}
+
+const std::string& file_words(const Cell& cell) {
+    return cell.key.empty() ? cell.words : cell.key;
+}
+
+Figure place_figure(const Figure& figure) {
+    return {{figure.field.key + "_at", {}, figure.place}, Cell(*figure.at)};
+}
+
 TextTable text_table(const Table& table) {
     TextTable shown;
-    shown.rows.resize(table.rows.size());
+    std::vector<std::size_t> rows;
+    for (std::size_t r = 0; r < table.rows.size(); ++r)
+        if (table.in_texts(r)) rows.push_back(r);
+    shown.rows.resize(rows.size());
     shown.folders = table.folders;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const auto is_empty = [&](const std::vector<Cell>& row) {
             return i >= row.size() || (row[i].words.empty() && !row[i].value && !row[i].holds);
         };
-        if (std::ranges::all_of(table.rows, is_empty)) continue;
         const Field& field = table.columns[i];
+        if (field.only_files || std::ranges::all_of(table.rows, is_empty)) continue;
         shown.columns.push_back({field.shown_title(), field.left});
-        for (std::size_t r = 0; r < table.rows.size(); ++r)
-            shown.rows[r].push_back(shown_text(table.rows[r][i], field));
+        for (std::size_t r = 0; r < rows.size(); ++r)
+            shown.rows[r].push_back(shown_text(table.rows[rows[r]][i], field));
     }
     return shown;
 }
@@ -69,11 +90,21 @@ std::vector<std::string> Document::sentences(std::initializer_list<Sentence::Kin
     return all;
 }
 
-std::vector<const Table*> Document::shown_tables() const {
+std::vector<const Table*> Document::shown_tables(bool on_page) const {
     std::vector<const Table*> all;
     for (const Section& section : sections)
         for (const Table& table : section.tables)
-            if (table.file.empty() && !table.rows.empty()) all.push_back(&table);
+            if (table.file.empty() && !table.rows.empty() &&
+                (on_page || table.motions.empty() ||
+                 !std::ranges::all_of(table.motions, &RowMotion::only_page)))
+                all.push_back(&table);
+    return all;
+}
+
+std::vector<const Picture*> Document::pictures() const {
+    std::vector<const Picture*> all;
+    for (const Section& section : sections)
+        for (const Picture& picture : section.pictures) all.push_back(&picture);
     return all;
 }
 

@@ -4,15 +4,19 @@
 // (document_text.hpp, output/page/document_page.hpp) print it and know no study.
 //
 // Numbers are SI and carry their units: the one behind the number for people, and the one of a column or
-// figure, which ends its key in files ("least_mm"). A key is spelled as in JSON: "peak_to_valley".
+// figure, which ends its key in files ("least_mm"). A key is spelled as in JSON: "peak_to_valley"; with
+// points, "peaks.velocity.at", it is that of an object in an object, which is null where it has no value.
 #pragma once
 
+#include "output/chart/chart.hpp"
 #include "output/view/view.hpp"
 
 namespace camopt {
 
 /// "at least 12 mm", "at most 12 mm".
 enum class Bound : unsigned char { exact, at_least, at_most };
+
+struct Figure;
 
 /// Words, a number, or both: then words are shown in the place of a number that files have.
 struct Cell {
@@ -23,6 +27,10 @@ struct Cell {
     int digits = 6;                      ///< significant
     Bound bound = Bound::exact;
     std::optional<bool> holds = {};  ///< true or false instead
+    /// In JSON in the place of the words: an object, a list of objects, a list of numbers.
+    std::shared_ptr<const std::vector<Figure>> object = {};
+    std::shared_ptr<const std::vector<std::vector<Figure>>> list = {};
+    std::vector<double> numbers = {};
 
     Cell() = default;
     explicit(false) Cell(std::string text) : words(std::move(text)) {}
@@ -42,6 +50,12 @@ struct Cell {
     cell.holds = holds;
     return cell;
 }
+/// The same, 1 or 0 in CSV.
+[[nodiscard]] inline Cell counted_flag(bool holds) {
+    Cell cell(holds ? 1.0 : 0.0);
+    cell.holds = holds;
+    return cell;
+}
 
 /// Names a number of files: key and unit together ("least_mm").
 struct Field {
@@ -49,25 +63,64 @@ struct Field {
     std::string title = {};  ///< empty: the key and the unit in words
     ShownUnit unit = {};     ///< of the numbers in files, and of cells without a unit of their own
     bool left = false;       ///< words stand left, numbers right
+    bool only_files = false;
+    std::optional<int> decimals = {};  ///< of its numbers, as people read them
 
     [[nodiscard]] std::string file_key() const;  ///< "least_mm"
     [[nodiscard]] std::string shown_title() const;
 };
 
+/// What a row stands for where rows are motions: the page sorts them, draws any column over any other, and
+/// hands out the scene of each.
+struct RowMotion {
+    std::string name;
+    std::string tone = {};   ///< "good", "bad"
+    int number = 0;          ///< the class "rN" of its marks in pictures
+    bool only_page = false;  ///< texts leave the row out
+    /// KEY=VALUE, which make its scene of that of the document; none: the page has no scene of it.
+    std::optional<std::vector<std::string>> settings = {};
+};
+
+/// Motions of all rows over one angle, drawn into one chart.
+struct Overlay {
+    std::string title, symbol;
+    ShownUnit unit;
+    std::vector<std::vector<double>> lines = {};  ///< by row, in `unit`; empty: none
+};
+
+/// Tables of one key are one list in JSON.
 struct Table {
-    std::string key, title;
-    std::vector<Field> columns;
+    std::string key = {}, title = {};
+    std::vector<Field> columns = {};
     std::vector<std::vector<Cell>> rows = {};
     std::string note = {};
     std::vector<std::string> folders = {};  ///< result folders of the rows, to which their first cells lead
     /// Only in this CSV file, as it is: rows by the hundred. Empty: shown everywhere.
     std::string file = {};
+    bool in_json = false;                  ///< of such a file: in JSON too
+    std::vector<RowMotion> motions = {};   ///< a row each, or none
+    std::array<std::string, 2> axes = {};  ///< keys of the columns that are drawn first, to the right and up
+    std::vector<double> overlay_angles = {};  ///< deg
+    std::vector<Overlay> overlays = {};
+    /// Where no row has a scene: what a click says, and the command that solves a scene but for the settings
+    /// in the name of the row ("row 7: KEY=VALUE, KEY=VALUE").
+    std::string without_scenes = {}, scene_command = {};
+
+    [[nodiscard]] bool in_texts(std::size_t row) const { return motions.empty() || !motions[row].only_page; }
+    /// One more column: `cell_of` every item of the rows.
+    template <class Rows, class CellOf>
+    void add_column(Field field, const Rows& items, const CellOf& cell_of) {
+        columns.push_back(std::move(field));
+        rows.resize(items.size());
+        std::size_t row = 0;
+        for (const auto& item : items) rows[row++].push_back(Cell(cell_of(item)));
+    }
 };
 
 /// A number that stands alone. Without a title a sentence says it, and only files have it.
 struct Figure {
     Field field;
-    Cell cell;
+    Cell cell = {};
     std::optional<double> at = {};  ///< where it is, in `place`, SI
     ShownUnit place = degrees_shown;
     std::string at_words = {};  ///< in the place of that number
@@ -92,11 +145,19 @@ struct Curves : CurveSet {
     bool table = true;            ///< KEY.csv is written; false: a table of the study has the rows
 };
 
+/// A chart of its own: KEY.svg.
+struct Picture {
+    std::string key, caption;
+    Chart chart;
+    bool on_page = true;
+};
+
 struct Section {
-    std::string key, title;  ///< the first one has none
+    std::string key = {}, title = {};  ///< the first one has none
     std::vector<Sentence> sentences = {};
     std::vector<Figure> figures = {};
     std::optional<Curves> curves = {};
+    std::vector<Picture> pictures = {};
     std::vector<Table> tables = {};  ///< those without rows are left out
 };
 
@@ -104,10 +165,12 @@ struct Document {
     std::string title;
     std::string tone = "good";  ///< "good", "fair", "bad"
     std::vector<Section> sections = {};
+    std::string kind = "Report";  ///< above the title of the page
 
     /// Of all sections, in their order.
     [[nodiscard]] std::vector<std::string> sentences(std::initializer_list<Sentence::Kind> kinds) const;
-    [[nodiscard]] std::vector<const Table*> shown_tables() const;
+    [[nodiscard]] std::vector<const Table*> shown_tables(bool on_page = false) const;
+    [[nodiscard]] std::vector<const Picture*> pictures() const;
     [[nodiscard]] const Curves* curves() const;  ///< the first; null: none
 };
 
@@ -115,6 +178,14 @@ struct Document {
 [[nodiscard]] std::string shown_text(const Cell& cell, const Field& field);
 /// The place of a figure: "12 deg"; empty: none.
 [[nodiscard]] std::string place_text(const Figure& figure);
+
+bool has_own_unit(const Cell& cell, const Field& field);
+/// In the unit that the key of the field names, or else in that of the cell.
+[[nodiscard]] std::optional<double> file_number(const Cell& cell, const Field& field);
+[[nodiscard]] const std::string& file_words(const Cell& cell);
+/// Where a figure is, as a figure of files: it has `at`.
+[[nodiscard]] Figure place_figure(const Figure& figure);
+
 /// The table as people read it, without columns that say nothing in any row.
 [[nodiscard]] TextTable text_table(const Table& table);
 

@@ -4,7 +4,6 @@
 #include "core/version.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/csv_line.hpp"
-#include "output/json/json_text.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +14,6 @@ namespace {
 using Kind = Sentence::Kind;
 
 constexpr auto said_first = {Kind::headline, Kind::verdict, Kind::warning, Kind::remark};
-
-constexpr std::array kind_names = {"headline", "verdict", "remark", "warning", "note", "effort"};
 
 std::string figure_line(const Figure& figure) {
     const std::string place = place_text(figure);
@@ -31,39 +28,11 @@ std::vector<const Figure*> figures_of(const Document& document) {
     return all;
 }
 
-bool has_own_unit(const Cell& cell, const Field& field) {
-    return cell.value && cell.unit && field.unit.name.empty();
-}
-
-/// In the unit that the key of the field names, or else in that of the cell.
-std::optional<double> file_number(const Cell& cell, const Field& field) {
-    if (!cell.value) return {};
-    return (has_own_unit(cell, field) ? *cell.unit : field.unit).of(*cell.value);
-}
-
-const std::string& file_words(const Cell& cell) {
-    return cell.key.empty() ? cell.words : cell.key;
-}
-
-Json cell_json(const Cell& cell, const Field& field) {
-    if (cell.holds) return *cell.holds;
-    const std::optional<double> value = file_number(cell, field);
-    const bool counts =
-        value && field.unit.name.empty() && *value == std::round(*value) && std::abs(*value) < 1e9;
-    const Json number = counts ? Json(static_cast<long>(*value)) : number_json(value);
-    if (has_own_unit(cell, field)) return {{"value", number}, {"unit", cell.unit->name}};
-    return cell.value ? number : words_json(file_words(cell));
-}
-
-Figure place_figure(const Figure& figure) {
-    return {{figure.field.key + "_at", {}, figure.place}, Cell(*figure.at)};
-}
-
 void add_cell(CsvLine& line, const Cell& cell, const Field& field) {
-    if (cell.holds)
-        line.words(*cell.holds ? "true" : "false");
-    else if (cell.value)
+    if (cell.value)
         line.number(file_number(cell, field));
+    else if (cell.holds)
+        line.words(*cell.holds ? "true" : "false");
     else
         line.words(file_words(cell));
 }
@@ -117,40 +86,17 @@ std::string document_markdown(const Document& document, const RunOrigin& origin)
         if (!figure->field.title.empty()) text += "- " + markdown_words(figure_line(*figure)) + "\n";
     if (const Curves* curves = document.curves())
         text += fmt::format("\n![{}]({}.svg)\n", curves->caption, curves->key);
+    for (const Picture* picture : document.pictures())
+        text += fmt::format("\n![{}]({}.svg)\n", picture->caption, picture->key);
     for (const Table* table : document.shown_tables())
         text += fmt::format("\n## {}\n\n{}{}", table->title, markdown_text(text_table(*table)),
                             table->note.empty() ? "" : "\n" + table->note + "\n");
     const std::vector<std::string> notes = document.sentences({Kind::note});
     if (!notes.empty()) text += "\n## Notes\n\n";
     for (const std::string& note : notes) text += "- " + markdown_words(note) + "\n";
-    return text + fmt::format("\nCommand: {}, camopt {}\n", markdown_code(origin.command), version());
-}
-
-std::string document_json(const Document& document) {
-    Json json = {{"camopt", version()}, {"title", document.title}};
-    for (const Figure* figure : figures_of(document)) {
-        json[figure->field.file_key()] = cell_json(figure->cell, figure->field);
-        if (!figure->at) continue;
-        const Figure place = place_figure(*figure);
-        json[place.field.file_key()] = cell_json(place.cell, place.field);
-    }
-    json["sentences"] = Json::array();
-    for (const Section& section : document.sections)
-        for (const auto& [kind, key, text] : section.sentences)
-            if (kind != Kind::effort)
-                json["sentences"].push_back(
-                    {{"kind", kind_names[static_cast<std::size_t>(kind)]}, {"key", key}, {"text", text}});
-    for (const Section& section : document.sections)
-        for (const Table& table : section.tables) {
-            if (!table.file.empty()) continue;
-            Json& rows = json[table.key] = Json::array();
-            for (const std::vector<Cell>& row : table.rows) {
-                Json& one = rows.emplace_back(Json::object());
-                for (std::size_t i = 0; i < row.size(); ++i)
-                    one[table.columns[i].file_key()] = cell_json(row[i], table.columns[i]);
-            }
-        }
-    return json_text(json);
+    const std::string command =
+        origin.command.empty() ? "" : fmt::format("Command: {}, ", markdown_code(origin.command));
+    return text + fmt::format("\n{}camopt {}\n", command, version());
 }
 
 std::string cells_csv(const Document& document) {
@@ -194,6 +140,8 @@ std::vector<FolderFile> text_files(const Document& document, const RunOrigin& or
     for (const Section& section : document.sections)
         for (const Table& table : section.tables)
             if (!table.file.empty()) files.push_back({table.file, table_csv(table)});
+    for (const Picture* picture : document.pictures())
+        files.push_back({picture->key + ".svg", chart_svg(picture->chart)});
     if (const Curves* curves = document.curves()) {
         files.push_back({curves->key + ".svg", curves_svg(document, *curves)});
         if (curves->table) files.push_back({curves->key + ".csv", table_csv(table_of(*curves))});

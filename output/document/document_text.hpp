@@ -4,7 +4,7 @@
 #pragma once
 
 #include "output/document/document.hpp"
-#include "output/report/result_folder.hpp"
+#include "output/document/run_origin.hpp"
 
 namespace camopt {
 

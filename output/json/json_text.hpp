@@ -50,8 +50,6 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json train_json(const Solution& solution);
 /// What an engine builder asks of a valve lobe; the solution has a motion.
 [[nodiscard]] Json valve_json(const Solution& solution);
-/// What the motion asks of the motor. The solution has one.
-[[nodiscard]] Json drive_json(const Scene& scene, const DriveFigures& drive);
 /// Harmonics of the lift and the spring. The solution has them.
 [[nodiscard]] Json surge_json(const Solution& solution);
 
@@ -64,12 +62,8 @@ using Json = nlohmann::ordered_json;
 /// The figures of the delivered cam; null where there is none.
 [[nodiscard]] Json cam_json(const Solution& solution);
 
-// The verdict of a solve, the same in every file that holds one.
-
-/// {lower, gap, proof}: what the objective is proved to be no less than, and how.
-[[nodiscard]] Json bound_json(const Certificate& certificate);
-
-/// Adds verdict, reason, objective and bound.
-void add_verdict(Json& json, const Certificate& certificate);
+// Figures of a document (output/document/document.hpp), each by its key.
+struct Figure;
+[[nodiscard]] Json figures_json(std::span<const Figure> figures);
 
 }  // namespace camopt

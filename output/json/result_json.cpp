@@ -2,6 +2,7 @@
 #include "output/json/result_json.hpp"
 
 #include "core/version.hpp"
+#include "output/document/common_figures.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/columns.hpp"
 #include "output/view/key_words.hpp"
@@ -245,7 +246,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["scene"] = words_json(origin.scene_file);
     json["title"] = words_json(solution.scene.title);
     json["command"] = words_json(origin.command);
-    add_verdict(json, certificate);
+    json.update(figures_json(verdict_figures(certificate)));
     add_proof_of_any_curve(json["bound"], solution);
     json["peaks"] = peaks_json(solution.motion ? std::optional(solution.peaks) : std::nullopt);
     json["physical_peaks"] = physical_peaks_json(solution);
@@ -254,7 +255,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["stationarity"] = number_json(certificate.stationarity);
     if (!solution.own_terms.empty()) json["own_terms"] = own_terms_json(solution);
     if (solution.train) json["dynamics"] = train_json(solution);
-    if (solution.drive) json["drive"] = drive_json(solution.scene, *solution.drive);
+    if (solution.drive) json["drive"] = figures_json(drive_figures(solution.scene, *solution.drive));
     if (solution.motion && solution.scene.motion.valve) json["valve"] = valve_json(solution);
     if (solution.surge) json["surge"] = surge_json(solution);
     json["constraints"] = constraints_json(solution);

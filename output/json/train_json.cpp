@@ -43,24 +43,6 @@ Json train_json(const Solution& solution) {
     return json;
 }
 
-Json drive_json(const Scene& scene, const DriveFigures& drive) {
-    const double degrees_per_x = file_units(scene).degrees_per_x;
-    const auto at = [&](const Extremum& one) { return number_json(one.at * degrees_per_x); };
-    Json json = {{"peak_torque_nm", number_json(drive.torque.value)},
-                 {"peak_torque_at_deg", at(drive.torque)},
-                 {"rms_torque_nm", number_json(drive.rms_torque)},
-                 {"peak_speed_rpm", number_json(rpm_shown.of(drive.speed.value))},
-                 {"peak_speed_at_deg", at(drive.speed)},
-                 {"peak_power_w", number_json(drive.power.value)},
-                 {"peak_power_at_deg", at(drive.power)},
-                 {"inertia_ratio", number_json(scene.drive->inertia_ratio())}};
-    if (!scene.limits.motor_curve.empty()) {
-        json["share_of_curve"] = number_json(drive.share_of_curve.value);
-        json["share_of_curve_at_deg"] = at(drive.share_of_curve);
-    }
-    return json;
-}
-
 Json surge_json(const Solution& solution) {
     const Scene& scene = solution.scene;
     const bool angle = scene.motion.lift_is_angle;

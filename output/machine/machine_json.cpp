@@ -2,6 +2,7 @@
 #include "output/machine/machine_json.hpp"
 
 #include "core/version.hpp"
+#include "output/document/common_figures.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/shown_units.hpp"
@@ -68,7 +69,7 @@ std::string machine_json(const MachineSolution& solution, const RunOrigin& machi
     json["machine"] = words_json(machine.scene_file);
     json["title"] = words_json(solution.spec.title);
     json["command"] = words_json(machine.command);
-    add_verdict(json, solution.certificate);
+    json.update(figures_json(verdict_figures(solution.certificate)));
     json["speed_rpm"] = solution.axes.empty() ? Json(nullptr) : number_json(rpm(solution.speed));
     json["impossible_above_rpm"] =
         solution.impossible_above ? number_json(rpm(*solution.impossible_above)) : Json(nullptr);

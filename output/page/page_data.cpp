@@ -98,6 +98,12 @@ Json curves_part(const std::vector<Curve>& curves) {
     return all;
 }
 
+/// Within a page: without what stands before the element.
+std::string page_picture(const Chart& chart) {
+    const std::string svg = chart_svg(chart);
+    return svg.substr(svg.find("<svg"));
+}
+
 /// At the foot of printed pages: number, revision and date of the title block behind the title.
 std::string foot_words(const View& view) {
     std::string text = view.title("Motion");
@@ -122,8 +128,8 @@ std::string page_data_with(const SolidParts* solids, const View& view, const Run
                            const PageDataOptions& options) {
     const Solution& solution = view.solution;
     Json page = Json::object();
-    page["page"] = "report";
     page["camopt"] = version();
+    page["kind"] = "Report";
     page["title"] = view.title("Motion");
     page["foot"] = foot_words(view);
     page["verdict"] = options.proof ? verdict_part(solution) : open_verdict_part(solution);
@@ -135,6 +141,7 @@ std::string page_data_with(const SolidParts* solids, const View& view, const Run
     page["breakpoints"] = numbers(view.breakpoints);
     page["motor"] = solution.drive ? Json(torque_over_speed_svg(view)) : Json(nullptr);
     page["drawing"] = plane_drawing(view);
+    page["pictures"] = Json::array();
     page["solid"] = options.solid && solids != nullptr ? Json::parse(solids->drawing(view)) : Json(nullptr);
     page["tables"] = options.proof ? tables_part(solution) : Json::array();
     page["remarks"] = options.proof && solution.cam ? Json(cam_remarks(solution)) : Json::array();
@@ -150,18 +157,22 @@ std::string document_html(const Document& document, const RunOrigin& origin) {
     const std::vector<std::string> headlines = document.sentences({Kind::headline});
     static const Curves none;
     const Curves& curves = document.curves() ? *document.curves() : none;
-    Json figures = Json::array(), tables = Json::array();
+    Json figures = Json::array(), tables = Json::array(), pictures = Json::array();
     for (const Section& section : document.sections)
         for (const Figure& figure : section.figures)
             if (!figure.field.title.empty())
                 figures.push_back({{"name", figure.field.title},
                                    {"value", shown_text(figure.cell, figure.field)},
                                    {"at", place_text(figure)}});
-    for (const Table* table : document.shown_tables())
-        tables.push_back(table_json(table->key, table->title, text_table(*table), table->note));
+    for (const Table* table : document.shown_tables(true))
+        tables.push_back(table->motions.empty()
+                             ? table_json(table->key, table->title, text_table(*table), table->note)
+                             : motions_json(*table, origin));
+    for (const Picture* picture : document.pictures())
+        if (picture->on_page) pictures.push_back(page_picture(picture->chart));
     const Json data = {
-        {"page", "report"},
         {"camopt", version()},
+        {"kind", document.kind},
         {"title", document.title},
         {"foot", document.title},
         {"verdict",
@@ -177,6 +188,7 @@ std::string document_html(const Document& document, const RunOrigin& origin) {
         {"breakpoints", numbers(curves.breakpoints)},
         {"drawing", nullptr},
         {"solid", nullptr},
+        {"pictures", pictures},
         {"tables", tables},
         {"remarks", Json::array()},
         {"notes", document.sentences({Kind::note})},

@@ -14,7 +14,7 @@ namespace {
 
 /// In the order in which they build on one another.
 constexpr std::array page_scripts = {"assets/charts.js", "assets/drawing.js", "assets/solid.js",
-                                     "assets/tables.js", "assets/study.js",   "assets/page.js"};
+                                     "assets/tables.js", "assets/motions.js", "assets/page.js"};
 
 /// Added to the sources of scripts.
 constexpr const char* engine_policy = " 'wasm-unsafe-eval'; worker-src blob:";

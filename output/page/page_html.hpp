@@ -3,8 +3,7 @@
 // its follower at every cam angle. Who draws it (assets/, the studio) knows no kind of cam and computes
 // nothing but pixels; every number is in the unit that stands beside it (output/view/shown_units.hpp).
 //
-//   page          "report"
-//   camopt, title
+//   camopt, kind (above the title), title
 //   foot          words at the foot of printed pages
 //   verdict       key (of Verdict, or "open": not proved yet), tone ("good", "fair", "bad", "open"),
 //                 headline, sentences[]
@@ -39,7 +38,16 @@
 //     unit, rotation, parts[] (name, closed, vertices[x, y, z, …], triangles[…]), roller (radius, length),
 //     rollers[] (poses[…]: foot x, y, z and direction x, y, z by angle), pivot [x, y, z] or null
 //   tables[]      key, title, columns[] (title, left), rows[][], note; folders[]: result folders of the
-//                 rows, to whose pages their first cells lead
+//                 rows, to whose pages their first cells lead.
+//                 Of motions, which are sorted, drawn over one another and hand out their scenes:
+//     columns[]     key, title, left, values[] by row: a number, a text, both as a list, or null
+//     items         names[], numbers[] (the class "rN" of marks in pictures), tones[] ("", "good", "bad")
+//     axes          x, y: keys of the columns that are drawn first
+//     overlay       null, or angles[] and curves[]: title, symbol, unit, lines[] by row: values[] or null
+//     scenes        null, or base (a scene in TOML), edits[] by row: null (none), or pairs of a line of base,
+//                   from 0, and the text in its place
+//     without_scenes null, or words that a click says, and the command but for the settings of the row
+//   pictures[]    SVGs as texts
 //   remarks[]     sentences on the cam
 //   notes[]       of the solve
 //   appendix      how it was found: sentences[], command

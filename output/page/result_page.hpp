@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/page/page_html.hpp"
+#include "output/report/result_folder.hpp"
 
 namespace camopt {
 

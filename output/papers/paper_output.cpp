@@ -2,8 +2,8 @@
 #include "output/papers/paper_output.hpp"
 
 #include "core/version.hpp"
-#include "output/chart/chart.hpp"
 #include "output/csv/csv_line.hpp"
+#include "output/document/common_figures.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/number_text.hpp"
 
@@ -95,7 +95,7 @@ Json limit_json(const LimitCurve& limit) {
 Json solution_json(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     Json json;
-    add_verdict(json, certificate);
+    json.update(figures_json(verdict_figures(certificate)));
     json["peaks"] = nullptr;
     if (solution.curve) {
         json["peaks"] = {{"velocity", extremum_json(solution.peaks.velocity)},
@@ -214,7 +214,7 @@ std::string paper_figure_csv(const PaperFigure& figure) {
     return text;
 }
 
-std::string paper_figure_svg(const PaperFigure& figure) {
+Chart paper_chart(const PaperFigure& figure) {
     ChartPanel panel{.width = 752, .height = 436, .equal_scales = figure.equal_scales};
     panel.frame.horizontal_title = figure.x_title;
     panel.frame.vertical_title = figure.y_title;
@@ -226,7 +226,7 @@ std::string paper_figure_svg(const PaperFigure& figure) {
             drawn.points.push_back({series.x[i], series.y[i]});
         panel.series.push_back(std::move(drawn));
     }
-    return chart_svg({figure.title, {}, {std::move(panel)}});
+    return {figure.title, {}, {std::move(panel)}};
 }
 
 std::vector<std::pair<std::string, std::string>> paper_report_files(const PaperReport& report) {

@@ -2,6 +2,7 @@
 // A paper's report for people, on the terminal or as a Markdown page, and for programs: CSV, JSON, pictures.
 #pragma once
 
+#include "output/chart/chart.hpp"
 #include "studies/papers/paper_report.hpp"
 #include "studies/papers/reference_table.hpp"
 
@@ -19,7 +20,10 @@ namespace camopt {
 [[nodiscard]] std::string paper_figure_csv(const PaperFigure& figure);
 
 /// A figure: curves or points over two axes, with a legend. Nothing throws.
-[[nodiscard]] std::string paper_figure_svg(const PaperFigure& figure);
+[[nodiscard]] Chart paper_chart(const PaperFigure& figure);
+[[nodiscard]] inline std::string paper_figure_svg(const PaperFigure& figure) {
+    return chart_svg(paper_chart(figure));
+}
 
 /// The files of a report by their names: report.md, a CSV for each table, CSV and SVG for each figure.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> paper_report_files(const PaperReport& report);

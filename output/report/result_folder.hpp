@@ -12,10 +12,6 @@
 
 namespace camopt {
 
-struct FolderFile {
-    std::string name, text;
-};
-
 struct WriteOptions {
     std::optional<int> points = {};     ///< of profile.csv, evenly by cam angle; none: by chord tolerance
     bool dxf = false;                   ///< profile.dxf too

@@ -50,13 +50,13 @@ def a_motor_is_shown_everywhere():
     at_40 = rows_of(FOLDER / "sweep/sweep.csv")[-1]
     assert abs(float(at_40["motor_torque_nm"]) - torque) < 1e-3 * torque, (at_40["motor_torque_nm"], torque)
     assert abs(float(at_40["motor_torque_rms_nm"]) - 2.2597) < 1e-3 and abs(float(at_40["motor_speed_rpm"]) - 745.62) < 0.1, at_40
-    titles = [column["title"] for column in page_of(FOLDER / "sweep/sweep.html")["columns"]]
+    titles = [column["title"] for column in page_of(FOLDER / "sweep/sweep.html")["tables"][0]["columns"]]
     assert {"torque of the motor (N m)", "rms torque of the motor (N m)", "speed of the motor (rpm)"} <= set(titles), titles
     compared = run("compare", SERVO, "--out", FOLDER / "compare").stdout
-    assert "objective: 0.2 J/69.47 + 0.8 motor torque rms/2.189" in compared, compared[-300:]
+    assert "Objective: 0.2 J/69.47 + 0.8 motor torque rms/2.189" in compared, compared[-300:]
     optimum = rows_of(FOLDER / "compare/comparison.csv")[0]
     assert abs(float(optimum["motor_torque_nm"]) - torque) < 1e-3 * torque, optimum
-    keys = [column["key"] for column in page_of(FOLDER / "compare/comparison.html")["columns"]]
+    keys = [column["key"] for column in page_of(FOLDER / "compare/comparison.html")["tables"][0]["columns"]]
     assert len(keys) == len(set(keys)), keys
     assert json.loads((FOLDER / "compare/comparison.json").read_text())["rows"][0]["drive"]["rms_torque_nm"] > 2.2
 

@@ -46,7 +46,7 @@ def a_pointer_names_the_motion(page, made):
         # Where several lie on one place the uppermost is meant.
         item = int(page.js("const box = arguments[0].getBoundingClientRect(); return document.elementFromPoint("
                            "box.left + box.width / 2, box.top + box.height / 2).dataset.item", dot))
-        names = page.js("return JSON.parse(document.getElementById('page-data').textContent).items.names")
+        names = page.js("return JSON.parse(document.getElementById('page-data').textContent).tables[0].items.names")
         assert page.js("return document.querySelector('.tip strong').textContent") == names[item], name
         assert page.js("return document.querySelectorAll('tr.pointed').length") == 1, name
 
@@ -74,8 +74,8 @@ def a_law_that_breaks_limits_is_no_reference(page, made):
     folder = made["comparison"].parent / "capped"
     browser.run_camopt(made["program"], "compare", scene, "--out", folder)
     page.open(folder / "comparison.html")
-    scenes = page.js("const data = Camopt.page.data; return data.items.names.map((name, item) => "
-                     "[data.items.tones[item], Camopt.page.sceneOf(item)])")
+    scenes = page.js("const motions = Camopt.page.motions; return motions.data.items.tones.map((tone, item) => "
+                     "[tone, motions.sceneOf(item)])")
     assert scenes[0][1] == scene.read_text()
     broken = [text for tone, text in scenes if tone == "bad"]
     assert broken and all(text == scene.read_text() for text in broken), "a broken law's scene is another one"
@@ -87,7 +87,7 @@ def a_page_without_scenes_says_how_to_get_them(page, made):
     folder = made["sweep"].parent / "many"
     browser.run_camopt(made["program"], "sweep", scene, "--weights", "simplex:100", "--out", folder)
     page.open(folder / "sweep.html")
-    rows = page.js("return Camopt.page.data.items.names.length")
+    rows = page.js("return Camopt.page.motions.data.items.names.length")
     assert rows == 5151, rows
     row = page.js("const row = document.querySelectorAll('.study-table tbody tr')[1234]; row.click(); return Number(row.dataset.item)")
     notice = page.js("return document.querySelector('.notice').textContent")

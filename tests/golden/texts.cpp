@@ -4,21 +4,21 @@
 #include "benchmarks/papers/paper_json.hpp"
 #include "core/text/text_file.hpp"
 #include "output/chart/curve_chart.hpp"
-#include "output/chart/studies/study_svg.hpp"
+#include "output/chart/studies/pareto_svg.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
-#include "output/csv/study_csv.hpp"
+#include "output/compare/comparison_document.hpp"
 #include "output/csv/sweep_csv.hpp"
+#include "output/document/document_text.hpp"
 #include "output/json/result_json.hpp"
-#include "output/json/study_json.hpp"
 #include "output/page/page_html.hpp"
 #include "output/page/result_page.hpp"
 #include "output/papers/paper_output.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/sweep/sweep_document.hpp"
 #include "output/view/cam_words.hpp"
 #include "output/view/key_words.hpp"
 #include "output/words/plan_text.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/study_text.hpp"
 #include "studies/papers/reference_table.hpp"
 #include "studies/search/plan.hpp"
 #include "tests/output/sample_solution.hpp"
@@ -293,11 +293,12 @@ void write_comparison() {
     comparison.rows[4].title = "Turning";
     comparison.rows[4].misfit = "turns back at its top";
     comparison.rows[4].objective = infinity;
-    write("comparison.txt", comparison_text(comparison));
-    write("comparison.json", comparison_json(comparison, {"scene.toml", "camopt compare scene.toml"}));
-    write("comparison.csv", comparison_csv(comparison));
-    write("comparison.svg", comparison_svg(comparison));
-    write("comparison_of_nothing.svg", comparison_svg({}));
+    const RunOrigin origin{"scene.toml", "camopt compare scene.toml"};
+    const Document document = comparison_document(comparison, origin);
+    write("comparison.txt", console_text(document));
+    write("comparison.json", document_json(document));
+    for (const FolderFile& file : text_files(document, origin)) write(file.name, file.text);
+    write("comparison_of_nothing.svg", text_files(comparison_document({}), {}).back().text);
 }
 
 void write_paper(const std::string& name, const PaperReport& report) {
@@ -383,7 +384,7 @@ void write_sweeps() {
         table->rows[2].reason = table->rows[3].reason;
         table->rows[2].objective.reset();
     }
-    write("sweep_lines.txt", sweep_text(lines, &scene));
+    write("sweep_lines.txt", console_text(sweep_summary(lines, &scene)));
     map.columns.length_unit = LengthUnit::inch;
     write("sweep_map.svg", sweep_svg({map, scene}));
     const LawLosses losses = test::some_losses();

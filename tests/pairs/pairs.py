@@ -41,10 +41,11 @@ OUTPUTS = {
     "picture": ("export", ["RESULT", "--picture"], ["cam.svg"]),
     "NC": ("export", ["RESULT", "--nc"], ["cam.nc", "_nc.svg", "_nc_check.txt"]),
     "check": ("check", ["SCENE"], []),
-    "comparison": ("compare", ["SCENE"], ["comparison.csv", "comparison.html", "comparison.json", "comparison.svg"]),
+    "comparison": ("compare", ["SCENE"], ["comparison.csv", "comparison.html", "comparison.json", "comparison.svg",
+                                             "report.md", "tables.csv"]),
     "dynamics": ("dynamics", ["SCENE", "--speeds", "100:200:3"], [
         "dynamics.csv", "dynamics.json", "history.csv", "residual_over_speed.svg", "acceleration_over_speed.svg", "deflection.svg",
-        "acceleration.svg", "force.svg"]),
+        "acceleration.svg", "force.svg", "dynamics.html", "report.md", "steady.csv", "tables.csv"]),
     "sweep": ("sweep", ["SCENE", "--vary", "spline.segments=8:9:2"], ["sweep.csv", "sweep.html", "sweep.json", "sweep.svg"]),
     "inspection": ("inspect", ["RESULT", "TABLE"], ["inspection.csv", "inspection.html", "inspection.json", "inspection.svg", "report.md",
                                                    "tables.csv"]),
@@ -131,7 +132,7 @@ ELSEWHERE = {
     "table": "tests/output/paper_report_test.cpp", "table.json": "",
     "studio": "tests/browser/studio_page_test.py", "camopt.html": "tests/apps/studio_offline_test.py",
     "surface.csv": "tests/apps/sweep_test.cpp", "surface.html": "", "surface.json": "", "surface.obj": "", "surface.svg": "",
-    "pareto.csv": "tests/apps/pareto_test.cpp", "pareto.html": "", "pareto.svg": "",
+    "pareto.csv": "tests/apps/pareto_test.cpp", "pareto.html": "", "pareto.json": "", "pareto.svg": "",
     "cam.csv": "tests/output/spatial", "cam.dxf": "tests/output/drawing",
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Solving from Python: one scene, or neighbours one after another.
 #include "bindings/python/source/parts.hpp"
-#include "output/chart/studies/study_svg.hpp"
-#include "output/json/study_json.hpp"
+#include "output/compare/comparison_document.hpp"
+#include "output/document/document_text.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
@@ -188,6 +188,9 @@ void add_comparisons(py::module_& module) {
             return fmt::format("ComparisonRow({}, fun={:.6g})", row.is_optimum() ? "optimum" : row.key,
                                row.objective);
         });
+    const auto text = [](const ComparedScene& compared) {
+        return console_text(comparison_document(compared.comparison));
+    };
     py::class_<ComparedScene>(module, "Comparison",
                               "Every classical law on one scene, compared with its optimum.")
         .def_property_readonly("optimum", &optimum, "The Solution.")
@@ -197,16 +200,17 @@ void add_comparisons(py::module_& module) {
         .def(
             "to_json",
             [](const ComparedScene& compared) {
-                return comparison_json(compared.comparison, compared.origin);
+                return document_json(comparison_document(compared.comparison, compared.origin));
             },
             "What `camopt compare --json` prints.")
+        .def("summary", text, "What `camopt compare` prints.")
         .def(
-            "summary", [](const ComparedScene& compared) { return comparison_text(compared.comparison); },
-            "What `camopt compare` prints.")
-        .def(
-            "_repr_svg_", [](const ComparedScene& compared) { return comparison_svg(compared.comparison); },
+            "_repr_svg_",
+            [](const ComparedScene& compared) {
+                return chart_svg(comparison_document(compared.comparison).pictures().front()->chart);
+            },
             "For notebooks: a bar a law.")
-        .def("__str__", [](const ComparedScene& compared) { return comparison_text(compared.comparison); });
+        .def("__str__", text);
     module.def("compare", &compared, py::arg("scene"), py::arg("progress") = py::none(),
                "Every classical law on a scene that was read, compared with its optimum.");
 }

@@ -4,7 +4,8 @@
 #include "core/text/parsing.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/words/study_text.hpp"
+#include "output/document/document_text.hpp"
+#include "output/sweep/sweep_document.hpp"
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
@@ -252,8 +253,9 @@ void add_sweeps(py::module_& module) {
             "csv", [](const SweepTable& table) { return sweep_csv(table); },
             "The text of sweep.csv, as `camopt sweep` writes it.")
         .def(
-            "summary", [](const SweepTable& table) { return sweep_text(table); }, "The sweep in a few lines.")
-        .def("__str__", [](const SweepTable& table) { return sweep_text(table); });
+            "summary", [](const SweepTable& table) { return console_text(sweep_summary(table)); },
+            "The sweep in a few lines.")
+        .def("__str__", [](const SweepTable& table) { return console_text(sweep_summary(table)); });
     module.def(
         "sweep", &swept, py::arg("scene"), py::arg("axes"), py::arg("chunk") = py::none(),
         py::arg("workers") = 1, py::arg("progress") = py::none(),

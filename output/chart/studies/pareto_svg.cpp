@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/chart.hpp"
-#include "output/chart/studies/study_svg.hpp"
+#include "output/chart/studies/pareto_svg.hpp"
+
 #include "output/csv/sweep_csv.hpp"
 
 #include <fmt/format.h>
@@ -41,13 +41,17 @@ GoalAxis goal_axis(const ParetoPicture& picture, int goal) {
     return figure_axis(picture.scene, cost_term(std::get<FrontFigure>(which)));
 }
 
+}  // namespace
+
 std::string goal_title(const ParetoPicture& picture, int goal) {
     return goal_axis(picture, goal).title;
 }
 
-double shown(const ParetoPicture& picture, const FrontPoint& point, int goal) {
+double shown_goal(const ParetoPicture& picture, const FrontPoint& point, int goal) {
     return goal_axis(picture, goal).factor * point.value[goal];
 }
+
+namespace {
 
 bool is_drawn(const FrontPoint& point) {
     return point.is_feasible() && !point.dominated && point.end != FrontEnd::beyond;
@@ -69,7 +73,7 @@ ChartPanel panel_along(const ParetoPicture& picture, const std::string& title,
     ChartSeries line{Look::line, "row-line"}, dots{Look::dot, "row-dot"};
     for (const FrontPoint& point : picture.front.points) {
         if (!is_drawn(point)) continue;
-        const double x = shown(picture, point, 0), y = value(point);
+        const double x = shown_goal(picture, point, 0), y = value(point);
         line.points.push_back({x, y});
         if (point.place >= 0 || !picture.front.complete)
             dots.points.push_back(
@@ -127,7 +131,7 @@ ChartPanel number_laws(ChartPanel& panel) {
 std::vector<ChartPanel> panels_of(const ParetoPicture& picture) {
     const auto& goals = picture.front.request.goals;
     ChartPanel main = panel_along(picture, goal_title(picture, 1),
-                                  [&](const FrontPoint& point) { return shown(picture, point, 1); });
+                                  [&](const FrontPoint& point) { return shown_goal(picture, point, 1); });
     if (main.series.front().points.empty()) return {};
     main.width = 560;
     main.height = 470;
@@ -147,7 +151,13 @@ std::vector<ChartPanel> panels_of(const ParetoPicture& picture) {
     return panels;
 }
 
-std::string count_sentence(const ParetoFront& front) {
+bool is_attained(const FrontPoint& point) {
+    return point.end == FrontEnd::attained;
+}
+
+}  // namespace
+
+std::string front_sentence(const ParetoFront& front) {
     const auto proved = std::ranges::count_if(front.points, [](const FrontPoint& point) {
         return point.solution.certificate.verdict == Verdict::optimal;
     });
@@ -164,10 +174,6 @@ std::string count_sentence(const ParetoFront& front) {
                                   : "less even than requested");
 }
 
-bool is_attained(const FrontPoint& point) {
-    return point.end == FrontEnd::attained;
-}
-
 std::string end_sentence(const ParetoPicture& picture) {
     const ParetoFront& front = picture.front;
     std::string text;
@@ -178,41 +184,20 @@ std::string end_sentence(const ParetoPicture& picture) {
                                 short_text(front.request.cut_off, 3));
         if (point.end == FrontEnd::beyond)
             text += fmt::format("Beyond: {} {} at {} {}. ", goal_title(picture, 0),
-                                short_text(shown(picture, point, 0), 5), goal_title(picture, 1),
-                                short_text(shown(picture, point, 1), 5));
+                                short_text(shown_goal(picture, point, 0), 5), goal_title(picture, 1),
+                                short_text(shown_goal(picture, point, 1), 5));
     }
     if (front.spacing.jumps > 0) text += fmt::format("Jumps in the front: {}. ", front.spacing.jumps);
     if (!text.empty()) return text;
     return std::ranges::any_of(front.points, is_attained) ? "Both ends are attained." : "There is no front.";
 }
 
-}  // namespace
-
-std::string pareto_svg(const ParetoPicture& picture) {
-    return chart_svg(
-        {fmt::format("{}: {} against {}", picture.scene.title.empty() ? "Front" : picture.scene.title,
-                     goal_title(picture, 0), goal_title(picture, 1)),
-         {count_sentence(picture.front),
-          end_sentence(picture) + " Dashed: lower bound for every curve. Diamonds: classical laws."},
-         panels_of(picture)});
-}
-
-std::string pareto_text(const ParetoPicture& picture) {
-    const ParetoFront& front = picture.front;
-    std::string text = fmt::format("  {}\n  {}\n", count_sentence(front), end_sentence(picture));
-    for (const FrontPoint* point : tabulated_points(front)) {
-        if (!point->is_feasible()) {
-            text += fmt::format("  solve {}: {} {}\n", point->number,
-                                name_of(point->solution.certificate.verdict),
-                                name_of(point->solution.certificate.reason));
-            continue;
-        }
-        text += fmt::format(
-            "  {:>4}  {} {:<10}  {} {:<10}  {}\n", point->place >= 0 ? std::to_string(point->place) : "",
-            goal_title(picture, 0), short_text(shown(picture, *point, 0), 7), goal_title(picture, 1),
-            short_text(shown(picture, *point, 1), 7), name_of(point->solution.certificate.verdict));
-    }
-    return text;
+Chart pareto_chart(const ParetoPicture& picture) {
+    return {fmt::format("{}: {} against {}", picture.scene.title.empty() ? "Front" : picture.scene.title,
+                        goal_title(picture, 0), goal_title(picture, 1)),
+            {front_sentence(picture.front),
+             end_sentence(picture) + " Dashed: lower bound for every curve. Diamonds: classical laws."},
+            panels_of(picture)};
 }
 
 }  // namespace camopt

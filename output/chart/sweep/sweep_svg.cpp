@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/sweep/sweep_svg.hpp"
 
-#include "output/chart/chart.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
@@ -342,7 +341,7 @@ bool is_weight_sweep(const SweepTable& table) {
                                [&](const char* key) { return std::ranges::find(keys, key) != keys.end(); });
 }
 
-std::string sweep_svg(const SweepPicture& picture) {
+Chart sweep_chart(const SweepPicture& picture) {
     const SweepTable& table = picture.table;
     const bool weights = is_weight_sweep(table), map = is_map(table), lines = table.columns.keys.size() == 1;
     Chart chart{
@@ -370,7 +369,7 @@ std::string sweep_svg(const SweepPicture& picture) {
         panel.caption = quantities[i].title;
         if (i % 2 == 1) panel.place = ChartPanel::Place::right;
     }
-    return chart_svg(std::move(chart));
+    return chart;
 }
 
 }  // namespace camopt

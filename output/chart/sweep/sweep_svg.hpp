@@ -8,6 +8,7 @@
 // its number.
 #pragma once
 
+#include "output/chart/chart.hpp"
 #include "studies/compare/law_losses.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
@@ -19,7 +20,10 @@ struct SweepPicture {
     const LawLosses* losses = nullptr;  ///< null: no laws are drawn
 };
 
-[[nodiscard]] std::string sweep_svg(const SweepPicture& picture);
+[[nodiscard]] Chart sweep_chart(const SweepPicture& picture);
+[[nodiscard]] inline std::string sweep_svg(const SweepPicture& picture) {
+    return chart_svg(sweep_chart(picture));
+}
 
 /// The table of rows that a picture belongs to has no more than one motion's own weights: V, A and J.
 [[nodiscard]] bool is_weight_sweep(const SweepTable& table);

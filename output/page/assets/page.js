@@ -24,12 +24,12 @@
       '@bottom-right { content: "page " counter(page) " of " counter(pages); ' + font + ' } }', footRule ?? sheet.cssRules.length);
   }
 
-  camopt.header = function (kind) {
-    const title = element('h1', {});
+  camopt.header = function () {
+    const title = element('h1', {}), kind = element('p', { class: 'kind' });
     const host = element('header', { class: 'top' },
-      element('div', { class: 'titles' }, element('p', { class: 'kind' }, kind), title),
+      element('div', { class: 'titles' }, kind, title),
       element('div', { class: 'top-buttons' }, element('button', { type: 'button', class: 'quiet-button', onclick: () => window.print() }, 'Print'), themeButton()));
-    return { host, title };
+    return { host, kind, title };
   };
 
   camopt.verdictPanel = function (data) {
@@ -44,19 +44,19 @@
   camopt.figureStrip = (figures) => element('dl', { class: 'figures' }, ...figures.map((figure) =>
     element('div', {}, element('dt', {}, figure.name), element('dd', {}, figure.value, figure.at ? element('span', {}, 'at ' + figure.at) : null))));
 
-  /** The report of one solved scene. */
+  /** Of a scene or a study. */
   camopt.report = function (host) {
     const angle = camopt.angle(), charts = camopt.charts(angle), drawing = camopt.drawing(angle), solid = camopt.solid(angle);
-    const top = camopt.header('Report');
-    const words = element('div', { class: 'words' }), tables = element('div', { class: 'tables' }), end = element('div', { class: 'end' });
+    const top = camopt.header();
+    const words = element('div', { class: 'words' }), motions = element('div', {}), tables = element('div', { class: 'tables' }), end = element('div', { class: 'end' });
     const controls = camopt.angleControls(angle);
     const stage = element('aside', { class: 'stage', 'aria-label': 'The cam in motion' }, element('h2', {}, 'The cam in motion'), drawing.host, solid.host, controls);
     const pictures = element('div', { class: 'pictures' }, element('div', { class: 'chart-column' }, charts.chips, charts.host), stage);
     const foot = element('footer', { class: 'foot' });
-    host.replaceChildren(top.host, element('main', {}, words, pictures, tables, end), foot);
+    host.replaceChildren(top.host, element('main', {}, words, pictures, motions, tables, end), foot);
     let shown = false; // a motion, at some time
     const self = {
-      angle, charts, drawing, solid, stage, data: null,
+      angle, charts, drawing, solid, stage, data: null, motions: null,
       /** Where there is no motion, those of the last one stay, greyed: for a page that shows one scene after another. */
       keepsPictures: false,
       /** open: curves and pictures before their proof; words and tables stay as they were, and say so. */
@@ -65,6 +65,7 @@
         for (const part of [words, tables, end]) part.classList.toggle('outdated', open);
         words.dataset.open = open ? data.verdict.headline + '. ' + data.verdict.sentences.join(' ') : '';
         document.title = data.title;
+        top.kind.textContent = data.kind;
         top.title.textContent = data.title;
         printFoot(data.foot);
         const hasMotion = Boolean(data.angle);
@@ -87,7 +88,11 @@
         words.replaceChildren(camopt.verdictPanel(data));
         if (data.reference) words.append(camopt.referencePanel(data.reference));
         words.append(camopt.figureStrip(data.figures));
-        tables.replaceChildren(...data.tables.map(camopt.tableSection));
+        const many = data.tables.find((table) => table.items);
+        self.motions = many ? camopt.motions(many, data.pictures) : null;
+        motions.replaceChildren(...(many ? [self.motions.host] : data.pictures.map(camopt.paper)));
+        if (many) self.motions.fitScatter?.();
+        tables.replaceChildren(...data.tables.filter((table) => table !== many).map(camopt.tableSection));
         if (data.remarks.length) tables.append(element('section', { class: 'table-block' }, element('h2', {}, 'On the cam'), camopt.list(data.remarks)));
         end.replaceChildren(...[camopt.sceneSection(data.scene), camopt.appendixSection(data)].filter((part) => part));
         end.hidden = !end.children.length;
@@ -97,9 +102,7 @@
     return self;
   };
 
-  const data = JSON.parse(document.getElementById('page-data').textContent);
-  const host = document.getElementById('page');
-  camopt.page = data.page === 'report' ? camopt.report(host) : camopt.study(host);
-  camopt.page.show(data);
+  camopt.page = camopt.report(document.getElementById('page'));
+  camopt.page.show(JSON.parse(document.getElementById('page-data').textContent));
   document.documentElement.dataset.ready = 'true';
 })(window.Camopt);

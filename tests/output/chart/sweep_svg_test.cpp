@@ -2,7 +2,7 @@
 // Pictures of sweeps and fronts, of tables made by hand. What a picture holds: tests/golden/texts.cpp.
 #include "output/chart/sweep/sweep_svg.hpp"
 
-#include "output/chart/studies/study_svg.hpp"
+#include "output/chart/studies/pareto_svg.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "tests/output/sample_sweeps.hpp"
 #include "tests/output/well_formed.hpp"

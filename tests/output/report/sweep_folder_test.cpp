@@ -5,7 +5,8 @@
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/words/study_text.hpp"
+#include "output/document/document_text.hpp"
+#include "output/sweep/sweep_document.hpp"
 #include "tests/output/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -109,10 +110,10 @@ TEST(SweepFolder, KeepsChunksAndMakesTheTable) {
     for (int i = 0; i < 10; ++i) EXPECT_EQ(table.rows[static_cast<std::size_t>(i)].number, i);
     EXPECT_TRUE(table.rows[3].on_front);  // V rises and J falls with the number: all are
     EXPECT_EQ(read_text_file(path + "/sweep.csv"), sweep_csv(table));
-    const std::string text = sweep_text(table);
-    EXPECT_TRUE(says(text, "rows: 10 (10 optimal)"));
+    const std::string text = console_text(sweep_summary(table));
+    EXPECT_TRUE(says(text, "Rows: 10 (10 optimal)"));
     EXPECT_TRUE(says(text, "Pareto front: 10 rows, weighing velocity, jerk"));
-    EXPECT_TRUE(says(text, "least objective: 1.1 in row 9 (objective.velocity 0.9)"));
+    EXPECT_TRUE(says(text, "Least objective: 1.1 in row 9 (objective.velocity 0.9)"));
 }
 
 TEST(SweepFolder, AShardHoldsEveryNthChunk) {

@@ -4,12 +4,12 @@
 #include "scene/cost_table.hpp"
 
 #include "objectives/scene_model.hpp"
-#include "output/csv/study_csv.hpp"
+#include "output/compare/comparison_document.hpp"
+#include "output/document/document_text.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/number_text.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/study_text.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/pareto/sweep_front.hpp"
@@ -171,8 +171,13 @@ TEST(CostTable, EveryRowIsAComparisonColumn) {
     scene.cam.reset();
     scene.forces.reset();
     const Comparison comparison = compare(scene);
-    const std::string titles = comparison_csv(comparison).substr(0, comparison_csv(comparison).find('\n'));
-    const std::string words = objective_words(comparison);
+    const Document document = comparison_document(comparison);
+    const Section& section = document.sections.front();
+    std::string titles = table_csv(section.tables.back());
+    titles.resize(titles.find('\n'));
+    std::string words;
+    for (const Sentence& sentence : section.sentences)
+        if (sentence.key == "objective") words = sentence.text;
     for (const CostTerm& term : cost_terms()) {
         EXPECT_TRUE(says(("," + titles + ","), fmt::format(",{},", term.name())));
         EXPECT_TRUE(says(words, fmt::format("{}/", term.symbol)));

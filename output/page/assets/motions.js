@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pages of many motions: comparison, sweep, front. What the pointer or the keys rest on is named; a click or Enter
-// saves its scene.
+// Tables whose rows are motions: sorted, any column over any other, all over one another. What the pointer or the keys
+// rest on is named; a click or Enter saves its scene.
 'use strict';
 (function (camopt) {
   const { element, numberText, colour } = camopt;
@@ -14,12 +14,19 @@
     return ticks;
   }
 
-  class Study {
-    constructor(host) {
-      this.host = host;
+  /** A value of a column: a number, a text, both as a list, or null. */
+  const numberOf = (value) => Array.isArray(value) ? value[0] : value;
+  const textOf = (value) => value === null ? '' : Array.isArray(value) ? value[1] : isNumber(value) ? numberText(value, 7) : value;
+
+  class Motions {
+    constructor(data, pictures) {
+      this.data = data;
+      this.host = element('div', { class: 'study' });
       this.tip = element('div', { class: 'tip', hidden: true });
       this.notice = element('div', { role: 'status' });
       this.status = element('p', { class: 'hidden-status', role: 'status' });
+      const parts = [this.overlay(), ...pictures.map((text) => this.picture(text)), this.explorer(), this.table(), this.tip, this.notice, this.status];
+      this.host.append(...parts.filter((part) => part));
     }
 
     /** The scene of an item as text; null: it has none. */
@@ -62,7 +69,7 @@
 
     words(item) {
       return this.data.columns.filter((column) => column.values[item] !== null && column.values[item] !== '')
-        .map((column) => column.title + ': ' + (isNumber(column.values[item]) ? numberText(column.values[item], 7) : column.values[item]));
+        .map((column) => column.title + ': ' + textOf(column.values[item]));
     }
 
     point(item, x, y) {
@@ -101,9 +108,8 @@
       one.addEventListener('keydown', (event) => { if (event.key === 'Enter') this.handOut(item); });
     }
 
-    picture() {
-      if (!this.data.picture) return null;
-      const picture = camopt.paper(this.data.picture);
+    picture(text) {
+      const picture = camopt.paper(text);
       const at = new Map(this.data.items.numbers.map((number, item) => [String(number), item]));
       picture.querySelectorAll('svg [class]').forEach((one) => {
         const found = /(?:^| )r(\d+)(?: |$)/.exec(one.getAttribute('class'));
@@ -114,7 +120,8 @@
 
     /** Any column against any other. */
     explorer() {
-      const numeric = this.data.columns.filter((column) => column.values.filter(isNumber).length > 1);
+      const numeric = this.data.columns.map((column) => ({ ...column, values: column.values.map(numberOf) }))
+        .filter((column) => column.values.filter(isNumber).length > 1);
       if (numeric.length < 2) return null;
       const chosen = { x: this.data.axes.x, y: this.data.axes.y };
       const host = element('div', { class: 'scatter' });
@@ -193,11 +200,11 @@
       const hue = (item) => item === this.curve ? colour('now') : isBest(item) ? colour('curve') : colour('rule');
       const shown = overlay.curves[0].lines.map((line, item) => line ? item : -1).filter((item) => item >= 0)
         .sort((one, other) => isBest(one) - isBest(other));
-      const sync = 'camopt-laws';
+      const sync = 'camopt-motions';
       for (const curve of overlay.curves) {
-        const plotHost = element('div', { class: 'plot', role: 'img', 'aria-label': curve.title + ' of all laws by cam angle; the table below has their peaks' });
+        const plotHost = element('div', { class: 'plot', role: 'img', 'aria-label': curve.title + ' of all motions by cam angle; the table below has their peaks' });
         const name = element('output', { class: 'read-out' });
-        host.append(element('figure', { class: 'chart', 'data-curve': curve.key }, element('figcaption', {},
+        host.append(element('figure', { class: 'chart' }, element('figcaption', {},
           element('h3', {}, curve.title[0].toUpperCase() + curve.title.slice(1) + ' ', element('span', { class: 'symbol' }, curve.symbol), ', ' + curve.unit), name), plotHost));
         const plot = new uPlot({
           width: 300, height: 230, pxAlign: 0.5, padding: [6, 20, 0, 0], legend: { show: false }, focus: { alpha: 0.55 },
@@ -216,7 +223,7 @@
             this.mark(item, true);
             for (const one of this.plots) one.name.textContent = item === null || item === undefined ? '' : this.data.items.names[item];
           }] },
-        }, [overlay.angle.values].concat(shown.map((item) => curve.lines[item])), plotHost);
+        }, [overlay.angles].concat(shown.map((item) => curve.lines[item])), plotHost);
         plot.over.addEventListener('click', () => { if (this.curve !== null && this.curve !== undefined) this.handOut(this.curve); });
         this.plots.push({ plot, plotHost, name });
       }
@@ -228,18 +235,14 @@
     }
 
     table() {
-      const { columns, items } = this.data;
-      // A row's settings have columns of their own.
-      const names = items.names.map((name) => name.split(': ')[0]);
-      const heads = [{ title: this.data.kind === 'Comparison' ? 'motion' : 'solve', left: true, values: names }]
-        .concat(columns.filter((column) => column.key !== 'row' && column.values.some((value) => value !== null)));
+      const { items } = this.data;
+      const heads = this.data.columns.filter((column) => column.values.some((value) => value !== null));
       let rows = items.names.map((name, item) => item), sorted = -1, up = false;
       const body = element('tbody', {});
       const fill = () => body.replaceChildren(...rows.map((item) => lines[item]));
-      const cell = (value) => value === null ? '' : isNumber(value) ? numberText(value, 7) : value;
       const lines = items.names.map((name, item) => {
         const row = element('tr', { class: items.tones[item], tabindex: 0 }, ...heads.map((column, i) =>
-          element(i === 0 ? 'th' : 'td', { scope: i === 0 ? 'row' : null, class: column.left ? 'left' : null }, cell(column.values[item]))));
+          element(i === 0 ? 'th' : 'td', { scope: i === 0 ? 'row' : null, class: column.left ? 'left' : null }, textOf(column.values[item]))));
         this.listen(row, item);
         return row;
       });
@@ -249,7 +252,7 @@
         button.addEventListener('click', () => {
           up = sorted === i ? !up : true;
           sorted = i;
-          const value = (item) => column.values[item];
+          const value = (item) => numberOf(column.values[item]);
           rows.sort((one, other) => {
             const a = value(one), b = value(other);
             if (isNumber(a) !== isNumber(b)) return isNumber(a) ? -1 : 1;
@@ -262,26 +265,14 @@
         return made;
       }));
       fill();
-      return element('section', { class: 'study-block' }, element('h2', {}, 'All of them'),
+      return element('section', { class: 'study-block', 'data-table': this.data.key }, element('h2', {}, this.data.title),
         element('p', { class: 'note' }, 'A click on a head sorts. A click on a row, a mark or a curve ' +
-          (this.data.without_scenes ? 'shows the command that solves its scene.' : 'saves its scene.')),
-        element('div', { class: 'table-scroll study-table', tabindex: 0, role: 'region', 'aria-label': 'All of them' },
+          (this.data.without_scenes ? 'shows the command that solves its scene.' : 'saves its scene.') + ' ' + this.data.note),
+        element('div', { class: 'table-scroll study-table', tabindex: 0, role: 'region', 'aria-label': this.data.title },
           element('table', {}, element('thead', {}, head), body)));
-    }
-
-    show(data) {
-      this.data = data;
-      document.title = data.title;
-      const top = camopt.header(data.kind);
-      top.title.textContent = data.title;
-      const main = element('main', { class: 'study' }, element('div', { class: 'words' }, camopt.verdictPanel(data)));
-      this.host.replaceChildren(top.host, main, this.tip, this.notice, this.status,
-        element('footer', { class: 'foot' }, 'Made by camopt ' + data.camopt + '. This page loads no external resources.'));
-      for (const part of [this.overlay(), this.picture(), this.explorer(), this.table()]) if (part) main.append(part);
-      if (this.fitScatter) this.fitScatter();
-      if (data.scene) main.append(element('section', { class: 'study-block' }, camopt.sceneSection(data.scene)));
     }
   }
 
-  camopt.study = (host) => new Study(host);
+  /** Of a table; pictures whose marks are its rows. */
+  camopt.motions = (table, pictures) => new Motions(table, pictures);
 })(window.Camopt);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pages of many motions: every row with its numbers, its marks, its scene.
-#include "output/page/study_html.hpp"
-
+#include "output/compare/comparison_document.hpp"
+#include "output/page/page_html.hpp"
+#include "output/sweep/pareto_document.hpp"
+#include "output/sweep/sweep_document.hpp"
 #include "tests/output/page/page_reading.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +12,7 @@
 #include <vector>
 
 namespace camopt {
-namespace study_html_test {
+namespace motions_page_test {
 
 using nlohmann::json;
 using testing_support::count_of;
@@ -46,20 +48,35 @@ std::string scene_of(const json& data, std::size_t item) {
     return text;
 }
 
-const json& column(const json& data, const std::string& key) {
-    for (const json& one : data.at("columns"))
-        if (one.at("key") == key) return one.at("values");
+/// The table of motions of a page.
+json motions_of(const std::string& html) {
+    return data_of(html).at("tables").at(0);
+}
+
+json motions_of(const Comparison& comparison, const RunOrigin& origin = {}) {
+    return motions_of(document_html(comparison_document(comparison, origin), origin));
+}
+
+/// A number, or a number and its text.
+json column(const json& data, const std::string& key) {
+    for (const json& one : data.at("columns")) {
+        if (one.at("key") != key) continue;
+        json values = json::array();
+        for (const json& value : one.at("values")) values.push_back(value.is_array() ? value[0] : value);
+        return values;
+    }
     throw std::runtime_error("no column " + key);
 }
 
 TEST(ComparisonHtml, ContainsEveryLawAndScene) {
     const Comparison comparison = compare(small_scene());
-    const json data = data_of(comparison_html(comparison, {"front.toml", "", scene_text}));
+    const json data = motions_of(comparison, {"front.toml", "", scene_text});
     ASSERT_EQ(data.at("items").at("names").size(), comparison.rows.size());
     for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
         const ComparisonRow& row = comparison.rows[i];
         if (row.motion) {
-            EXPECT_NEAR(column(data, "velocity")[i].get<double>(), row.peaks.velocity.value, 1e-6);
+            EXPECT_NEAR(column(data, "peaks.velocity.value")[i].get<double>(), row.peaks.velocity.value,
+                        1e-6);
         }
         const std::string scene = scene_of(data, i);
         if (row.is_optimum()) {
@@ -76,10 +93,10 @@ TEST(ComparisonHtml, ContainsEveryLawAndScene) {
 
 TEST(ComparisonHtml, AnInfinitePeakIsASign) {
     const Comparison comparison = compare(small_scene());
-    const json data = data_of(comparison_html(comparison));
+    const json data = motions_of(comparison);
     EXPECT_TRUE(data.at("scenes").is_null());
     int infinite = 0;
-    for (const json& value : column(data, "jerk")) infinite += value == "∞" ? 1 : 0;
+    for (const json& value : column(data, "peaks.jerk.value")) infinite += value == "∞" ? 1 : 0;
     EXPECT_GT(infinite, 0);
 }
 
@@ -89,9 +106,10 @@ TEST(ParetoHtml, ThePointsHaveTheirScenes) {
     request.points = 4;
     const ParetoFront front = pareto_front(scene, request);
     const ParetoPicture picture{front, scene};
-    const json data = data_of(pareto_html(picture, {"front.toml", "", scene_text}));
+    const std::string html = document_html(pareto_document(picture, "front"), {"front.toml", "", scene_text});
+    const json data = motions_of(html);
     ASSERT_EQ(data.at("items").at("names").size(), front.points.size());
-    EXPECT_EQ(count_of(data.at("picture").get<std::string>(), "<svg"), 1);
+    EXPECT_EQ(count_of(data_of(html).at("pictures").at(0).get<std::string>(), "<svg"), 1);
     for (std::size_t i = 0; i < front.points.size(); ++i) {
         EXPECT_NEAR(column(data, "first")[i].get<double>(), front.points[i].value[0], 1e-6);
         const std::string text = scene_of(data, i);
@@ -120,13 +138,13 @@ TEST(SweepHtml, RowsContainSettingsAndEscapedText) {
     identity.scene_text = scene_text;
     identity.axes = {"--vary objective.velocity=0.25:1:4"};
     const Scene scene = small_scene();
-    const std::string html = sweep_html({table, scene}, identity);
-    const json data = data_of(html);
+    const json data =
+        motions_of(document_html(sweep_document({table, scene}, identity), {"front.toml", "", scene_text}));
     ASSERT_EQ(data.at("items").at("names").size(), 4U);
     EXPECT_EQ(column(data, "reason")[3], "signal 11 </script>");
     EXPECT_NE(scene_of(data, 1).find("0.5"), std::string::npos);
     EXPECT_EQ(data.at("items").at("tones")[3], "bad");
 }
 
-}  // namespace study_html_test
+}  // namespace motions_page_test
 }  // namespace camopt
