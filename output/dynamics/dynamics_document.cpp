@@ -234,8 +234,8 @@ Document dynamics_document(const TrainStudy& study) {
         section.sentences.insert(
             section.sentences.begin(),
             {Kind::headline, "residual",
-             fmt::format("{} at {}, the speed nearest to the scene's: residual vibration {}", title,
-                         rpm_shown.text(study.speeds[nearest_speed(study)]),
+             fmt::format("{} at {}, the speed nearest to the scene's: residual vibration {}",
+                         capitalised(title), rpm_shown.text(study.speeds[nearest_speed(study)]),
                          shown_units(study.scene).vibration.text(residual * study.scene.motion.lift, 4))});
         for (std::size_t stroke = 0; stroke < study.strokes.size(); ++stroke)
             section.tables.push_back(stroke_table(study, stroke));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/sweep/pareto_document.hpp"
 
+#include "core/text/list_text.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
@@ -153,7 +154,7 @@ Document pareto_document(const ParetoPicture& picture, const std::string& title)
     document.kind = "Front";
     Section& section = document.sections.emplace_back();
     section.sentences = {{Kind::headline, "goals",
-                          fmt::format("{} against {}", words_of(name_of(front.request.goals[0])),
+                          fmt::format("{} against {}", capitalised(words_of(name_of(front.request.goals[0]))),
                                       words_of(name_of(front.request.goals[1])))},
                          {Kind::verdict, "points", front_sentence(front) + "."},
                          {Kind::verdict, "ends", end_sentence(picture)}};
