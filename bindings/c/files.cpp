@@ -4,6 +4,8 @@
 #include "core/units.hpp"
 #include "output/exports/exports.hpp"
 
+#include <fmt/format.h>
+
 namespace camopt::c {
 namespace {
 
