@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/document/document_text.hpp"
 
+#include "core/text/printable.hpp"
 #include "core/version.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/csv_line.hpp"
@@ -62,8 +63,8 @@ Table table_of(const Curves& curves) {
 }  // namespace
 
 std::string console_text(const Document& document) {
-    std::string text = document.title + "\n";
-    for (const std::string& sentence : document.sentences(said_first)) text += sentence + "\n";
+    std::string text = printable(document.title) + "\n";
+    for (const std::string& sentence : document.sentences(said_first)) text += printable(sentence) + "\n";
     for (const Figure* figure : figures_of(document))
         if (!figure->field.title.empty()) text += "  " + figure_line(*figure) + "\n";
     for (const Table* table : document.shown_tables())

@@ -30,8 +30,8 @@ constexpr double rounded_multiplier = 1e-13;  // turned by less: rounding of 0
 constexpr double near_bound = 1e-6;           // relative: rows that may have a multiplier (certificate.hpp)
 // Parts of the largest multiplier and of the largest pivot: rows and directions with less are not held.
 constexpr double carrying = 1e-6, least_pivot = 1e-11;
-// Times the tolerance: what the objective of a moved motion may exceed the bound by.
-constexpr double moved_gap = 10.0;
+// Times the tolerance: a moved motion that violates a limit between its rows by less is corrected.
+constexpr double most_corrected = 10.0;
 
 bool is_weighed_peak(const Parameter& parameter) {
     const bool peak = parameter.kind == Parameter::Kind::peak || parameter.kind == Parameter::Kind::torque;
@@ -48,8 +48,8 @@ double weight_of(const Parameter& parameter, const ObjectiveSpec& objective) {
     return parameter.weight;
 }
 
-bool is_proved_for(const Scene& scene, const Certificate& certificate, double gap) {
-    return certificate.lower_bound && *certificate.gap <= gap &&
+bool is_proved_for(const Scene& scene, const Certificate& certificate) {
+    return certificate.lower_bound && *certificate.gap <= scene.solver.tolerance &&
            *certificate.gap <= scene.solver.wanted_gap() &&
            !bound_passes(certificate.objective, *certificate.lower_bound, scene.solver.tolerance);
 }
@@ -237,7 +237,7 @@ Certificate ProvedOptimum::certificate_for(const Scene& scene) {
 
 std::optional<Solution> ProvedOptimum::same_motion_for(const Scene& scene) {
     Certificate certificate = certificate_for(scene);
-    if (!is_proved_for(scene, certificate, scene.solver.tolerance)) return std::nullopt;
+    if (!is_proved_for(scene, certificate)) return std::nullopt;
     Solution solution = solution_;
     solution.scene.objective = scene.objective;
     solution.certificate = std::move(certificate);
@@ -298,14 +298,14 @@ std::optional<Solution> ProvedOptimum::moved_motion_for(const Scene& scene) {
         for (std::size_t k = 0; k < uppers.size(); ++k)
             x += (part * uppers[k] - own[k]) * moves_->col(static_cast<Index>(k));
         moved = judged(problem_, x);
-        if (moved.violation <= 0.0 || moved.violation > moved_gap * tolerance) break;
+        if (moved.violation <= 0.0 || moved.violation > most_corrected * tolerance) break;
         part = 1.0 - moved.violation;  // between its rows, whose maximum moves along
     }
     if (!(moved.violation <= tolerance)) return std::nullopt;
     Solution solution;
     solution.certificate = proved(moved.x, multipliers_);
     solution.certificate.worst_violation = moved.violation;
-    if (!is_proved_for(scene, solution.certificate, moved_gap * tolerance)) return std::nullopt;
+    if (!is_proved_for(scene, solution.certificate)) return std::nullopt;
     solution.scene = scene;
     solution.plan = solution_.plan;
     solution.reference_peaks = solution_.reference_peaks;

@@ -320,7 +320,7 @@ TEST_F(SweepCommand, RowKillingTwoWorkersFailsAlone) {
     EXPECT_EQ(table.rows[1].verdict, Verdict::failed);
     EXPECT_EQ(table.rows[1].reason, "worker died: signal 11");
     EXPECT_FALSE(table.rows[1].objective);
-    EXPECT_TRUE(says(output("log"), "failed, worker died: signal 11: 1 row"));
+    EXPECT_TRUE(says(output("log"), "Failed, worker died: signal 11: 1 row"));
 }
 
 TEST_F(SweepCommand, ProgramsShareNoFolder) {
