@@ -197,6 +197,8 @@ struct KeyRow {
     std::string_view instead_of = {};  ///< another key of the table that excludes it
     /// Only if cam.type is one of these; empty: for any type. Filled from the kinds of cams.
     std::vector<std::string_view> cam_types = {};
+    /// In a form, where the name does not say it: "choice among equal curves".
+    std::string_view label = {};
 
     [[nodiscard]] bool is_for(std::string_view type_of_cam) const {
         return cam_types.empty() || std::ranges::find(cam_types, type_of_cam) != cam_types.end();
@@ -212,6 +214,11 @@ struct KeyRow {
     /// The choices as a message lists them: "a", "b" or "c".
     [[nodiscard]] std::string choices_text() const;
 };
+
+[[nodiscard]] inline KeyRow called(std::string_view label, KeyRow row) {
+    row.label = label;
+    return row;
+}
 
 /// "a", "b" or "c", each in quotes.
 [[nodiscard]] std::string quoted_choices(const std::vector<std::string_view>& words);

@@ -166,7 +166,8 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .range = positive,
      .needs_dynamics = true,
      .meaning = "Cap on the amplitude of the output's free vibration after each rise and return, over "
-                "`dynamics.speed_range`."},
+                "`dynamics.speed_range`.",
+     .words = "largest residual vibration"},
     {.figure = Figure::dynamic_contact_force,
      .name = "dynamic_contact_force_min",
      .limit = &LimitSpec::dynamic_contact_force_min,

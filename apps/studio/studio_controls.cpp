@@ -157,7 +157,7 @@ ControlJson control_json(const SceneTable& table, const KeyRow& row, const Spell
     const ControlJson choices = choices_json(row);
     const std::string type = type_of(row, !choices.empty(), value);
     const bool slides = value != nullptr && (type == "number" || type == "integer");
-    const ControlWords words = control_words(table.written, row.table, row.name, spelling.unit);
+    const ControlWords words = control_words(table.written, row, spelling.unit);
     return {{"table", table.written},
             {"key", row.key(spelling)},
             {"item", row.name},

@@ -33,9 +33,8 @@ struct ControlWords {
     std::string label;  ///< "Segment 1: cam angle, deg", "Largest camshaft torque, N m"
 };
 
-/// table: as written, "motion.segments[0]"; path: in the key table; key without its unit: "angle".
-[[nodiscard]] ControlWords control_words(std::string_view table, std::string_view path, std::string_view key,
-                                         std::string_view unit);
+/// table: as written, "motion.segments[0]".
+[[nodiscard]] ControlWords control_words(std::string_view table, const KeyRow& row, std::string_view unit);
 
 // A unit that a number may be typed in: what the key is written in = number · factor.
 struct UnitChoice {

@@ -53,10 +53,8 @@ KeyRow type_row(KeyTable& table) {
     std::string spoken;
     for (const CamKind& kind : cam_kinds())
         append_item(spoken, kind.spoken.empty() ? kind.type : kind.spoken);
-    return {"cam",      "type",
-            text,       plain,
-            any,        cam_types(),
-            "required", table.texts.emplace_back(fmt::format("The kind of cam: {}.", spoken))};
+    return called("kind of cam", {"cam", "type", text, plain, any, cam_types(), "required",
+                                  table.texts.emplace_back(fmt::format("The kind of cam: {}.", spoken))});
 }
 
 /// What a key may say that chooses within a kind.

@@ -59,10 +59,10 @@ std::vector<KeyRow> remote_rows() {
         {"cam", "pressure_angle_at", text, plain, any, {"roller_center", "contact_point"}, "\"roller_center\"",
          "What the pressure angle is measured at: the roller's centre, as the roller turns freely, or the contact "
          "point, taken as fixed to the lever."},
-        {"linkage", "type", text, plain, any,
+        called("kind of linkage", {"linkage", "type", text, plain, any,
          {"lever", "lever_coupler_slider", "lever_coupler_lever", "lever_coupler_lever_coupler_slider"},
          "required", "What leads from the cam's lever to the output: the lever itself (lift is an angle), a slider, "
-         "a rocker (lift is an angle), or a rocker and a slider."},
+         "a rocker (lift is an angle), or a rocker and a slider."}),
         {"linkage", "lever_arm", number_or_range, length, positive, {}, "required with a coupler",
          "From the lever's pivot to its joint with the coupler."},
         {"linkage", "lever_angle", number_or_range, angle, any, {}, "0",

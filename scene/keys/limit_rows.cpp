@@ -163,12 +163,14 @@ Rows limits() {
                                    : row.needs_forces ? Availability::needs_forces
                                                       : Availability::needs_cam;
         const KeyType type = row.figure == LimitedFigure::motor_torque ? number_or_bounds : number;
-        rows.push_back({"limits", row.name, type, row.spellings, type == number ? range_in(row.range, row.spellings.front()) : any,
-                        {}, row.default_text, row.meaning, limit_place(row, row.name), needs});
+        const std::string_view label = row.words == nullptr ? "" : row.words;
+        rows.push_back(called(label, {"limits", row.name, type, row.spellings,
+                        type == number ? range_in(row.range, row.spellings.front()) : any,
+                        {}, row.default_text, row.meaning, limit_place(row, row.name), needs}));
         if (const LimitRow::Swinging& swinging = row.swinging; swinging.name != nullptr)
-            rows.push_back({"limits", swinging.name, number, swinging.spellings,
+            rows.push_back(called(label, {"limits", swinging.name, number, swinging.spellings,
                             range_in(row.range, swinging.spellings.front()), {}, row.default_text,
-                            swinging.meaning, limit_place(row, swinging.name), needs, row.name});
+                            swinging.meaning, limit_place(row, swinging.name), needs, row.name}));
     }
     rows.push_back({"limits", "motor_curve", points, plain, any, {}, "none",
                     "The torque-speed curve of the motor: pairs of a speed in rpm, from 0 on, and the largest "
@@ -183,25 +185,25 @@ Rows limits() {
 
 Rows solver() {
     return {
-        {"solver", "name", text, plain, any, {}, "\"auto\"",
-         "`\"auto\"` or a solver of `camopt list solvers`.", stored_in(&Scene::solver, &SolverSpec::name)},
+        called("solver", {"solver", "name", text, plain, any, {}, "\"auto\"",
+         "`\"auto\"` or a solver of `camopt list solvers`.", stored_in(&Scene::solver, &SolverSpec::name)}),
         {"solver", "tolerance", number, plain, Range::between(1e-12, 1e-2), {}, "1e-9",
          "Feasibility and optimality of the solve, relative.", stored_in(&Scene::solver, &SolverSpec::tolerance)},
-        {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7 where convex, 1e-4 otherwise",
-         "Proved relative gap below which the verdict is optimal.", stored_in(&Scene::solver, &SolverSpec::gap)},
-        {"solver", "max_seconds", number, plain, positive, {}, "60",
+        called("proved gap", {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7 where convex, 1e-4 otherwise",
+         "Proved relative gap below which the verdict is optimal.", stored_in(&Scene::solver, &SolverSpec::gap)}),
+        called("time limit, s", {"solver", "max_seconds", number, plain, positive, {}, "60",
          "Wall time of search, proof, tie-break and explanation together; then the best motion so far is returned.",
-         stored_in(&Scene::solver, &SolverSpec::max_seconds)},
-        {"solver", "explain_seconds", number, plain, not_negative, {}, "5",
+         stored_in(&Scene::solver, &SolverSpec::max_seconds)}),
+        called("time for suggested changes, s", {"solver", "explain_seconds", number, plain, not_negative, {}, "5",
          "Part of this time: for the search for changes that make an infeasible scene feasible.",
-         stored_in(&Scene::solver, &SolverSpec::explain_seconds)},
-        {"solver", "explain_changes", integer, plain, Range::between(1, 1000), {}, "3",
+         stored_in(&Scene::solver, &SolverSpec::explain_seconds)}),
+        called("suggested changes", {"solver", "explain_changes", integer, plain, Range::between(1, 1000), {}, "3",
          "That search ends as soon as it has found so many useful changes.",
-         stored_in(&Scene::solver, &SolverSpec::explain_changes)},
-        {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1 where convex, 8 otherwise",
-         "Starting points; a convex scene needs one.", stored_in(&Scene::solver, &SolverSpec::starts)},
-        {"solver", "seed", integer, plain, Range::between(0, 4294967295), {}, "0",
-         "Seed of the random starting points.", stored_in(&Scene::solver, &SolverSpec::seed)},
+         stored_in(&Scene::solver, &SolverSpec::explain_changes)}),
+        called("starting points", {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1 where convex, 8 otherwise",
+         "Starting points; a convex scene needs one.", stored_in(&Scene::solver, &SolverSpec::starts)}),
+        called("seed of the starting points", {"solver", "seed", integer, plain, Range::between(0, 4294967295), {}, "0",
+         "Seed of the random starting points.", stored_in(&Scene::solver, &SolverSpec::seed)}),
         {"solver", "options", options, plain, any, {}, "none",
          "The solver's own options: any names, values are text, numbers, true or false.",
          stored_in(&Scene::solver, &SolverSpec::options)},

@@ -77,14 +77,14 @@ Rows forces() {
          stored_in(&Scene::forces, &ForceSpec::speed_range)},
         {"forces", "contact_width", number, length, positive, {}, "none",
          "Width of the line of contact; the Hertz pressure needs it.", stored_in(&Scene::forces, &ForceSpec::contact_width)},
-        {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam.",
-         stored_in(&Scene::forces, &ForceSpec::cam_modulus)},
-        {"forces", "follower_modulus", number, modulus, positive, {}, "210 GPa",
-         "Young's modulus of the roller or the face.", stored_in(&Scene::forces, &ForceSpec::follower_modulus)},
-        {"forces", "cam_poisson", number, plain, poisson_ratio, {}, "0.3", "Poisson's ratio of the cam.",
-         stored_in(&Scene::forces, &ForceSpec::cam_poisson)},
-        {"forces", "follower_poisson", number, plain, poisson_ratio, {}, "0.3",
-         "Poisson's ratio of the roller or the face.", stored_in(&Scene::forces, &ForceSpec::follower_poisson)},
+        called("Young's modulus of the cam", {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam.",
+         stored_in(&Scene::forces, &ForceSpec::cam_modulus)}),
+        called("Young's modulus of the follower", {"forces", "follower_modulus", number, modulus, positive, {}, "210 GPa",
+         "Young's modulus of the roller or the face.", stored_in(&Scene::forces, &ForceSpec::follower_modulus)}),
+        called("Poisson's ratio of the cam", {"forces", "cam_poisson", number, plain, poisson_ratio, {}, "0.3", "Poisson's ratio of the cam.",
+         stored_in(&Scene::forces, &ForceSpec::cam_poisson)}),
+        called("Poisson's ratio of the follower", {"forces", "follower_poisson", number, plain, poisson_ratio, {}, "0.3",
+         "Poisson's ratio of the roller or the face.", stored_in(&Scene::forces, &ForceSpec::follower_poisson)}),
     };
 }
 

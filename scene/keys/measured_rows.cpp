@@ -36,11 +36,11 @@ KeyPlace zero_place() {
 // clang-format off
 Rows of_measured() {
     return {
-        {"measured", "table", text, plain, any, {}, "none",
+        called("table (CSV file)", {"measured", "table", text, plain, any, {}, "none",
          "A CSV file in the scene's folder (or a path from there), also one that camopt wrote. Its first line names "
          "the columns, in any order: `theta_deg`, `theta_rad` or `crank_deg`, the angle, and `s_mm`, `s_in`, `s_m`, "
          "`s_deg` or `s_rad`, or of points of a disk cam `x_mm` and `y_mm`, or `r_mm` (`_in`, `_m`) and the angle; "
-         "others are ignored.", in_rows(&MeasuredRows::table)},
+         "others are ignored.", in_rows(&MeasuredRows::table)}),
         {"measured", "columns", texts, plain, any, {}, "the file's first line",
          "Names of the columns, in the order of the file: of a file without such a line, or in place of it.",
          in_rows(&MeasuredRows::columns)},
@@ -87,9 +87,9 @@ Rows of_measured() {
         {"measured", "outliers", text, plain, any, {"keep", "exclude"}, "\"keep\"",
          "Rows far from their neighbours are named in reports. `\"exclude\"`: they are not used.",
          in_rows(&MeasuredRows::outliers)},
-        {"measured", "use", text, plain, any, {"compare", "start", "nearest"}, "\"compare\"",
+        called("used to", {"measured", "use", text, plain, any, {"compare", "start", "nearest"}, "\"compare\"",
          "`\"compare\"`: what the optimum gains over it. `\"start\"`: searches begin from it, too. `\"nearest\"`: the "
-         "optimum is the motion nearest to its rows (objective.deviation, or deviation_rms by `norm`).", in_rows(&MeasuredRows::use)},
+         "optimum is the motion nearest to its rows (objective.deviation, or deviation_rms by `norm`).", in_rows(&MeasuredRows::use)}),
         {"measured", "norm", text, plain, any, {"peak", "rms"}, "\"peak\"",
          "Of `\"nearest\"`: the largest deviation, or the root mean square of all.", in_rows(&MeasuredRows::norm)},
         {"measured", "name", text, plain, any, {}, "the file's", "Its name in reports.", in_rows(&MeasuredRows::name)},

@@ -172,38 +172,38 @@ Rows top_level() {
 
 Rows motion() {
     return {
-        {"motion", "type", text, plain, any, {"DRD", "RR", "program", "valve"}, "required",
+        called("kind of motion", {"motion", "type", text, plain, any, {"DRD", "RR", "program", "valve"}, "required",
          "`\"DRD\"`: rise between two dwells. `\"RR\"`: rise and return without a dwell at the top. "
          "`\"program\"`: the segments of one revolution, without `rise`, `return`, `symmetric` and `via` outside "
-         "them; each segment may have its own `via`. `\"valve\"`: a valve lobe.", type_place()},
+         "them; each segment may have its own `via`. `\"valve\"`: a valve lobe.", type_place()}),
         {"motion", "lift", number, lift, positive, {}, "1 mm",
          "Lift of the follower; an angle for a swinging or indexing output. Of type `\"valve\"` the lift of the valve "
          "at the nose, needed.", lift_place()},
-        {"motion", "rise", number, cam_angle, within_turn, {}, "180 deg", "Cam angle of the rise.",
-         stored_in(&Scene::motion, &MotionSpec::rise)},
-        {"motion", "return", number, cam_angle, within_turn, {}, "the rise",
+        called("rise, cam angle", {"motion", "rise", number, cam_angle, within_turn, {}, "180 deg", "Cam angle of the rise.",
+         stored_in(&Scene::motion, &MotionSpec::rise)}),
+        called("return, cam angle", {"motion", "return", number, cam_angle, within_turn, {}, "the rise",
          "Cam angle of the return, RR only; rise and return together at most 360 deg.",
-         stored_in(&Scene::motion, &MotionSpec::return_angle)},
-        {"motion", "speed", number, speed, positive, {}, "none",
-         "Speed of the cam; only limits and outputs in time need it.", speed_place()},
-        {"motion", "symmetric", boolean, plain, any, {}, "false",
+         stored_in(&Scene::motion, &MotionSpec::return_angle)}),
+        called("cam speed", {"motion", "speed", number, speed, positive, {}, "none",
+         "Speed of the cam; only limits and outputs in time need it.", speed_place()}),
+        called("symmetric motion", {"motion", "symmetric", boolean, plain, any, {}, "false",
          "Force y(x) + y(1 - x) = 1 (DRD) or y(x) = y(2 - x) (RR with equal angles).",
-         stored_in(&Scene::motion, &MotionSpec::symmetric)},
-        {"motion", "within_lift", boolean, plain, any, {}, "true",
+         stored_in(&Scene::motion, &MotionSpec::symmetric)}),
+        called("each stroke stays between its ends", {"motion", "within_lift", boolean, plain, any, {}, "true",
          "Each stroke stays between the displacements at its ends (set points outside widen the range); false: the "
-         "motion may leave it.", stored_in(&Scene::motion, &MotionSpec::within_lift)},
-        {"motion", "monotone", boolean, plain, any, {}, "false",
+         "motion may leave it.", stored_in(&Scene::motion, &MotionSpec::within_lift)}),
+        called("no reversal within a stroke", {"motion", "monotone", boolean, plain, any, {}, "false",
          "A rise only rises, a return only falls: the velocity never changes its sign within a stroke.",
-         stored_in(&Scene::motion, &MotionSpec::monotone)},
+         stored_in(&Scene::motion, &MotionSpec::monotone)}),
         {"motion", "via", tables, plain, any, {}, "none",
          "Points the curve meets exactly, and regions of constant velocity, one table each.",
          stored_in(&Scene::motion, &MotionSpec::via)},
         {"motion", "segments", tables, plain, any, {}, "none",
          "The segments of a program, one table each, from displacement 0 on.", segments_place()},
-        {"motion", "closed", boolean_or_text, plain, any, {"relative"}, "true",
+        called("closed after one revolution", {"motion", "closed", boolean_or_text, plain, any, {"relative"}, "true",
          "The program is one revolution: its angles add up to 360 deg and it ends at displacement 0. "
          "`\"relative\"`: one revolution that goes on in the next one from the displacement it has reached. "
-         "`false`: a part of a revolution.", closed_place()},
+         "`false`: a part of a revolution.", closed_place()}),
         {"motion", "repeat", integer, plain, Range::between(1, 1000), {}, "1",
          "Of a closed program: the segments fill so many equal parts of the revolution, each with the same motion.",
          stored_in(&Scene::motion, &MotionSpec::repeat)},
@@ -248,16 +248,16 @@ Rows motion() {
         {"motion.segments", "kind", text, plain, any, {"dwell", "law", "spline"}, "required",
          "`\"dwell\"` keeps the displacement, `\"law\"` is a classical law, `\"spline\"` is optimised.",
          stored_in(&Scene::motion, &MotionSpec::segments, each, &ProgramSegment::kind)},
-        {"motion.segments", "angle", number_or_range, cam_angle, within_turn, {}, "required",
+        called("cam angle", {"motion.segments", "angle", number_or_range, cam_angle, within_turn, {}, "required",
          "Cam angle of the segment; a range is searched, and the angles still add up to 360 deg (closed programs, "
-         "two ranges or more).", segment_angle_place()},
+         "two ranges or more).", segment_angle_place()}),
         {"motion.segments", "law", text, plain, any, {}, "none",
          "A law of the catalogue; kind `\"law\"` only, and needed there.",
          stored_in(&Scene::motion, &MotionSpec::segments, each, &ProgramSegment::law)},
-        {"motion.segments", "to", number, displacement, any, {}, "free",
+        called("displacement at its end", {"motion.segments", "to", number, displacement, any, {}, "free",
          "Displacement at its end, in lifts or in a unit of the lift; not for dwells. Free: the optimizer "
          "chooses it, and the peaks are measured by what it finds; but the last one of a closed program is 0.",
-         segment_to_place()},
+         segment_to_place()}),
         {"motion.segments", "end", table, plain, any, {}, "free",
          "State at the joint of two segments of kind `\"spline\"`: `{ velocity = 0 }` is a turning point without a "
          "dwell.", stored_in(&Scene::motion, &MotionSpec::segments, each, &ProgramSegment::end)},
@@ -293,8 +293,8 @@ Rows valve_ramp(const char* table) {
 // clang-format off
 Rows other_tables() {
     return {
-        {"cam", "rotation", text, plain, any, {"counterclockwise", "clockwise"}, "\"counterclockwise\"",
-         "The sense in which the cam turns.", stored_in(&Scene::cam, &CamSpec::rotation)},
+        called("sense of rotation", {"cam", "rotation", text, plain, any, {"counterclockwise", "clockwise"}, "\"counterclockwise\"",
+         "The sense in which the cam turns.", stored_in(&Scene::cam, &CamSpec::rotation)}),
         {"", "forces", table, plain, any, {}, "no forces",
          "What the follower carries; needs a speed.", stored_in(&Scene::forces), Availability::needs_cam},
         {"", "measured", table, plain, any, {}, "none",

@@ -54,19 +54,19 @@ Rows spline() {
         {"spline", "breakpoints", numbers, plain, not_negative, {}, "uniform",
          "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a "
          "program from 0 to 1, in units of each spline segment.", breakpoints_place(), Availability::now, "segments"},
-        {"spline", "knots", text, plain, any, {"fixed", "free"}, "\"fixed\"",
+        called("breakpoints", {"spline", "knots", text, plain, any, {"fixed", "free"}, "\"fixed\"",
          "`\"free\"` makes the interior breakpoints design variables: those of `segments` or `breakpoints` are "
          "where the search starts. DRD and RR, at most 256 segments.",
-         knots_place()},
-        {"spline", "continuity", integer, plain, Range::between(2, 4), {}, "degree - 1",
-         "Highest continuous derivative, from 2 to degree - 1.", stored_in(&Scene::spline, &SplineSpec::continuity)},
-        {"spline", "end_jerk", text, plain, any, {"free", "zero"}, "\"free\"",
+         knots_place()}),
+        called("continuous derivatives", {"spline", "continuity", integer, plain, Range::between(2, 4), {}, "degree - 1",
+         "Highest continuous derivative, from 2 to degree - 1.", stored_in(&Scene::spline, &SplineSpec::continuity)}),
+        called("jerk at the ends", {"spline", "end_jerk", text, plain, any, {"free", "zero"}, "\"free\"",
          "`\"zero\"`: y''' = 0 at both ends, so that the jerk does not jump at the dwells; degree 5 only.",
-         stored_in(&Scene::spline, &SplineSpec::end_jerk)},
-        {"spline", "design", text, plain, any, {"auto", "ordinates", "coefficients", "states"}, "\"auto\"",
+         stored_in(&Scene::spline, &SplineSpec::end_jerk)}),
+        called("variables of the search", {"spline", "design", text, plain, any, {"auto", "ordinates", "coefficients", "states"}, "\"auto\"",
          "The variables of the search: displacements at the breakpoints (full continuity only), B-spline "
          "coefficients, or displacement and derivatives at the breakpoints.",
-         stored_in(&Scene::spline, &SplineSpec::design)},
+         stored_in(&Scene::spline, &SplineSpec::design)}),
     };
 }
 
@@ -152,11 +152,11 @@ KeyPlace reference_number(std::optional<double> Reference::*number) {
 Rows reference() {
     static const std::string first_tie_break = fmt::format("\"{}\"", name_of(tie_breaks.front()));
     Rows rows = {
-        {"objective", "reference", text_or_table, plain, any, {}, "\"modified_sine\"",
-         "What every term is divided by: the peaks of a law of the catalogue, or a table of numbers.", reference_place()},
-        {"objective", "tie_break", text, plain, any, tie_break_words(), first_tie_break,
+        called("reference law", {"objective", "reference", text_or_table, plain, any, {}, "\"modified_sine\"",
+         "What every term is divided by: the peaks of a law of the catalogue, or a table of numbers.", reference_place()}),
+        called("choice among equal curves", {"objective", "tie_break", text, plain, any, tie_break_words(), first_tie_break,
          "Among curves equally good within the tolerance take the one of least ∫ y'''²; `\"none\"` keeps "
-         "the solver's point.", stored_in(&Scene::objective, &ObjectiveSpec::tie_break)},
+         "the solver's point.", stored_in(&Scene::objective, &ObjectiveSpec::tie_break)}),
     };
     for (const CostTerm* term : listed_terms())
         rows.push_back({"objective.reference", term->name(), number, plain, positive, {}, "none",

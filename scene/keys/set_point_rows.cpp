@@ -135,13 +135,13 @@ Rows set_points(const char* table, const char* unit, const Places& places) {
                                           "start.";
     const bool whole = std::string_view(unit) == "rise";
     return {
-        {table, "at", number, place, not_negative, {}, "needed by a point",
-         whole ? in_rise : in_segment, places.begin(false)},
-        {table, "from", number, place, not_negative, {}, "needed by a region",
+        called(whole ? "cam angle" : "cam angle from the segment's start", {table, "at", number, place, not_negative, {}, "needed by a point",
+         whole ? in_rise : in_segment, places.begin(false)}),
+        called("from cam angle", {table, "from", number, place, not_negative, {}, "needed by a region",
          "Where a region begins, in the units of `at`. Its `velocity` holds exactly from here to its end, and "
-         "both are breakpoints of the spline.", places.from(), Availability::now, "at"},
-        {table, "to", number, place, not_negative, {}, "needed by a region",
-         "Where the region ends.", places.until(), Availability::now, "at"},
+         "both are breakpoints of the spline.", places.from(), Availability::now, "at"}),
+        called("to cam angle", {table, "to", number, place, not_negative, {}, "needed by a region",
+         "Where the region ends.", places.until(), Availability::now, "at"}),
         {table, "displacement", number, spellings::displacement, any, {}, "free",
          "There; of a region where it begins. In lifts (s/lift) or in a unit of the lift.", places.displacement()},
         {table, "velocity", number, spellings::velocity, any, {}, "free",
@@ -173,10 +173,10 @@ Rows end_state(const char* table, const Places& places) {
 Rows corridor() {
     constexpr const char* table = "motion.corridor";
     return {
-        {table, "from", number, angle, not_negative, {}, "0 deg",
+        called("from cam angle", {table, "from", number, angle, not_negative, {}, "0 deg",
          "Where it begins, counted from the start of the motion; it holds there too.",
-         stored_in(&Scene::motion, &MotionSpec::corridors, each, &Corridor::from)},
-        {table, "to", number, angle, positive, {}, "the end", "Where it ends; it holds there too.", corridor_end()},
+         stored_in(&Scene::motion, &MotionSpec::corridors, each, &Corridor::from)}),
+        called("to cam angle", {table, "to", number, angle, positive, {}, "the end", "Where it ends; it holds there too.", corridor_end()}),
         {table, "displacement", bounds, spellings::displacement, any, {}, "none",
          "Bounds of the displacement, in lifts or in a unit of the lift.", corridor_bounds("displacement", 0)},
         {table, "velocity", bounds, spellings::velocity, any, {}, "none",

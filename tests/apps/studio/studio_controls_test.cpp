@@ -106,12 +106,16 @@ TEST(StudioControls, HaveLabelsWithoutKeys) {
     const Json angle = control_of(controls, "motion.segments[0]", "angle_deg");
     EXPECT_EQ(angle["label"], "Segment 1: cam angle, deg");
     EXPECT_EQ(angle["group"], "Segment 1");
-    EXPECT_EQ(control_words("limits", "limits", "torque_max", "N m").label, "Largest camshaft torque, N m");
-    EXPECT_EQ(control_words("limits", "limits", "acceleration", "mm/s^2").label,
+    const auto row = [](std::string_view table, std::string_view name) -> const KeyRow& {
+        return *input::find_row(table, name);
+    };
+    EXPECT_EQ(control_words("limits", row("limits", "torque_max"), "N m").label,
+              "Largest camshaft torque, N m");
+    EXPECT_EQ(control_words("limits", row("limits", "acceleration"), "mm/s^2").label,
               "Largest acceleration, mm/s²");
-    EXPECT_EQ(control_words("motion.segments[1].via[2]", "motion.segments.via", "velocity", "").label,
+    EXPECT_EQ(control_words("motion.segments[1].via[2]", row("motion.segments.via", "velocity"), "").label,
               "Set point 3 of segment 2: velocity");
-    EXPECT_EQ(control_words("drawing.keyway", "drawing.keyway", "width", "mm").group, "Keyway");
+    EXPECT_EQ(control_words("drawing.keyway", row("drawing.keyway", "width"), "mm").group, "Keyway");
     for (const char* name : {"cam_forces.toml", "barrel_paper_cup.toml", "inverse_feeder.toml",
                              "drd_via_points.toml", "dynamics_fast_slide.toml"})
         for (const Json& control : studio_controls(text_of(name)))
