@@ -225,17 +225,18 @@ class CamProblem final : public ContinuousProblem {
 // on the problem's own grid, which both refine. For a weight small enough the optimum is, among the optima of
 // the problem, the one of least ∫ y'''².
 
-/// e of design entries in the optimizer's units.
-[[nodiscard]] QuadraticForm jerk_energy(const CamModel& model);
-
 class TiedProblem final : public ContinuousProblem {
  public:
     /// The problem must outlive this one. weight > 0.
-    TiedProblem(CamProblem& problem, QuadraticForm energy, double weight);
+    TiedProblem(CamProblem& problem, double weight);
     ~TiedProblem() override;
 
     /// Changes the weight of the energy; > 0.
     void set_weight(double weight);
+    /// e of the motion of x.
+    [[nodiscard]] double energy(const Eigen::VectorXd& x) const {
+        return energy_.value(x.head(energy_.linear.size()));
+    }
 
     [[nodiscard]] const Nlp& grid() const override;
     [[nodiscard]] Eigen::VectorXd start() const override { return problem_.start(); }
@@ -262,7 +263,7 @@ class TiedProblem final : public ContinuousProblem {
     void follow(int added);
 
     CamProblem& problem_;
-    QuadraticForm energy_;
+    QuadraticForm energy_;  ///< of design entries in the optimizer's units
     double weight_;
     std::unique_ptr<Grid> grid_;
 };

@@ -3,11 +3,16 @@
 
 namespace camopt {
 
+namespace {
+
+/// Mean square jerk over its reference², in the optimizer's units.
 QuadraticForm jerk_energy(const CamModel& model) {
     QuadraticForm form = model.design.mean_square(3, model.mean_square_weights(3));
     form.scale(1.0 / (model.jerk_reference * model.jerk_reference), design_scales(model));
     return form;
 }
+
+}  // namespace
 
 /// The rows of another grid, with the energy added to its cost.
 class TiedProblem::Grid final : public Nlp {
@@ -64,9 +69,9 @@ class TiedProblem::Grid final : public Nlp {
     HessianSlots slots_;
 };
 
-TiedProblem::TiedProblem(CamProblem& problem, QuadraticForm energy, double weight)
+TiedProblem::TiedProblem(CamProblem& problem, double weight)
     : problem_(problem),
-      energy_(std::move(energy)),
+      energy_(jerk_energy(problem.model())),
       weight_(weight),
       grid_(std::make_unique<Grid>(problem.grid(), energy_, weight)) {}
 

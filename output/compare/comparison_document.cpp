@@ -387,7 +387,7 @@ ChartPanel bar_panel(const Comparison& comparison) {
 }
 
 /// Bars between the names and the other columns of the table; what is broken right of them.
-Chart bar_chart(const Comparison& comparison, const Table& laws, const std::vector<Sentence>& sentences) {
+Chart bar_chart(const Comparison& comparison, const Table& laws, const std::string& title) {
     std::array<ChartPanel, 2> tables;
     const auto cell = [&](std::size_t row, std::string words) {
         const Row& law = comparison.rows[row];
@@ -409,10 +409,10 @@ Chart bar_chart(const Comparison& comparison, const Table& laws, const std::vect
     tables[1].columns.push_back(std::move(remarks));
     tables[1].place = ChartPanel::Place::right;
     for (ChartPanel& table : tables) table.row_height = law_row_height;
-    return {
-        comparison.optimum.scene.title.empty() ? "Comparison of laws" : comparison.optimum.scene.title,
-        {sentences[1].text, sentences[0].text + ".", "Objective = " + objective_words(comparison.optimum)},
-        {std::move(tables[0]), bar_panel(comparison), std::move(tables[1])}};
+    return {title,
+            {verdict_sentence(comparison.optimum), best_sentence(comparison) + ".",
+             "Objective = " + objective_words(comparison.optimum)},
+            {std::move(tables[0]), bar_panel(comparison), std::move(tables[1])}};
 }
 
 }  // namespace
@@ -427,7 +427,7 @@ Document comparison_document(const Comparison& comparison, const RunOrigin& orig
     section.figures = figures_of(comparison, origin);
     section.tables = {law_table(comparison), csv_table(comparison)};
     section.pictures = {{"comparison", "Objective, peaks and violated limits of every law",
-                         bar_chart(comparison, section.tables.front(), section.sentences), false}};
+                         bar_chart(comparison, section.tables.front(), document.title), false}};
     return document;
 }
 

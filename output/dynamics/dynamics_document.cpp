@@ -228,14 +228,15 @@ Document dynamics_document(const TrainStudy& study) {
              rpm_shown.text(study.speeds.back()))}};
     if (!study.motions.empty()) {
         const auto& [key, title] = study.motions.front();
+        const std::size_t nearest = nearest_speed(study);
         double residual = 0.0;
         for (std::size_t stroke = 0; stroke < study.strokes.size(); ++stroke)
-            residual = std::max(residual, rows_of(study, stroke, 0)[nearest_speed(study)].residual);
+            residual = std::max(residual, rows_of(study, stroke, 0)[nearest].residual);
         section.sentences.insert(
             section.sentences.begin(),
             {Kind::headline, "residual",
              fmt::format("{} at {}, the speed nearest to the scene's: residual vibration {}",
-                         capitalised(title), rpm_shown.text(study.speeds[nearest_speed(study)]),
+                         capitalised(title), rpm_shown.text(study.speeds[nearest]),
                          shown_units(study.scene).vibration.text(residual * study.scene.motion.lift, 4))});
         for (std::size_t stroke = 0; stroke < study.strokes.size(); ++stroke)
             section.tables.push_back(stroke_table(study, stroke));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/parsing.hpp"
 #include "input/scene_reader.hpp"
 #include "output/page/page_parts.hpp"
 
@@ -11,14 +12,8 @@ namespace {
 constexpr int drawn_digits = 5;
 
 std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines(1);
-    for (const char c : text) {
-        if (c == '\n')
-            lines.emplace_back();
-        else
-            lines.back() += c;
-    }
-    return lines;
+    const std::vector<std::string_view> lines = split_text(text, '\n', "");
+    return {lines.begin(), lines.end()};
 }
 
 Json overlay_json(const Table& table) {

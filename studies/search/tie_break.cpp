@@ -65,17 +65,12 @@ bool break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& res
     const Allowance allowance{objective, scene.solver.tolerance * relative_to(objective),
                               std::max(scene.solver.tolerance, result.certificate.worst_violation),
                               result.inside};
-    const QuadraticForm energy = jerk_energy(problem.model());
-    const auto is_rougher = [&](const Eigen::VectorXd& x) {
-        const Eigen::Index size = energy.linear.size();
-        return energy.value(x.head(size)) > energy.value(result.x.head(size));
-    };
     ExchangeOptions options = exchange_options(scene);
     options.backend.native.clear();
     options.backend.tolerance = options.tolerance = tie_break_accuracy * scene.solver.tolerance;
     const Candidate start{result.x, objective, result.certificate.worst_violation};
     const std::vector<PathPoint>& path = result.exchange.last.path;
-    TiedProblem tied(problem, energy, tie_break_weights.front());
+    TiedProblem tied(problem, tie_break_weights.front());
     for (const double weight : tie_break_weights) {
         if (run.plan.look && weight > run.known.tie_break_weight.value_or(weight)) continue;
         tied.set_weight(weight);
@@ -88,7 +83,7 @@ bool break_tie(const PlannedRun& run, CamProblem& problem, ContinuousResult& res
         // What is proved of the motion before must be proved of this one too.
         if (relative_gap(delivered.objective, *result.certificate.lower_bound) > scene.solver.wanted_gap())
             continue;
-        if (is_rougher(delivered.x)) return true;
+        if (tied.energy(delivered.x) > tied.energy(result.x)) return true;
         result.x = delivered.x;
         Certificate& certificate = result.certificate;
         certificate.objective = delivered.objective;

@@ -24,11 +24,10 @@ CamProblem weighted_problem(double rms_jerk) {
 
 TEST(TiedProblem, CostsTheMeanSquareJerkMore) {
     CamProblem problem = weighted_problem(0.0);
-    const TiedProblem tied(problem, jerk_energy(problem.model()), weight);
+    const TiedProblem tied(problem, weight);
     const Eigen::VectorXd x = problem.start();
     const double jerk = peaks_of(problem.curve(x)).rms_jerk / problem.model().jerk_reference;
-    const QuadraticForm energy = jerk_energy(problem.model());
-    EXPECT_NEAR(energy.value(x.head(energy.linear.size())), jerk * jerk, 1e-12 * jerk * jerk);
+    EXPECT_NEAR(tied.energy(x), jerk * jerk, 1e-12 * jerk * jerk);
     EXPECT_NEAR(tied.objective(x), problem.objective(x) + weight * jerk * jerk, 1e-12);
     EXPECT_FALSE(tied.grid().shape().linear_cost);
     EXPECT_TRUE(tied.grid().shape().quadratic_cost);
@@ -37,7 +36,7 @@ TEST(TiedProblem, CostsTheMeanSquareJerkMore) {
 TEST(TiedProblem, ItsDerivativesAgreeWithDifferences) {
     for (const double rms_jerk : {0.0, 0.5}) {  // with the latter the base has a Hessian of its own
         CamProblem problem = weighted_problem(rms_jerk);
-        const TiedProblem tied(problem, jerk_energy(problem.model()), weight);
+        const TiedProblem tied(problem, weight);
         const Nlp& grid = tied.grid();
         const Eigen::VectorXd x = problem.start();
         const Eigen::VectorXd none = Eigen::VectorXd::Zero(grid.shape().constraints());
@@ -71,7 +70,7 @@ TEST(TiedProblem, ItsDerivativesAgreeWithDifferences) {
 
 TEST(TiedProblem, RefinesTheGridOfItsProblem) {
     CamProblem problem = weighted_problem(0.0);
-    TiedProblem tied(problem, jerk_energy(problem.model()), weight);
+    TiedProblem tied(problem, weight);
     const int before = tied.grid().shape().constraints();
     const std::vector<Violation> worst{{0, {0.1, 0.07, Side::right}, 0.1, false}};
     EXPECT_EQ(tied.refine(worst), 3);
