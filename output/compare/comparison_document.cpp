@@ -60,7 +60,7 @@ std::string best_sentence(const Comparison& comparison) {
     if (!best->loss_percent)
         return fmt::format("The best law that satisfies every limit: {}, objective {}", best->title,
                            short_text(best->objective));
-    const std::string sentence =
+    std::string sentence =
         fmt::format("The best law that satisfies every limit: {}, {} compared with the optimum", best->title,
                     loss_words(*best));
     if (*best->loss_percent >= 0.0) return sentence;

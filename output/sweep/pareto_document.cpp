@@ -51,8 +51,8 @@ Table point_table(const ParetoPicture& picture) {
     const auto add = [&](Field field, const auto& cell_of) {
         table.add_column(std::move(field), front.points, cell_of);
     };
-    const auto add_number = [&](Field field, const auto& value) {
-        add(std::move(field), [&](const FrontPoint& point) {
+    const auto add_number = [&](const Field& field, const auto& value) {
+        add(field, [&](const FrontPoint& point) {
             return point.is_feasible() ? Cell(value(point), value_digits) : Cell();
         });
     };
