@@ -2,8 +2,8 @@
 #include "apps/command_line.hpp"
 #include "apps/studio/studio_controls.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "output/plc/plc_format.hpp"
 #include "output/view/columns.hpp"
+#include "shop/plc/plc_format.hpp"
 
 namespace camopt::apps {
 

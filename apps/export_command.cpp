@@ -8,15 +8,16 @@
 #include "core/unit.hpp"
 #include "output/csv/lobe_csv.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/disk/disk_solid.hpp"
-#include "output/exports/exports.hpp"
-#include "output/plc/plc_export.hpp"
-#include "output/plc/table_check.hpp"
 #include "output/report/cam_files.hpp"
-#include "output/sheet/sheet_files.hpp"
-#include "output/spatial/cam_export.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "shop/disk/disk_solid.hpp"
+#include "shop/dxf/cam_dxf.hpp"
+#include "shop/exports/exports.hpp"
+#include "shop/plc/plc_export.hpp"
+#include "shop/plc/table_check.hpp"
+#include "shop/sheet/sheet_files.hpp"
+#include "shop/spatial/cam_export.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
@@ -176,15 +177,16 @@ void export_flanks(const ExportRequest& request, const Solution& solution, Folde
 
 bool is_wanted(const ExportRequest& request, CamView view) {
     if (view == CamView::table) return request.csv;
-    if (view == CamView::picture) return request.picture;
-    return view == CamView::drawing && request.dxf;
+    return view == CamView::picture && request.picture;
 }
 
 /// What every plane cam has.
 void export_plane(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
-    if (!request.csv && !request.dxf && !request.picture) return;
-    for (const CamFile& file : cam_files(solution, {.points = request.points, .drawing = request.dxf}))
-        if (is_wanted(request, file.view)) folder.write(file.name, file.text);
+    if (request.csv || request.picture)
+        for (const CamFile& file : cam_files(solution, {.points = request.points}))
+            if (is_wanted(request, file.view)) folder.write(file.name, file.text);
+    if (request.dxf)
+        for (const FolderFile& file : dxf_files(solution)) folder.write(file.name, file.text);
 }
 
 /// "302972 mm3", "18.4885 in3".
@@ -253,7 +255,7 @@ void export_motion(const ExportRequest& request, const Solution& solution, Folde
     }
     if (!request.plc.empty()) {
         const PlcExport exported = plc_export(solution, request.plc, {request.points});
-        for (const PlcFile& file : exported.files) folder.write(file.name, file.text);
+        for (const FolderFile& file : exported.files) folder.write(file.name, file.text);
         result.text += exported.text;
     }
 }

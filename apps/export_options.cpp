@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Options of camopt export, and those that several commands share.
 #include "apps/command_line.hpp"
-#include "output/plc/plc_format.hpp"
+#include "shop/plc/plc_format.hpp"
 
 #include <fmt/ranges.h>
 

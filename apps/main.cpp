@@ -4,11 +4,16 @@
 #include "apps/run_program.hpp"
 #include "output/page/result_page.hpp"
 #include "profiles/factory/cam_formulas.hpp"
+#include "shop/dxf/cam_dxf.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 const camopt::apps::ProgramParts& camopt::apps::program_parts() {
-    static const ProgramParts parts = {
-        {add_first_commands, add_more_commands}, cam_formulas, add_forward_check, result_extras, ""};
+    static const ProgramParts parts = {{add_first_commands, add_more_commands},
+                                       cam_formulas,
+                                       add_forward_check,
+                                       result_extras,
+                                       [](const View& view) { return dxf_files(view); },
+                                       ""};
     return parts;
 }
 

@@ -15,10 +15,10 @@
 #include "output/machine/machine_folder.hpp"
 #include "output/machine/machine_json.hpp"
 #include "output/page/result_page.hpp"
-#include "output/plc/plc_export.hpp"
 #include "output/report/result_folder_reader.hpp"
 #include "output/valves/valves_document.hpp"
 #include "output/words/solution_text.hpp"
+#include "shop/plc/plc_export.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>
@@ -177,7 +177,8 @@ ExitCode machine_command(const MachineRequest& request) {
     const MachineRun run = machine_run(request.scene, request.settings, request.command, solution);
     for (Solution& axis : solution.axes)
         if (!request.out.empty() && !InterruptWatch::interrupted()) add_forward_check(axis);
-    if (!request.out.empty()) write_machine_folder(request.out, run, solution, request.plc);
+    if (!request.out.empty())
+        write_machine_folder(request.out, run, solution, plc_files(solution.axes, request.plc));
     std::string text = request.json ? machine_json(solution, run.machine, run.axes)
                                     : console_text(machine_document(solution));
     if (!request.out.empty() && !request.json) text += "wrote " + request.out + "\n";

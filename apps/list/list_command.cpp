@@ -8,11 +8,11 @@
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/json/json_text.hpp"
-#include "output/nc/post_processor.hpp"
-#include "output/plc/plc_format.hpp"
 #include "output/view/columns.hpp"
 #include "output/view/number_text.hpp"
 #include "scene/machine_spec.hpp"
+#include "shop/nc/post_processor.hpp"
+#include "shop/plc/plc_format.hpp"
 #include "solvers/registry.hpp"
 
 #include <fmt/ranges.h>

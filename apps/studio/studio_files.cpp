@@ -2,13 +2,13 @@
 // The files of a scene that the studio's page may ask for: one row each.
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
-#include "output/exports/exports.hpp"
 #include "output/json/result_json.hpp"
-#include "output/plc/plc_format.hpp"
 #include "output/report/cam_files.hpp"
-#include "output/sheet/sheet_files.hpp"
-#include "output/surface/step/step_file.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "shop/exports/exports.hpp"
+#include "shop/plc/plc_format.hpp"
+#include "shop/sheet/sheet_files.hpp"
+#include "shop/step/step_file.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
@@ -75,8 +75,7 @@ std::vector<StudioFile> make_files() {
         {"motion", "Motion (CSV)", "motion.csv", "text/csv", FileNeed::motion, exported_text("motion.csv")},
         {"cam", "Cam (CSV)", "cam.csv", "text/csv", FileNeed::plane_cam,
          [](const Solution& solution, const RunOrigin&) { return cam_view(solution, CamView::table); }},
-        {"dxf", "Cam (DXF)", "cam.dxf", "image/vnd.dxf", FileNeed::plane_cam,
-         [](const Solution& solution, const RunOrigin&) { return cam_view(solution, CamView::drawing); }}};
+        {"dxf", "Cam (DXF)", "cam.dxf", "image/vnd.dxf", FileNeed::plane_cam, exported_text(drawn_profile)}};
     for (const std::size_t piece : {std::size_t{0}, std::size_t{1}}) add_piece(files, piece);
     files.push_back({"result", "Result (JSON)", "result.json", "application/json", FileNeed::nothing,
                      exported_text("result.json")});

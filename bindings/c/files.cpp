@@ -2,7 +2,7 @@
 #include "bindings/c/handles.hpp"
 #include "core/text/list_text.hpp"
 #include "core/units.hpp"
-#include "output/exports/exports.hpp"
+#include "shop/exports/exports.hpp"
 
 #include <fmt/format.h>
 

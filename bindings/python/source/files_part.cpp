@@ -2,7 +2,7 @@
 // The files of a solution in Python: drawings, solids, NC programs, electronic cams, reports.
 #include "bindings/python/source/parts.hpp"
 #include "core/text/list_text.hpp"
-#include "output/exports/exports.hpp"
+#include "shop/exports/exports.hpp"
 
 #include <fmt/format.h>
 

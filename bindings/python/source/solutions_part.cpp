@@ -124,7 +124,9 @@ std::vector<std::string> write(const SolvedScene& solved, const std::string& fol
                                std::optional<int> points, bool with_dxf) {
     std::vector<std::string> written;
     const View view(of(solved));
-    const WriteOptions options{points, with_dxf, result_extras(view, solved.origin)};
+    WriteOptions options{.points = points, .also = result_extras(view, solved.origin)};
+    if (with_dxf)
+        for (FolderFile& file : dxf_files(view)) options.also.push_back(std::move(file));
     for (const auto& path : write_result_folder(folder, view, solved.origin, options))
         written.push_back(path.string());
     return written;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Drawings, solids, programs, electronic cams and reports through the C face: the bytes of the C++ face.
 #include "core/text/text_file.hpp"
-#include "output/exports/exports.hpp"
-#include "output/surface/step/step_file.hpp"
+#include "shop/exports/exports.hpp"
+#include "shop/step/step_file.hpp"
 #include "tests/bindings/c/c_face.hpp"
 #include "tests/output/temporary_folder.hpp"
 
