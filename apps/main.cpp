@@ -2,9 +2,9 @@
 // The program with all of camopt.
 #include "apps/program_parts.hpp"
 #include "apps/run_program.hpp"
+#include "output/exports/workshop.hpp"
 #include "output/page/result_page.hpp"
 #include "profiles/factory/cam_formulas.hpp"
-#include "shop/dxf/cam_dxf.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 const camopt::apps::ProgramParts& camopt::apps::program_parts() {
@@ -12,7 +12,7 @@ const camopt::apps::ProgramParts& camopt::apps::program_parts() {
                                        cam_formulas,
                                        add_forward_check,
                                        result_extras,
-                                       [](const View& view) { return dxf_files(view); },
+                                       workshop() != nullptr ? workshop()->dxf_files : nullptr,
                                        ""};
     return parts;
 }

@@ -15,9 +15,16 @@ function(camopt_write_promised name comment)
     "// SPDX-License-Identifier: MIT\n${comment}\n#pragma once\n\n#include \"${includes}\"\n")
 endfunction()
 
+# Of a build without the shop what is left of it.
 macro(camopt_promise name comment)
-  camopt_write_promised(${name} "${comment}" ${ARGN})
-  list(APPEND camopt_promised camopt/${name}.hpp)
+  set(camopt_kept ${ARGN})
+  if(DEFINED CAMOPT_SHOP AND NOT CAMOPT_SHOP)
+    list(FILTER camopt_kept EXCLUDE REGEX "^shop/")
+  endif()
+  if(camopt_kept)
+    camopt_write_promised(${name} "${comment}" ${camopt_kept})
+    list(APPEND camopt_promised camopt/${name}.hpp)
+  endif()
 endmacro()
 
 camopt_promise(adjustments [[
@@ -86,9 +93,9 @@ exceptions.]]
 camopt_promise(exports [[
 The files of a solved scene by their names, in memory or in a folder: exported_file(solution, "cam.nc"),
 write_exports(folder, solution, names). NC programs with their check, STEP and STL, workshop drawings (PDF,
-SVG, DXF), electronic cams for controllers, reports. Options in m, rad, s; files in mm and degrees. Errors:
-InputError, UnavailableError for STEP or PDF in a build without the library.]]
-  shop/exports/exports.hpp)
+SVG, DXF), electronic cams for controllers, reports. Options by their key, {"cutter_mm", "12"}; files in mm
+and degrees. Errors: InputError, UnavailableError for STEP or PDF in a build without the library.]]
+  output/exports/exports.hpp)
 camopt_promise(extrema [[
 Exact extrema of piecewise polynomials and the peaks of a spline curve: every end of a segment from both
 sides, every stationary point inside. No sampling. No units.]]

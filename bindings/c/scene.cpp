@@ -4,12 +4,12 @@
 #include "input/loading/load_scene.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
+#include "output/exports/exports.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
-#include "shop/exports/exports.hpp"
 
 #include <cstdlib>
 #include <cstring>

@@ -123,6 +123,10 @@ std::vector<std::vector<NcStep>> steps_of(const Machine& machine, const NcJob& j
 
 }  // namespace
 
+const char* name_of(SpindleSense sense) {
+    return sense == SpindleSense::clockwise ? "clockwise" : "counterclockwise";
+}
+
 bool takes_arcs(const Machine& machine, const PostProcessor& post) {
     return machine.axes().size() == 3 && post_axis(post, machine.axes()[0]).letter == "X" &&
            post_axis(post, machine.axes()[1]).letter == "Y";

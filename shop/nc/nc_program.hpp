@@ -35,6 +35,7 @@ struct NcPass {
 
 /// Which way the spindle turns, seen from it down onto the work: M3, M4.
 enum class SpindleSense { clockwise, counterclockwise };
+[[nodiscard]] const char* name_of(SpindleSense sense);  ///< "clockwise"
 
 struct NcJob {
     std::string title, tool;           ///< of the program; what the cutter is, in words

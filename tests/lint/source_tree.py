@@ -54,9 +54,10 @@ MAY_INCLUDE["shop/toolpath"] = {"core", "output", "shop/nc"}
 MAY_INCLUDE["shop/disk"] = {"core", "scene", "profiles", "output", "output/surface", "shop/dxf", "shop/nc", "shop/sheet",
                              "shop/step"}
 MAY_INCLUDE["shop/spatial"] = {"core", "scene", "output", "output/spatial", "output/surface", "shop/nc", "shop/step"}
-# Every file of a solution by its name.
-MAY_INCLUDE["shop/exports"] = MAY_INCLUDE["output"] | {"output", "output/page", "output/spatial", "output/surface"} | {
-    module for module in MAY_INCLUDE if module.startswith("shop/")}
+MAY_INCLUDE["shop/exports"] = {"core", "scene", "input", "studies"} | {
+    module for module in MAY_INCLUDE if module.startswith(("output", "shop/"))} | {"output/exports"}
+# Every file of a solution by its name. Includes nothing of the shop, and links it where the build has it.
+MAY_INCLUDE["output/exports"] = MAY_INCLUDE["output"] | {"output", "output/page", "shop/exports"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "bindings", "examples", "notebooks_cpp", "tests")

@@ -12,6 +12,14 @@ constexpr double usual_allowance = 3e-4;  // m
 
 }  // namespace
 
+const char* name_of(MillingDirection direction) {
+    return direction == MillingDirection::climb ? "climb" : "conventional";
+}
+
+const char* name_of(CompensationWords words) {
+    return words == CompensationWords::none ? "none" : "control";
+}
+
 void MillingChoice::validate(double cutter_diameter) const {
     if (step_over && !(*step_over > 0.0 && *step_over <= cutter_diameter))
         throw InputError(

@@ -15,6 +15,9 @@ enum class MillingDirection { climb, conventional };
 /// none: the program is the path of the cutter's centre. control: it is the cam's contour, G41 or G42 with D.
 enum class CompensationWords { none, control };
 
+[[nodiscard]] const char* name_of(MillingDirection direction);  ///< "climb"
+[[nodiscard]] const char* name_of(CompensationWords words);      ///< "control"
+
 struct MillingChoice {
     /// m, > 0, no more than the cutter's diameter: between two roughing passes; none: half the diameter.
     std::optional<double> step_over = {};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Every file of a solution by its name: those that it has, what they hold, and refusals.
-#include "shop/exports/exports.hpp"
+#include "output/exports/exports.hpp"
 
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
-#include "core/units.hpp"
 #include "input/loading/load_scene.hpp"
+#include "shop/exports/workshop_options.hpp"
 #include "shop/plc/plc_export.hpp"
 #include "shop/sheet/sheet_files.hpp"
 #include "shop/step/step_file.hpp"
@@ -73,19 +73,50 @@ TEST(Exports, EveryNameGivesAFile) {
 
 TEST(Exports, OptionsReachTheFiles) {
     const Solution solution = disk();
-    ExportOptions options;
-    options.plate.thickness = 5.0 * units::millimetre;
-    options.nc.spindle_rpm = 4321.0;
-    options.nc.cutter_diameter = 6.0 * units::millimetre;
-    options.plc.points = 37;
+    const ExportOptions options{.settings = {{"thickness_mm", "5"},
+                                             {"spindle_rpm", "4321"},
+                                             {"cutter_in", "0.25"},
+                                             {"points", "37"}}};
     EXPECT_NE(exported_file(solution, "drawing.svg", options), exported_file(solution, "drawing.svg"));
     const std::string program = exported_file(solution, "cam.nc", options);
     EXPECT_TRUE(says(program, "4321"));
-    EXPECT_TRUE(says(program, "diameter 6 mm"));
+    EXPECT_TRUE(says(program, "diameter 6.35 mm"));
     EXPECT_NE(exported_file(solution, "codesys.st", options), exported_file(solution, "codesys.st"));
-    options.plc.points = 1;
-    EXPECT_TRUE(says(refusal([&] { (void)exported_file(solution, "codesys.st", options); }),
-                     "points: found 1; allowed: 2 to"));
+}
+
+TEST(Exports, WrongOptionsAreRefusedByTheirKey) {
+    const Solution solution = disk();
+    const auto refused = [&](std::vector<std::pair<std::string, std::string>> settings) {
+        return refusal([&] { (void)exported_file(solution, "codesys.st", {.settings = settings}); });
+    };
+    EXPECT_TRUE(says(refused({{"points", "1"}}), "points: found 1; allowed: an integer from 2 to 100000"));
+    EXPECT_TRUE(says(refused({{"cutter_mm", "-3"}}), "cutter_mm: found -3; allowed: a number > 0"));
+    EXPECT_TRUE(says(refused({{"direction", "down"}}), "direction: found \"down\"; allowed: \"climb\""));
+    EXPECT_TRUE(says(refused({{"cuter_mm", "3"}}), "cuter_mm: "));
+    EXPECT_TRUE(says(refused({{"cutter_mm", "3"}, {"cutter_in", "0.1"}}), "cutter_"));
+}
+
+/// Every row, in every unit: what is written is stored, in SI.
+TEST(Exports, EveryOptionIsStored) {
+    int read = 0;
+    for (const KeyRow& row : workshop_rows())
+        for (const Spelling& spelling : row.spellings) {
+            const bool is_text = row.type == KeyType::text, is_number = row.type == KeyType::number;
+            const std::string word = !row.choices.empty()           ? std::string(row.choices.back())
+                                     : is_text                      ? "some file.toml"
+                                     : row.type == KeyType::boolean ? "true"
+                                                                    : "7";
+            const std::pair<std::string, std::string> setting(row.key(spelling), word);
+            const WorkshopOptions options = workshop_options({&setting, 1});
+            const std::optional<KeyValue> value = row.place->value(options, {});
+            ASSERT_TRUE(value) << setting.first;
+            if (is_number)
+                EXPECT_DOUBLE_EQ(std::get<double>(*value), 7.0 * spelling.factor) << setting.first;
+            else if (is_text)
+                EXPECT_EQ(std::get<std::string>(*value), word) << setting.first;
+            ++read;
+        }
+    EXPECT_GT(read, 60);
 }
 
 TEST(Exports, UnknownNameIsRefusedWithChoices) {

@@ -2,7 +2,6 @@
 // camopt export: the cam of a scene, which is optimised, or of a result folder, which is used as it is:
 // points, surfaces, drawings, solids, a picture, the NC program with its check. Of its motion, with or
 // without a cam: a uniform table, electronic cams.
-#include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/unit.hpp"
@@ -13,7 +12,8 @@
 #include "profiles/kinds/cam_kinds.hpp"
 #include "shop/disk/disk_solid.hpp"
 #include "shop/dxf/cam_dxf.hpp"
-#include "shop/exports/exports.hpp"
+#include "apps/shop/shop_commands.hpp"
+#include "shop/exports/workshop_files.hpp"
 #include "shop/plc/plc_export.hpp"
 #include "shop/plc/table_check.hpp"
 #include "shop/sheet/sheet_files.hpp"
@@ -99,63 +99,23 @@ void write_program(const ExportedProgram& program, FolderUpdate& folder, Exporte
     folder.write(program.name + "_nc.svg", program.picture);
 }
 
-/// The same of all cams.
-void set_safety(const ExportRequest& request, MillingOptions& options) {
-    const auto metres = [](const std::optional<double>& mm) -> std::optional<double> {
-        if (!mm) return std::nullopt;
-        return *mm * units::millimetre;
-    };
-    options.blank = {metres(request.blank_diameter_mm), metres(request.blank_from_mm),
-                     metres(request.blank_to_mm), request.blank_allowance_mm * units::millimetre};
-    if (options.blank.radius) *options.blank.radius *= 0.5;
-    options.clearance = request.clearance_mm * units::millimetre;
-    options.safe_distance = request.safe_mm * units::millimetre;
-    options.gouge_tolerance = request.gouge_mm * units::millimetre;
-    MillingChoice& milling = options.milling;
-    milling.step_over = metres(request.rough_step_over_mm);
-    milling.step_down = metres(request.rough_step_down_mm);
-    milling.finish_allowance = metres(request.finish_allowance_mm);
-    milling.full_depth = request.full_depth;
-    if (!request.direction.empty())
-        milling.direction =
-            request.direction == "climb" ? MillingDirection::climb : MillingDirection::conventional;
-    milling.spindle =
-        request.spindle == "clockwise" ? SpindleSense::clockwise : SpindleSense::counterclockwise;
-    milling.tool_number = request.tool_number;
-    milling.compensation =
-        request.compensation == "control" ? CompensationWords::control : CompensationWords::none;
-    milling.compensation_register = request.compensation_register;
-    milling.lead_radius = metres(request.lead_mm);
-    milling.ramp_angle = request.ramp_deg * units::degree;
+/// Of the command line; throws for an option that is not valid: before the work.
+WorkshopOptions options_of(const ExportRequest& request) {
+    std::vector<std::pair<std::string, std::string>> given;
+    for (const auto& [key, value] : request.options)
+        if (!value.empty()) given.emplace_back(key, value);
+    try {
+        return workshop_options(given);
+    } catch (const InputError& error) {  // "cutter_mm: found …"
+        const std::string_view words = error.what();
+        const std::string_view key = words.substr(0, words.find(':'));
+        throw InputError(flag_of(std::string(key)) + std::string(words.substr(key.size())));
+    }
 }
 
-CamSheetOptions sheet_options(const ExportRequest& request) {
-    CamSheetOptions options;
-    if (request.bore_mm) options.bore = *request.bore_mm * units::millimetre;
-    if (request.thickness_mm) options.thickness = *request.thickness_mm * units::millimetre;
-    return options;
-}
-
-NcChoice nc_choice(const ExportRequest& request) {
-    NcChoice choice;
-    if (request.cutter_mm) choice.cutter_diameter = *request.cutter_mm * units::millimetre;
-    choice.stock = request.stock_mm * units::millimetre;
-    choice.z_offset = request.z_offset_mm * units::millimetre;
-    choice.feed = request.feed_mm_min * units::millimetre / units::minute;
-    choice.rotary_speed = request.rotary_deg_s * units::degree;
-    choice.spindle_rpm = request.spindle_rpm;
-    choice.chord_tolerance = request.chord_mm * units::millimetre;
-    choice.post = request.post;
-    set_safety(request, choice);
-    return choice;
-}
-
-void export_programs(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
-                     Exported& result) {
+void export_programs(const ExportRequest& request, const WorkshopOptions& options, const Solution& solution,
+                     FolderUpdate& folder, Exported& result) {
     if (!request.nc) return;
-    ExportOptions options;
-    options.plate = sheet_options(request);
-    options.nc = nc_choice(request);
     for (const ExportedProgram& program : nc_programs(solution, options))
         write_program(program, folder, result);
 }
@@ -181,12 +141,13 @@ bool is_wanted(const ExportRequest& request, CamView view) {
 }
 
 /// What every plane cam has.
-void export_plane(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
+void export_plane(const ExportRequest& request, const WorkshopOptions& options, const Solution& solution,
+                  FolderUpdate& folder) {
     if (request.csv || request.picture)
         for (const CamFile& file : cam_files(solution, {.points = request.points}))
             if (is_wanted(request, file.view)) folder.write(file.name, file.text);
     if (request.dxf)
-        for (const FolderFile& file : dxf_files(solution)) folder.write(file.name, file.text);
+        for (const FolderFile& file : dxf_files(solution, options.dxf_tolerance)) folder.write(file.name, file.text);
 }
 
 /// "302972 mm3", "18.4885 in3".
@@ -203,9 +164,10 @@ std::string mesh_text(const std::string& file, const DiskMesh& solid, LengthUnit
 }
 
 /// name: of its files.
-void export_piece(const ExportRequest& request, const Solution& solution, const ProfileShape& shape,
-                  const std::string& name, FolderUpdate& folder, Exported& result) {
-    const DrawingSpec drawing = drawing_of(solution, shape, sheet_options(request));
+void export_piece(const ExportRequest& request, const WorkshopOptions& options, const Solution& solution,
+                  const ProfileShape& shape, const std::string& name, FolderUpdate& folder,
+                  Exported& result) {
+    const DrawingSpec drawing = drawing_of(solution, shape, options.plate);
     const std::string title = export_title(solution) + piece_words(name == first_piece ? 0 : 1);
     if (request.stl) {
         DiskMeshOptions mesh;
@@ -223,15 +185,15 @@ void export_piece(const ExportRequest& request, const Solution& solution, const 
     }
 }
 
-void export_disk(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
-                 Exported& result) {
+void export_disk(const ExportRequest& request, const WorkshopOptions& options, const Solution& solution,
+                 FolderUpdate& folder, Exported& result) {
     const std::optional<ProfileShape> shape = delivered_shape(solution);
     if (!shape) return;
     const std::vector<ProfileShape> pieces = made_pieces(*shape);
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        export_piece(request, solution, pieces[i], i == 0 ? first_piece : "cam_second", folder, result);
+        export_piece(request, options, solution, pieces[i], i == 0 ? first_piece : "cam_second", folder, result);
     if (!request.sheet.empty())
-        for (const FolderFile& file : drawing_files(solution, request.sheet, sheet_options(request)))
+        for (const FolderFile& file : drawing_files(solution, request.sheet, options.plate))
             folder.write(file.name, file.text);
 }
 
@@ -267,6 +229,7 @@ std::vector<std::string> drawing_formats() {
 }
 
 ExitCode export_command(const ExportRequest& request) {
+    const WorkshopOptions options = options_of(request);
     prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written
     Solution solution = solved_or_read(request.scene, with_solver(request.settings, request.solver),
@@ -278,9 +241,9 @@ ExitCode export_command(const ExportRequest& request) {
     export_motion(request, solution, folder, exported);
     if (solution.cam) {
         if (has_flanks(solution)) export_flanks(request, solution, folder);
-        export_plane(request, solution, folder);
-        export_disk(request, solution, folder, exported);
-        export_programs(request, solution, folder, exported);
+        export_plane(request, options, solution, folder);
+        export_disk(request, options, solution, folder, exported);
+        export_programs(request, options, solution, folder, exported);
     }
     exported.written = folder.finish();
     show_in(solution.scene, request.units);  // the files are written: for the words alone

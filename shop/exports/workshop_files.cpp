@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "shop/exports/exports.hpp"
+#include "shop/exports/workshop_files.hpp"
 
 #include "core/errors.hpp"
 #include "core/platform/files.hpp"
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
-#include "output/chart/curve_chart.hpp"
-#include "output/csv/motion_csv.hpp"
-#include "output/json/certificate_json.hpp"
+#include "output/exports/workshop.hpp"
 #include "output/json/json_text.hpp"
-#include "output/page/result_page.hpp"
 #include "output/report/cam_files.hpp"
 #include "shop/disk/disk_export.hpp"
 #include "shop/disk/disk_solid.hpp"
@@ -20,7 +17,7 @@
 #include "shop/toolpath/tool_path_svg.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <system_error>
 
@@ -126,7 +123,7 @@ ExportedProgram program_of_flanks(const Solution& solution, const NcChoice& choi
 }
 
 ExportedProgram program_of_disk(const Solution& solution, const ProfileShape& shape, std::size_t piece,
-                                const ExportOptions& choices) {
+                                const WorkshopOptions& choices) {
     const DrawingSpec drawing = drawing_of(solution, shape, choices.plate);
     DiskNcOptions options;
     static_cast<MillingOptions&>(options) = static_cast<const MillingOptions&>(choices.nc);
@@ -145,84 +142,54 @@ std::string sheet_bytes(const Sheet& sheet, std::string_view format) {
     throw InputError(fmt::format(R"(drawing: found "{}"; allowed: "pdf", "svg" or "dxf")", format));
 }
 
-/// The files of a solution and how each is made. What several files share is made once.
-class Exports {
+/// The shop's files of a solution and how each is made. What several files share is made once.
+class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
  public:
-    Exports(const Solution& solution, const ExportOptions& options) : solution_(solution), options_(options) {
-        add_reports();
-        if (!solution.motion) return;
-        add_motion();
-        if (!solution.cam) return;
-        if (solution.cam->cam.formulas->is_plane_curve()) add_plane();
-        pieces_ = pieces_of(solution);
+    WorkshopFiles(const Solution& solution, const ExportOptions& options)
+        : solution_(solution), options_(workshop_options(options.settings)) {}
+
+    [[nodiscard]] std::vector<ExportFile> all() {
+        if (!solution_.motion) return {};
+        add_controllers();
+        if (!solution_.cam) return std::move(files_);
+        if (solution_.cam->cam.formulas->is_plane_curve()) add_plane();
+        pieces_ = pieces_of(solution_);
         for (std::size_t i = 0; i < pieces_.size(); ++i) add_piece(i);
-        if (has_flanks(solution)) add_flanks();
-    }
-
-    Exports(const Exports&) = delete;  // rows refer to it
-    Exports& operator=(const Exports&) = delete;
-    Exports(Exports&&) = delete;
-    Exports& operator=(Exports&&) = delete;
-    ~Exports() = default;
-
-    [[nodiscard]] std::vector<std::string> names() const {
-        std::vector<std::string> all;
-        for (const Row& row : rows_) all.push_back(row.name);
-        return all;
-    }
-
-    [[nodiscard]] std::string bytes(std::string_view name) const {
-        const auto row = std::ranges::find(rows_, name, &Row::name);
-        if (row == rows_.end())
-            throw InputError(fmt::format("file: found \"{}\"; allowed for this solution: {}", name,
-                                         fmt::join(names(), ", ")));
-        return row->make();
+        if (has_flanks(solution_)) add_flanks();
+        return std::move(files_);
     }
 
  private:
-    struct Row {
-        std::string name;
-        std::function<std::string()> make;
-    };
+    /// Keeps this alive as long as its files.
+    template <class Make>
+    void add(std::string name, Make make) {
+        files_.push_back({std::move(name), [self = shared_from_this(), make] { return make(*self); }});
+    }
+    using Self = const WorkshopFiles&;
 
-    void add(std::string name, std::function<std::string()> make) {
-        rows_.push_back({std::move(name), std::move(make)});
-    }
-    void add_reports() {
-        add("report.html", [this] { return report_html(solution_, options_.origin); });
-        add("report.md", [this] { return report_markdown(solution_, options_.origin); });
-        add("result.json", [this] { return result_json(solution_, options_.origin); });
-        add("certificate.json", [this] { return certificate_json(solution_.certificate); });
-    }
-    void add_motion() {
-        add("motion.csv", [this] { return motion_csv(solution_); });
-        add("motion.svg", [this] { return motion_svg(solution_); });
+    void add_controllers() {
         for (const PlcFormat& format : plc_formats())
             for (const std::string& name : {format.file, format.text_file, plc_check_name(format)})
-                if (!name.empty()) add(name, [this, &format, name] { return plc_bytes(format, name); });
+                if (!name.empty()) add(name, [&format, name](Self self) { return self.plc_bytes(format, name); });
     }
     void add_plane() {
         for (const char* const name : {drawn_profile, drawn_profile_check})
-            add(name, [this, name] {
-                return std::ranges::find(dxf_files(solution_), name, &FolderFile::name)->text;
-            });
-        for (const CamFile& file : cam_file_list(solution_))
-            add(file.name, [this, name = file.name] {
-                return std::ranges::find(cam_files(solution_), name, &CamFile::name)->text;
+            add(name, [name](Self self) {
+                return std::ranges::find(dxf_files(self.solution_, self.options_.dxf_tolerance), name, &FolderFile::name)->text;
             });
     }
     void add_piece(std::size_t piece) {
         for (const char* const format : {"pdf", "svg", "dxf"})
-            add(fmt::format("drawing{}.{}", piece_suffix(piece), format), [this, piece, format] {
-                return sheet_bytes(cam_sheets(solution_, options_.plate).at(piece), format);
+            add(fmt::format("drawing{}.{}", piece_suffix(piece), format), [piece, format](Self self) {
+                return sheet_bytes(cam_sheets(self.solution_, self.options_.plate).at(piece), format);
             });
-        const ProfileShape& shape = pieces_[piece];
         const std::string name = "cam" + piece_suffix(piece), title = piece_title(solution_, piece);
-        const auto drawing = [this, &shape] { return drawing_of(solution_, shape, options_.plate); };
-        add(name + ".step",
-            [&shape, drawing, title] { return solid_bytes(disk_plate(shape, drawing(), title)); });
-        add(name + ".stl",
-            [&shape, drawing, title] { return stl_bytes(disk_mesh(shape, drawing()).mesh, title); });
+        add(name + ".step", [piece, title](Self self) {
+            return solid_bytes(disk_plate(self.pieces_[piece], self.drawing(piece), title));
+        });
+        add(name + ".stl", [piece, title](Self self) {
+            return stl_bytes(disk_mesh(self.pieces_[piece], self.drawing(piece)).mesh, title);
+        });
         add_program(name, piece);
     }
     void add_flanks() {
@@ -231,19 +198,19 @@ class Exports {
             {"flanks.step", &CamExportOptions::step},
             {"groove.stl", &CamExportOptions::stl}};
         for (const auto& [name, kind] : kinds)
-            add(name, [this, name = name, kind = kind] { return flank_bytes(solution_, name, kind); });
+            add(name, [name = name, kind = kind](Self self) { return flank_bytes(self.solution_, name, kind); });
         add_program("cam", 0);
     }
     void add_program(const std::string& name, std::size_t piece) {
-        add(name + ".nc", [this, piece] { return sound_program(piece).program; });
-        add(name + ".check.json", [this, piece] { return sound_program(piece).claims; });
-        add(name + "_nc_check.txt", [this, piece] { return programs().at(piece).check; });
-        add(name + "_nc.svg", [this, piece] { return programs().at(piece).picture; });
+        add(name + ".nc", [piece](Self self) { return self.sound_program(piece).program; });
+        add(name + ".check.json", [piece](Self self) { return self.sound_program(piece).claims; });
+        add(name + "_nc_check.txt", [piece](Self self) { return self.programs().at(piece).check; });
+        add(name + "_nc.svg", [piece](Self self) { return self.programs().at(piece).picture; });
+    }
+    [[nodiscard]] DrawingSpec drawing(std::size_t piece) const {
+        return drawing_of(solution_, pieces_[piece], options_.plate);
     }
     [[nodiscard]] std::string plc_bytes(const PlcFormat& format, const std::string& name) const {
-        constexpr int most_points = 100'000;
-        if (const int points = options_.plc.points.value_or(2); points < 2 || points > most_points)
-            throw InputError(fmt::format("points: found {}; allowed: 2 to {}", points, most_points));
         const PlcExport exported = plc_export(solution_, {format.key}, options_.plc);
         return std::ranges::find(exported.files, name, &FolderFile::name)->text;
     }
@@ -260,11 +227,17 @@ class Exports {
     }
 
     const Solution& solution_;
-    const ExportOptions& options_;
+    WorkshopOptions options_;
     std::vector<ProfileShape> pieces_;
-    std::vector<Row> rows_;
+    std::vector<ExportFile> files_;
     mutable std::optional<std::vector<ExportedProgram>> programs_;
 };
+
+std::vector<Controller> controllers() {
+    std::vector<Controller> all;
+    for (const PlcFormat& format : plc_formats()) all.push_back({format.key, format.controller, format.file});
+    return all;
+}
 
 }  // namespace
 
@@ -276,7 +249,7 @@ std::string export_title(const Solution& solution) {
     return solution.scene.title.empty() ? "cam" : solution.scene.title;
 }
 
-std::vector<ExportedProgram> nc_programs(const Solution& solution, const ExportOptions& options) {
+std::vector<ExportedProgram> nc_programs(const Solution& solution, const WorkshopOptions& options) {
     if (solution.cam && has_flanks(solution)) return {program_of_flanks(solution, options.nc)};
     const std::vector<ProfileShape> pieces = pieces_of(solution);
     if (pieces.empty())
@@ -298,23 +271,19 @@ std::vector<FolderFile> drawing_files(const Solution& solution, std::string_view
     return files;
 }
 
-std::vector<std::string> export_names(const Solution& solution) {
-    return Exports(solution, {}).names();
-}
-
-std::string exported_file(const Solution& solution, std::string_view name, const ExportOptions& options) {
-    return Exports(solution, options).bytes(name);
-}
-
-std::vector<std::filesystem::path> write_exports(const std::filesystem::path& folder,
-                                                 const Solution& solution, std::span<const std::string> names,
-                                                 const ExportOptions& options) {
-    const Exports exports(solution, options);
-    std::vector<FolderFile> files;
-    for (const std::string& name : names) files.push_back({name, exports.bytes(name)});
-    FolderUpdate update(folder);
-    for (const FolderFile& file : files) update.write(file.name, file.text);
-    return update.finish();
+const Workshop* workshop() {
+    static const Workshop shop = {
+        [](const Solution& solution, const ExportOptions& options) {
+            return std::make_shared<WorkshopFiles>(solution, options)->all();
+        },
+        [] { return workshop_rows(); },
+        [](const View& view) { return dxf_files(view); },
+        controllers,
+        plc_files,
+        refuse_too_few_elements,
+        pdf_available,
+        step_available};
+    return &shop;
 }
 
 }  // namespace camopt
