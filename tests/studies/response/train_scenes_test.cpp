@@ -49,7 +49,7 @@ constexpr const char* two_masses =
 
 /// As a program makes it that fills the members by hand.
 TEST(TrainScenes, TrainWithoutFormulasIsRefused) {
-    Scene scene = slide(soft, "limits.residual_vibration_um = 1");
+    Scene scene = slide(soft, "limits.residual_um = 30");
     scene.dynamics->formulas = nullptr;
     EXPECT_TRUE(says(refusal([&] { (void)solve(scene); }), "a follower train without its formulas"));
 }
