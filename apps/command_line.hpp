@@ -117,7 +117,7 @@ CLI::Option* add_option(CLI::App& command, const char* name, Value& target, cons
 
 void add_scene(CLI::App& command, std::string& scene);
 void add_settings(CLI::App& command, std::vector<std::string>& settings);
-/// --plc.
+/// --plc; null in a build without controllers.
 CLI::Option* add_plc(CLI::App& command, std::vector<std::string>& formats);
 void add_units(CLI::App& command, std::string& units);
 /// How a command that solves may depart from the scene.
@@ -129,9 +129,6 @@ void add_solving(CLI::App& command, Request& request) {
 
 /// Fewer do not make a cam.
 inline constexpr int least_points = 16;
-
-/// The command export.
-CLI::App& add_export(CLI::App& program, ExportRequest& request);
 
 // What could stand where the cursor is: `camopt __complete WORD …`, which the completions of bash, zsh and
 // fish beside this file ask. The last word is the one being typed, empty where none is begun.

@@ -68,41 +68,6 @@ struct DynamicsRequest {
 };
 [[nodiscard]] ExitCode dynamics_command(const DynamicsRequest& request);
 
-struct ExportRequest {
-    std::string scene;                  ///< file, or a result folder: then nothing is solved
-    std::string out;                    ///< folder
-    std::string solver;                 ///< replaces solver.name; empty: the scene's
-    std::vector<std::string> settings;  ///< KEY=VALUE
-    std::vector<std::string> plc;       ///< keys of plc_formats(); empty: none
-    std::optional<double> step_deg;     ///< of table.csv, lobe.csv; none: by points, 1
-    std::string lobe;                   ///< "mm" or "in": lobe.csv of a valve lobe; empty: none
-    std::string columns;                ///< of table.csv, between commas; empty: the usual ones
-    std::optional<int> digits;          ///< of table.csv, lobe.csv; none: all
-    bool csv = false, stl = false, step = false, picture = false, dxf = false, nc = false;
-    std::string units;                            ///< as of solve
-    std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
-    int sections = 9;                             ///< of a flank along the roller
-    std::optional<int> points = {};               ///< over the turn
-    std::optional<double> thickness_mm, bore_mm;  ///< of plane cams, in place of the scene's [drawing]
-    std::string post;                             ///< file of the post-processor; empty: the generic one
-    std::optional<double> cutter_mm;              ///< none: the roller's diameter; plane cams: 16
-    double stock_mm = 0.0, z_offset_mm = 0.0, chord_mm = 1e-3, gouge_mm = 1e-2;
-    std::optional<double> blank_diameter_mm, blank_from_mm, blank_to_mm;  ///< none: from the cam
-    double blank_allowance_mm = 5.0, clearance_mm = 20.0, safe_mm = 2.0;
-    double feed_mm_min = 300.0, rotary_deg_s = 0.0, spindle_rpm = 0.0;
-    std::optional<double> rough_step_over_mm, rough_step_down_mm,
-        finish_allowance_mm;  ///< none: milling_choice.hpp
-    bool full_depth = false;  ///< no roughing
-    double ramp_deg = 3.0;
-    std::optional<double> lead_mm;  ///< none: the cutter's radius
-    std::string direction, spindle = "clockwise",
-                           compensation = "none";  ///< direction empty: climb where there is one
-    std::optional<int> tool_number, compensation_register;
-};
-[[nodiscard]] ExitCode export_command(const ExportRequest& request);
-/// Of a workshop drawing: "svg", "pdf", "dxf".
-[[nodiscard]] std::vector<std::string> drawing_formats();
-
 struct InspectRequest {
     std::string scene;                  ///< the nominal cam: file, or a result folder: then nothing is solved
     std::string table, out;             ///< file of the measured cam; folder, empty: nothing is written

@@ -2,8 +2,8 @@
 #include "apps/command_line.hpp"
 #include "apps/studio/studio_controls.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "output/plc/plc_format.hpp"
 #include "output/view/columns.hpp"
+#include "output/exports/workshop.hpp"
 
 namespace camopt::apps {
 
@@ -77,7 +77,7 @@ WordList value_words(const CLI::Option& option, std::string_view typed) {
     if (type.starts_with("WEIGHTS"))
         return {std::string_view("simplex:").starts_with(typed) ? "simplex:" : ":files"};
     if (option.check_lname("solver")) return solver_words();
-    if (option.check_lname("plc")) return plc_format_keys();
+    if (option.check_lname("plc")) return controller_keys();
     if (option.check_lname("columns")) return column_words(typed);
     return {};
 }

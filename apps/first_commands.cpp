@@ -13,7 +13,8 @@ CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
     CLI::App& command = *program.add_subcommand("solve", "Find the best motion of a scene, with its proof");
     add_scene(command, request.scene);
     CLI::Option* const out = add_option(command, "--out", request.out, "DIR", "Write the result folder here");
-    command.add_flag("--dxf", request.dxf, "Write the cam as profile.dxf too; with --out")->needs(out);
+    if (program_parts().dxf_files != nullptr)
+        command.add_flag("--dxf", request.dxf, "Write the cam as profile.dxf too; with --out")->needs(out);
     add_option(command, "--points", request.points, "N",
                "Points of profile.csv, evenly by cam angle; default: as many as keep the chords within 1 "
                "micrometre of the cam; with --out")

@@ -2,13 +2,18 @@
 // The program with all of camopt.
 #include "apps/program_parts.hpp"
 #include "apps/run_program.hpp"
+#include "output/exports/workshop.hpp"
 #include "output/page/result_page.hpp"
 #include "profiles/factory/cam_formulas.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 const camopt::apps::ProgramParts& camopt::apps::program_parts() {
-    static const ProgramParts parts = {
-        {add_first_commands, add_more_commands}, cam_formulas, add_forward_check, result_extras, ""};
+    static const ProgramParts parts = {{add_first_commands, add_more_commands},
+                                       cam_formulas,
+                                       add_forward_check,
+                                       result_extras,
+                                       workshop() != nullptr ? workshop()->dxf_files : nullptr,
+                                       ""};
     return parts;
 }
 

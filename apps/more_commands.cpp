@@ -2,10 +2,12 @@
 // The commands of the whole program beside the first ones, and what shells and the build ask of it.
 #include "apps/command_line.hpp"
 #include "apps/program_parts.hpp"
+#include "apps/shop/shop_commands.hpp"
 #include "apps/studio/studio_page.hpp"
 #include "apps/terminal.hpp"
 #include "core/platform/console.hpp"
 #include "core/text/text_file.hpp"
+#include "output/exports/workshop.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/ranges.h>
@@ -62,7 +64,7 @@ CLI::App& add_machine(CLI::App& program, MachineRequest& request) {
     add_option(command, "FILE", request.scene, "", "Machine file (TOML)");
     CLI::Option* const out = add_option(command, "--out", request.out, "DIR",
                                         "Write machine.json and a result folder for each axis here");
-    add_plc(command, request.plc)->needs(out);
+    if (CLI::Option* const plc = add_plc(command, request.plc)) plc->needs(out);
     add_option(command, "--speed-gap", request.speed_gap, "G",
                "Relative gap of the largest speed; default: 0.001")
         ->check(CLI::Range(1e-7, 0.5));
@@ -253,12 +255,25 @@ CLI::App& add_sweep_merge(CLI::App& sweep, SweepMergeRequest& request) {
 
 }  // namespace
 
+CLI::Option* add_plc(CLI::App& command, std::vector<std::string>& formats) {
+    const std::vector<std::string> keys = controller_keys();
+    if (keys.empty()) return nullptr;
+    return add_option(
+               command, "--plc", formats, "FORMAT",
+               fmt::format("Electronic cam for a controller, read back and judged, and plc.json: {}; several "
+                           "between commas",
+                           fmt::join(keys, ", ")))
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of(keys));
+}
+
 void add_more_commands(Commands& commands) {
     commands.add(add_studio, studio_command);
     commands.add(add_compare, compare_command);
     commands.add(add_dynamics, dynamics_command);
     commands.add(add_machine, machine_command);
-    commands.add(add_export, export_command);
+    add_shop_commands(commands);
     commands.add(add_inspect, inspect_command);
     commands.add(add_valves, valves_command);
     commands.add(add_report, report_command);
@@ -273,11 +288,6 @@ void add_more_commands(Commands& commands) {
         "jerk\n"
         "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
         "  camopt machine cartoner.toml --out machine   the largest speed of several axes, with its proof\n"
-        "  camopt export drum.toml --out cam --stl --nc    surfaces, solids and the checked NC program\n"
-        "  camopt export result --out cam --nc          the same from a result folder, without a solve\n"
-        "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform "
-        "table\n"
-        "  camopt export result --out cam --plc codesys,siemens  electronic cams with their stated loss\n"
         "  camopt inspect result measured.csv --tolerance-um 20    a measured cam against its nominal one\n"
         "  camopt studio scene.toml                     the scene in a browser, solved again for each "
         "slider\n"

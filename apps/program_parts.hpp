@@ -27,6 +27,8 @@ struct ProgramParts {
     void (*add_forward_check)(Solution& solution);
     /// What a result folder holds beside the files of every result.
     std::vector<FolderFile> (*result_extras)(const View& view, const RunOrigin& origin);
+    /// The cam of a folder for CAD: `camopt solve --dxf`; null: not in this program.
+    std::vector<FolderFile> (*dxf_files)(const View& view);
     /// "this program is a part of camopt, … builds all": where some commands are left out; empty: it has all.
     std::string_view left_out;
 };

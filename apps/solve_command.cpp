@@ -61,8 +61,10 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
     // Who pressed Ctrl-C waits for the files, not for a follower that runs over the finished cam.
     if (!InterruptWatch::interrupted()) program_parts().add_forward_check(solution);
     const View view(solution);
-    return write_result_folder(request.out, view, origin,
-                               {request.points, request.dxf, program_parts().result_extras(view, origin)});
+    WriteOptions options{.points = request.points, .also = program_parts().result_extras(view, origin)};
+    if (request.dxf)
+        for (FolderFile& file : program_parts().dxf_files(view)) options.also.push_back(std::move(file));
+    return write_result_folder(request.out, view, origin, options);
 }
 
 // camopt check: is the scene right, can its problem be built, are its derivatives right? No solve.

@@ -15,10 +15,10 @@
 #include "output/machine/machine_folder.hpp"
 #include "output/machine/machine_json.hpp"
 #include "output/page/result_page.hpp"
-#include "output/plc/plc_export.hpp"
 #include "output/report/result_folder_reader.hpp"
 #include "output/valves/valves_document.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/exports/workshop.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>
@@ -170,14 +170,16 @@ ExitCode valves_command(const ValvesRequest& request) {
 /// Several axes on one master, their largest speed or least objective, with its proof.
 ExitCode machine_command(const MachineRequest& request) {
     const MachineSpec machine = input::read_machine(request.scene, camopt::load_scene, request.settings);
-    for (const AxisSpec& axis : machine.axes) refuse_too_few_elements(axis.scene, request.plc);
+    for (const AxisSpec& axis : machine.axes)
+        if (workshop() != nullptr) workshop()->check_formats(axis.scene, request.plc);
     if (!request.out.empty()) prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written: Ctrl-C must not lose them
     MachineSolution solution = solve_with_progress(request, machine);
     const MachineRun run = machine_run(request.scene, request.settings, request.command, solution);
     for (Solution& axis : solution.axes)
         if (!request.out.empty() && !InterruptWatch::interrupted()) add_forward_check(axis);
-    if (!request.out.empty()) write_machine_folder(request.out, run, solution, request.plc);
+    if (!request.out.empty())
+        write_machine_folder(request.out, run, solution, controller_files(solution.axes, request.plc));
     std::string text = request.json ? machine_json(solution, run.machine, run.axes)
                                     : console_text(machine_document(solution));
     if (!request.out.empty() && !request.json) text += "wrote " + request.out + "\n";

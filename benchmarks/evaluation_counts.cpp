@@ -6,7 +6,6 @@
 // of a profile, or could not be solved at all.
 #include "benchmarks/parts/whole_output.hpp"
 #include "input/loading/load_scene.hpp"
-#include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
 #include "studies/search/planned_solve.hpp"
 
@@ -23,7 +22,7 @@ namespace {
 constexpr double most_seconds = 10.0;
 
 bool print_row(const std::filesystem::path& file) {
-    Scene scene = input::read_scene_file(file, known_names());
+    Scene scene = load_scene(file);
     scene.solver.max_seconds = std::min(scene.solver.max_seconds, most_seconds);
     const Solution solution = solve_without_explaining(scene, {});
     const EvaluationCounts& counts = solution.evaluations;

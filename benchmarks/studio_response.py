@@ -56,8 +56,9 @@ def measure(page, key, first, last, moving):
 
 
 def row_of(steps, moving):
-    curves = [step["curve"]["ms"] for step in steps]
-    figures = [statistics.median(curves), min(curves), max(curves), statistics.median(step["curve"]["solve"] for step in steps)]
+    drawn = [step.get("curve") or step["proof"] for step in steps]  # the proof draws the curve where it comes first
+    curves = [one["ms"] for one in drawn]
+    figures = [statistics.median(curves), min(curves), max(curves), statistics.median(one["solve"] for one in drawn)]
     proofs = [] if moving else [statistics.median(step["proof"][name] for step in steps) for name in ("ms", "solve")]
     return [f"{value:.1f}" for value in figures + proofs] + [""] * (2 if moving else 0)
 

@@ -62,6 +62,7 @@ inline constexpr Symbol symbols[] = {
     {"rev", units::turn, 1.0, angle},
     {"crank", 1.0, 2.0, {.crank = 1}},
     {"s", 1.0, 1.0, time},
+    {"min", units::minute, 1.0, time},
     {"rpm", units::revolution_per_minute, 1.0, frequency},
     {"Hz", units::turn, 1.0, frequency},
     {"kg", 1.0, 1.0, mass, UnitSystem::metric},
@@ -234,6 +235,9 @@ inline constexpr std::array degrees = {with_suffix(unit_named<"deg">, "")};
 inline constexpr auto lift = units_named<"mm", "in", "m", "deg", "rad">;
 inline constexpr auto speed = units_named<"rpm", "rad/s">;
 inline constexpr auto frequency = units_named<"Hz", "rad/s">;
+inline constexpr auto rotary_speed = units_named<"deg/s", "rad/s", "rpm">;
+/// Of a cutter.
+inline constexpr auto feed = units_named<"mm/min", "in/min", "m/min", "mm/s">;
 inline constexpr auto vibration = units_named<"um", "mm", "in", "deg", "rad">;
 inline constexpr auto travel_per_turn = units_named<"mm/rev", "in/rev", "m/rev", "deg/rev", "rad/rev">;
 

@@ -15,9 +15,16 @@ function(camopt_write_promised name comment)
     "// SPDX-License-Identifier: MIT\n${comment}\n#pragma once\n\n#include \"${includes}\"\n")
 endfunction()
 
+# Of a build without the shop what is left of it.
 macro(camopt_promise name comment)
-  camopt_write_promised(${name} "${comment}" ${ARGN})
-  list(APPEND camopt_promised camopt/${name}.hpp)
+  set(camopt_kept ${ARGN})
+  if(DEFINED CAMOPT_SHOP AND NOT CAMOPT_SHOP)
+    list(FILTER camopt_kept EXCLUDE REGEX "^shop/")
+  endif()
+  if(camopt_kept)
+    camopt_write_promised(${name} "${comment}" ${camopt_kept})
+    list(APPEND camopt_promised camopt/${name}.hpp)
+  endif()
 endmacro()
 
 camopt_promise(adjustments [[
@@ -75,7 +82,7 @@ m/rad. disk_cam(solution.cam->cam) is the one that was delivered.]]
 camopt_promise(drawings [[
 Cams as DXF text: arcs within a tolerance (m) of the exact curve; files in mm. Errors: InputError for a
 tolerance that is not positive and a cam that is not finite.]]
-  output/drawing/dxf/cam_dxf.hpp
+  shop/dxf/cam_dxf.hpp
   output/report/cam_files.hpp)
 camopt_promise(errors [[
 The exceptions camopt throws: InputError (something the caller gave is wrong; the message says what was
@@ -86,8 +93,8 @@ exceptions.]]
 camopt_promise(exports [[
 The files of a solved scene by their names, in memory or in a folder: exported_file(solution, "cam.nc"),
 write_exports(folder, solution, names). NC programs with their check, STEP and STL, workshop drawings (PDF,
-SVG, DXF), electronic cams for controllers, reports. Options in m, rad, s; files in mm and degrees. Errors:
-InputError, UnavailableError for STEP or PDF in a build without the library.]]
+SVG, DXF), electronic cams for controllers, reports. Options by their key, {"cutter_mm", "12"}; files in mm
+and degrees. Errors: InputError, UnavailableError for STEP or PDF in a build without the library.]]
   output/exports/exports.hpp)
 camopt_promise(extrema [[
 Exact extrema of piecewise polynomials and the peaks of a spline curve: every end of a segment from both
@@ -159,11 +166,11 @@ NC programs with their check: machines as pure kinematics, post-processors as da
 printed, read back, and run against points of the wanted surface. m, rad, s inside, the program's units in
 the text. A program whose check fails is to be kept from machines: look at CheckedProgram before writing
 one.]]
-  output/disk/disk_export.hpp
-  output/nc/checked_program.hpp
-  output/nc/machine.hpp
-  output/nc/post_processor.hpp
-  output/spatial/cam_export.hpp)
+  shop/disk/disk_export.hpp
+  shop/nc/checked_program.hpp
+  shop/nc/machine.hpp
+  shop/nc/post_processor.hpp
+  shop/spatial/cam_export.hpp)
 camopt_promise(nlp [[
 The optimization problem a backend sees:
 
@@ -271,9 +278,9 @@ out its clamped B-spline form. No units. Outside the breakpoints: InputError.]]
 camopt_promise(surfaces [[
 Flanks and solids of cams as STL and (where this build has Open CASCADE: step_available()) STEP. m
 inside, mm in files. Errors: UnavailableError for STEP in a build without it.]]
-  output/spatial/cam_export.hpp
+  shop/spatial/cam_export.hpp
   output/surface/triangle_mesh.hpp
-  output/surface/step/step_file.hpp)
+  shop/step/step_file.hpp)
 camopt_promise(sweep [[
 Many solves as one table: which keys of a scene vary (SweepAxis), the rows in an order of neighbours
 (SweepPlan), a chunk of rows solved in order (solve_chunk). Values of axes are in the unit of their key. A

@@ -11,4 +11,10 @@ namespace camopt::input {
 /// in part.
 void read_key_file(std::string_view toml, std::string_view name, KeyRows rows, const KeyOwner& owner);
 
+/// A key, "cutter_mm", and its value as `--set` takes it; texts need no quotes.
+using KeySetting = std::pair<std::string, std::string>;
+
+/// Such keys of the first table. Throws InputError "KEY: found …; allowed: …" for the first fault.
+void read_keys(std::span<const KeySetting> settings, KeyRows rows, const KeyOwner& owner);
+
 }  // namespace camopt::input

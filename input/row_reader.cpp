@@ -158,6 +158,20 @@ void read_key_file(std::string_view toml, std::string_view name, KeyRows rows, c
     read_rows(source, owner);
 }
 
+void read_keys(std::span<const KeySetting> settings, KeyRows rows, const KeyOwner& owner) {
+    SceneSource source{.name = {}, .root = {}, .rows = rows};
+    for (const auto& [key, value] : settings) {
+        const Place place{.setting = 1};  // messages begin with the key
+        const KeyMatch match = match_key("", key, rows);
+        const bool is_text = match.row != nullptr && match.row->type == KeyType::text;
+        Node node = is_text ? text_node(value) : parse_override_value(value, place);
+        node.place = place;
+        source.root.members.push_back({key, place, std::move(node)});
+    }
+    check_given_keys(source);
+    read_rows(source, owner);
+}
+
 void read_scaled_rows(const SceneSource& source, std::string_view table, const KeyOwner& owner,
                       const KeyVisit& check) {
     if (const Node* const node = source.table(table))

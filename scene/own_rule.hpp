@@ -38,10 +38,9 @@ template <class Function>
         const Number result = function(variable<4>(at[0], 0), variable<4>(at[1], 1), variable<4>(at[2], 2),
                                        variable<4>(at[3], 3));
         FormulaValue found;
-        found.value = result.value().value();
-        found.gradient = result.value().derivatives();
-        const Eigen::Matrix4d partials = second_partials<4>(result);
-        found.hessian = 0.5 * (partials + partials.transpose());
+        found.value = result.value;
+        found.gradient = result.gradient();
+        found.hessian = result.hessian();
         return found;
     };
 }

@@ -6,6 +6,7 @@
 #include "output/page/page_html.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_spec.hpp"
+#include "shop/dxf/cam_dxf.hpp"
 #include "studies/check/check_cam.hpp"
 
 #include <fmt/format.h>
@@ -36,6 +37,7 @@ const camopt::apps::ProgramParts& camopt::apps::program_parts() {
                                        formulas,
                                        check_forward,
                                        extras,
+                                       [](const View& view) { return dxf_files(view); },
                                        "this program is a part of camopt, `scripts/build release` builds all "
                                        "commands and kinds of cams"};
     return parts;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The keys of every kind of file as lists and the manual describe them.
+// What `camopt list` knows: topics, and the keys of every kind of file, which the manual describes too.
 #pragma once
 
+#include "output/json/json_text.hpp"
 #include "scene/key_row.hpp"
 
 namespace camopt::apps {
@@ -10,6 +11,12 @@ struct DescribedKeys {
     std::string_view name;     ///< "scene"
     std::string_view heading;  ///< "KEYS OF A SCENE"
     std::span<const KeyRow> rows;
+};
+
+struct ListTopic {
+    const char* name;  ///< "laws"
+    std::string (*text)();
+    Json (*json)();
 };
 
 /// Scenes first.

@@ -3,13 +3,12 @@
 // camopt knows.
 #include "apps/commands.hpp"
 #include "apps/list/described_keys.hpp"
+#include "apps/shop/shop_commands.hpp"
 #include "apps/terminal.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/json/json_text.hpp"
-#include "output/nc/post_processor.hpp"
-#include "output/plc/plc_format.hpp"
 #include "output/view/columns.hpp"
 #include "output/view/number_text.hpp"
 #include "scene/machine_spec.hpp"
@@ -106,14 +105,7 @@ Json keys_json() {
     return list;
 }
 
-// camopt list columns, camopt list controllers: what `export --csv` and `export --plc` know, from their
-// tables.
-
-std::vector<std::string> files_of(const PlcFormat& format) {
-    std::vector<std::string> files = {format.file};
-    if (!format.text_file.empty()) files.push_back(format.text_file);
-    return files;
-}
+// camopt list columns: what `export --csv` knows, from its table.
 
 std::string columns_text() {
     std::string text;
@@ -133,34 +125,6 @@ Json columns_json() {
                         {"meaning", column.meaning},
                         {"needs", needs.empty() ? Json(nullptr) : Json(needs)}});
     }
-    return list;
-}
-
-std::string controllers_text() {
-    std::string text;
-    for (const PlcFormat& format : plc_formats()) {
-        text += fmt::format("{:<10} {}\n{:<10}   {}: {}, {}\n", format.key, format.controller, "",
-                            fmt::join(files_of(format), ", "), format.rule, format.numbers);
-        if (format.limit)
-            text += fmt::format("{:<10}   {} holds {} {}\n", "", format.limit_words, *format.limit,
-                                format.element);
-    }
-    return text +
-           "For camopt export WHAT --out DIR --plc KEY,KEY,…; docs/plc.md says how each is imported.\n";
-}
-
-/// Each: key, files, controller, rule, numbers, degree, element, limit (null: none).
-Json controllers_json() {
-    Json list = Json::array();
-    for (const PlcFormat& format : plc_formats())
-        list.push_back({{"key", format.key},
-                        {"files", files_of(format)},
-                        {"controller", format.controller},
-                        {"rule", format.rule},
-                        {"numbers", format.numbers},
-                        {"degree", format.degree},
-                        {"element", format.element},
-                        {"limit", format.limit ? Json(*format.limit) : Json(nullptr)}});
     return list;
 }
 
@@ -293,23 +257,23 @@ Json solvers_json() {
     return list;
 }
 
-struct Topic {
-    const char* name;
-    std::string (*text)();
-    Json (*json)();
-};
-
-constexpr Topic topics[] = {
-    {"laws", laws_text, laws_json},          {"followers", followers_text, followers_json},
-    {"solvers", solvers_text, solvers_json}, {"keys", keys_text, keys_json},
-    {"columns", columns_text, columns_json}, {"controllers", controllers_text, controllers_json}};
+std::vector<ListTopic> topics() {
+    std::vector<ListTopic> all = {{"laws", laws_text, laws_json},
+                                  {"followers", followers_text, followers_json},
+                                  {"solvers", solvers_text, solvers_json},
+                                  {"keys", keys_text, keys_json},
+                                  {"columns", columns_text, columns_json}};
+    std::ranges::move(shop_topics(), std::back_inserter(all));
+    return all;
+}
 
 }  // namespace
 
 std::vector<DescribedKeys> described_keys() {
-    return {{"scene", "KEYS OF A SCENE", input::scene_keys()},
-            {"machine", "KEYS OF A MACHINE", machine_rows()},
-            {"post-processor", "KEYS OF A POST-PROCESSOR", post_rows()}};
+    std::vector<DescribedKeys> all = {{"scene", "KEYS OF A SCENE", input::scene_keys()},
+                                      {"machine", "KEYS OF A MACHINE", machine_rows()}};
+    std::ranges::move(shop_keys(), std::back_inserter(all));
+    return all;
 }
 
 std::string table_heading(const KeyRow& row) {
@@ -318,12 +282,12 @@ std::string table_heading(const KeyRow& row) {
 
 std::vector<std::string> list_topics() {
     std::vector<std::string> names;
-    for (const Topic& topic : topics) names.emplace_back(topic.name);
+    for (const ListTopic& topic : topics()) names.emplace_back(topic.name);
     return names;
 }
 
 ExitCode list_command(const ListRequest& request) {
-    for (const Topic& topic : topics)
+    for (const ListTopic& topic : topics())
         if (request.what == topic.name) print(request.json ? json_text(topic.json()) : topic.text());
     return success;
 }

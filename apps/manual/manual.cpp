@@ -76,7 +76,7 @@ std::vector<const CLI::App*> commands_in(const CLI::App& command) {
 }
 
 std::vector<const CLI::Option*> options_in(const CLI::App& command) {
-    return command.get_options([](const CLI::Option*) { return true; });
+    return command.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
 }
 
 std::string usage_of(const CLI::App& command, const std::string& name) {

@@ -2,12 +2,9 @@
 // The files of a scene that the studio's page may ask for: one row each.
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
-#include "output/exports/exports.hpp"
+#include "output/exports/workshop.hpp"
 #include "output/json/result_json.hpp"
-#include "output/plc/plc_format.hpp"
 #include "output/report/cam_files.hpp"
-#include "output/sheet/sheet_files.hpp"
-#include "output/surface/step/step_file.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
@@ -33,21 +30,15 @@ struct StudioFile {
 };
 
 /// As `camopt export` and `camopt solve --out` write it.
-std::string exported(const Solution& solution, const RunOrigin& origin, const std::string& name) {
-    ExportOptions options;
-    options.origin = origin;
-    return exported_file(solution, name, options);
-}
-
 FileText exported_text(const std::string& name) {
     return [name](const Solution& solution, const RunOrigin& origin) {
-        return exported(solution, origin, name);
+        return exported_file(solution, name, {.origin = origin});
     };
 }
 
 /// Drawing, solid and program of one disk.
 void add_piece(std::vector<StudioFile>& files, std::size_t piece) {
-    const std::string key = piece == 0 ? "" : "second_", end = piece_words(piece);
+    const std::string key = piece == 0 ? "" : "second_", end = piece == 0 ? "" : ", second disk";
     const std::string file = piece == 0 ? "" : "_second";
     const FileNeed drawn = piece == 0 ? FileNeed::disk : FileNeed::second_disk;
     const FileNeed made = piece == 0 ? FileNeed::milled : FileNeed::second_disk;
@@ -58,14 +49,15 @@ void add_piece(std::vector<StudioFile>& files, std::size_t piece) {
         files.push_back({key + "drawing_" + format, fmt::format("Workshop drawing ({}){}", upper, end), name,
                          type, drawn, exported_text(name)});
     };
-    if (pdf_available()) sheet("pdf", "application/pdf");
+    if (workshop()->has_pdf()) sheet("pdf", "application/pdf");
     sheet("svg", "image/svg+xml");
     sheet("dxf", "image/vnd.dxf");
     const std::string solid = fmt::format("cam{}.step", file), program = fmt::format("cam{}.nc", file);
-    if (step_available())
+    if (workshop()->has_step())
         files.push_back({key + "step", "Solid or flanks (STEP)" + end, solid, "model/step", made,
                          [solid](const Solution& solution, const RunOrigin& origin) {
-                             return exported(solution, origin, has_flanks(solution) ? "flanks.step" : solid);
+                             const std::string name = has_flanks(solution) ? "flanks.step" : solid;
+                             return exported_file(solution, name, {.origin = origin});
                          }});
     files.push_back({key + "nc", "NC program" + end, program, "text/plain", made, exported_text(program)});
 }
@@ -74,19 +66,22 @@ std::vector<StudioFile> make_files() {
     std::vector<StudioFile> files = {
         {"motion", "Motion (CSV)", "motion.csv", "text/csv", FileNeed::motion, exported_text("motion.csv")},
         {"cam", "Cam (CSV)", "cam.csv", "text/csv", FileNeed::plane_cam,
-         [](const Solution& solution, const RunOrigin&) { return cam_view(solution, CamView::table); }},
-        {"dxf", "Cam (DXF)", "cam.dxf", "image/vnd.dxf", FileNeed::plane_cam,
-         [](const Solution& solution, const RunOrigin&) { return cam_view(solution, CamView::drawing); }}};
-    for (const std::size_t piece : {std::size_t{0}, std::size_t{1}}) add_piece(files, piece);
+         [](const Solution& solution, const RunOrigin&) { return cam_view(solution, CamView::table); }}};
+    if (workshop() != nullptr) {
+        files.push_back({"dxf", "Cam (DXF)", "cam.dxf", "image/vnd.dxf", FileNeed::plane_cam,
+                         exported_text(drawn_profile)});
+        for (const std::size_t piece : {std::size_t{0}, std::size_t{1}}) add_piece(files, piece);
+    }
     files.push_back({"result", "Result (JSON)", "result.json", "application/json", FileNeed::nothing,
                      exported_text("result.json")});
     files.push_back({"certificate", "Certificate (JSON)", "certificate.json", "application/json",
                      FileNeed::nothing, exported_text("certificate.json")});
     files.push_back({"report", "Report (HTML)", "report.html", "text/html", FileNeed::nothing,
                      exported_text("report.html")});
-    for (const PlcFormat& format : plc_formats())
-        files.push_back({"plc_" + format.key, "Controller: " + format.controller, format.file, "text/plain",
-                         FileNeed::motion, exported_text(format.file)});
+    if (workshop() != nullptr)
+        for (const Controller& controller : workshop()->controllers())
+            files.push_back({"plc_" + controller.key, "Controller: " + controller.name, controller.file,
+                             "text/plain", FileNeed::motion, exported_text(controller.file)});
     return files;
 }
 

@@ -387,6 +387,9 @@ typedef struct camopt_file_options {
     double spindle_rpm;            ///< 0: the program has no word for it
     const char* post;              ///< file of a post-processor (docs/nc.md); NULL: the generic one
     size_t plc_points;             ///< of an electronic cam, evenly; 0: the joints of the motion
+    /// Further options and other units, "KEY=VALUE" one a line: those of `camopt export` with _ for -
+    /// ("direction=conventional\ncutter_in=0.5"; `camopt list keys`). NULL: none.
+    const char* settings;
 } camopt_file_options;
 
 /// The names of the files that the solution has, one a line, each with a line feed: report.html, codesys.st

@@ -1,31 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/c/handles.hpp"
 #include "core/text/list_text.hpp"
-#include "core/units.hpp"
 #include "output/exports/exports.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 
 namespace camopt::c {
 namespace {
 
-using units::millimetre;
-
-std::optional<double> length_of(double mm) {
-    if (mm == 0.0) return {};
-    return mm * millimetre;
+/// "KEY=VALUE", one a line.
+void add_settings(ExportOptions& options, std::string_view lines) {
+    for (const std::string_view line : split_text(lines, '\n', "")) {
+        if (line.empty()) continue;
+        const std::size_t sign = line.find('=');
+        if (sign == std::string_view::npos)
+            throw InputError(fmt::format("options.settings: found {}; allowed: KEY=VALUE", in_quotes(line)));
+        options.settings.emplace_back(line.substr(0, sign), line.substr(sign + 1));
+    }
 }
 
 ExportOptions options_of(const camopt_solution& solution, const camopt_file_options* given) {
     const camopt_file_options read = read_options(given, "options");
-    ExportOptions options;
-    options.origin = solution.origin;
-    options.plate = {length_of(read.bore_mm), length_of(read.thickness_mm)};
-    options.nc.cutter_diameter = length_of(read.cutter_mm);
-    if (read.feed_mm_min != 0.0) options.nc.feed = read.feed_mm_min * millimetre / units::minute;
-    options.nc.spindle_rpm = read.spindle_rpm;
-    if (read.post != nullptr) options.nc.post = read.post;
-    if (read.plc_points > 0) options.plc.points = static_cast<int>(read.plc_points);
+    ExportOptions options{.origin = solution.origin, .settings = {}};
+    const std::pair<const char*, double> numbers[] = {{"bore_mm", read.bore_mm},
+                                                      {"thickness_mm", read.thickness_mm},
+                                                      {"cutter_mm", read.cutter_mm},
+                                                      {"feed_mm_min", read.feed_mm_min},
+                                                      {"spindle_rpm", read.spindle_rpm}};
+    for (const auto& [key, number] : numbers)
+        if (number != 0.0) options.settings.emplace_back(key, round_trip_text(number));
+    if (read.plc_points > 0) options.settings.emplace_back("points", fmt::to_string(read.plc_points));
+    if (read.post != nullptr) options.settings.emplace_back("post", read.post);
+    if (read.settings != nullptr) add_settings(options, read.settings);
     return options;
 }
 

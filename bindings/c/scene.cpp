@@ -4,6 +4,7 @@
 #include "input/loading/load_scene.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
+#include "output/exports/exports.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/cam_files.hpp"
@@ -22,8 +23,12 @@ namespace {
                                            "; allowed: where the solution has a plane cam that was made");
 }
 
+bool has_plane_cam(const Solution& solution) {
+    return solution.cam && solution.cam->cam.formulas->is_plane_curve();
+}
+
 std::string cam_document(const Solution& solution, CamView view, const char* what) {
-    if (!solution.cam || !solution.cam->cam.formulas->is_plane_curve()) refuse_drawing(what);
+    if (!has_plane_cam(solution)) refuse_drawing(what);
     return cam_view(solution, view);
 }
 
@@ -47,7 +52,8 @@ std::string document_of(const camopt_solution& result, camopt_document document)
         case CAMOPT_PROFILE_CSV:
             return cam_document(solution, CamView::table, "CAMOPT_PROFILE_CSV");
         case CAMOPT_PROFILE_DXF:
-            return cam_document(solution, CamView::drawing, "CAMOPT_PROFILE_DXF");
+            if (!has_plane_cam(solution)) refuse_drawing("CAMOPT_PROFILE_DXF");
+            return exported_file(solution, drawn_profile);
         case CAMOPT_PROFILE_SVG:
             return cam_document(solution, CamView::picture, "CAMOPT_PROFILE_SVG");
     }

@@ -26,7 +26,7 @@ struct Asked {
 };
 
 std::vector<SlopePiece> slope_pieces_of(const Scene& scene, const Motion& motion) {
-    return scene.dynamics->formulas->pieces(motion);
+    return train_of(scene).pieces(motion);
 }
 
 double length_of(const MotionEvent& event) {
@@ -58,7 +58,7 @@ Extremum worst_of_event(const TrainAtSpeed& train, const EventPieces& pieces, Re
 std::vector<double> first_speeds(const Scene& scene, double length) {
     const auto [low, high] = response_speeds(scene);
     if (!(high > low)) return {low};
-    const double slowest = scene.dynamics->formulas->natural_frequencies().front();
+    const double slowest = train_of(scene).natural_frequencies().front();
     const double turns =
         slowest * scene.motion.unit_angle() * length / units::turn * (1.0 / low - 1.0 / high);
     const int count = static_cast<int>(std::clamp(std::ceil(speeds_a_turn * turns) + 3.0, 3.0, 33.0));
@@ -259,7 +259,7 @@ class ResponseRule final : public WholeMotionRule {
         const std::lock_guard lock(mutex_);
         if (rows_.empty())
             for (const MotionEvent& one : events_)
-                rows_.emplace_back(family, one, *scene_.dynamics->formulas);
+                rows_.emplace_back(family, one, train_of(scene_));
         return rows_[event];
     }
     /// f of the train → the rule: f / size − q, or f / level − 1, or (least + f) / size with f = −F.

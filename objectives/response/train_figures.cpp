@@ -135,13 +135,16 @@ Extremum EventResponse::largest_magnitude(const TrainAtSpeed::Reading& reading, 
     return above.value >= below.value ? above : below;
 }
 
-std::unique_ptr<const TrainAtSpeed> train_at(const Scene& scene, double speed) {
-    const DynamicsSpec& spec = scene.dynamics.value();
-    if (!spec.formulas)
+const TrainFormulas& train_of(const Scene& scene) {
+    if (!scene.dynamics.value().formulas)
         throw InputError(
             "dynamics: found a follower train without its formulas; allowed: a scene that complete_dynamics "
             "(dynamics/train_formulas.hpp) has completed");
-    return spec.formulas->at(speed, scene.motion.unit_angle(), scene.motion.lift);
+    return *scene.dynamics->formulas;
+}
+
+std::unique_ptr<const TrainAtSpeed> train_at(const Scene& scene, double speed) {
+    return train_of(scene).at(speed, scene.motion.unit_angle(), scene.motion.lift);
 }
 
 std::array<double, 2> response_speeds(const Scene& scene) {
@@ -155,7 +158,7 @@ std::vector<SpeedMaximum> maxima_over_speeds(const Scene& scene, double length,
     if (!(high > low)) return {{low, function(low)}};
     // Cycles of the slowest mode over the motion at either end of the range. Faster modes have more cycles
     // but smaller amplitudes; their samples follow from the same number.
-    const double first = scene.dynamics->formulas->natural_frequencies().front();
+    const double first = train_of(scene).natural_frequencies().front();
     const double turns = first * scene.motion.unit_angle() * length / units::turn * (1.0 / low - 1.0 / high);
     const int count = static_cast<int>(
         std::clamp(std::ceil(turns / turns_between_speeds) + 1.0, double{least_speeds}, double{most_speeds}));

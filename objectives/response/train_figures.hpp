@@ -64,7 +64,9 @@ class EventResponse {
     Eigen::VectorXd end_;                  ///< after the event, with y at rest
 };
 
-/// The scene's train at one speed.
+/// The scene's train. Throws InputError for one without its formulas.
+[[nodiscard]] const TrainFormulas& train_of(const Scene& scene);
+/// The same at one speed.
 [[nodiscard]] std::unique_ptr<const TrainAtSpeed> train_at(const Scene& scene, double speed);
 /// From the first to the last speed of the range, rad/s; twice the same where there is none.
 [[nodiscard]] std::array<double, 2> response_speeds(const Scene& scene);

@@ -7,7 +7,6 @@
 #include "output/machine/machine_document.hpp"
 #include "output/machine/machine_json.hpp"
 #include "output/page/result_page.hpp"
-#include "output/plc/plc_export.hpp"
 #include "scene/part_names.hpp"
 
 #include <fmt/format.h>
@@ -55,17 +54,12 @@ MachineRun machine_run(const std::string& file, std::span<const std::string> set
 }
 
 void write_machine_folder(const std::filesystem::path& out, const MachineRun& run,
-                          const MachineSolution& solution, const std::vector<std::string>& plc) {
-    std::vector<PlcExport> cams;  // first: a format that is refused leaves no part of the folder
-    for (const Solution& axis : solution.axes)
-        if (!plc.empty()) cams.push_back(plc_export(axis, plc, {}));
+                          const MachineSolution& solution, std::span<const std::vector<FolderFile>> also) {
     for (std::size_t b = 0; b < solution.axes.size(); ++b) {
         const View view(solution.axes[b]);
-        std::vector<FolderFile> also = result_extras(view, run.axes[b]);
-        if (!plc.empty())
-            for (const PlcFile& file : cams[b].files) also.push_back({file.name, file.text});
-        write_result_folder(out / solution.spec.axes[b].name, view, run.axes[b],
-                            {{}, false, std::move(also)});
+        std::vector<FolderFile> files = result_extras(view, run.axes[b]);
+        if (!also.empty()) files.insert(files.end(), also[b].begin(), also[b].end());
+        write_result_folder(out / solution.spec.axes[b].name, view, run.axes[b], {.also = std::move(files)});
     }
     FolderUpdate folder(out);
     for (const char* const name : {"impossible.json", "timing.svg", "timing.csv"})

@@ -21,8 +21,10 @@ struct MachineRun {
 [[nodiscard]] MachineRun machine_run(const std::string& file, std::span<const std::string> settings,
                                      const std::string& command, const MachineSolution& solution);
 
-/// `plc`: formats of electronic cams, for every axis. Throws InputError for a folder that cannot be written.
+/// `also`: further files of every axis, in the order of the machine; empty: none. Throws InputError for a
+/// folder that cannot be written.
 void write_machine_folder(const std::filesystem::path& out, const MachineRun& run,
-                          const MachineSolution& solution, const std::vector<std::string>& plc = {});
+                          const MachineSolution& solution,
+                          std::span<const std::vector<FolderFile>> also = {});
 
 }  // namespace camopt

@@ -2,7 +2,7 @@
 #include "output/page/result_page.hpp"
 
 #include "output/page/page_parts.hpp"
-#include "output/spatial/cam_export.hpp"
+#include "output/spatial/drum_svg.hpp"
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/view/cam_words.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"

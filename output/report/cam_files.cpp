@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "output/report/cam_files.hpp"
 
-#include "core/version.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/drawing/cam_svg.hpp"
-#include "output/drawing/dxf/cam_dxf.hpp"
-#include "output/json/json_text.hpp"
 #include "output/view/cam_words.hpp"
 
 namespace camopt {
 
 namespace {
 
-constexpr const char* drawing_name = "profile.dxf";
-constexpr const char* check_name = "profile.check.json";
 const CamFile force_file = {CamView::diagram, "forces.svg", "Force, torque and pressure", ""};
 
 /// The files of a kind and what makes them.
@@ -71,16 +66,6 @@ std::vector<DeliveredRow> counted_rows(const View& view, const CamFileOptions& o
     return profile_rows(view.solution, view.delivered, sampling, station);
 }
 
-/// Arcs within the tolerance and the printed digits, with a twentieth more as room for the proof.
-std::string drawing_claims(const Solution& solution, double tolerance, bool has_pitch) {
-    constexpr double room = 1.05, printed = 1e-8;  // m
-    const double most = millimetres_shown.of(room * tolerance + printed);
-    Json departure = {{"profile_mm", most}};
-    if (has_pitch) departure["pitch_mm"] = most;
-    return export_check_json(
-        solution, {{"camopt", version()}, {"kind", "dxf"}, {"file", drawing_name}, {"departure", departure}});
-}
-
 }  // namespace
 
 std::vector<CamFile> cam_file_list(const Solution& solution) {
@@ -98,18 +83,10 @@ std::vector<CamFile> cam_files(const View& view, const CamFileOptions& options) 
     std::vector<std::string> texts = kind_of(solution)->texts(view, options);
     if (is_loaded(solution.cam->summary)) texts.push_back(force_diagrams_svg(view));
     for (std::size_t i = 0; i < files.size(); ++i) files[i].text = std::move(texts[i]);
-    if (options.drawing) {
-        ProfileDxf drawn = cam_dxf(view, options.dxf_tolerance);
-        const bool has_pitch = drawn.pitch_arcs > 0;
-        files.push_back({CamView::drawing, drawing_name, "", std::move(drawn.text)});
-        files.push_back(
-            {CamView::drawing, check_name, "", drawing_claims(solution, options.dxf_tolerance, has_pitch)});
-    }
     return files;
 }
 
-std::string cam_view(const View& view, CamView shown, CamFileOptions options) {
-    options.drawing = shown == CamView::drawing;
+std::string cam_view(const View& view, CamView shown, const CamFileOptions& options) {
     const std::vector<CamFile> files = cam_files(view, options);
     const auto found = std::ranges::find(files, shown, &CamFile::view);
     if (found == files.end())
@@ -118,7 +95,7 @@ std::string cam_view(const View& view, CamView shown, CamFileOptions options) {
 }
 
 std::vector<std::string> cam_file_names() {
-    std::vector<std::string> names = {drawing_name, check_name, force_file.name};
+    std::vector<std::string> names = {drawn_profile, drawn_profile_check, force_file.name};
     for (const KindFiles& kind : kinds())
         for (const CamFile& file : kind.files) names.push_back(file.name);
     return names;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The files of a delivered plane cam, of any kind, as texts: its points, its pictures, its drawing. A
+// The files of a delivered plane cam, of any kind, as texts: its points and its pictures. A
 // new kind of plane cam is a row of cam_files.cpp.
 //
-//   disk     profile.csv, profile.svg, profile_diagrams.svg, profile.dxf; with forces forces.svg
-//   remote   profile.csv, mechanism.svg, pressure_angle.svg, curvature.svg, profile.dxf
-//   inverse  guide.csv, guide.svg, pressure_angle.svg, profile.dxf
-// The columns of profile.csv and guide.csv stand in csv/motion_csv.hpp, the layers of profile.dxf in
-// drawing/dxf/cam_dxf.hpp.
+//   disk     profile.csv, profile.svg, profile_diagrams.svg; with forces forces.svg
+//   remote   profile.csv, mechanism.svg, pressure_angle.svg, curvature.svg
+//   inverse  guide.csv, guide.svg, pressure_angle.svg
+// The columns of profile.csv and guide.csv stand in csv/motion_csv.hpp.
 #pragma once
 
 #include "output/view/view.hpp"
@@ -14,7 +13,7 @@
 namespace camopt {
 
 /// What a file shows.
-enum class CamView { table, picture, diagram, drawing };
+enum class CamView { table, picture, diagram };
 
 struct CamFile {
     CamView view = CamView::table;
@@ -28,8 +27,6 @@ struct CamFileOptions {
     /// degree.
     std::optional<int> points = {};
     double chord_tolerance = 1e-6;  ///< m: a polyline through the table's points stays this close to the cam
-    double dxf_tolerance = 1e-6;    ///< m: of the drawing's arcs
-    bool drawing = false;           ///< profile.dxf too
 };
 
 /// The whole cam: an RR motion is followed by its dwell, a DRD motion stays a sector. None of a cam that is
@@ -37,12 +34,16 @@ struct CamFileOptions {
 [[nodiscard]] std::vector<CamFile> cam_files(const View& view, const CamFileOptions& options = {});
 
 /// The text of the one that shows this. Throws InputError where the solution has no plane cam.
-[[nodiscard]] std::string cam_view(const View& view, CamView shown, CamFileOptions options = {});
+[[nodiscard]] std::string cam_view(const View& view, CamView shown, const CamFileOptions& options = {});
 
-/// The same without their texts, and without the drawing.
+/// The same without their texts.
 [[nodiscard]] std::vector<CamFile> cam_file_list(const Solution& solution);
 
-/// The names of all kinds.
+/// What a folder has of a cam that was drawn for CAD too (shop/dxf).
+inline constexpr const char* drawn_profile = "profile.dxf";
+inline constexpr const char* drawn_profile_check = "profile.check.json";
+
+/// The names of all kinds, those of the drawing with them.
 [[nodiscard]] std::vector<std::string> cam_file_names();
 
 // Private to output/report: the texts of a plane cam's files by kind, in the order of the rows of

@@ -31,7 +31,7 @@ void write_for_people(FolderUpdate& writer, const View& view, const RunOrigin& o
         if (view.solution.drive) writer.write("drive.svg", drive_svg(view));
         if (view.solution.surge) writer.write("surge.svg", surge_svg(view));
     }
-    for (const CamFile& file : cam_files(view, {.points = options.points, .drawing = options.dxf}))
+    for (const CamFile& file : cam_files(view, {.points = options.points}))
         writer.write(file.name, file.text);
     for (const FolderFile& file : options.also) writer.write(file.name, file.text);
     writer.write("report.md", report_markdown(view.solution, origin));

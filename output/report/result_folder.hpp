@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The result folder: result.json, certificate.json, report.md and, where the scene was a text, scene.toml;
 // with a motion motion.csv and motion.svg; with a cam profile.csv, profile.svg, profile_diagrams.svg and,
-// where asked for, profile.dxf. result_folder_reader.hpp reads it back.
+// where asked for, profile.dxf (shop/dxf/cam_dxf.hpp). result_folder_reader.hpp reads it back.
 #pragma once
 
 #include "output/json/result_json.hpp"
@@ -14,7 +14,6 @@ namespace camopt {
 
 struct WriteOptions {
     std::optional<int> points = {};     ///< of profile.csv, evenly by cam angle; none: by chord tolerance
-    bool dxf = false;                   ///< profile.dxf too
     std::vector<FolderFile> also = {};  ///< written with them: report.html (output/page/result_page.hpp)
     bool for_programs = false;          ///< result.json, certificate.json and scene.toml alone
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/spatial/flank_surfaces.hpp"
 
-#include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/view/shown_units.hpp"
 

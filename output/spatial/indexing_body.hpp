@@ -21,6 +21,10 @@
 
 namespace camopt {
 
+/// Over one turn the follower advances by one pitch: all rollers run through the cam one after the other.
+/// Flanks and groove are then those of a roller from where it comes in to where it leaves.
+[[nodiscard]] bool indexes(const CamFlanks& cam, const FollowerMotion& motion);
+
 /// Below the roller's far end, that it does not rub on the floor of its groove.
 inline constexpr double floor_clearance = 5e-4;  // m
 

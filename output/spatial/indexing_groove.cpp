@@ -23,6 +23,12 @@ constexpr int window_steps = 30, most_rounds = 12, sections = 20;
 
 }  // namespace
 
+bool indexes(const CamFlanks& cam, const FollowerMotion& motion) {
+    const bool turn = is_whole_turn(motion.end() - motion.begin());
+    const double advance = motion.state(motion.end()).s - motion.state(motion.begin()).s;
+    return turn && cam.swings && std::abs(advance) > same_end;
+}
+
 FollowerMotion rollers_as_one(const FollowerMotion& motion, double from, double to) {
     const double begin = motion.begin(), end = motion.end();
     const double pitch = motion.state(end).s - motion.state(begin).s;

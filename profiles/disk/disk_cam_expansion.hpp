@@ -26,9 +26,7 @@ struct Expansion {
     Eigen::Matrix<double, n, n> hessian;
 
     explicit Expansion(const SecondOrder<n>& result)
-        : value(result.value().value()),
-          gradient(result.value().derivatives()),
-          hessian(second_partials<n>(result)) {}
+        : value(result.value), gradient(result.gradient()), hessian(result.hessian()) {}
 
     /// In the global variables, as if all local ones were linear in them.
     [[nodiscard]] QuantityValue substituted(const Jacobian<n>& jacobian) const {

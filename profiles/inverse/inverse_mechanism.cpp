@@ -258,7 +258,7 @@ class InverseMechanism final : public CamMechanism {
             const auto place = static_cast<std::size_t>(i);
             const double value = state.dimensions[place];
             numbers[place] =
-                n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : SecondOrder<n>(FirstOrder<n>(value));
+                n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : constant<n>(value);
         }
         const inverse::Feeder<SecondOrder<n>> output{variable<n>(state.output.s, 0),
                                                      variable<n>(state.output.velocity, 1),
@@ -268,15 +268,15 @@ class InverseMechanism final : public CamMechanism {
             value_of<SecondOrder<n>>(which, numbers, output, variable<n>(state.theta, angle_column), wall);
         const auto size = static_cast<Eigen::Index>(3 + active.size());
         const auto from = [&](Eigen::Index k) {
-            return k < 3 ? k : 4 + static_cast<Eigen::Index>(active[static_cast<std::size_t>(k - 3)]);
+            return static_cast<std::size_t>(k < 3 ? k : 4 + active[static_cast<std::size_t>(k - 3)]);
         };
-        MechanismValue result{value.value().value(), Eigen::VectorXd(size), Eigen::MatrixXd(size, size)};
+        MechanismValue result{value.value, Eigen::VectorXd(size), Eigen::MatrixXd(size, size)};
         for (Eigen::Index a = 0; a < size; ++a) {
-            result.gradient(a) = value.value().derivatives()(from(a));
+            result.gradient(a) = value.first[from(a)];
             for (Eigen::Index b = 0; b < size; ++b)
-                result.hessian(a, b) = value.derivatives()(from(a)).derivatives()(from(b));
+                result.hessian(a, b) = value.second[value.pair(from(a), from(b))];
         }
-        result.by_angle = value.value().derivatives()(angle_column);
+        result.by_angle = value.first[angle_column];
         return result;
     }
 };

@@ -59,13 +59,12 @@ std::array<SecondOrder<n>, remote_dimension_count> dimensions_of(const Mechanism
 /// By (s, dimensions) -> by (s, s', s'', dimensions).
 template <int n>
 SecondOrder<n> widened(const SecondOrder<n - 2>& narrow) {
-    const auto place = [](int i) { return i == 0 ? 0 : i + 2; };
-    SecondOrder<n> wide = constant<n>(narrow.value().value());
-    for (int i = 0; i < n - 2; ++i) {
-        wide.value().derivatives()(place(i)) = narrow.value().derivatives()(i);
-        wide.derivatives()(place(i)).value() = narrow.derivatives()(i).value();
-        for (int j = 0; j < n - 2; ++j)
-            wide.derivatives()(place(i)).derivatives()(place(j)) = narrow.derivatives()(i).derivatives()(j);
+    const auto place = [](std::size_t i) { return i == 0 ? 0 : i + 2; };
+    SecondOrder<n> wide(narrow.value);
+    for (std::size_t i = 0; i < narrow.variables; ++i) {
+        wide.first[place(i)] = narrow.first[i];
+        for (std::size_t j = 0; j <= i; ++j)
+            wide.second[wide.pair(place(i), place(j))] = narrow.second[narrow.pair(i, j)];
     }
     return wide;
 }
@@ -89,11 +88,11 @@ SecondOrder<n> expanded(const RemoteCam& cam, const MechanismState& state, const
 /// Writes the partials of one pass into the rows and columns of its variables.
 template <int n>
 void put(const SecondOrder<n>& pass, const std::array<int, n>& columns, MechanismValue& result) {
-    result.value = pass.value().value();
-    for (int i = 0; i < n; ++i) {
-        result.gradient(columns[i]) = pass.value().derivatives()(i);
-        for (int j = 0; j < n; ++j)
-            result.hessian(columns[i], columns[j]) = pass.derivatives()(i).derivatives()(j);
+    result.value = pass.value;
+    for (std::size_t i = 0; i < pass.variables; ++i) {
+        result.gradient(columns[i]) = pass.first[i];
+        for (std::size_t j = 0; j < pass.variables; ++j)
+            result.hessian(columns[i], columns[j]) = pass.second[pass.pair(i, j)];
     }
 }
 

@@ -16,11 +16,9 @@ Value variable(double value, int column) {
 
 SpatialValue expanded(const Value& result) {
     SpatialValue value;
-    value.value = result.value().value();
-    value.gradient = result.value().derivatives();
-    value.hessian = second_partials<spatial_variables>(result);
-    // Mixed partials differ by rounding in the order they are taken.
-    value.hessian = (0.5 * (value.hessian + value.hessian.transpose())).eval();
+    value.value = result.value;
+    value.gradient = result.gradient();
+    value.hessian = result.hessian();
     return value;
 }
 

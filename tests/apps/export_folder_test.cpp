@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // camopt export of a result folder: the very cam that was delivered, without solving again.
 #include "core/text/text_file.hpp"
-#include "output/surface/step/step_file.hpp"
 #include "program.hpp"
+#include "shop/step/step_file.hpp"
 #include "tests/output/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

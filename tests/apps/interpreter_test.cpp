@@ -2,9 +2,9 @@
 // Exported programs as another control reads them: LinuxCNC's interpreter alone (rs274, Debian's
 // linuxcnc-uspace) prints the motions it would command; they are those that the verifier followed.
 #include "core/text/text_file.hpp"
-#include "output/nc/cutter_compensation.hpp"
-#include "output/nc/nc_reader.hpp"
 #include "program.hpp"
+#include "shop/nc/cutter_compensation.hpp"
+#include "shop/nc/nc_reader.hpp"
 #include "tests/output/temporary_folder.hpp"
 #include "tests/support/source_folder.hpp"
 

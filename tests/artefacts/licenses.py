@@ -25,8 +25,8 @@ PART_OF_PACKAGE = {
 }
 ON_DEBIAN = ("camopt", "camopt-parts", "camopt-step", "libcamopt-dev", "python3-camopt")  # which has the texts of common licences itself
 # Objects of the parts, which are in packages of their own.
-STEP = ("output/surface/step/CMakeFiles/camopt_part_",)
-PARTS = ("solvers/ipopt/CMakeFiles/camopt_part_", "output/sheet/pdf/CMakeFiles/camopt_part_", "apps/studio/CMakeFiles/camopt_part_")
+STEP = ("shop/step/CMakeFiles/camopt_part_",)
+PARTS = ("solvers/ipopt/CMakeFiles/camopt_part_", "shop/sheet/pdf/CMakeFiles/camopt_part_", "apps/studio/CMakeFiles/camopt_part_")
 # File of a release: its build folder below the clone, folders of it whose objects the file does not contain, and those whose objects
 # alone it contains (empty: all).
 BUILD = {

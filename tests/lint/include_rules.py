@@ -14,8 +14,7 @@ LINKED = re.compile(r"\bcamopt::([a-z_]+)\b")
 TARGETS = {module.replace("/", "_"): module for module in source_tree.MAY_INCLUDE}
 TARGETS |= {f"studies_{part}": "studies" for part in ("inverse", "restored", "solve", "spatial")}
 TARGETS |= {"input_known": "input/loading", "input_result": "input", "output_result": "output", "output_page_plane": "output/page"}
-TARGETS["output_step"] = "output/surface"
-TARGETS["output_pdf"] = "output"
+TARGETS["shop_pdf"] = "shop/sheet"
 
 
 def faults_of_code(root, path):

@@ -12,7 +12,7 @@ import source_tree
 FILE = re.compile(r'"([a-z_]+\.(?:csv|svg|json|html|md|dxf|pdf|step|stl|nc|obj|st|scl|txt|toml))"')
 # Where else a row is demanded: file, a pattern of what is said there, and what it is.
 WORDS = (
-    ("output/plc/plc_format.cpp", r"\b(\w+)_format\(\)", "controller"),
+    ("shop/plc/plc_format.cpp", r"\b(\w+)_format\(\)", "controller"),
     ("apps/first_commands.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
     ("apps/more_commands.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
     ("apps/export_options.cpp", r'program\.add_subcommand\(\s*"(\w+)"', "command"),
@@ -44,7 +44,7 @@ def main(root):
     if names is None:
         source_tree.report("pairs", [], 0)
     for path in source_tree.code(root):
-        if path.parts[0] in ("output", "apps"):
+        if path.parts[0] in ("output", "shop", "apps"):
             seen += 1
             code = re.sub(r"//[^\n]*", "", (pathlib.Path(root) / path).read_text(encoding="utf-8"))
             faults += [f"{path}: the file {name} has no row in tests/pairs/pairs.py" for name in sorted(set(FILE.findall(code)) - names)]

@@ -30,28 +30,34 @@ MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles", "profiles/kinds"
 # With the names of all laws and solvers, and formulas for every kind of cam: a scene one can solve.
 MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "dynamics", "solvers", "input",
                                 "profiles/factory"}
-# Geometry that goes out: programs and surfaces know no cam; what joins them with three-dimensional cams knows these
-# by their flanks (scene/cam_flanks.hpp).
+# Surfaces as meshes and pictures know no cam; what joins them with three-dimensional cams knows these by their flanks
+# (scene/cam_flanks.hpp).
 MAY_INCLUDE["output/surface"] = {"core"}
-MAY_INCLUDE["output/nc"] = {"core", "scene", "input"}  # the rows of a post-processor's file
-MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/nc", "output/surface"}
-MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
-# The way of a program's cutter as a picture: of any machine, no cam.
-MAY_INCLUDE["output/toolpath"] = {"core", "output", "output/nc"}
-# Electronic cams: the motion alone, no cam.
-MAY_INCLUDE["output/plc"] = {"core", "scene", "splines", "studies", "output"}
+MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/surface"}
 # Machines of several axes: what is about one axis does not know them.
 MAY_INCLUDE["objectives/machine"] = MAY_INCLUDE["objectives"] | {"objectives"}
 MAY_INCLUDE["studies/machine"] = MAY_INCLUDE["studies"] | {"studies", "objectives/machine"}
-MAY_INCLUDE["output/machine"] = MAY_INCLUDE["output"] | {"output", "output/page", "output/plc", "studies/machine"}
+MAY_INCLUDE["output/machine"] = MAY_INCLUDE["output"] | {"output", "output/page", "studies/machine"}
 # A measured cam: what solves a scene and writes its result does not know it.
 MAY_INCLUDE["studies/inspect"] = MAY_INCLUDE["studies"] | {"studies"}
 MAY_INCLUDE["output/inspect"] = MAY_INCLUDE["output"] | {"output", "output/page", "studies/inspect"}
 # A page shows cams of every kind: of plane ones what their leaf says, of spatial ones what is drawn of them.
 MAY_INCLUDE["output/page"] = MAY_INCLUDE["output"] | {"output", "output/spatial"}
-# Every file of a solution by its name.
-MAY_INCLUDE["output/exports"] = MAY_INCLUDE["output"] | {
-    "output", "output/nc", "output/surface", "output/spatial", "output/disk", "output/toolpath", "output/plc", "output/page"}
+# The shop: what a workshop or a controller takes. Nothing above it knows it. Programs and solids know no cam; an electronic cam
+# is the motion alone.
+MAY_INCLUDE["shop/nc"] = {"core", "scene", "input"}  # the rows of a post-processor's file
+MAY_INCLUDE["shop/step"] = {"core", "output/surface"}
+MAY_INCLUDE["shop/plc"] = {"core", "scene", "splines", "studies", "output"}
+MAY_INCLUDE["shop/dxf"] = {"core", "scene", "output"}
+MAY_INCLUDE["shop/sheet"] = {"core", "scene", "output", "shop/dxf"}
+MAY_INCLUDE["shop/toolpath"] = {"core", "output", "shop/nc"}
+MAY_INCLUDE["shop/disk"] = {"core", "scene", "profiles", "output", "output/surface", "shop/dxf", "shop/nc", "shop/sheet",
+                             "shop/step"}
+MAY_INCLUDE["shop/spatial"] = {"core", "scene", "output", "output/spatial", "output/surface", "shop/nc", "shop/step"}
+MAY_INCLUDE["shop/exports"] = {"core", "scene", "input", "studies"} | {
+    module for module in MAY_INCLUDE if module.startswith(("output", "shop/"))} | {"output/exports"}
+# Every file of a solution by its name. Includes nothing of the shop, and links it where the build has it.
+MAY_INCLUDE["output/exports"] = MAY_INCLUDE["output"] | {"output", "output/page", "shop/exports"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "bindings", "examples", "notebooks_cpp", "tests")

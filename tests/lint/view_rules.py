@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""view_rules.py ROOT: output/ shows what was sampled once, in units that were converted once. No file of it evaluates a
+"""view_rules.py ROOT: output/ and shop/ show what was sampled once, in units that were converted once. No file of it evaluates a
 cam (CamPoints of studies/delivered/driven_mechanism.hpp does, and remembers) or divides by a unit (output/view/shown_units.hpp
 does), but for WITHOUT_VIEW."""
 
@@ -10,7 +10,7 @@ import sys
 import source_tree
 
 # output/view converts. NC programs and surfaces know no scene: their formats demand mm and degrees; a page of PDF counts in points.
-WITHOUT_VIEW = ("output/view/", "output/nc/", "output/surface/", "output/sheet/pdf/")
+WITHOUT_VIEW = ("output/view/", "output/surface/", "shop/nc/", "shop/step/", "shop/sheet/pdf/")
 EVALUATION = re.compile(r"formulas(?:\(\))?(?:->|\.)point\(|\b(?:mechanism_point|mechanism_profile|sampled_profile)\(")
 CONVERSION = re.compile(r"/ (?:units::)?(?:degree|millimetre|inch|megapascal|revolution_per_minute)\b")
 
@@ -25,7 +25,7 @@ def faults_of(path, text):
 
 def main(root):
     paths = [path for path in source_tree.code(root)
-             if path.parts[0] == "output" and not path.as_posix().startswith(WITHOUT_VIEW)]
+             if path.parts[0] in ("output", "shop") and not path.as_posix().startswith(WITHOUT_VIEW)]
     faults = [fault for path in paths for fault in faults_of(path, (pathlib.Path(root) / path).read_text())]
     source_tree.report("view_rules", faults, len(paths))
 

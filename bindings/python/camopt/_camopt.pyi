@@ -315,15 +315,13 @@ class Solution:
         Raises InputError for another name, an NC program that its check refuses, a cam that is open or
         undercut; UnavailableError for STEP or PDF in a build without the library.
 
-        Options: bore_mm, thickness_mm of a disk cam, in place of the scene's [drawing]; cutter_mm (diameter; default: the
-        roller's, of a plane cam 16), feed_mm_min (300), spindle_rpm (no word), post (a file, docs/nc.md) of an NC
-        program; points (evenly over the revolution; default: the joints of the motion) of an electronic cam. Lengths in mm."""
+        Options are those of `camopt export` with _ for -: cutter_mm=12, direction="conventional", bore_mm, post (a
+        file), points, … (`camopt list keys` lists them all). None is the default; lengths end in _mm, _in or _m."""
     def export(self, folder: str | os.PathLike[str], names: Sequence_[str], **options: _Option) -> list[str]:
         """Writes some of files() into a folder, all or none; returns the paths. Raises as file().
 
-        Options: bore_mm, thickness_mm of a disk cam, in place of the scene's [drawing]; cutter_mm (diameter; default: the
-        roller's, of a plane cam 16), feed_mm_min (300), spindle_rpm (no word), post (a file, docs/nc.md) of an NC
-        program; points (evenly over the revolution; default: the joints of the motion) of an electronic cam. Lengths in mm."""
+        Options are those of `camopt export` with _ for -: cutter_mm=12, direction="conventional", bore_mm, post (a
+        file), points, … (`camopt list keys` lists them all). None is the default; lengths end in _mm, _in or _m."""
     def drawing(self, format: str = "pdf", **options: _Option) -> bytes:
         """The workshop drawing of a disk cam as bytes: "pdf", "svg" or "dxf", to scale, mm. Options bore_mm, thickness_mm.
 
@@ -332,9 +330,8 @@ class Solution:
         """The NC program of the cam as text (G-code), after its check. Raises InputError where the check finds a fault;
         file("cam_nc_check.txt") says what it found.
 
-        Options: bore_mm, thickness_mm of a disk cam, in place of the scene's [drawing]; cutter_mm (diameter; default: the
-        roller's, of a plane cam 16), feed_mm_min (300), spindle_rpm (no word), post (a file, docs/nc.md) of an NC
-        program; points (evenly over the revolution; default: the joints of the motion) of an electronic cam. Lengths in mm."""
+        Options are those of `camopt export` with _ for -: cutter_mm=12, direction="conventional", bore_mm, post (a
+        file), points, … (`camopt list keys` lists them all). None is the default; lengths end in _mm, _in or _m."""
     def step(self, **options: _Option) -> str:
         """STEP, as text, mm: a disk cam as a solid, the flanks of a three-dimensional cam as surfaces. Options bore_mm,
         thickness_mm. Raises UnavailableError in a build without Open CASCADE."""

@@ -2,14 +2,11 @@
 // The files of a solution in Python: drawings, solids, NC programs, electronic cams, reports.
 #include "bindings/python/source/parts.hpp"
 #include "core/text/list_text.hpp"
-#include "output/exports/exports.hpp"
+#include "output/exports/workshop.hpp"
 
 #include <fmt/format.h>
 
 #include <camopt/errors.hpp>
-#include <camopt/units.hpp>
-#include <functional>
-#include <map>
 #include <pybind11/stl.h>
 #include <string>
 #include <vector>
@@ -18,38 +15,30 @@ namespace camopt::python {
 
 namespace {
 
-constexpr const char* options_words =
-    "\n\nOptions: bore_mm, thickness_mm of a disk cam, in place of the scene's [drawing]; cutter_mm "
-    "(diameter; default: the\nroller's, of a plane cam 16), feed_mm_min (300), spindle_rpm (no word), post "
-    "(a file, docs/nc.md) of an NC\nprogram; points (evenly over the revolution; default: the joints of the "
-    "motion) of an electronic cam. Lengths in mm.";
+std::span<const KeyRow> option_rows() {
+    return workshop() != nullptr ? workshop()->option_rows() : std::span<const KeyRow>();
+}
+
+bool is_option(const std::string& key) {
+    return std::ranges::any_of(option_rows(), [&](const KeyRow& row) {
+        return std::ranges::any_of(row.spellings,
+                                   [&](const Spelling& spelling) { return row.key(spelling) == key; });
+    });
+}
 
 /// Keywords as options.
 ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
-    ExportOptions options;
-    options.origin = solved.origin;
-    const std::map<std::string, std::function<void(const py::handle&)>> known = {
-        {"bore_mm", [&](py::handle value) { options.plate.bore = value.cast<double>() * units::millimetre; }},
-        {"thickness_mm",
-         [&](py::handle value) { options.plate.thickness = value.cast<double>() * units::millimetre; }},
-        {"cutter_mm",
-         [&](py::handle value) { options.nc.cutter_diameter = value.cast<double>() * units::millimetre; }},
-        {"feed_mm_min",
-         [&](py::handle value) {
-             options.nc.feed = value.cast<double>() * units::millimetre / units::minute;
-         }},
-        {"spindle_rpm", [&](py::handle value) { options.nc.spindle_rpm = value.cast<double>(); }},
-        {"post", [&](py::handle value) { options.nc.post = py::str(value).cast<std::string>(); }},
-        {"points", [&](py::handle value) { options.plc.points = value.cast<int>(); }}};
-    for (const auto& [key, value] : given) {
-        const auto option = known.find(key.cast<std::string>());
-        if (option == known.end()) {
-            std::string allowed;
-            for (const auto& [name, set] : known) append_item(allowed, name);
-            throw py::type_error(
-                fmt::format("found the option {}; allowed: {}", key.cast<std::string>(), allowed));
-        }
-        if (!value.is_none()) option->second(value);
+    ExportOptions options{.origin = solved.origin, .settings = {}};
+    for (const auto& [name, value] : given) {
+        const auto key = name.cast<std::string>();
+        if (!is_option(key))
+            throw py::type_error(fmt::format(
+                "found the option {}; allowed: {}", key,
+                listed(option_rows(), ", ", [](const KeyRow& row) { return row.first_key(); })));
+        if (value.is_none()) continue;
+        const bool is_word = py::isinstance<py::bool_>(value);
+        options.settings.emplace_back(key, is_word ? (value.cast<bool>() ? "true" : "false")
+                                                   : py::str(value).cast<std::string>());
     }
     return options;
 }
@@ -87,7 +76,11 @@ py::str report(const SolvedScene& solved, const std::string& format) {
 }
 
 std::string with_options(const char* words) {
-    return std::string(words) + options_words;
+    constexpr const char* more =
+        "\n\nOptions are those of `camopt export` with _ for -: cutter_mm=12, direction=\"conventional\", "
+        "bore_mm, post (a\nfile), points, … (`camopt list keys` lists them all). None is the default; "
+        "lengths end in _mm, _in or _m.";
+    return std::string(words) + more;
 }
 
 }  // namespace

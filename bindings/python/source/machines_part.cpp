@@ -4,6 +4,7 @@
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
 #include "output/document/document_text.hpp"
+#include "output/exports/workshop.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/machine/machine_document.hpp"
 #include "output/machine/machine_folder.hpp"
@@ -83,7 +84,7 @@ std::optional<std::string> timing_picture(const SolvedMachine& machine) {
 
 void write_machine(const SolvedMachine& machine, const std::string& folder,
                    const std::vector<std::string>& plc) {
-    write_machine_folder(folder, machine.run, *machine.solution, plc);
+    write_machine_folder(folder, machine.run, *machine.solution, controller_files(machine.solution->axes, plc));
 }
 
 }  // namespace

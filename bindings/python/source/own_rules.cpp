@@ -89,14 +89,10 @@ FormulaValue automatic(const Functions& rule, const MotionPoint& point) {
         return found;
     }
     const auto& number = result.cast<const Number&>();
-    const Eigen::Matrix<double, number_variables, 1> gradient = number.value().derivatives();
-    const Eigen::Matrix<double, number_variables, number_variables> second =
-        second_partials<number_variables>(number);
-    found.value = number.value().value();
-    found.by_x = gradient[0];
-    found.gradient = gradient.tail<4>();
-    const Eigen::Matrix4d block = second.bottomRightCorner<4, 4>();
-    found.hessian = 0.5 * (block + block.transpose());
+    found.value = number.value;
+    found.by_x = number.first[0];
+    found.gradient = number.gradient().tail<4>();
+    found.hessian = number.hessian().bottomRightCorner<4, 4>();
     return found;
 }
 

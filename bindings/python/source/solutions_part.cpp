@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What was found: the class Solution of Python.
 #include "bindings/python/source/parts.hpp"
+#include "output/exports/exports.hpp"
 #include "output/page/result_page.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/view/number_text.hpp"
 #include "output/view/shown_units.hpp"
 
 #include <fmt/format.h>
@@ -82,7 +84,8 @@ py::dict profile(const SolvedScene& solved, std::optional<int> points) {
 }
 
 std::string dxf(const SolvedScene& solved, double tolerance_mm) {
-    return cam_dxf(of(solved), tolerance_mm * units::millimetre).text;
+    return exported_file(of(solved), drawn_profile,
+                         {.origin = {}, .settings = {{"tolerance_mm", round_trip_text(tolerance_mm)}}});
 }
 
 bool has_plane_cam(const SolvedScene& solved) {
@@ -124,7 +127,10 @@ std::vector<std::string> write(const SolvedScene& solved, const std::string& fol
                                std::optional<int> points, bool with_dxf) {
     std::vector<std::string> written;
     const View view(of(solved));
-    const WriteOptions options{points, with_dxf, result_extras(view, solved.origin)};
+    WriteOptions options{.points = points, .also = result_extras(view, solved.origin)};
+    if (with_dxf)
+        for (const char* const name : {drawn_profile, drawn_profile_check})
+            options.also.push_back({name, exported_file(of(solved), name)});
     for (const auto& path : write_result_folder(folder, view, solved.origin, options))
         written.push_back(path.string());
     return written;

@@ -2,7 +2,7 @@
 // Drawings, solids, programs, electronic cams and reports through the C face: the bytes of the C++ face.
 #include "core/text/text_file.hpp"
 #include "output/exports/exports.hpp"
-#include "output/surface/step/step_file.hpp"
+#include "shop/step/step_file.hpp"
 #include "tests/bindings/c/c_face.hpp"
 #include "tests/output/temporary_folder.hpp"
 
@@ -80,6 +80,14 @@ TEST(CFiles, OptionsAreThoseOfTheStruct) {
     Bytes bytes;
     EXPECT_OK(camopt_file(solution.get(), "cam.nc", &options, &bytes.text));
     EXPECT_NE(bytes.value().find("S4321"), std::string::npos);
+    options.settings = "spindle=counterclockwise\ntool_number=7\n";
+    Bytes more;
+    EXPECT_OK(camopt_file(solution.get(), "cam.nc", &options, &more.text));
+    EXPECT_NE(more.value().find("S4321 M4"), std::string::npos);
+    EXPECT_NE(more.value().find("T7 M6"), std::string::npos);
+    options.settings = "tool_number";
+    EXPECT_EQ(camopt_file(solution.get(), "cam.nc", &options, &bytes.text), CAMOPT_ERROR_INPUT);
+    options.settings = nullptr;
     options.size = 1;
     EXPECT_EQ(camopt_file(solution.get(), "cam.nc", &options, &bytes.text), CAMOPT_ERROR_ARGUMENT);
     options.size = sizeof options;

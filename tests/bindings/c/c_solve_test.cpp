@@ -2,9 +2,9 @@
 // Solves through the C face: the numbers of the C++ face, bit for bit, and every error.
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/report/cam_files.hpp"
+#include "shop/dxf/cam_dxf.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "tests/bindings/c/c_face.hpp"
 

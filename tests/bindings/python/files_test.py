@@ -62,8 +62,10 @@ class Files(unittest.TestCase):
         for call, error, words in ((motion.nc, camopt.InputError, 'found "cam.nc"; allowed for this solution'),
                                    (lambda: motion.plc("nobody"), camopt.InputError, "codesys"),
                                    (lambda: motion.report("odt"), camopt.InputError, 'allowed: "md" or "html"'),
-                                   (lambda: self.found.nc(cuter_mm=3), TypeError, "found the option cuter_mm; allowed: bore_mm"),
-                                   (lambda: self.found.nc(cutter_mm=-3), camopt.InputError, "cutter")):
+                                   (lambda: self.found.nc(cuter_mm=3), TypeError, "found the option cuter_mm; allowed: tolerance_mm"),
+                                   (lambda: self.found.nc(cutter_mm=-3), camopt.InputError, "cutter_mm: found -3; allowed: a number > 0"),
+                                   (lambda: self.found.nc(cutter_mm=9, cutter_in=0.3), camopt.InputError, "cutter"),
+                                   (lambda: self.found.nc(direction="down"), camopt.InputError, "climb")):
             with self.assertRaisesRegex(error, words):
                 call()
 

@@ -58,7 +58,7 @@ TEST(ResultFolder, ACamComesWithItsProfile) {
 
 TEST(ResultFolder, DrawingIsWrittenOnlyOnRequest) {
     const test::TemporaryFolder folder;
-    write_result_folder(folder.path(), test::cam_solution(), {}, {.dxf = true});
+    write_result_folder(folder.path(), test::cam_solution(), {}, {.also = {{drawn_profile, "a drawing"}}});
     EXPECT_TRUE(names_in(folder.path()).contains("profile.dxf"));
     write_result_folder(folder.path(), test::cam_solution());
     EXPECT_FALSE(names_in(folder.path()).contains("profile.dxf"));  // it would not be this cam's

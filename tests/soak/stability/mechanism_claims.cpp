@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
-#include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/drawing/profile_shape.hpp"
+#include "shop/dxf/cam_dxf.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/solve/solve.hpp"

@@ -47,6 +47,13 @@ constexpr const char* two_masses =
     "natural_frequency_hz = 80, damping_ratio = 0.03, "
     "stage = [{ mass_kg = 0.8, stiffness_n_mm = 2500, damping_ratio = 0.01 }]";
 
+/// As a program makes it that fills the members by hand.
+TEST(TrainScenes, TrainWithoutFormulasIsRefused) {
+    Scene scene = slide(soft, "limits.residual_um = 30");
+    scene.dynamics->formulas = nullptr;
+    EXPECT_TRUE(says(refusal([&] { (void)solve(scene); }), "a follower train without its formulas"));
+}
+
 // No dwell, no transient: there is no acceleration of 0.
 TEST(TrainScenes, ProgramWithoutDwellHasNoTransient) {
     const Solution solution =

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What the shop adds to the files of a solution, as what writes results sees it. A build without the shop
+// (CAMOPT_SHOP=OFF) has none.
+#pragma once
+
+#include "output/exports/exports.hpp"
+#include "scene/key_row.hpp"
+
+namespace camopt {
+
+/// A file of a solution, made when it is asked for.
+struct ExportFile {
+    std::string name;
+    std::function<std::string()> make;
+};
+
+/// A controller that takes electronic cams.
+struct Controller {
+    std::string key, name, file;  ///< "codesys", "CODESYS SoftMotion, …", "codesys.st"
+};
+
+struct Workshop {
+    /// Both must outlive the files.
+    std::vector<ExportFile> (*files)(const Solution& solution, const ExportOptions& options);
+    /// One row an option of ExportOptions::settings.
+    std::span<const KeyRow> (*option_rows)();
+    /// profile.dxf and profile.check.json; none without a plane cam.
+    std::vector<FolderFile> (*dxf_files)(const View& view);
+    std::vector<Controller> (*controllers)();
+    /// Electronic cams of every solution, in these formats.
+    std::vector<std::vector<FolderFile>> (*controller_files)(std::span<const Solution> solutions,
+                                                             const std::vector<std::string>& formats);
+    /// Throws InputError where a format holds too few elements for any motion of the scene.
+    void (*check_formats)(const Scene& scene, const std::vector<std::string>& formats);
+    /// This build has the library.
+    bool (*has_pdf)();
+    bool (*has_step)();
+};
+
+/// Null in a build without the shop.
+[[nodiscard]] const Workshop* workshop();
+
+/// The keys of its controllers; none without it.
+[[nodiscard]] std::vector<std::string> controller_keys();
+
+/// Workshop::controller_files; empty without a format. Throws UnavailableError without the shop.
+[[nodiscard]] std::vector<std::vector<FolderFile>> controller_files(std::span<const Solution> solutions,
+                                                                    const std::vector<std::string>& formats);
+
+}  // namespace camopt

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "shop/disk/disk_export.hpp"
+
+#include "shop/disk/disk_solid.hpp"
+#include "shop/nc/milling/groove_passes.hpp"
+#include "shop/nc/milling/plane_passes.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+constexpr int checked_points = 1440;
+constexpr double usual_cutter = 16e-3;  // m, around a cam
+constexpr double equal_widths = 1e-9;   // of the groove's: the cutter fills it
+
+void require(bool holds, const char* what, double found) {
+    if (!holds) throw InputError(fmt::format("plane cam: {}, found {:g}", what, found));
+}
+
+std::vector<Eigen::Vector2d> contour(const ProfileShape& shape, int count) {
+    std::vector<Eigen::Vector2d> points;
+    points.reserve(static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k)
+        points.push_back(
+            in_plane(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact));
+    return points;
+}
+
+/// Between the cam's faces, which are taken as faced before, and larger around it.
+Blank blank_of(const ProfileShape& shape, const DiskNcOptions& options) {
+    double greatest = 0.0;
+    for (const Eigen::Vector2d& point : contour(shape, checked_points))
+        greatest = std::max(greatest, point.norm());
+    const Blank blank =
+        chosen_blank({greatest + options.blank.allowance, -options.thickness, 0.0}, options.blank);
+    if (blank.radius < greatest || blank.lower > -options.thickness || blank.upper < 0.0)
+        throw InputError(fmt::format(
+            "blank: {} does not hold the cam, which has a greatest radius of {:.3f} mm and lies "
+            "between {:g} mm and 0",
+            words_of(blank), millimetres_shown.of(greatest), millimetres_shown.of(-options.thickness)));
+    return blank;
+}
+
+/// The roller in its groove, as wide as the groove: upright, its far end at the floor.
+RollerPath groove_roller(const ProfileShape& shape) {
+    return [&shape](double theta, double station) {
+        const MechanismPoint point = shape.at(theta);
+        return RollerPose{{point.pitch.x(), point.pitch.y(), -station},
+                          {0.0, 0.0, -1.0},
+                          {-point.normal.x(), -point.normal.y(), 0.0}};
+    };
+}
+
+/// The disk is turned and faced before.
+Blank grooved_blank(const ProfileShape& shape, const DiskNcOptions& options) {
+    const double rim = rim_radius(shape).value();
+    const Blank blank = chosen_blank({rim, -options.thickness, 0.0}, options.blank);
+    if (blank.radius >= rim && blank.lower <= -options.thickness && blank.upper >= 0.0) return blank;
+    throw InputError(
+        fmt::format("blank: {} does not hold the disk, which has a radius of {:.3f} mm and lies between "
+                    "{:g} mm and 0",
+                    words_of(blank), millimetres_shown.of(rim), millimetres_shown.of(-options.thickness)));
+}
+
+WantedSurface flank_surface(const ProfileShape& side, const char* name, double height) {
+    WantedSurface surface{name, {}};
+    for (const Eigen::Vector2d& point : contour(side, checked_points))
+        surface.points.emplace_back(point.x(), point.y(), height);
+    return surface;
+}
+
+void add_outline(CuttingTask& task, const WantedSurface& surface) {
+    task.outlines.push_back(surface.points);
+    task.outlines.back().push_back(surface.points.front());
+}
+
+NcWork groove_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
+    const double depth = options.groove_depth.value_or(0.5 * options.thickness);
+    require(depth > 0.0 && depth < options.thickness, "the groove must be less deep than the cam is thick, m",
+            depth);
+    CutterLocation location;
+    location.roller_radius = shape.formulas().surface_offset(shape.cam.dimensions, 1);
+    location.diameter = options.cutter_diameter.value_or(2.0 * location.roller_radius);
+    location.stock = options.stock;
+    location.station = depth;
+    const bool slot =
+        options.stock == 0.0 && location.diameter >= 2.0 * location.roller_radius * (1.0 - equal_widths);
+    const RollerPath roller = groove_roller(shape);
+
+    NcWork work;
+    NcJob& job = work.job;
+    job = milling_job(options, grooved_blank(shape, options), location.diameter, depth);
+    job.remarks = {
+        "origin: the centre of the cam, on its upper face", "the cam as it lies at its cam angle 0",
+        fmt::format("the groove, {:.3f} mm wide, {:.3f} mm deep; rim, faces and bore are made before",
+                    millimetres_shown.of(2.0 * location.roller_radius), millimetres_shown.of(depth))};
+    CuttingTask& task = work.task;
+    MillingPasses milled =
+        groove_passes({roller, shape.knots, location, slot ? std::vector{1} : std::vector{1, -1}, job.blank,
+                       options.milling});
+    task.passes = std::move(milled.passes);
+    job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
+    task.knots = shape.knots;
+    task.blocks = {{}, options.chord_tolerance, depth};
+    task.cutter = {location.diameter, depth + location.diameter};
+    task.gouge_tolerance = options.gouge_tolerance;
+    GroovedBody body{roller, shape.begin(), shape.end(), location.roller_radius, depth, job.blank};
+    body.enough = 0.5 * (options.gouge_tolerance + options.chord_tolerance);
+    task.finished = grooved_finished_cam(body);
+    task.surfaces.push_back(flank_surface(shape, "the inner flank", -0.5 * depth));
+    task.surfaces.push_back(flank_surface(other_side(shape), "the outer flank", -0.5 * depth));
+    for (const WantedSurface& surface : task.surfaces) add_outline(task, surface);
+    return work;
+}
+
+}  // namespace
+
+NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
+    check_closed(shape);
+    if (shape.has_two_disks())
+        throw InputError("an NC program: found two disks; allowed: one of them (made_pieces)");
+    require(std::isfinite(options.thickness) && options.thickness > 0.0, "the thickness must be > 0 m",
+            options.thickness);
+    require(std::isfinite(options.tip_beyond) && options.tip_beyond >= 0.0,
+            "the tip must reach to the cam's underside or beyond, by >= 0 m", options.tip_beyond);
+    if (shape.other) return groove_nc_work(shape, options);
+    const double depth = options.thickness + options.tip_beyond;
+    const double diameter = options.cutter_diameter.value_or(usual_cutter);
+    NcWork work;
+    NcJob& job = work.job;
+    job = milling_job(options, blank_of(shape, options), diameter, depth);
+    job.remarks = {"origin: the centre of the cam, on its upper face",
+                   "the cam as it lies at its cam angle 0"};
+
+    CuttingTask& task = work.task;
+    const PlaneContour around = [&shape](double theta) {
+        const MechanismPoint point = shape.at(theta);
+        return ContourPoint{in_plane(point.contact), in_plane(point.normal)};
+    };
+    task.finished = plane_finished_cam({around, shape.knots});
+    MillingPasses milled = plane_passes({around,
+                                         shape.knots,
+                                         {diameter, options.stock, -depth},
+                                         job.blank,
+                                         options.safe_distance,
+                                         options.chord_tolerance,
+                                         task.finished.get(),
+                                         options.milling});
+    task.passes = std::move(milled.passes);
+    job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
+    task.knots = shape.knots;
+    task.blocks.chord_tolerance = options.chord_tolerance;
+    task.cutter = {diameter, depth};
+    task.gouge_tolerance = options.gouge_tolerance;
+    task.surfaces.push_back(flank_surface(shape, "the cam's contour", -0.5 * options.thickness));
+    add_outline(task, task.surfaces.front());
+    return work;
+}
+
+}  // namespace camopt

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A disk cam as a solid with its bore and keyway: triangles for STL, exact edges for STEP.
+//
+// Frame of output/drawing/profile_shape.hpp, between z = −thickness and z = 0. Only cams that close and that
+// are not undercut. m.
+#pragma once
+
+#include "output/drawing/profile_shape.hpp"
+#include "output/surface/triangle_mesh.hpp"
+#include "shop/step/step_solid.hpp"
+
+namespace camopt {
+
+struct DiskMeshOptions {
+    double chord_tolerance = 5e-6;   ///< m, > 0: the facets stay this close to cam and bore
+    std::optional<int> points = {};  ///< around the cam instead, evenly by cam angle
+};
+
+struct DiskMesh {
+    TriangleMesh mesh;
+    double deviation = 0.0;            ///< m: the largest distance of a facet from the cam
+    double volume = 0.0, exact = 0.0;  ///< m³: of the triangles, of the cam itself
+};
+
+/// cam_volume of shop/sheet, checked as below. Each of these is for a cam that is made in one piece
+/// (made_pieces).
+[[nodiscard]] double disk_volume(const ProfileShape& shape, const DrawingSpec& drawing);
+
+/// The drawing has a thickness, and bore and keyway lie inside the cam (drawing_of of shop/sheet). Throws
+/// InputError for an open cam, an undercut one, and numbers that are not valid.
+[[nodiscard]] DiskMesh disk_mesh(const ProfileShape& shape, const DrawingSpec& drawing,
+                                 const DiskMeshOptions& options = {});
+
+/// Dwells as arcs, all else as cubic B-splines through points of the cam, within 1e-8 m of it. Throws as
+/// above.
+[[nodiscard]] Plate disk_plate(const ProfileShape& shape, const DrawingSpec& drawing,
+                               const std::string& name);
+
+/// Throws InputError for a cam that is open: why, and what would close it.
+void check_closed(const ProfileShape& shape);
+
+}  // namespace camopt

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Electronic cams: pieces, what they lose, and the table of formats.
+#include "shop/plc/plc_export.hpp"
+#include "tests/output/sample_solution.hpp"
+#include "tests/support/refusal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace camopt {
+namespace plc_test {
+
+using testing_support::refusal;
+
+MasterCurve curve_of(const Solution& solution) {
+    return {solution.whole_turn(), solution.scene.motion};
+}
+
+PlcTable table_of(const PlcFormat& format, const MasterCurve& curve, const PlcOptions& options = {}) {
+    return format.prepare(curve, options, format);
+}
+
+TEST(MasterCurve, CoversCycleInMachineUnits) {
+    // Four cubic segments over 90 deg, 10 mm: y''' = ±32, so V = 2 at the middle of the rise.
+    const MasterCurve curve = curve_of(test::sample_solution());
+    EXPECT_EQ(curve.end(), 360.0);
+    EXPECT_EQ(curve.breakpoints(), (std::vector<double>{0.0, 22.5, 45.0, 67.5, 90.0, 360.0}));
+    EXPECT_DOUBLE_EQ(curve.at(45.0, Side::right)[0], 5.0);
+    EXPECT_DOUBLE_EQ(curve.at(45.0, Side::right)[1], 10.0 * 2.0 / 90.0);
+    EXPECT_DOUBLE_EQ(curve.at(22.5, Side::left)[3], 10.0 * 32.0 / std::pow(90.0, 3));
+    EXPECT_DOUBLE_EQ(curve.at(22.5, Side::right)[3], -10.0 * 32.0 / std::pow(90.0, 3));
+    EXPECT_EQ(curve.polynomial(200.0, Side::right).size(), 1U);
+    EXPECT_FALSE(curve.closes());
+    EXPECT_DOUBLE_EQ(curve.travel(), 10.0);
+}
+
+TEST(CamPieces, ReproduceCubicsAndReportLoss) {
+    const MasterCurve curve = curve_of(test::sample_solution());
+    for (const int degree : {3, 5}) {
+        std::vector<CamPiece> pieces = fitted_pieces(curve, {.degree = degree});
+        ASSERT_EQ(pieces.size(), 5U);
+        EXPECT_LT(cam_loss(curve, pieces)[0].value, 3e-13);  // rounding included
+        pieces[2].coefficients[1] += 1e-3;  // the error grows along the piece, which is 22.5 deg long
+        const std::array<CamDifference, 4> loss = cam_loss(curve, pieces);
+        EXPECT_NEAR(loss[0].value, 22.5e-3, 1e-12);
+        EXPECT_NEAR(loss[0].at, 67.5, 1e-9);
+        EXPECT_NEAR(loss[1].value, 1e-3, 1e-14);
+        EXPECT_LT(loss[2].value, 1e-14);
+    }
+}
+
+TEST(CamLoss, IsFoundInsidePieces) {
+    const MasterCurve curve = curve_of(test::sample_solution());
+    std::vector<CamPiece> pieces = fitted_pieces(curve, {});
+    // t (h − t) is 0 at both ends and h²/4 in the middle.
+    pieces[4].coefficients = {pieces[4].coefficients[0], 1e-3 * 270.0, -1e-3};
+    const std::array<CamDifference, 4> loss = cam_loss(curve, pieces);
+    EXPECT_NEAR(loss[0].value, 1e-3 * 270.0 * 270.0 / 4.0, 1e-9);
+    EXPECT_NEAR(loss[0].at, 225.0, 1e-6);
+}
+
+TEST(CamLoss, RefusesPiecesNotFormingACycle) {
+    const MasterCurve curve = curve_of(test::sample_solution());
+    std::vector<CamPiece> pieces = fitted_pieces(curve, {});
+    pieces.pop_back();
+    EXPECT_THROW((void)cam_loss(curve, pieces), InputError);
+    EXPECT_THROW((void)cam_loss(curve, {}), InputError);
+}
+
+TEST(CamPieces, FitsLawsToTheTolerance) {
+    const MasterCurve curve = curve_of(test::program_solution());  // a modified sine returns
+    EXPECT_TRUE(curve.closes());
+    const std::vector<CamPiece> pieces = fitted_pieces(curve, {});
+    EXPECT_GT(pieces.size(), curve.breakpoints().size());
+    EXPECT_LE(cam_loss(curve, pieces)[0].value, 1.001e-8 * curve.lift());
+    EXPECT_GT(cam_loss(curve, fitted_pieces(curve, {.most = 9}))[0].value, 1e-8 * curve.lift());
+}
+
+TEST(PlcFormats, HaveRowsThatAreComplete) {
+    ASSERT_EQ(plc_formats().size(), 8U);
+    for (const PlcFormat& format : plc_formats()) {
+        SCOPED_TRACE(format.key);
+        EXPECT_EQ(&plc_format(format.key), &format);
+        EXPECT_FALSE(format.file.empty() || format.controller.empty() || format.element.empty());
+        EXPECT_EQ(format.text_file.empty(), format.write_text == nullptr);
+        EXPECT_EQ(format.limit.has_value(), !format.limit_words.empty());
+    }
+    EXPECT_EQ(refusal([] { (void)plc_format("bosch"); }),
+              "--plc: found \"bosch\"; allowed: codesys, twincat, siemens, br, rockwell, omron, lenze, csv");
+}
+
+TEST(PlcFormats, NoticeASpoiledFile) {
+    const MasterCurve curve = curve_of(test::sample_solution());
+    for (const PlcFormat& format : plc_formats()) {
+        SCOPED_TRACE(format.key);
+        const PlcTable table = table_of(format, curve);
+        const std::string text = format.write(table);
+        const double good = plc_loss(format, text, table.units, table.slave_at_start, curve)[0]->value;
+        EXPECT_LT(good, 1e-3);
+        // The last number that is 10 mm, 10000 units: one tenth of it.
+        const std::string ten = format.key == "br" ? "10000.0" : "10.0";
+        const std::size_t place = text.rfind(ten);
+        ASSERT_NE(place, std::string::npos);
+        std::string spoiled = text;
+        spoiled[place] = '2';
+        try {
+            EXPECT_GT(plc_loss(format, spoiled, table.units, table.slave_at_start, curve)[0]->value, 1.0);
+        } catch (const InputError&) {  // the file contradicts itself
+        }
+        EXPECT_THROW((void)format.read("", table.units), InputError);
+    }
+}
+
+TEST(PlcExport, StatedLossIsUpperBound) {
+    const Solution solution = test::program_solution();
+    const MasterCurve curve = curve_of(solution);
+    const PlcExport exported = plc_export(solution, plc_format_keys(), {});
+    ASSERT_EQ(exported.results.size(), 8U);
+    for (const PlcResult& result : exported.results) {
+        SCOPED_TRACE(result.format->key);
+        EXPECT_FALSE(result.lossless);  // a modified sine is no polynomial
+        const auto file =
+            std::find_if(exported.files.begin(), exported.files.end(),
+                         [&](const FolderFile& one) { return one.name == result.format->file; });
+        ASSERT_NE(file, exported.files.end());
+        const auto found = plc_loss(*result.format, file->text, result.units, result.slave_at_start, curve);
+        for (std::size_t r = 0; r < found.size(); ++r) {
+            ASSERT_EQ(found[r].has_value(), result.loss[r].has_value());
+            if (!found[r]) continue;
+            EXPECT_LE(found[r]->value, result.loss[r]->value);
+            EXPECT_GE(found[r]->value, 0.98 * result.loss[r]->value);
+        }
+        EXPECT_NE(file->text.find("lossy: s "), std::string::npos);
+    }
+    EXPECT_EQ(exported.files.back().name, "plc.json");
+}
+
+// 10/3 mm is no whole number of units: the drive adds 3333 units of a micrometre each turn.
+TEST(PlcExport, ReportsAccumulationPerCycle) {
+    Solution solution = test::sample_solution();
+    solution.scene.motion.lift = 0.01 / 3.0;
+    const PlcExport exported = plc_export(solution, {"br"}, {});
+    EXPECT_NEAR(exported.results[0].drift_per_turn, 3.333 - 10.0 / 3.0, 1e-12);
+    EXPECT_NE(exported.text.find("the period of the slave is rounded to whole units: "), std::string::npos);
+    EXPECT_NE(exported.files[0].text.find("Cam.SlavePeriod := 3333;"), std::string::npos);
+    solution.scene.motion.lift = 0.01;
+    EXPECT_EQ(plc_export(solution, {"br"}, {}).results[0].drift_per_turn, 0.0);
+}
+
+// An editor of a controller may know no letters but ASCII.
+TEST(PlcExport, FilesAreAscii) {
+    Solution solution = test::sample_solution();
+    solution.scene.title = "Stößel\n// (* 10² *)";
+    const PlcExport exported = plc_export(solution, plc_format_keys(), {});
+    for (const FolderFile& file : exported.files) {
+        if (file.name.ends_with(".json")) continue;
+        EXPECT_TRUE(std::ranges::all_of(file.text, [](char c) {
+            return c == '\n' || (c >= ' ' && c <= '~');
+        })) << file.name;
+    }
+    EXPECT_NE(exported.files[0].text.find("// St??el // (* 10^2 *)\n"), std::string::npos);
+}
+
+TEST(PlcExport, RefusesByName) {
+    const Solution solution = test::sample_solution();
+    EXPECT_TRUE(testing_support::says(
+        refusal([&] { (void)plc_export(solution, {"siemens"}, {.points = 100}); }),
+        "--plc siemens: 99 segments, a technology object TO_Cam holds 50; allowed: --points 51 or fewer"));
+    EXPECT_THROW((void)plc_export(test::infeasible_solution(), {"csv"}, {}), InputError);
+}
+
+}  // namespace plc_test
+}  // namespace camopt
