@@ -161,7 +161,8 @@ void read_key_file(std::string_view toml, std::string_view name, KeyRows rows, c
 void read_keys(std::span<const KeySetting> settings, KeyRows rows, const KeyOwner& owner) {
     SceneSource source{.name = {}, .root = {}, .rows = rows};
     for (const auto& [key, value] : settings) {
-        const Place place{.setting = 1};  // messages begin with the key
+        Place place;
+        place.setting = 1;  // messages begin with the key
         const KeyMatch match = match_key("", key, rows);
         const bool is_text = match.row != nullptr && match.row->type == KeyType::text;
         Node node = is_text ? text_node(value) : parse_override_value(value, place);

@@ -8,6 +8,7 @@
 #include "output/csv/lobe_csv.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/report/cam_files.hpp"
+#include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "shop/disk/disk_solid.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/c/handles.hpp"
 #include "core/text/list_text.hpp"
+#include "core/text/parsing.hpp"
 #include "output/exports/exports.hpp"
 #include "output/view/number_text.hpp"
 

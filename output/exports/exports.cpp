@@ -60,7 +60,8 @@ class Exports {
         add("motion.svg", [this] { return motion_svg(solution_); });
         for (const CamFile& file : cam_file_list(solution_))
             add(file.name, [this, name = file.name] {
-                return std::ranges::find(cam_files(solution_), name, &CamFile::name)->text;
+                const std::vector<CamFile> files = cam_files(solution_);
+                return std::ranges::find(files, name, &CamFile::name)->text;
             });
     }
 

@@ -14,6 +14,7 @@
 #include "shop/plc/plc_export.hpp"
 #include "shop/sheet/sheet_files.hpp"
 #include "shop/spatial/cam_export.hpp"
+#include "shop/step/step_file.hpp"
 #include "shop/toolpath/tool_path_svg.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
@@ -175,7 +176,8 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
     void add_plane() {
         for (const char* const name : {drawn_profile, drawn_profile_check})
             add(name, [name](Self self) {
-                return std::ranges::find(dxf_files(self.solution_, self.options_.dxf_tolerance), name, &FolderFile::name)->text;
+                const std::vector<FolderFile> files = dxf_files(self.solution_, self.options_.dxf_tolerance);
+                return std::ranges::find(files, name, &FolderFile::name)->text;
             });
     }
     void add_piece(std::size_t piece) {

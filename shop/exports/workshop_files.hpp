@@ -10,6 +10,7 @@
 //   of these NAME.check.json: what `verify-export` holds them to (docs/certificates.md)
 #pragma once
 
+#include "output/document/run_origin.hpp"
 #include "shop/exports/workshop_options.hpp"
 
 namespace camopt {

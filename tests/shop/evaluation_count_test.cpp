@@ -3,6 +3,7 @@
 #include "output/page/result_page.hpp"
 #include "output/report/result_folder_reader.hpp"
 #include "scene/cam_flanks.hpp"
+#include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/cam_sheet.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/temporary_folder.hpp"

@@ -10,6 +10,7 @@
 #include "output/json/certificate_reader.hpp"
 #include "output/report/result_folder.hpp"
 #include "scene/scene.hpp"
+#include "shop/dxf/cam_dxf.hpp"
 #include "shop/nc/post_processor.hpp"
 #include "shop/plc/plc_export.hpp"
 #include "studies/search/planned_solve.hpp"

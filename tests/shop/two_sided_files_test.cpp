@@ -5,6 +5,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "shop/disk/disk_export.hpp"
 #include "shop/disk/disk_solid.hpp"
+#include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/cam_sheet.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"

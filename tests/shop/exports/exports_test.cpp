@@ -110,10 +110,12 @@ TEST(Exports, EveryOptionIsStored) {
             const WorkshopOptions options = workshop_options({&setting, 1});
             const std::optional<KeyValue> value = row.place->value(options, {});
             ASSERT_TRUE(value) << setting.first;
-            if (is_number)
+            if (is_number) {
                 EXPECT_DOUBLE_EQ(std::get<double>(*value), 7.0 * spelling.factor) << setting.first;
-            else if (is_text)
+            }
+            if (is_text) {
                 EXPECT_EQ(std::get<std::string>(*value), word) << setting.first;
+            }
             ++read;
         }
     EXPECT_GT(read, 60);
