@@ -91,6 +91,12 @@ std::vector<std::filesystem::path> write_exports(const std::filesystem::path& fo
     return update.finish();
 }
 
+const Workshop& needed_workshop(std::string_view what) {
+    if (workshop() == nullptr)
+        throw UnavailableError(fmt::format("{}: this camopt was built without the shop (CAMOPT_SHOP)", what));
+    return *workshop();
+}
+
 std::vector<std::string> controller_keys() {
     std::vector<std::string> keys;
     if (workshop() != nullptr)
@@ -101,8 +107,7 @@ std::vector<std::string> controller_keys() {
 std::vector<std::vector<FolderFile>> controller_files(std::span<const Solution> solutions,
                                                       const std::vector<std::string>& formats) {
     if (formats.empty()) return {};
-    if (workshop() == nullptr) throw UnavailableError("electronic cams: this camopt was built without the shop (CAMOPT_SHOP)");
-    return workshop()->controller_files(solutions, formats);
+    return needed_workshop("electronic cams").controller_files(solutions, formats);
 }
 
 }  // namespace camopt

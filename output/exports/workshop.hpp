@@ -27,6 +27,8 @@ struct Workshop {
     /// profile.dxf and profile.check.json; none without a plane cam.
     std::vector<FolderFile> (*dxf_files)(const View& view);
     std::vector<Controller> (*controllers)();
+    /// Throws InputError for a key that is none.
+    Controller (*controller)(std::string_view key);
     /// Electronic cams of every solution, in these formats.
     std::vector<std::vector<FolderFile>> (*controller_files)(std::span<const Solution> solutions,
                                                              const std::vector<std::string>& formats);
@@ -39,6 +41,8 @@ struct Workshop {
 
 /// Null in a build without the shop.
 [[nodiscard]] const Workshop* workshop();
+/// For `what` ("electronic cams"). Throws UnavailableError in a build without it.
+[[nodiscard]] const Workshop& needed_workshop(std::string_view what);
 
 /// The keys of its controllers; none without it.
 [[nodiscard]] std::vector<std::string> controller_keys();

@@ -235,9 +235,13 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
     mutable std::optional<std::vector<ExportedProgram>> programs_;
 };
 
+Controller controller_of(const PlcFormat& format) {
+    return {format.key, format.controller, format.file};
+}
+
 std::vector<Controller> controllers() {
     std::vector<Controller> all;
-    for (const PlcFormat& format : plc_formats()) all.push_back({format.key, format.controller, format.file});
+    for (const PlcFormat& format : plc_formats()) all.push_back(controller_of(format));
     return all;
 }
 
@@ -281,6 +285,7 @@ const Workshop* workshop() {
         [] { return workshop_rows(); },
         [](const View& view) { return dxf_files(view); },
         controllers,
+        [](std::string_view key) { return controller_of(plc_format(key)); },
         plc_files,
         refuse_too_few_elements,
         pdf_available,

@@ -125,7 +125,8 @@ void add_files(py::class_<SolvedScene>& type) {
         .def(
             "plc",
             [](const SolvedScene& s, const std::string& controller, const py::kwargs& options) {
-                return text(s, plc_format(controller).file, options);
+                const std::string name = needed_workshop("electronic cams").controller(controller).file;
+                return text(s, name, options);
             },
             py::arg("controller"),
             "The motion as an electronic cam, as text: of \"codesys\", \"twincat\", \"siemens\", \"br\", "
