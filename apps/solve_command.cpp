@@ -61,9 +61,9 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
     // Who pressed Ctrl-C waits for the files, not for a follower that runs over the finished cam.
     if (!InterruptWatch::interrupted()) program_parts().add_forward_check(solution);
     const View view(solution);
-    WriteOptions options{.points = request.points, .also = program_parts().result_extras(view, origin)};
-    if (request.dxf)
-        for (FolderFile& file : program_parts().dxf_files(view)) options.also.push_back(std::move(file));
+    WriteOptions options{.points = request.points};
+    if (request.dxf) options.also = program_parts().dxf_files(view);
+    std::ranges::move(program_parts().result_extras(view, origin), std::back_inserter(options.also));
     return write_result_folder(request.out, view, origin, options);
 }
 
