@@ -56,8 +56,12 @@ void add_first_commands(Commands& commands) {
     commands.add(add_table, table_command);
     commands.add_examples(
         "  camopt solve scene.toml                      print the verdict, the objective and the peaks\n"
-        "  camopt solve scene.toml --out results        and write the result folder\n"
-        "  camopt solve scene.toml --out results --dxf  and the cam for CAD; --points 720 sets profile.csv\n"
+        "  camopt solve scene.toml --out results        and write the result folder\n");
+    if (program_parts().dxf_files != nullptr)
+        commands.add_examples(
+            "  camopt solve scene.toml --out results --dxf  and the cam for CAD; --points 720 sets "
+            "profile.csv\n");
+    commands.add_examples(
         "  camopt solve scene.toml --json               print result.json and nothing else\n"
         "  camopt solve scene.toml --set spline.segments=24 --set limits.velocity=1.7\n"
         "  camopt solve scene.toml --solver ipopt       another backend; `camopt list solvers`\n"

@@ -13,7 +13,10 @@ const camopt::apps::ProgramParts& camopt::apps::program_parts() {
                                        add_forward_check,
                                        result_extras,
                                        workshop() != nullptr ? workshop()->dxf_files : nullptr,
-                                       ""};
+                                       workshop() != nullptr ? ""
+                                                             : "this camopt was built without the shop "
+                                                               "(CAMOPT_SHOP): workshop drawings, solids, NC "
+                                                               "programs, electronic cams"};
     return parts;
 }
 

@@ -3,7 +3,11 @@
 # it is first used, so that a program does not begin with the libraries of all of them; otherwise linked in.
 set(CAMOPT_OPENED_PARTS "")
 if(CAMOPT_OPEN_PARTS)
-  foreach(library_and_part IPOPT:ipopt CAIRO:pdf HTTPLIB:http OPENCASCADE:step)
+  set(libraries_and_parts IPOPT:ipopt HTTPLIB:http)
+  if(CAMOPT_SHOP)
+    list(APPEND libraries_and_parts CAIRO:pdf OPENCASCADE:step)
+  endif()
+  foreach(library_and_part IN LISTS libraries_and_parts)
     string(REGEX MATCH "^(.+):(.+)$" ignored ${library_and_part})
     if(CAMOPT_HAVE_${CMAKE_MATCH_1})
       list(APPEND CAMOPT_OPENED_PARTS ${CMAKE_MATCH_2})

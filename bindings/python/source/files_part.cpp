@@ -29,6 +29,7 @@ bool is_option(const std::string& key) {
 /// Keywords as options.
 ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
     ExportOptions options{.origin = solved.origin, .settings = {}};
+    if (!given.empty()) (void)needed_workshop("options of files");
     for (const auto& [name, value] : given) {
         const auto key = name.cast<std::string>();
         if (!is_option(key))
