@@ -10,6 +10,7 @@
 #include "output/compare/comparison_document.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/dynamics/dynamics_document.hpp"
+#include "output/exports/workshop.hpp"
 #include "output/inspect/inspection_document.hpp"
 #include "output/machine/machine_document.hpp"
 #include "output/machine/machine_folder.hpp"
@@ -18,7 +19,6 @@
 #include "output/report/result_folder_reader.hpp"
 #include "output/valves/valves_document.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/exports/workshop.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>

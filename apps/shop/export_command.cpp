@@ -3,24 +3,20 @@
 // points, surfaces, drawings, solids, a picture, the NC program with its check. Of its motion, with or
 // without a cam: a uniform table, electronic cams.
 #include "apps/scene_loading.hpp"
+#include "apps/shop/shop_commands.hpp"
 #include "apps/terminal.hpp"
-#include "core/unit.hpp"
 #include "output/csv/lobe_csv.hpp"
 #include "output/csv/motion_csv.hpp"
+#include "output/exports/workshop.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "shop/disk/disk_solid.hpp"
-#include "shop/dxf/cam_dxf.hpp"
-#include "apps/shop/shop_commands.hpp"
 #include "shop/exports/workshop_files.hpp"
 #include "shop/plc/plc_export.hpp"
 #include "shop/plc/table_check.hpp"
 #include "shop/sheet/sheet_files.hpp"
-#include "shop/spatial/cam_export.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>
 
@@ -28,7 +24,6 @@ namespace camopt::apps {
 
 namespace {
 
-constexpr int flank_points = 361;           // over the turn
 constexpr const char* first_piece = "cam";  // the files of a cam, or of its first disk
 
 /// What was written, and what the check of a program found.
@@ -101,101 +96,46 @@ void write_program(const ExportedProgram& program, FolderUpdate& folder, Exporte
 }
 
 /// Of the command line; throws for an option that is not valid: before the work.
-WorkshopOptions options_of(const ExportRequest& request) {
-    std::vector<std::pair<std::string, std::string>> given;
+ExportOptions options_of(const ExportRequest& request) {
+    ExportOptions options;
     for (const auto& [key, value] : request.options)
-        if (!value.empty()) given.emplace_back(key, value);
+        if (!value.empty()) options.settings.emplace_back(key, value);
+    if (request.points) options.settings.emplace_back("points", fmt::to_string(*request.points));
     try {
-        return workshop_options(given);
+        (void)workshop_options(options.settings);
     } catch (const InputError& error) {  // "cutter_mm: found …"
         const std::string_view words = error.what();
         const std::string_view key = words.substr(0, words.find(':'));
         throw InputError(flag_of(std::string(key)) + std::string(words.substr(key.size())));
     }
+    return options;
 }
 
-void export_programs(const ExportRequest& request, const WorkshopOptions& options, const Solution& solution,
-                     FolderUpdate& folder, Exported& result) {
-    if (!request.nc) return;
-    for (const ExportedProgram& program : nc_programs(solution, options))
-        write_program(program, folder, result);
+/// Of the shop's files; electronic cams and programs are written with what was found of them.
+bool is_wanted(const ExportRequest& request, std::string_view name) {
+    if (name == drawn_profile || name == drawn_profile_check) return request.dxf;
+    if (name.starts_with("drawing")) return !request.sheet.empty() && name.ends_with("." + request.sheet);
+    if (name.ends_with(".step")) return request.step;
+    if (name.ends_with(".stl")) return request.stl;
+    if (name == "flanks.csv") return request.csv;
+    return name == "cam.svg" && request.picture;
 }
 
-void export_flanks(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
-    const CamFlanks cam = solved_flanks(solution);
-    const MotionChain turn = whole_turn(solution);
-    const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
-    CamExportOptions options;
-    options.csv = request.csv;
-    options.stl = request.stl;
-    options.step = request.step;
-    options.picture = request.picture;
-    options.sampling = {request.sections, request.points.value_or(flank_points), 0.0, 0.0};
-    options.title = export_title(solution);
-    for (const std::filesystem::path& file : write_cam_files(folder.aside(), cam, motion, options))
-        folder.add(file.filename().string());
-}
-
-bool is_wanted(const ExportRequest& request, CamView view) {
-    if (view == CamView::table) return request.csv;
-    return view == CamView::picture && request.picture;
-}
-
-/// What every plane cam has.
-void export_plane(const ExportRequest& request, const WorkshopOptions& options, const Solution& solution,
-                  FolderUpdate& folder) {
+void export_cam(const ExportRequest& request, const ExportOptions& options, const Solution& solution,
+                FolderUpdate& folder, Exported& result) {
     if (request.csv || request.picture)
         for (const CamFile& file : cam_files(solution, {.points = request.points}))
-            if (is_wanted(request, file.view)) folder.write(file.name, file.text);
-    if (request.dxf)
-        for (const FolderFile& file : dxf_files(solution, options.dxf_tolerance)) folder.write(file.name, file.text);
-}
-
-/// "302972 mm3", "18.4885 in3".
-std::string volume_text(LengthUnit unit, double volume) {
-    return fmt::format("{:.6g} {}3", volume / std::pow(metres_of(unit), 3), name_of(unit));
-}
-
-std::string mesh_text(const std::string& file, const DiskMesh& solid, LengthUnit unit) {
-    return fmt::format(
-        "  {}: {} triangles, at most {:.3g} um from the cam; {}, {:.2g} of it {} than the cam's own\n", file,
-        solid.mesh.triangles.size(), solid.deviation / unit_named<"um">.factor,
-        volume_text(unit, solid.volume), std::abs(solid.volume / solid.exact - 1.0),
-        solid.volume < solid.exact ? "less" : "more");
-}
-
-/// name: of its files.
-void export_piece(const ExportRequest& request, const WorkshopOptions& options, const Solution& solution,
-                  const ProfileShape& shape, const std::string& name, FolderUpdate& folder,
-                  Exported& result) {
-    const DrawingSpec drawing = drawing_of(solution, shape, options.plate);
-    const std::string title = export_title(solution) + piece_words(name == first_piece ? 0 : 1);
-    if (request.stl) {
-        DiskMeshOptions mesh;
-        mesh.points = request.points;
-        const DiskMesh solid = disk_mesh(shape, drawing, mesh);
-        folder.write(name + ".stl", stl_bytes(solid.mesh, title));
-        result.text += mesh_text(name + ".stl", solid, solution.scene.length_unit);
+            if (file.view == CamView::table ? request.csv : file.view == CamView::picture && request.picture)
+                folder.write(file.name, file.text);
+    for (const ExportFile& file : workshop()->files(solution, options)) {
+        if (!is_wanted(request, file.name)) continue;
+        const MadeFile made = file.make();
+        folder.write(file.name, made.bytes);
+        result.text += made.words;
     }
-    if (request.step) {
-        const double volume =
-            write_step_solid(folder.aside() / (name + ".step"), disk_plate(shape, drawing, title));
-        folder.add(name + ".step");
-        result.text +=
-            fmt::format("  {}.step: a solid of {}\n", name, volume_text(solution.scene.length_unit, volume));
-    }
-}
-
-void export_disk(const ExportRequest& request, const WorkshopOptions& options, const Solution& solution,
-                 FolderUpdate& folder, Exported& result) {
-    const std::optional<ProfileShape> shape = delivered_shape(solution);
-    if (!shape) return;
-    const std::vector<ProfileShape> pieces = made_pieces(*shape);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        export_piece(request, options, solution, pieces[i], i == 0 ? first_piece : "cam_second", folder, result);
-    if (!request.sheet.empty())
-        for (const FolderFile& file : drawing_files(solution, request.sheet, options.plate))
-            folder.write(file.name, file.text);
+    if (request.nc)
+        for (const ExportedProgram& program : nc_programs(solution, workshop_options(options.settings)))
+            write_program(program, folder, result);
 }
 
 /// What every motion has, with or without a cam.
@@ -230,7 +170,7 @@ std::vector<std::string> drawing_formats() {
 }
 
 ExitCode export_command(const ExportRequest& request) {
-    const WorkshopOptions options = options_of(request);
+    const ExportOptions options = options_of(request);
     prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written
     Solution solution = solved_or_read(request.scene, with_solver(request.settings, request.solver),
@@ -240,12 +180,7 @@ ExitCode export_command(const ExportRequest& request) {
     Exported exported;
     FolderUpdate folder(request.out);
     export_motion(request, solution, folder, exported);
-    if (solution.cam) {
-        if (has_flanks(solution)) export_flanks(request, solution, folder);
-        export_plane(request, options, solution, folder);
-        export_disk(request, options, solution, folder, exported);
-        export_programs(request, options, solution, folder, exported);
-    }
+    if (solution.cam) export_cam(request, options, solution, folder, exported);
     exported.written = folder.finish();
     show_in(solution.scene, request.units);  // the files are written: for the words alone
     print(summary_text(solution, exported.written) + exported.text);

@@ -27,8 +27,7 @@ void add_row(CLI::App& command, const KeyRow& row, ExportRequest& request, CLI::
                                      : row.type == KeyType::number ? "NUMBER"
                                      : row.choices.empty()         ? "FILE"
                                                                    : "NAME");
-        if (!row.choices.empty())
-            option->check(one_of({row.choices.begin(), row.choices.end()}));
+        if (!row.choices.empty()) option->check(one_of({row.choices.begin(), row.choices.end()}));
         if (needed != nullptr) option->needs(needed);
         if (&spelling != &row.spellings.front()) option->group("");
     }
@@ -83,9 +82,7 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
                      "Solids: cam.stl of a plane cam; groove.stl and, of an indexing cam, cam.stl");
     command.add_flag("--picture", request.picture,
                      "cam.svg: a shaded picture; of plane cams profile.svg, mechanism.svg or guide.svg");
-    constexpr int most_sections = 1000, most_angles = 100'000;
-    add_option(command, "--sections", request.sections, "N", "Points of a flank along the roller; default: 9")
-        ->check(CLI::Range(2, most_sections));
+    constexpr int most_angles = 100'000;
     add_option(command, "--points", request.points, "N",
                "Points over one revolution: of table.csv (default 361), of a cam's points (as many as "
                "it needs), of an electronic cam (the joints of the motion)")

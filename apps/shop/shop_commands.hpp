@@ -20,10 +20,9 @@ struct ExportRequest {
     std::string columns;                ///< of table.csv, between commas; empty: the usual ones
     std::optional<int> digits;          ///< of table.csv, lobe.csv; none: all
     bool csv = false, stl = false, step = false, picture = false, dxf = false, nc = false;
-    std::string units;                            ///< as of solve
-    std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
-    int sections = 9;                             ///< of a flank along the roller
-    std::optional<int> points = {};               ///< over the turn
+    std::string units;               ///< as of solve
+    std::string sheet;               ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
+    std::optional<int> points = {};  ///< over the turn
     /// Of plates and programs, by the key of its row (shop/exports/workshop_options.hpp); empty: not given.
     std::map<std::string, std::string> options;
 };

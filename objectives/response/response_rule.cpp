@@ -258,8 +258,7 @@ class ResponseRule final : public WholeMotionRule {
     [[nodiscard]] const EventRows& rows_of(const MotionFamily& family, std::size_t event) const {
         const std::lock_guard lock(mutex_);
         if (rows_.empty())
-            for (const MotionEvent& one : events_)
-                rows_.emplace_back(family, one, train_of(scene_));
+            for (const MotionEvent& one : events_) rows_.emplace_back(family, one, train_of(scene_));
         return rows_[event];
     }
     /// f of the train → the rule: f / size − q, or f / level − 1, or (least + f) / size with f = −F.

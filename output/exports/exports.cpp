@@ -42,11 +42,11 @@ class Exports {
         if (file == files_.end())
             throw InputError(fmt::format("file: found \"{}\"; allowed for this solution: {}", name,
                                          fmt::join(names(), ", ")));
-        return file->make();
+        return file->make().bytes;
     }
 
  private:
-    void add(std::string name, std::function<std::string()> make) {
+    void add(std::string name, std::function<MadeFile()> make) {
         files_.push_back({std::move(name), std::move(make)});
     }
     void add_reports() {

@@ -8,10 +8,19 @@
 
 namespace camopt {
 
+/// The bytes of a file, and what the console says of it: lines, or nothing.
+struct MadeFile {
+    std::string bytes, words = {};
+
+    MadeFile(std::string made,
+             std::string said = {})  // NOLINT(google-explicit-constructor): most say nothing
+        : bytes(std::move(made)), words(std::move(said)) {}
+};
+
 /// A file of a solution, made when it is asked for.
 struct ExportFile {
     std::string name;
-    std::function<std::string()> make;
+    std::function<MadeFile()> make;
 };
 
 /// A controller that takes electronic cams.

@@ -257,8 +257,7 @@ class InverseMechanism final : public CamMechanism {
         for (int i = 0; i < inverse_number_count; ++i) {
             const auto place = static_cast<std::size_t>(i);
             const double value = state.dimensions[place];
-            numbers[place] =
-                n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : constant<n>(value);
+            numbers[place] = n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : constant<n>(value);
         }
         const inverse::Feeder<SecondOrder<n>> output{variable<n>(state.output.s, 0),
                                                      variable<n>(state.output.velocity, 1),

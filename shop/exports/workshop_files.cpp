@@ -8,6 +8,7 @@
 #include "output/exports/workshop.hpp"
 #include "output/json/json_text.hpp"
 #include "output/report/cam_files.hpp"
+#include "output/spatial/indexing_body.hpp"
 #include "shop/disk/disk_export.hpp"
 #include "shop/disk/disk_solid.hpp"
 #include "shop/dxf/cam_dxf.hpp"
@@ -32,7 +33,7 @@ std::string piece_suffix(std::size_t piece) {
 }
 
 std::string piece_title(const Solution& solution, std::size_t piece) {
-    return export_title(solution) + piece_words(piece);
+    return export_title(solution) + (piece == 0 ? "" : ", second disk");
 }
 
 std::vector<ProfileShape> pieces_of(const Solution& solution) {
@@ -59,22 +60,41 @@ class PassingFolder {
 };
 
 /// The flanks of a three-dimensional cam as the file of that name; kind: a member of CamExportOptions.
-std::string flank_bytes(const Solution& solution, const char* name, bool CamExportOptions::*kind) {
+std::string flank_bytes(const Solution& solution, const WorkshopOptions& options, const char* name,
+                        bool CamExportOptions::*kind) {
+    constexpr int flank_points = 361;
     const PassingFolder folder;
     const MotionChain turn = whole_turn(solution);
-    CamExportOptions options;
-    options.*kind = true;
-    options.title = export_title(solution);
+    CamExportOptions wanted;
+    wanted.*kind = true;
+    wanted.title = export_title(solution);
+    wanted.sampling = {options.sections, options.points.value_or(flank_points), 0.0, 0.0};
     (void)write_cam_files(folder.path(), solved_flanks(solution),
-                          follower_motion(turn, motion_scale(solution.scene)), options);
+                          follower_motion(turn, motion_scale(solution.scene)), wanted);
     return read_text_file(folder.path() / name);
 }
 
-std::string solid_bytes(const Plate& plate) {
+/// "302972 mm3", "18.4885 in3".
+std::string volume_text(LengthUnit unit, double volume) {
+    return fmt::format("{:.6g} {}3", volume / std::pow(metres_of(unit), 3), name_of(unit));
+}
+
+MadeFile made_solid(const std::string& file, const Plate& plate, LengthUnit unit) {
     const PassingFolder folder;
-    const std::filesystem::path file = folder.path() / "cam.step";
-    write_step_solid(file, plate);
-    return read_text_file(file);
+    const double volume = write_step_solid(folder.path() / file, plate);
+    return {read_text_file(folder.path() / file),
+            fmt::format("  {}: a solid of {}\n", file, volume_text(unit, volume))};
+}
+
+MadeFile made_mesh(const std::string& file, const DiskMesh& solid, const std::string& title,
+                   LengthUnit unit) {
+    return {
+        stl_bytes(solid.mesh, title),
+        fmt::format(
+            "  {}: {} triangles, at most {:.3g} um from the cam; {}, {:.2g} of it {} than the cam's own\n",
+            file, solid.mesh.triangles.size(), solid.deviation / unit_named<"um">.factor,
+            volume_text(unit, solid.volume), std::abs(solid.volume / solid.exact - 1.0),
+            solid.volume < solid.exact ? "less" : "more")};
 }
 
 /// Of the finishing pass: chords, printed digits and the stock that is left, with a tenth more as room for
@@ -171,7 +191,8 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
     void add_controllers() {
         for (const PlcFormat& format : plc_formats())
             for (const std::string& name : {format.file, format.text_file, plc_check_name(format)})
-                if (!name.empty()) add(name, [&format, name](Self self) { return self.plc_bytes(format, name); });
+                if (!name.empty())
+                    add(name, [&format, name](Self self) { return self.plc_bytes(format, name); });
     }
     void add_plane() {
         for (const char* const name : {drawn_profile, drawn_profile_check})
@@ -181,26 +202,35 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
             });
     }
     void add_piece(std::size_t piece) {
+        const std::string name = "cam" + piece_suffix(piece), title = piece_title(solution_, piece);
+        add(name + ".stl", [piece, title, file = name + ".stl"](Self self) {
+            return made_mesh(
+                file, disk_mesh(self.pieces_[piece], self.drawing(piece), {.points = self.options_.points}),
+                title, self.solution_.scene.length_unit);
+        });
+        add(name + ".step", [piece, title, file = name + ".step"](Self self) {
+            return made_solid(file, disk_plate(self.pieces_[piece], self.drawing(piece), title),
+                              self.solution_.scene.length_unit);
+        });
         for (const char* const format : {"pdf", "svg", "dxf"})
             add(fmt::format("drawing{}.{}", piece_suffix(piece), format), [piece, format](Self self) {
                 return sheet_bytes(cam_sheets(self.solution_, self.options_.plate).at(piece), format);
             });
-        const std::string name = "cam" + piece_suffix(piece), title = piece_title(solution_, piece);
-        add(name + ".step", [piece, title](Self self) {
-            return solid_bytes(disk_plate(self.pieces_[piece], self.drawing(piece), title));
-        });
-        add(name + ".stl", [piece, title](Self self) {
-            return stl_bytes(disk_mesh(self.pieces_[piece], self.drawing(piece)).mesh, title);
-        });
         add_program(name, piece);
     }
     void add_flanks() {
-        const std::pair<const char*, bool CamExportOptions::*> kinds[] = {
-            {"flanks.csv", &CamExportOptions::csv},
-            {"flanks.step", &CamExportOptions::step},
-            {"groove.stl", &CamExportOptions::stl}};
-        for (const auto& [name, kind] : kinds)
-            add(name, [name = name, kind = kind](Self self) { return flank_bytes(self.solution_, name, kind); });
+        const auto flanks = [this](const char* name, bool CamExportOptions::*kind) {
+            add(name,
+                [name, kind](Self self) { return flank_bytes(self.solution_, self.options_, name, kind); });
+        };
+        const MotionChain turn = whole_turn(solution_);
+        const bool whole =
+            indexes(solved_flanks(solution_), follower_motion(turn, motion_scale(solution_.scene)));
+        flanks("flanks.csv", &CamExportOptions::csv);
+        flanks("flanks.step", &CamExportOptions::step);
+        flanks("groove.stl", &CamExportOptions::stl);
+        if (whole) flanks("cam.stl", &CamExportOptions::stl);
+        flanks("cam.svg", &CamExportOptions::picture);
         add_program("cam", 0);
     }
     void add_program(const std::string& name, std::size_t piece) {
@@ -213,7 +243,7 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
         return drawing_of(solution_, pieces_[piece], options_.plate);
     }
     [[nodiscard]] std::string plc_bytes(const PlcFormat& format, const std::string& name) const {
-        const PlcExport exported = plc_export(solution_, {format.key}, options_.plc);
+        const PlcExport exported = plc_export(solution_, {format.key}, {options_.points});
         return std::ranges::find(exported.files, name, &FolderFile::name)->text;
     }
     [[nodiscard]] const ExportedProgram& sound_program(std::size_t piece) const {
@@ -247,10 +277,6 @@ std::vector<Controller> controllers() {
 
 }  // namespace
 
-const char* piece_words(std::size_t piece) {
-    return piece == 0 ? "" : ", second disk";
-}
-
 std::string export_title(const Solution& solution) {
     return solution.scene.title.empty() ? "cam" : solution.scene.title;
 }
@@ -268,28 +294,18 @@ std::vector<ExportedProgram> nc_programs(const Solution& solution, const Worksho
     return programs;
 }
 
-std::vector<FolderFile> drawing_files(const Solution& solution, std::string_view format,
-                                      const CamSheetOptions& options) {
-    std::vector<FolderFile> files;
-    for (const Sheet& sheet : cam_sheets(solution, options))
-        files.push_back(
-            {fmt::format("drawing{}.{}", piece_suffix(files.size()), format), sheet_bytes(sheet, format)});
-    return files;
-}
-
 const Workshop* workshop() {
-    static const Workshop shop = {
-        [](const Solution& solution, const ExportOptions& options) {
-            return std::make_shared<WorkshopFiles>(solution, options)->all();
-        },
-        [] { return workshop_rows(); },
-        [](const View& view) { return dxf_files(view); },
-        controllers,
-        [](std::string_view key) { return controller_of(plc_format(key)); },
-        plc_files,
-        refuse_too_few_elements,
-        pdf_available,
-        step_available};
+    static const Workshop shop = {[](const Solution& solution, const ExportOptions& options) {
+                                      return std::make_shared<WorkshopFiles>(solution, options)->all();
+                                  },
+                                  [] { return workshop_rows(); },
+                                  [](const View& view) { return dxf_files(view); },
+                                  controllers,
+                                  [](std::string_view key) { return controller_of(plc_format(key)); },
+                                  plc_files,
+                                  refuse_too_few_elements,
+                                  pdf_available,
+                                  step_available};
     return &shop;
 }
 

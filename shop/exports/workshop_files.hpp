@@ -6,20 +6,18 @@
 //   disk cam               drawing.pdf, drawing.svg, drawing.dxf (workshop drawing), cam.step, cam.stl,
 //                          cam.nc, cam_nc_check.txt, cam_nc.svg; of the second disk of a conjugate cam
 //                          drawing_second.pdf, cam_second.step, …
-//   three-dimensional cam  flanks.csv, flanks.step, groove.stl, cam.nc, cam_nc_check.txt, cam_nc.svg
+//   three-dimensional cam  flanks.csv, flanks.step, groove.stl, cam.svg, cam.nc, cam_nc_check.txt,
+//   cam_nc.svg;
+//                          of an indexing cam cam.stl
 //   of these NAME.check.json: what `verify-export` holds them to (docs/certificates.md)
 #pragma once
 
-#include "output/document/run_origin.hpp"
 #include "shop/exports/workshop_options.hpp"
 
 namespace camopt {
 
 /// The title of the scene; "cam" where it has none.
 [[nodiscard]] std::string export_title(const Solution& solution);
-/// What a title says of a piece: ", second disk"; of the first nothing.
-[[nodiscard]] const char* piece_words(std::size_t piece);
-
 /// A program with what its check found, as texts.
 struct ExportedProgram {
     std::string name;     ///< "cam"; of the second disk of a conjugate cam "cam_second"
@@ -34,10 +32,5 @@ struct ExportedProgram {
 /// are not valid.
 [[nodiscard]] std::vector<ExportedProgram> nc_programs(const Solution& solution,
                                                        const WorkshopOptions& options);
-
-/// The workshop drawing, one file a piece; format: "pdf", "svg" or "dxf". Throws as cam_sheets
-/// (shop/sheet/cam_sheet.hpp) and sheet_pdf, InputError for another format.
-[[nodiscard]] std::vector<FolderFile> drawing_files(const Solution& solution, std::string_view format,
-                                                    const CamSheetOptions& options = {});
 
 }  // namespace camopt

@@ -39,6 +39,7 @@ KeyPlace blank_radius() {
 // A row is read as a row.
 // clang-format off
 std::vector<KeyRow> plate_rows() {
+    constexpr int most_sections = 1000;
     return {
         {"", "tolerance", number, length, positive, {}, "0.001", "Of the arcs of profile.dxf, to either side of the exact curve",
          stored_in(&WorkshopOptions::dxf_tolerance)},
@@ -46,14 +47,16 @@ std::vector<KeyRow> plate_rows() {
          of_plate(&CamSheetOptions::thickness)},
         {"", "bore", number, length, positive, {}, "drawing.bore_mm, else no bore", "Diameter of a plane cam's bore",
          of_plate(&CamSheetOptions::bore)},
+        {"", "sections", integer, plain, Range::between(2, most_sections), {}, "9", "Points of a flank along the roller",
+         stored_in(&WorkshopOptions::sections)},
     };
 }
 
 std::vector<KeyRow> controller_rows() {
     constexpr int most_points = 100'000;
     return {
-        {"", "points", integer, plain, Range::between(2, most_points), {}, "the joints of the motion",
-         "Points of an electronic cam, evenly over one revolution", stored_in(&WorkshopOptions::plc, &PlcOptions::points)},
+        {"", "points", integer, plain, Range::between(2, most_points), {}, "the joints of the motion; as many as a solid needs",
+         "Points over one revolution of an electronic cam, of flanks and of solids", stored_in(&WorkshopOptions::points)},
     };
 }
 
@@ -135,8 +138,7 @@ const Rows& rows() {
 
 std::span<const KeyRow> workshop_rows(WorkGroup group) {
     const auto which = static_cast<std::size_t>(group);
-    return std::span(rows().all)
-        .subspan(rows().ends[which], rows().ends[which + 1] - rows().ends[which]);
+    return std::span(rows().all).subspan(rows().ends[which], rows().ends[which + 1] - rows().ends[which]);
 }
 
 std::span<const KeyRow> workshop_rows() {

@@ -22,9 +22,12 @@ struct NcChoice : MillingOptions {
 
 struct WorkshopOptions {
     double dxf_tolerance = 1e-6;  ///< m: of the arcs of profile.dxf
-    CamSheetOptions plate;  ///< bore and thickness of a disk cam, in place of the scene's
+    CamSheetOptions plate;        ///< bore and thickness of a disk cam, in place of the scene's
+    int sections = 9;             ///< points of a flank along the roller
+    /// Evenly over the turn; none: an electronic cam the joints of the motion, a flank 361, a solid as many
+    /// as it needs.
+    std::optional<int> points = {};
     NcChoice nc;
-    PlcOptions plc;
 };
 
 /// What is made with an option.
@@ -36,7 +39,6 @@ enum class WorkGroup { plate, controller, program };
 
 /// {"cutter_mm", "12"}, {"direction", "conventional"}. Throws InputError "KEY: found …; allowed: …" for a
 /// key that is none, for a value that is not allowed, and for one option in two units.
-[[nodiscard]] WorkshopOptions workshop_options(
-    std::span<const std::pair<std::string, std::string>> settings);
+[[nodiscard]] WorkshopOptions workshop_options(std::span<const std::pair<std::string, std::string>> settings);
 
 }  // namespace camopt

@@ -30,16 +30,27 @@ const std::vector<Named>& formulas() {
         {"product", [](auto x, auto y, auto z) { return x * y * z * x; }},
         {"quotient", [](auto x, auto y, auto z) { return (x + y * z) / (y * y + x); }},
         {"of a number", [](auto x, auto y, auto z) { return 2.0 / (x * z) + y / 4.0; }},
-        {"assigned", [](Number x, auto y, auto z) { x += y; x *= z; x -= y * y; x /= y; x *= 0.5; return x; }},
+        {"assigned",
+         [](Number x, auto y, auto z) {
+             x += y;
+             x *= z;
+             x -= y * y;
+             x /= y;
+             x *= 0.5;
+             return x;
+         }},
         {"sqrt", [](auto x, auto y, auto z) { return sqrt(x * y + z); }},
         {"exp log", [](auto x, auto y, auto z) { return exp(x * z) * log(y + x); }},
-        {"pow", [](auto x, auto y, auto z) { return pow(x, 3.0) + pow(y, -1.5) + pow(x, z) + pow(2.0, y * z); }},
+        {"pow",
+         [](auto x, auto y, auto z) { return pow(x, 3.0) + pow(y, -1.5) + pow(x, z) + pow(2.0, y * z); }},
         {"sin cos", [](auto x, auto y, auto z) { return sin(x * y) * cos(z - y); }},
         {"tan atan", [](auto x, auto y, auto z) { return tan(0.3 * x * y) + atan(x - z); }},
         {"asin acos", [](auto x, auto y, auto z) { return asin(0.3 * x * z) * acos(0.2 * y); }},
-        {"atan2", [](auto x, auto y, auto z) { return atan2(x * y, z) + atan2(-0.2 * x, -y) + atan2(y, 0.1 * z); }},
+        {"atan2",
+         [](auto x, auto y, auto z) { return atan2(x * y, z) + atan2(-0.2 * x, -y) + atan2(y, 0.1 * z); }},
         {"hyperbolic", [](auto x, auto y, auto z) { return sinh(x) * cosh(y) - tanh(z * x); }},
-        {"chosen", [](auto x, auto y, auto z) { return abs(-x * y) + min(x * x, 9.0 + z) + max(y * z, -5.0 * x); }}};
+        {"chosen",
+         [](auto x, auto y, auto z) { return abs(-x * y) + min(x * x, 9.0 + z) + max(y * z, -5.0 * x); }}};
     return all;
 }
 

@@ -33,13 +33,13 @@ ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
     for (const auto& [name, value] : given) {
         const auto key = name.cast<std::string>();
         if (!is_option(key))
-            throw py::type_error(fmt::format(
-                "found the option {}; allowed: {}", key,
-                listed(option_rows(), ", ", [](const KeyRow& row) { return row.first_key(); })));
+            throw py::type_error(
+                fmt::format("found the option {}; allowed: {}", key,
+                            listed(option_rows(), ", ", [](const KeyRow& row) { return row.first_key(); })));
         if (value.is_none()) continue;
         const bool is_word = py::isinstance<py::bool_>(value);
-        options.settings.emplace_back(key, is_word ? (value.cast<bool>() ? "true" : "false")
-                                                   : py::str(value).cast<std::string>());
+        options.settings.emplace_back(
+            key, is_word ? (value.cast<bool>() ? "true" : "false") : py::str(value).cast<std::string>());
     }
     return options;
 }

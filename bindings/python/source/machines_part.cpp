@@ -84,7 +84,8 @@ std::optional<std::string> timing_picture(const SolvedMachine& machine) {
 
 void write_machine(const SolvedMachine& machine, const std::string& folder,
                    const std::vector<std::string>& plc) {
-    write_machine_folder(folder, machine.run, *machine.solution, controller_files(machine.solution->axes, plc));
+    write_machine_folder(folder, machine.run, *machine.solution,
+                         controller_files(machine.solution->axes, plc));
 }
 
 }  // namespace

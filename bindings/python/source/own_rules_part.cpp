@@ -54,7 +54,9 @@ void add_order(py::class_<Number>& type) {
 /// Under the names by which NumPy asks an object for them: np.sin(number) calls number.sin().
 void add_functions(py::class_<Number>& type) {
     using Value = const Number&;
-    const auto add = [&](const char* name, const char* words, const auto& made) { type.def(name, made, words); };
+    const auto add = [&](const char* name, const char* words, const auto& made) {
+        type.def(name, made, words);
+    };
     add("sqrt", "Square root.", [](Value u) { return sqrt(u); });
     add("exp", "e to this power.", [](Value u) { return exp(u); });
     add("log", "Natural logarithm.", [](Value u) { return log(u); });

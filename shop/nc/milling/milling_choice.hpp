@@ -16,7 +16,7 @@ enum class MillingDirection { climb, conventional };
 enum class CompensationWords { none, control };
 
 [[nodiscard]] const char* name_of(MillingDirection direction);  ///< "climb"
-[[nodiscard]] const char* name_of(CompensationWords words);      ///< "control"
+[[nodiscard]] const char* name_of(CompensationWords words);     ///< "control"
 
 struct MillingChoice {
     /// m, > 0, no more than the cutter's diameter: between two roughing passes; none: half the diameter.

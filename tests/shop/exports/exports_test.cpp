@@ -73,10 +73,9 @@ TEST(Exports, EveryNameGivesAFile) {
 
 TEST(Exports, OptionsReachTheFiles) {
     const Solution solution = disk();
-    const ExportOptions options{.settings = {{"thickness_mm", "5"},
-                                             {"spindle_rpm", "4321"},
-                                             {"cutter_in", "0.25"},
-                                             {"points", "37"}}};
+    const ExportOptions options{
+        .settings = {
+            {"thickness_mm", "5"}, {"spindle_rpm", "4321"}, {"cutter_in", "0.25"}, {"points", "37"}}};
     EXPECT_NE(exported_file(solution, "drawing.svg", options), exported_file(solution, "drawing.svg"));
     const std::string program = exported_file(solution, "cam.nc", options);
     EXPECT_TRUE(says(program, "4321"));
