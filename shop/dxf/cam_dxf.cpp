@@ -58,7 +58,7 @@ class Outline {
 ArcChain chain_of(const Outline& outline, int station, bool of_cam, bool closed, double tolerance,
                   double unit_angle) {
     const PlaneCurve curve = [&](double x) {
-        const MechanismPoint point = outline.at(x, station);
+        const MechanismPoint& point = outline.at(x, station);
         return CurvePoint{(of_cam ? point.contact : point.pitch).head<2>(), point.normal.head<2>()};
     };
     ArcChainOptions options;
