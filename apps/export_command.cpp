@@ -6,16 +6,16 @@
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/unit.hpp"
+#include "output/cam/cam_files.hpp"
 #include "output/csv/lobe_csv.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_solid.hpp"
 #include "output/exports/exports.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/plc/table_check.hpp"
-#include "output/report/cam_files.hpp"
 #include "output/sheet/sheet_files.hpp"
+#include "output/solve/solution_document.hpp"
 #include "output/spatial/cam_export.hpp"
-#include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
@@ -282,7 +282,7 @@ ExitCode export_command(const ExportRequest& request) {
     }
     exported.written = folder.finish();
     show_in(solution.scene, request.units);  // the files are written: for the words alone
-    print(summary_text(solution, exported.written) + exported.text);
+    print(summary_text(solution) + written_lines(exported.written) + exported.text);
     if (!exported.fault.empty()) {
         print_error(
             fmt::format("camopt: the NC program is refused and was not written: {}\n", exported.fault));

@@ -2,10 +2,10 @@
 // The files of a scene that the studio's page may ask for: one row each.
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
+#include "output/cam/cam_files.hpp"
 #include "output/exports/exports.hpp"
 #include "output/json/result_json.hpp"
 #include "output/plc/plc_format.hpp"
-#include "output/report/cam_files.hpp"
 #include "output/sheet/sheet_files.hpp"
 #include "output/surface/step/step_file.hpp"
 #include "profiles/kinds/cam_kinds.hpp"

@@ -5,7 +5,7 @@
 //   always                 report.html, report.md, result.json, certificate.json
 //   with a motion          motion.csv, motion.svg; an electronic cam of each controller (codesys.st, …,
 //                          output/plc/plc_format.hpp)
-//   plane cam              its points and pictures (output/report/cam_files.hpp), profile.dxf
+//   plane cam              its points and pictures (output/cam/cam_files.hpp), profile.dxf
 //   of these and cam.nc    NAME.check.json (docs/certificates.md)
 //   disk cam               drawing.pdf, drawing.svg, drawing.dxf (workshop drawing), cam.step, cam.stl,
 //   cam.nc,

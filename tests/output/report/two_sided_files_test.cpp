@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Files of cams that drive both ways: tables of both sides, pieces, what is refused.
+#include "output/cam/cam_files.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/disk/disk_export.hpp"
 #include "output/disk/disk_solid.hpp"
-#include "output/report/cam_files.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/check/check_cam.hpp"

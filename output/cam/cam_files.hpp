@@ -45,7 +45,7 @@ struct CamFileOptions {
 /// The names of all kinds.
 [[nodiscard]] std::vector<std::string> cam_file_names();
 
-// Private to output/report: the texts of a plane cam's files by kind, in the order of the rows of
+// Private to output/cam: the texts of a plane cam's files by kind, in the order of the rows of
 // cam_files.cpp.
 
 /// Points, the cam to scale, its diagrams.
