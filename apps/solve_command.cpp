@@ -8,6 +8,7 @@
 #include "core/word_of.hpp"
 #include "input/scene_text.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/solve/solution_document.hpp"
 #include "output/words/plan_text.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
@@ -113,8 +114,7 @@ ExitCode solve_command(const SolveRequest& request) {
     show_in(solution.scene, request.units);
     const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
     const std::vector<std::filesystem::path> written = write_results(request, origin, solution);
-    const std::string text = request.json ? result_json(solution, origin) : summary_text(solution, written);
-    print(text);
+    print(request.json ? result_json(solution, origin) : summary_text(solution) + written_lines(written));
     return exit_code_of(solution.certificate.verdict);
 }
 

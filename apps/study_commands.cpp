@@ -18,7 +18,6 @@
 #include "output/page/result_page.hpp"
 #include "output/report/result_folder_reader.hpp"
 #include "output/valves/valves_document.hpp"
-#include "output/words/solution_text.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>
@@ -197,9 +196,7 @@ ExitCode report_command(const ReportRequest& request) {
     FolderUpdate folder(request.folder);
     folder.write("report.html", report_html(result.solution, result.origin));
     folder.write("report.md", report_markdown(result.solution, result.origin));
-    std::string text;
-    for (const auto& path : folder.finish()) text += fmt::format("  wrote {}\n", path.string());
-    print(text);
+    print(written_lines(folder.finish()));
     return success;
 }
 

@@ -22,6 +22,12 @@ void print(std::string_view text) {
         throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
 }
 
+std::string written_lines(const std::vector<std::filesystem::path>& paths) {
+    std::string text;
+    for (const std::filesystem::path& path : paths) text += "  wrote " + path.string() + "\n";
+    return text;
+}
+
 void print_error(std::string_view text) {
     std::fputs(printable_lines(text).c_str(), stderr);
 }

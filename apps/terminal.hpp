@@ -6,11 +6,16 @@
 #include "core/platform/console.hpp"
 #include "solvers/solver.hpp"
 
+#include <filesystem>
+
 namespace camopt::apps {
 
 /// To standard output, all of it. Throws std::system_error where it does not take the text (a full disk, a
 /// closed pipe): a text that is cut short must not end in exit code 0.
 void print(std::string_view text);
+
+/// "  wrote FILE", a line each.
+[[nodiscard]] std::string written_lines(const std::vector<std::filesystem::path>& paths);
 
 /// To standard error.
 void print_error(std::string_view text);

@@ -83,7 +83,7 @@ camopt_promise(drawings [[
 Cams as DXF text: arcs within a tolerance (m) of the exact curve; files in mm. Errors: InputError for a
 tolerance that is not positive and a cam that is not finite.]]
   shop/dxf/cam_dxf.hpp
-  output/report/cam_files.hpp)
+  output/cam/cam_files.hpp)
 camopt_promise(errors [[
 The exceptions camopt throws: InputError (something the caller gave is wrong; the message says what was
 found and what is allowed), UnavailableError (an InputError: this build lacks what was asked for),
@@ -316,6 +316,7 @@ The version of this camopt, "MAJOR.MINOR.PATCH".]]
 camopt_promise(words [[
 A solution and a sweep in words: the verdict in a sentence, limits, what would help. UTF-8, display units.
 Nothing throws.]]
+  output/solve/solution_document.hpp
   output/sweep/sweep_document.hpp
   output/words/plan_text.hpp
   output/words/solution_text.hpp)

@@ -8,9 +8,9 @@
 #include "output/csv/lobe_csv.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/exports/workshop.hpp"
-#include "output/report/cam_files.hpp"
+#include "output/cam/cam_files.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/words/solution_text.hpp"
+#include "output/solve/solution_document.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "shop/exports/workshop_files.hpp"
 #include "shop/plc/plc_export.hpp"
@@ -183,7 +183,7 @@ ExitCode export_command(const ExportRequest& request) {
     if (solution.cam) export_cam(request, options, solution, folder, exported);
     exported.written = folder.finish();
     show_in(solution.scene, request.units);  // the files are written: for the words alone
-    print(summary_text(solution, exported.written) + exported.text);
+    print(summary_text(solution) + written_lines(exported.written) + exported.text);
     if (!exported.fault.empty()) {
         print_error(
             fmt::format("camopt: the NC program is refused and was not written: {}\n", exported.fault));

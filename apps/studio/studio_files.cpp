@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "output/exports/workshop.hpp"
 #include "output/json/result_json.hpp"
-#include "output/report/cam_files.hpp"
+#include "output/cam/cam_files.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"

@@ -168,7 +168,7 @@ ExitCode surface_run(const SweepRequest& request) {
         page.columns = surface.table.columns;
         Document document = sweep_document(picture, page);
         document.sections.front().sentences = summary.sections.front().sentences;
-        update.write("surface.svg", chart_svg(document.pictures().front()->chart));
+        update.write("surface.svg", chart_svg(*document.pictures().front()->chart));
         update.write("surface.html", document_html(document, {request.scene, "", loaded.text}));
         update.write("surface.obj", surface_obj(surface, scene.title));
     }

@@ -104,7 +104,7 @@ void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, st
     FolderUpdate update(folder.path());
     const Document document = sweep_document(picture, identity);
     const RunOrigin origin{identity.scene_file, "", identity.columns.machine ? "" : identity.scene_text};
-    update.write("sweep.svg", chart_svg(document.pictures().front()->chart));
+    update.write("sweep.svg", chart_svg(*document.pictures().front()->chart));
     update.write("sweep.html", document_html(document, origin));
     update.finish();
 }

@@ -27,14 +27,15 @@ int report_on(const Request& request) {
     const PaperInfo& paper = find_paper(request.paper);
     if (!request.out.empty()) prepare_folder(request.out);
     const PaperReport report = paper.report({}, {});
+    const Document document = paper_document(report);
     const std::string json = paper_report_json(report);
     if (!request.out.empty()) {
         FolderUpdate folder(request.out);
         folder.write("report.json", json);
-        for (const auto& [name, text] : paper_report_files(report)) folder.write(name, text);
+        for (const FolderFile& file : text_files(document, {})) folder.write(file.name, file.text);
         folder.finish();
     }
-    const std::string text = request.json ? json : paper_report_text(report);
+    const std::string text = request.json ? json : console_text(document);
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
         throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
     return report.faults.empty() ? 0 : 1;

@@ -2,14 +2,14 @@
 #include "bindings/c/handles.hpp"
 #include "dynamics/train_formulas.hpp"
 #include "input/loading/load_scene.hpp"
+#include "output/cam/cam_files.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/exports/exports.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
-#include "output/report/cam_files.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/words/solution_text.hpp"
+#include "output/solve/solution_document.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -36,7 +36,7 @@ std::string document_of(const camopt_solution& result, camopt_document document)
     const Solution& solution = result.solution;
     switch (document) {
         case CAMOPT_SUMMARY_TEXT:
-            return summary_text(solution, {});
+            return summary_text(solution);
         case CAMOPT_REPORT_MARKDOWN:
             return report_markdown(solution, result.origin);
         case CAMOPT_RESULT_JSON:

@@ -212,13 +212,15 @@ void add_peaks(Table& table, const Comparison& comparison) {
         const auto term = std::ranges::find_if(cost_terms(), [&](const CostTerm& one) {
             return one.kind == CostTerm::Kind::peak && one.measured.name == figure.name;
         });
-        field.only_files = term == cost_terms().end();
-        if (!field.only_files) field.title = term->symbol;
+        if (term == cost_terms().end())
+            field.where = Where::files;
+        else
+            field.title = term->symbol;
         field.decimals = peak_decimals;
         table.add_column(std::move(field), comparison.rows,
                          [&](const Row& row) { return number_of(row, figure.of(row.peaks)); });
         if (figure.extremum == nullptr) continue;
-        table.add_column({.key = key + ".at", .only_files = true}, comparison.rows,
+        table.add_column({.key = key + ".at", .where = Where::files}, comparison.rows,
                          [&](const Row& row) { return number_of(row, (row.peaks.*figure.extremum).at); });
     }
 }
@@ -252,11 +254,11 @@ Table law_table(const Comparison& comparison) {
     const auto add = [&](Field field, const auto& cell_of) {
         table.add_column(std::move(field), rows, cell_of);
     };
-    add({.key = "law", .only_files = true}, [](const Row& row) { return row.key; });
+    add({.key = "law", .where = Where::files}, [](const Row& row) { return row.key; });
     add({.key = "title", .title = "law", .left = true}, [](const Row& row) { return row.title; });
-    add({.key = "fits", .only_files = true}, [](const Row& row) { return flag(row.misfit.empty()); });
-    add({.key = "misfit", .only_files = true}, [](const Row& row) { return row.misfit; });
-    add({.key = "feasible", .only_files = true}, [](const Row& row) { return flag(row.feasible); });
+    add({.key = "fits", .where = Where::files}, [](const Row& row) { return flag(row.misfit.empty()); });
+    add({.key = "misfit", .where = Where::files}, [](const Row& row) { return row.misfit; });
+    add({.key = "feasible", .where = Where::files}, [](const Row& row) { return flag(row.feasible); });
     add({.key = "objective", .decimals = objective_decimals},
         [](const Row& row) { return number_of(row, row.objective); });
     add({"loss", "loss", loss_unit}, [](const Row& row) {
@@ -270,10 +272,10 @@ Table law_table(const Comparison& comparison) {
         if (!row.base) return Cell();
         return Cell(row.base->radius.value_or(std::nan(""))).in_words(base_words(comparison, row));
     });
-    add({.key = "base_radius.stays_broken", .only_files = true},
+    add({.key = "base_radius.stays_broken", .where = Where::files},
         [](const Row& row) { return row.base ? row.base->broken : std::string(); });
     if (scene.drive)
-        add({.key = "drive", .only_files = true}, [&](const Row& row) {
+        add({.key = "drive", .where = Where::files}, [&](const Row& row) {
             Cell cell;
             if (row.drive)
                 cell.object = std::make_shared<const std::vector<Figure>>(drive_figures(scene, *row.drive));
@@ -427,7 +429,7 @@ Document comparison_document(const Comparison& comparison, const RunOrigin& orig
     section.figures = figures_of(comparison, origin);
     section.tables = {law_table(comparison), csv_table(comparison)};
     section.pictures = {{"comparison", "Objective, peaks and violated limits of every law",
-                         bar_chart(comparison, section.tables.front(), document.title), false}};
+                         bar_chart(comparison, section.tables.front(), document.title), Where::texts}};
     return document;
 }
 

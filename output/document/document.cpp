@@ -62,7 +62,7 @@ Figure place_figure(const Figure& figure) {
     return {{figure.field.key + "_at", {}, figure.place}, Cell(*figure.at)};
 }
 
-TextTable text_table(const Table& table) {
+TextTable text_table(const Table& table, unsigned to) {
     TextTable shown;
     std::vector<std::size_t> rows;
     for (std::size_t r = 0; r < table.rows.size(); ++r)
@@ -74,30 +74,53 @@ TextTable text_table(const Table& table) {
             return i >= row.size() || (row[i].words.empty() && !row[i].value && !row[i].holds);
         };
         const Field& field = table.columns[i];
-        if (field.only_files || std::ranges::all_of(table.rows, is_empty)) continue;
-        shown.columns.push_back({field.shown_title(), field.left});
+        if ((field.where & to) == 0 || std::ranges::all_of(table.rows, is_empty)) continue;
+        shown.columns.push_back({field.shown_title(), field.left, field.code});
         for (std::size_t r = 0; r < rows.size(); ++r)
             shown.rows[r].push_back(shown_text(table.rows[rows[r]][i], field));
     }
     return shown;
 }
 
-std::vector<std::string> Document::sentences(std::initializer_list<Sentence::Kind> kinds) const {
+void Section::say(Sentence::Kind kind, const std::string& about, std::vector<std::string> texts,
+                  unsigned to) {
+    for (std::string& text : texts) sentences.push_back({kind, about, std::move(text), to});
+}
+
+Section listing(std::string key, std::string title, std::vector<std::string> remarks, unsigned where) {
+    Section section{.key = std::move(key), .title = std::move(title)};
+    section.where = where;
+    section.say(Sentence::Kind::remark, section.key, std::move(remarks));
+    return section;
+}
+
+std::vector<std::string> Section::said(std::initializer_list<Sentence::Kind> kinds, unsigned to) const {
     std::vector<std::string> all;
-    for (const Section& section : sections)
-        for (const Sentence& sentence : section.sentences)
-            if (std::ranges::find(kinds, sentence.kind) != kinds.end()) all.push_back(sentence.text);
+    for (const Sentence& sentence : sentences)
+        if ((where & sentence.where & to) != 0 && std::ranges::find(kinds, sentence.kind) != kinds.end())
+            all.push_back(sentence.text);
     return all;
 }
 
-std::vector<const Table*> Document::shown_tables(bool on_page) const {
+std::vector<const Table*> Section::shown_tables(unsigned to) const {
+    std::vector<const Table*> all;
+    for (const Table& table : tables)
+        if (table.file.empty() && !table.rows.empty() && (where & table.where & to) != 0)
+            all.push_back(&table);
+    return all;
+}
+
+std::vector<std::string> Document::sentences(std::initializer_list<Sentence::Kind> kinds, unsigned to) const {
+    std::vector<std::string> all;
+    for (const Section& section : sections)
+        std::ranges::move(section.said(kinds, to), std::back_inserter(all));
+    return all;
+}
+
+std::vector<const Table*> Document::shown_tables(unsigned to) const {
     std::vector<const Table*> all;
     for (const Section& section : sections)
-        for (const Table& table : section.tables)
-            if (table.file.empty() && !table.rows.empty() &&
-                (on_page || table.motions.empty() ||
-                 !std::ranges::all_of(table.motions, &RowMotion::only_page)))
-                all.push_back(&table);
+        std::ranges::copy(section.shown_tables(to), std::back_inserter(all));
     return all;
 }
 

@@ -13,6 +13,12 @@
 
 namespace camopt {
 
+/// Who is shown a part of a document, bit by bit. Files for programs have all of it.
+struct Where {
+    static constexpr unsigned files = 0, console = 1, markdown = 2, page = 4, texts = 3, reports = 6,
+                              everywhere = 7;
+};
+
 /// "at least 12 mm", "at most 12 mm".
 enum class Bound : unsigned char { exact, at_least, at_most };
 
@@ -45,6 +51,10 @@ struct Cell {
         return std::move(*this);
     }
 };
+/// A normalised derivative of a motion.
+[[nodiscard]] inline Cell motion_cell(const MotionUnit& unit, double normalised, int digits = 6) {
+    return {unit.si(normalised), unit, digits};
+}
 [[nodiscard]] inline Cell flag(std::optional<bool> holds) {
     Cell cell;
     cell.holds = holds;
@@ -60,11 +70,12 @@ struct Cell {
 /// Names a number of files: key and unit together ("least_mm").
 struct Field {
     std::string key;
-    std::string title = {};  ///< empty: the key and the unit in words
-    ShownUnit unit = {};     ///< of the numbers in files, and of cells without a unit of their own
-    bool left = false;       ///< words stand left, numbers right
-    bool only_files = false;
+    std::string title = {};            ///< empty: the key and the unit in words
+    ShownUnit unit = {};               ///< of the numbers in files, and of cells without a unit of their own
+    bool left = false;                 ///< words stand left, numbers right
     std::optional<int> decimals = {};  ///< of its numbers, as people read them
+    unsigned where = Where::everywhere;
+    bool code = false;  ///< in Markdown words are code
 
     [[nodiscard]] std::string file_key() const;  ///< "least_mm"
     [[nodiscard]] std::string shown_title() const;
@@ -94,6 +105,7 @@ struct Table {
     std::vector<Field> columns = {};
     std::vector<std::vector<Cell>> rows = {};
     std::string note = {};
+    unsigned where = Where::everywhere, note_where = Where::everywhere;
     std::vector<std::string> folders = {};  ///< result folders of the rows, to which their first cells lead
     /// Only in this CSV file, as it is: rows by the hundred. Empty: shown everywhere.
     std::string file = {};
@@ -132,6 +144,7 @@ struct Sentence {
     Kind kind = Kind::remark;
     std::string key;  ///< says what it is about: "tolerance"
     std::string text;
+    unsigned where = Where::everywhere;
 };
 
 /// Curves over one angle: charts of the page with one cursor, and a picture. `group` of a curve is the
@@ -148,28 +161,47 @@ struct Curves : CurveSet {
 /// A chart of its own: KEY.svg.
 struct Picture {
     std::string key, caption;
-    Chart chart;
-    bool on_page = true;
+    std::optional<Chart> chart =
+        {};  ///< none: the folder has the file from elsewhere, the page draws it otherwise
+    unsigned where = Where::everywhere;
 };
 
+/// What is said where it has no title is the verdict. The sentences of a titled section are a list; on the
+/// page those of the key "reference" stand beside the verdict, those of "scene" above the text of the scene.
 struct Section {
-    std::string key = {}, title = {};  ///< the first one has none
+    std::string key = {}, title = {};
     std::vector<Sentence> sentences = {};
     std::vector<Figure> figures = {};
     std::optional<Curves> curves = {};
     std::vector<Picture> pictures = {};
     std::vector<Table> tables = {};  ///< those without rows are left out
+    std::string code = {};           ///< TOML, as it is, in Markdown
+    unsigned where = Where::everywhere;
+
+    void say(Sentence::Kind kind, const std::string& about, std::vector<std::string> texts,
+             unsigned to = Where::everywhere);
+    /// Sentences of these kinds, for any of these readers.
+    [[nodiscard]] std::vector<std::string> said(std::initializer_list<Sentence::Kind> kinds,
+                                                unsigned to = Where::everywhere) const;
+    [[nodiscard]] std::vector<const Table*> shown_tables(unsigned to) const;
 };
+
+/// Remarks under a title; without any nothing is shown.
+[[nodiscard]] Section listing(std::string key, std::string title, std::vector<std::string> remarks,
+                              unsigned where = Where::everywhere);
 
 struct Document {
     std::string title;
     std::string tone = "good";  ///< "good", "fair", "bad"
     std::vector<Section> sections = {};
     std::string kind = "Report";  ///< above the title of the page
+    std::string foot = {};        ///< of printed pages; empty: the title
+    std::string verdict = {};     ///< of a solve, a key: "optimal"
 
     /// Of all sections, in their order.
-    [[nodiscard]] std::vector<std::string> sentences(std::initializer_list<Sentence::Kind> kinds) const;
-    [[nodiscard]] std::vector<const Table*> shown_tables(bool on_page = false) const;
+    [[nodiscard]] std::vector<std::string> sentences(std::initializer_list<Sentence::Kind> kinds,
+                                                     unsigned to = Where::everywhere) const;
+    [[nodiscard]] std::vector<const Table*> shown_tables(unsigned to = Where::texts) const;
     [[nodiscard]] std::vector<const Picture*> pictures() const;
     [[nodiscard]] const Curves* curves() const;  ///< the first; null: none
 };
@@ -186,7 +218,7 @@ bool has_own_unit(const Cell& cell, const Field& field);
 /// Where a figure is, as a figure of files: it has `at`.
 [[nodiscard]] Figure place_figure(const Figure& figure);
 
-/// The table as people read it, without columns that say nothing in any row.
-[[nodiscard]] TextTable text_table(const Table& table);
+/// The table as these people read it, without columns that say nothing in any row.
+[[nodiscard]] TextTable text_table(const Table& table, unsigned to = Where::everywhere);
 
 }  // namespace camopt

@@ -15,6 +15,7 @@ namespace {
 using Kind = Sentence::Kind;
 
 constexpr auto said_first = {Kind::headline, Kind::verdict, Kind::warning, Kind::remark};
+constexpr int console_width = 110;
 
 std::string figure_line(const Figure& figure) {
     const std::string place = place_text(figure);
@@ -60,41 +61,89 @@ Table table_of(const Curves& curves) {
     return table;
 }
 
+/// Of these readers; figures without a title are for files.
+std::vector<std::string> figure_lines(const Section& section, unsigned to) {
+    std::vector<std::string> lines;
+    for (const Figure& figure : section.figures)
+        if (!figure.field.title.empty() && (section.where & figure.field.where & to) != 0)
+            lines.push_back(figure_line(figure));
+    return lines;
+}
+
+std::string console_section(const Section& section) {
+    const std::vector<std::string> said = section.said(said_first, Where::console);
+    const std::string lead = section.title.empty() ? "" : "  ";
+    std::string text = lead.empty() || said.empty() ? "" : "\n" + section.title + "\n";
+    for (const std::string& sentence : said) text += wrapped_text(printable(sentence), lead, console_width);
+    for (const std::string& line : figure_lines(section, Where::console)) text += "  " + line + "\n";
+    for (const Table* table : section.shown_tables(Where::console)) {
+        text += fmt::format("\n{}\n{}", table->title, aligned_text(text_table(*table, Where::console)));
+        if (!table->note.empty() && (table->note_where & Where::console) != 0)
+            text += wrapped_text(table->note, "", console_width);
+    }
+    return text;
+}
+
+std::string markdown_list(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences) text += "- " + markdown_words(sentence) + "\n";
+    return text;
+}
+
+/// In a fence that is longer than any in it.
+std::string fenced(const std::string& code) {
+    std::string fence = "```";
+    while (code.find(fence) != std::string::npos) fence += '`';
+    return fmt::format("\n{}toml\n{}{}{}\n", fence, printable_lines(code), code.ends_with('\n') ? "" : "\n",
+                       fence);
+}
+
+std::string markdown_section(const Section& section) {
+    std::string text;
+    for (std::string words : section.said({Kind::headline}, Where::markdown))
+        text += fmt::format("**{}{}**\n\n", markdown_words(words), words.ends_with('.') ? "" : ".");
+    if (section.title.empty())
+        for (const std::string& words :
+             section.said({Kind::verdict, Kind::warning, Kind::remark}, Where::markdown))
+            text += markdown_words(words) + "\n\n";
+    else
+        text += markdown_list(
+            section.said({Kind::verdict, Kind::warning, Kind::remark, Kind::effort}, Where::markdown));
+    text += markdown_list(figure_lines(section, Where::markdown));
+    if (section.curves && !section.curves->curves.empty())
+        text += fmt::format("\n![{}]({}.svg)\n", section.curves->caption, section.curves->key);
+    for (const Picture& picture : section.pictures)
+        if ((picture.where & Where::markdown) != 0)
+            text += fmt::format("\n![{}]({}.svg)\n", picture.caption, picture.key);
+    for (const Table* table : section.shown_tables(Where::markdown)) {
+        text += (table->title.empty() ? "" : fmt::format("\n## {}\n\n", table->title)) +
+                markdown_text(text_table(*table, Where::markdown));
+        if (!table->note.empty() && (table->note_where & Where::markdown) != 0)
+            text += "\n" + table->note + "\n";
+    }
+    if (!section.code.empty()) text += fenced(section.code);
+    return section.title.empty() || text.empty() ? text : fmt::format("\n## {}\n\n{}", section.title, text);
+}
+
 }  // namespace
 
 std::string console_text(const Document& document) {
     std::string text = printable(document.title) + "\n";
-    for (const std::string& sentence : document.sentences(said_first)) text += printable(sentence) + "\n";
-    for (const Figure* figure : figures_of(document))
-        if (!figure->field.title.empty()) text += "  " + figure_line(*figure) + "\n";
-    for (const Table* table : document.shown_tables())
-        text += fmt::format("\n{}\n{}{}", table->title, aligned_text(text_table(*table)),
-                            table->note.empty() ? "" : table->note + "\n");
-    const std::vector<std::string> effort = document.sentences({Kind::effort});
+    for (const Section& section : document.sections) text += console_section(section);
+    const std::vector<std::string> effort = document.sentences({Kind::effort}, Where::console);
     if (!effort.empty()) text += "\n";
-    for (const std::string& note : document.sentences({Kind::note})) text += "note: " + note + "\n";
-    for (const std::string& sentence : effort) text += sentence + "\n";
+    for (const std::string& note : document.sentences({Kind::note}, Where::console))
+        text += "note: " + printable(note) + "\n";
+    for (const std::string& sentence : effort) text += printable(sentence) + "\n";
     return text;
 }
 
 std::string document_markdown(const Document& document, const RunOrigin& origin) {
     std::string text = fmt::format("# {}\n\n", markdown_words(document.title));
-    for (const std::string& sentence : document.sentences({Kind::headline}))
-        text += fmt::format("**{}.**\n\n", markdown_words(sentence));
-    for (const std::string& sentence : document.sentences({Kind::verdict, Kind::warning, Kind::remark}))
-        text += markdown_words(sentence) + "\n\n";
-    for (const Figure* figure : figures_of(document))
-        if (!figure->field.title.empty()) text += "- " + markdown_words(figure_line(*figure)) + "\n";
-    if (const Curves* curves = document.curves())
-        text += fmt::format("\n![{}]({}.svg)\n", curves->caption, curves->key);
-    for (const Picture* picture : document.pictures())
-        text += fmt::format("\n![{}]({}.svg)\n", picture->caption, picture->key);
-    for (const Table* table : document.shown_tables())
-        text += fmt::format("\n## {}\n\n{}{}", table->title, markdown_text(text_table(*table)),
-                            table->note.empty() ? "" : "\n" + table->note + "\n");
-    const std::vector<std::string> notes = document.sentences({Kind::note});
-    if (!notes.empty()) text += "\n## Notes\n\n";
-    for (const std::string& note : notes) text += "- " + markdown_words(note) + "\n";
+    for (const Section& section : document.sections)
+        if ((section.where & Where::markdown) != 0) text += markdown_section(section);
+    const std::vector<std::string> notes = document.sentences({Kind::note}, Where::markdown);
+    if (!notes.empty()) text += "\n## Notes\n\n" + markdown_list(notes);
     const std::string command =
         origin.command.empty() ? "" : fmt::format("Command: {}, ", markdown_code(origin.command));
     return text + fmt::format("\n{}camopt {}\n", command, version());
@@ -142,7 +191,7 @@ std::vector<FolderFile> text_files(const Document& document, const RunOrigin& or
         for (const Table& table : section.tables)
             if (!table.file.empty()) files.push_back({table.file, table_csv(table)});
     for (const Picture* picture : document.pictures())
-        files.push_back({picture->key + ".svg", chart_svg(picture->chart)});
+        if (picture->chart) files.push_back({picture->key + ".svg", chart_svg(*picture->chart)});
     if (const Curves* curves = document.curves()) {
         files.push_back({curves->key + ".svg", curves_svg(document, *curves)});
         if (curves->table) files.push_back({curves->key + ".csv", table_csv(table_of(*curves))});

@@ -63,12 +63,14 @@ Table stroke_table(const TrainStudy& study, std::size_t stroke) {
     const auto worst = [](Rows rows) -> const TrainRow& {
         return *std::ranges::max_element(rows, {}, &TrainRow::residual);
     };
-    add({.key = "motion", .only_files = true}, [&](std::size_t index) { return study.motions[index].first; });
+    add({.key = "motion", .where = Where::files},
+        [&](std::size_t index) { return study.motions[index].first; });
     add({.key = "title", .title = "motion", .left = true},
         [&](std::size_t index) { return study.motions[index].second; });
-    add({.key = "stroke", .only_files = true}, [&](std::size_t) { return static_cast<double>(stroke + 1); });
-    add({"start", {}, degrees_shown, false, true}, [&](std::size_t) { return start; });
-    add({"end", {}, degrees_shown, false, true}, [&](std::size_t) { return end; });
+    add({.key = "stroke", .where = Where::files},
+        [&](std::size_t) { return static_cast<double>(stroke + 1); });
+    add({.key = "start", .unit = degrees_shown, .where = Where::files}, [&](std::size_t) { return start; });
+    add({.key = "end", .unit = degrees_shown, .where = Where::files}, [&](std::size_t) { return end; });
     add_number("residual", shown.vibration, [&](Rows rows) { return rows[nearest].residual * motion.lift; });
     add_number("deflection", shown.vibration,
                [&](Rows rows) { return rows[nearest].peak_deflection * motion.lift; });
@@ -79,10 +81,10 @@ Table stroke_table(const TrainStudy& study, std::size_t stroke) {
     });
     add_number("worst_residual", shown.vibration,
                [&](Rows rows) { return worst(rows).residual * motion.lift; });
-    add({"worst_at", "at rpm", rpm_shown, false, false, train_speed_decimals},
+    add({"worst_at", "at rpm", rpm_shown, false, train_speed_decimals},
         [&](std::size_t index) { return worst(rows_of(study, stroke, index)).speed; });
     add_number("least_force", shown.load, [&](Rows rows) { return rows[nearest].least_force; });
-    add({"lifts_off_at", {}, rpm_shown, false, false, train_speed_decimals},
+    add({"lifts_off_at", {}, rpm_shown, false, train_speed_decimals},
         [&](std::size_t index) { return study.lift_off_speeds[stroke * study.motions.size() + index]; });
     return table;
 }

@@ -7,7 +7,7 @@
 #include "output/exports/workshop.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/page/result_page.hpp"
-#include "output/report/cam_files.hpp"
+#include "output/cam/cam_files.hpp"
 
 #include <fmt/ranges.h>
 

@@ -4,7 +4,7 @@
 //
 //   always                 report.html, report.md, result.json, certificate.json
 //   with a motion          motion.csv, motion.svg
-//   plane cam              its points and pictures (output/report/cam_files.hpp)
+//   plane cam              its points and pictures (output/cam/cam_files.hpp)
 //   of the shop (shop/exports/workshop_files.hpp), where this build has it: drawings, solids, NC programs,
 //   electronic cams
 //

@@ -44,15 +44,6 @@ void add_cell(Json& json, const Cell& cell, const Field& field) {
     (*place)[key] = cell_json(cell, field);
 }
 
-void add_rows(Json& rows, const Table& table) {
-    if (rows.is_null()) rows = Json::array();
-    for (const std::vector<Cell>& row : table.rows) {
-        Json& one = rows.emplace_back(Json::object());
-        for (std::size_t i = 0; i < row.size(); ++i) add_cell(one, row[i], table.columns[i]);
-        for (Json& part : one) close_empty(part);
-    }
-}
-
 }  // namespace
 
 Json figures_json(std::span<const Figure> figures) {
@@ -66,18 +57,31 @@ Json figures_json(std::span<const Figure> figures) {
     return json;
 }
 
+Json rows_json(const Table& table) {
+    Json rows = Json::array();
+    for (const std::vector<Cell>& row : table.rows) {
+        Json& one = rows.emplace_back(Json::object());
+        for (std::size_t i = 0; i < row.size(); ++i) add_cell(one, row[i], table.columns[i]);
+        for (Json& part : one) close_empty(part);
+    }
+    return rows;
+}
+
 std::string document_json(const Document& document) {
     Json json = {{"camopt", version()}, {"title", document.title}};
     for (const Section& section : document.sections) json.update(figures_json(section.figures));
     json["sentences"] = Json::array();
     for (const Section& section : document.sections)
-        for (const auto& [kind, key, text] : section.sentences)
+        for (const auto& [kind, key, text, where] : section.sentences)
             if (kind != Sentence::Kind::effort)
                 json["sentences"].push_back(
                     {{"kind", kind_names[static_cast<std::size_t>(kind)]}, {"key", key}, {"text", text}});
     for (const Section& section : document.sections)
         for (const Table& table : section.tables)
-            if (table.file.empty() || table.in_json) add_rows(json[table.key], table);
+            if (table.file.empty() || table.in_json) {
+                Json& rows = json.emplace(table.key, Json::array()).first.value();
+                for (Json& row : rows_json(table)) rows.push_back(std::move(row));
+            }
     return json_text(json);
 }
 

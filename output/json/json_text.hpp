@@ -64,6 +64,9 @@ using Json = nlohmann::ordered_json;
 
 // Figures of a document (output/document/document.hpp), each by its key.
 struct Figure;
+struct Table;
 [[nodiscard]] Json figures_json(std::span<const Figure> figures);
+/// A list of its rows, each an object.
+[[nodiscard]] Json rows_json(const Table& table);
 
 }  // namespace camopt

@@ -7,7 +7,6 @@
 #include "output/view/columns.hpp"
 #include "output/view/key_words.hpp"
 #include "output/view/shown_units.hpp"
-#include "output/view/tables.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/search/plan.hpp"

@@ -2,7 +2,7 @@
 #include "motions/laws/law.hpp"
 #include "output/json/json_text.hpp"
 #include "output/view/cam_words.hpp"
-#include "output/view/tables.hpp"
+#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 

@@ -151,8 +151,7 @@ Table axis_table(const MachineSolution& solution) {
         std::size_t order = 1;
         for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk}) {
             const MotionUnit& unit = shown.motion[order++].first;
-            row.emplace_back(unit.size * unit.per_normalised * (axis.motion_peaks.*peak).value, unit,
-                             table_digits);
+            row.push_back(motion_cell(unit, (axis.motion_peaks.*peak).value, table_digits));
         }
         const auto of_motor = [&](const ShownUnit& unit, const std::function<double()>& value) {
             row.emplace_back(axis.drive ? std::optional(value()) : std::nullopt, unit, table_digits);

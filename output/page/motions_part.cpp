@@ -82,7 +82,7 @@ Json motions_json(const Table& table, const RunOrigin& origin) {
     Json columns = Json::array(), names = Json::array(), numbers = Json::array(), tones = Json::array();
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const Field& field = table.columns[i];
-        if (field.only_files) continue;
+        if ((field.where & Where::page) == 0) continue;
         Json values = Json::array();
         for (const std::vector<Cell>& row : table.rows) values.push_back(value_json(row[i], field));
         columns.push_back({{"key", field.key},

@@ -2,8 +2,7 @@
 #include "core/version.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/page/page_parts.hpp"
-#include "output/view/peak_comparison.hpp"
-#include "output/words/solution_text.hpp"
+#include "studies/delivered/solution_parts.hpp"
 
 namespace camopt {
 
@@ -104,13 +103,79 @@ std::string page_picture(const Chart& chart) {
     return svg.substr(svg.find("<svg"));
 }
 
-/// At the foot of printed pages: number, revision and date of the title block behind the title.
-std::string foot_words(const View& view) {
-    std::string text = view.title("Motion");
-    for (const auto& [label, words] : title_block_words(view.solution.scene))
-        if (label == "number" || label == "revision" || label == "date")
-            text += " · " + (label == "number" ? words : label + " " + words);
-    return text;
+Json table_json(const Table& table) {
+    const TextTable shown = text_table(table, Where::page);
+    Json columns = Json::array();
+    for (const TextTable::Column& column : shown.columns)
+        columns.push_back({{"title", column.title}, {"left", column.left}});
+    Json json = {{"key", table.key},
+                 {"title", table.title},
+                 {"columns", std::move(columns)},
+                 {"rows", shown.rows},
+                 {"note", (table.note_where & Where::page) != 0 ? table.note : ""}};
+    if (!shown.folders.empty()) json["folders"] = shown.folders;
+    return json;
+}
+
+/// Beside the document of a solution.
+struct Stage {
+    Json motor = nullptr, drawing = nullptr, solid = nullptr;
+};
+
+std::string data_of(const Document& document, const RunOrigin& origin, const CurveSet& curves, Json angle,
+                    Stage stage = {}) {
+    using Kind = Sentence::Kind;
+    constexpr unsigned page = Where::page;
+    const std::vector<std::string> headlines = document.sentences({Kind::headline}, page);
+    Json said = Json::array(), figures = Json::array(), tables = Json::array(), lists = Json::array(),
+         pictures = Json::array(), scene = Json::array(), reference = nullptr;
+    for (const Section& section : document.sections) {
+        if ((section.where & page) == 0) continue;
+        Json sentences = section.said({Kind::verdict, Kind::warning, Kind::remark}, page);
+        if (section.title.empty())
+            for (Json& sentence : sentences) said.push_back(std::move(sentence));
+        else if (section.key == "scene")
+            scene = std::move(sentences);
+        else if (!sentences.empty())
+            (section.key == "reference" ? reference : lists.emplace_back()) = {
+                {"title", section.title}, {"sentences", std::move(sentences)}};
+        for (const Figure& figure : section.figures)
+            if (!figure.field.title.empty() && (figure.field.where & page) != 0)
+                figures.push_back({{"name", figure.field.title},
+                                   {"value", shown_text(figure.cell, figure.field)},
+                                   {"at", place_text(figure)}});
+        for (const Table* table : section.shown_tables(page))
+            tables.push_back(table->motions.empty() ? table_json(*table) : motions_json(*table, origin));
+        for (const Picture& picture : section.pictures)
+            if (picture.chart && (picture.where & page) != 0)
+                pictures.push_back(page_picture(*picture.chart));
+    }
+    const Json data = {
+        {"camopt", version()},
+        {"kind", document.kind},
+        {"title", document.title},
+        {"foot", document.foot.empty() ? document.title : document.foot},
+        {"verdict",
+         {{"key", document.verdict},
+          {"tone", document.tone},
+          {"headline", headlines.empty() ? document.title : headlines.front()},
+          {"sentences", std::move(said)}}},
+        {"figures", std::move(figures)},
+        {"reference", std::move(reference)},
+        {"angle", std::move(angle)},
+        {"curves", curves_part(curves.curves)},
+        {"segments", segments_part(curves)},
+        {"breakpoints", numbers(curves.breakpoints)},
+        {"motor", std::move(stage.motor)},
+        {"drawing", std::move(stage.drawing)},
+        {"solid", std::move(stage.solid)},
+        {"pictures", std::move(pictures)},
+        {"tables", std::move(tables)},
+        {"lists", std::move(lists)},
+        {"notes", document.sentences({Kind::note}, page)},
+        {"appendix", {{"sentences", document.sentences({Kind::effort}, page)}, {"command", origin.command}}},
+        {"scene", {{"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", std::move(scene)}}}};
+    return data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -125,79 +190,20 @@ Json rounded_json(double value, int digits) {
 }
 
 std::string page_data_with(const SolidParts* solids, const View& view, const RunOrigin& origin,
-                           const PageDataOptions& options) {
+                           SolutionWishes wishes) {
     const Solution& solution = view.solution;
-    Json page = Json::object();
-    page["camopt"] = version();
-    page["kind"] = "Report";
-    page["title"] = view.title("Motion");
-    page["foot"] = foot_words(view);
-    page["verdict"] = options.proof ? verdict_part(solution) : open_verdict_part(solution);
-    page["figures"] = figures_part(solution);
-    page["reference"] = options.proof ? reference_part(solution, options.reference) : Json(nullptr);
-    page["angle"] = angle_part(view);
-    page["curves"] = curves_part(view.curves);
-    page["segments"] = segments_part(view);
-    page["breakpoints"] = numbers(view.breakpoints);
-    page["motor"] = solution.drive ? Json(torque_over_speed_svg(view)) : Json(nullptr);
-    page["drawing"] = plane_drawing(view);
-    page["pictures"] = Json::array();
-    page["solid"] = options.solid && solids != nullptr ? Json::parse(solids->drawing(view)) : Json(nullptr);
-    page["tables"] = options.proof ? tables_part(solution) : Json::array();
-    page["remarks"] = options.proof && solution.cam ? Json(cam_remarks(solution)) : Json::array();
-    page["notes"] = solution.notes;
-    page["appendix"] = options.proof ? appendix_part(solution, origin) : Json(nullptr);
-    page["scene"] = {
-        {"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", scene_lines(solution.scene)}};
-    return page.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    wishes.where = Where::page;
+    Stage stage{.drawing = plane_drawing(view)};
+    if (solution.drive) stage.motor = torque_over_speed_svg(view);
+    if (solids != nullptr) stage.solid = Json::parse(solids->drawing(view));
+    return data_of(solution_document(solution, origin, wishes), origin, view, angle_part(view),
+                   std::move(stage));
 }
 
 std::string document_html(const Document& document, const RunOrigin& origin) {
-    using Kind = Sentence::Kind;
-    const std::vector<std::string> headlines = document.sentences({Kind::headline});
     static const Curves none;
     const Curves& curves = document.curves() ? *document.curves() : none;
-    Json figures = Json::array(), tables = Json::array(), pictures = Json::array();
-    for (const Section& section : document.sections)
-        for (const Figure& figure : section.figures)
-            if (!figure.field.title.empty())
-                figures.push_back({{"name", figure.field.title},
-                                   {"value", shown_text(figure.cell, figure.field)},
-                                   {"at", place_text(figure)}});
-    for (const Table* table : document.shown_tables(true))
-        tables.push_back(table->motions.empty()
-                             ? table_json(table->key, table->title, text_table(*table), table->note)
-                             : motions_json(*table, origin));
-    for (const Picture* picture : document.pictures())
-        if (picture->on_page) pictures.push_back(page_picture(picture->chart));
-    const Json data = {
-        {"camopt", version()},
-        {"kind", document.kind},
-        {"title", document.title},
-        {"foot", document.title},
-        {"verdict",
-         {{"key", ""},
-          {"tone", document.tone},
-          {"headline", headlines.empty() ? document.title : headlines.front()},
-          {"sentences", document.sentences({Kind::verdict, Kind::warning, Kind::remark})}}},
-        {"figures", figures},
-        {"reference", nullptr},
-        {"angle", angle_part(curves)},
-        {"curves", curves_part(curves.curves)},
-        {"segments", segments_part(curves)},
-        {"breakpoints", numbers(curves.breakpoints)},
-        {"drawing", nullptr},
-        {"solid", nullptr},
-        {"pictures", pictures},
-        {"tables", tables},
-        {"remarks", Json::array()},
-        {"notes", document.sentences({Kind::note})},
-        {"appendix", {{"sentences", document.sentences({Kind::effort})}, {"command", origin.command}}},
-        {"scene", {{"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", Json::array()}}}};
-    PageHtml html;
-    html.title = document.title;
-    html.data = data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-    return page_html(html);
+    return page_html({document.title, data_of(document, origin, curves, angle_part(curves))});
 }
 
 std::vector<FolderFile> document_files(const Document& document, const RunOrigin& origin,

@@ -8,7 +8,7 @@
 //   verdict       key (of Verdict, or "open": not proved yet), tone ("good", "fair", "bad", "open"),
 //                 headline, sentences[]
 //   figures[]     name, value, at (may be empty): what stands first, as texts
-//   reference     null without a law to compare with; title, sentences[]
+//   reference     null without a law to compare with; title ("Against modified sine"), sentences[]
 //   angle         unit, from, to, values[]: cam angles of all curves and poses, ascending. They are the
 //                 rows of motion.csv, two where the jerk jumps (seen from the left, then from the right),
 //                 and after the motion those of the dwell that closes the cam. title: of another angle
@@ -48,27 +48,15 @@
 //                   from 0, and the text in its place
 //     without_scenes null, or words that a click says, and the command but for the settings of the row
 //   pictures[]    SVGs as texts
-//   remarks[]     sentences on the cam
+//   lists[]       title, sentences[]: on the cam, its drive, terms of a program
 //   notes[]       of the solve
 //   appendix      how it was found: sentences[], command
 //   scene         file, text (TOML), lines[] (the scene in words)
 #pragma once
 
-#include "output/document/document_text.hpp"
-#include "output/view/tables.hpp"
+#include "output/solve/solution_document.hpp"
 
 namespace camopt {
-
-/// The reference law in the scene's place: its limits need a second look at the cam, up to some tenths of a
-/// second.
-enum class PageReference : unsigned char { compared, later };
-
-struct PageDataOptions {
-    PageReference reference = PageReference::compared;  ///< later: only the law's title
-    bool solid = true;                                  ///< the meshes of a three-dimensional cam
-    /// false: a picture before its proof. The verdict says so, and tables, remarks and appendix are empty.
-    bool proof = true;
-};
 
 /// What a page and a folder show of a three-dimensional cam: result_page.hpp gives it. Plane cams need none.
 struct SolidParts {
@@ -78,7 +66,7 @@ struct SolidParts {
 
 /// result_page.hpp for programs whose cams are plane: without `solids` the page has none.
 [[nodiscard]] std::string page_data_with(const SolidParts* solids, const View& view,
-                                         const RunOrigin& origin = {}, const PageDataOptions& options = {});
+                                         const RunOrigin& origin = {}, SolutionWishes wishes = {});
 [[nodiscard]] std::string report_html_with(const SolidParts* solids, const View& view,
                                            const RunOrigin& origin = {});
 

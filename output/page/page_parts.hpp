@@ -17,17 +17,6 @@ namespace camopt {
 /// not 12.299999999999999.
 void append(Json& list, const ShownUnit& unit, const Eigen::Ref<const Eigen::VectorXd>& point);
 
-[[nodiscard]] Json verdict_part(const Solution& solution);
-/// Of a picture before its proof.
-[[nodiscard]] Json open_verdict_part(const Solution& solution);
-[[nodiscard]] Json figures_part(const Solution& solution);
-/// null without a law to compare with.
-[[nodiscard]] Json reference_part(const Solution& solution, PageReference wish);
-[[nodiscard]] Json tables_part(const Solution& solution);
-[[nodiscard]] Json appendix_part(const Solution& solution, const RunOrigin& origin);
-[[nodiscard]] Json table_json(std::string_view key, std::string_view title, const TextTable& table,
-                              std::string_view note = {});
-
 /// A table whose rows are motions; scenes of its rows where the origin has a text.
 [[nodiscard]] Json motions_json(const Table& table, const RunOrigin& origin);
 

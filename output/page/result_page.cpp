@@ -67,8 +67,8 @@ bool page_needs_solids(const Solution& solution) {
     return solution.motion && solution.cam && has_flanks(solution);
 }
 
-std::string page_data(const View& view, const RunOrigin& origin, const PageDataOptions& options) {
-    return page_data_with(&solid_parts, view, origin, options);
+std::string page_data(const View& view, const RunOrigin& origin, const SolutionWishes& wishes) {
+    return page_data_with(&solid_parts, view, origin, wishes);
 }
 
 std::string report_html(const View& view, const RunOrigin& origin) {

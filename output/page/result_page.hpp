@@ -9,7 +9,7 @@ namespace camopt {
 
 /// Ends in a line feed. Any text of the scene stands in it as a JSON string and nowhere else.
 [[nodiscard]] std::string page_data(const View& view, const RunOrigin& origin = {},
-                                    const PageDataOptions& options = {});
+                                    const SolutionWishes& wishes = {});
 
 /// The page of the solution needs a library for three dimensions.
 [[nodiscard]] bool page_needs_solids(const Solution& solution);

@@ -2,10 +2,8 @@
 #include "output/papers/paper_output.hpp"
 
 #include "core/version.hpp"
-#include "output/csv/csv_line.hpp"
 #include "output/document/common_figures.hpp"
 #include "output/json/json_text.hpp"
-#include "output/view/number_text.hpp"
 
 #include <fmt/format.h>
 
@@ -13,67 +11,47 @@ namespace camopt {
 
 namespace {
 
-constexpr int paper_line_width = 100;
-
-std::string title_of(const PaperReport& report) {
-    return fmt::format("Paper {}: {}", report.id, report.title);
-}
-
 bool holds_words(const PaperTable& table, std::size_t column) {
     return std::ranges::any_of(table.rows, [&](const auto& row) {
         return column < row.size() && std::holds_alternative<std::string>(row[column]);
     });
 }
 
-std::string cell_text(const PaperCell& cell, int digits) {
+Cell document_cell(const PaperCell& cell, int digits) {
     if (const double* number = std::get_if<double>(&cell))
-        return std::isnan(*number) ? std::string("–") : short_text(*number, digits);
-    if (const std::string* words = std::get_if<std::string>(&cell)) return *words;
-    return "–";
+        return std::isnan(*number) ? Cell() : Cell(*number, digits);
+    const std::string* words = std::get_if<std::string>(&cell);
+    return words != nullptr ? Cell(*words) : Cell();
 }
 
-TextTable text_table_of(const PaperTable& table) {
-    TextTable text;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const PaperColumn& column = table.columns[i];
-        const std::string title =
-            column.unit.empty() ? column.title : fmt::format("{} [{}]", column.title, column.unit);
-        text.columns.push_back({title, holds_words(table, i)});
+/// Shown, and as KEY.csv.
+void add_table(std::vector<Table>& tables, const PaperTable& paper) {
+    Table table{.key = paper.key, .title = paper.title, .note = paper.introduction};
+    for (std::size_t i = 0; i < paper.columns.size(); ++i) {
+        const PaperColumn& column = paper.columns[i];
+        table.columns.push_back({column.key,
+                                 column.title + (column.unit.empty() ? "" : " [" + column.unit + "]"),
+                                 {},
+                                 holds_words(paper, i)});
     }
-    for (const auto& row : table.rows) {
-        std::vector<std::string> cells;
-        for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
-            cells.push_back(cell_text(row[i], table.columns[i].digits));
-        text.rows.push_back(std::move(cells));
+    for (const auto& row : paper.rows) {
+        std::vector<Cell>& cells = table.rows.emplace_back(table.columns.size());
+        for (std::size_t i = 0; i < std::min(row.size(), cells.size()); ++i)
+            cells[i] = document_cell(row[i], paper.columns[i].digits);
     }
-    return text;
+    Table file = table;
+    file.file = paper.key + ".csv";
+    tables.push_back(std::move(table));
+    tables.push_back(std::move(file));
 }
 
-std::string numbered(const std::string& title, const std::vector<std::string>& sentences) {
-    if (sentences.empty()) return {};
-    std::string text = fmt::format("\n{}\n", title);
-    for (std::size_t i = 0; i < sentences.size(); ++i)
-        text += wrapped_text(sentences[i], fmt::format("{}. ", i + 1), paper_line_width);
-    return text;
-}
-
-std::string numbered_markdown(const std::string& title, const std::vector<std::string>& sentences) {
-    if (sentences.empty()) return {};
-    std::string text = fmt::format("\n## {}\n\n", title);
-    for (std::size_t i = 0; i < sentences.size(); ++i) text += fmt::format("{}. {}\n", i + 1, sentences[i]);
-    return text;
-}
-
-constexpr const char* faults_title = "NOT COMPUTED OR NOT PROVED";
-constexpr const char* assumptions_title = "Chosen by us, not given by the paper";
-
-void add_cell(CsvLine& line, const PaperCell& cell) {
-    if (const double* number = std::get_if<double>(&cell))
-        line.number(*number);
-    else if (const std::string* words = std::get_if<std::string>(&cell))
-        line.words(*words);
-    else
-        line.blank();
+/// Its points as KEY.csv.
+Table point_table(const PaperFigure& figure) {
+    Table table{.key = figure.key, .columns = {{"series"}, {"x"}, {"y"}}, .file = figure.key + ".csv"};
+    for (const PaperSeries& series : figure.series)
+        for (std::size_t i = 0; i < series.x.size() && i < series.y.size(); ++i)
+            table.rows.push_back({series.title, Cell(series.x[i]), Cell(series.y[i])});
+    return table;
 }
 
 Json figures_json(const std::optional<PeakFigures>& figures, bool with_objective = true) {
@@ -162,56 +140,23 @@ Json weights_json(const ReferenceTable& table) {
 
 }  // namespace
 
-std::string paper_report_text(const PaperReport& report) {
-    std::string text = title_of(report) + "\n" + wrapped_text(report.source, "", paper_line_width);
-    text += "\n" + wrapped_text(report.introduction, "", paper_line_width);
-    text += numbered(faults_title, report.faults);
-    text += numbered(assumptions_title, report.assumptions);
-    for (const PaperTable& table : report.tables) {
-        text += fmt::format("\n{}\n", table.title);
-        if (!table.introduction.empty()) text += wrapped_text(table.introduction, "", paper_line_width);
-        text += aligned_text(text_table_of(table));
+Document paper_document(const PaperReport& report) {
+    Document document{fmt::format("Paper {}: {}", report.id, report.title),
+                      report.faults.empty() ? "good" : "bad"};
+    document.kind = "Paper";
+    Section shown, drawn;
+    for (const PaperTable& table : report.tables) add_table(shown.tables, table);
+    for (const PaperFigure& figure : report.figures) {
+        drawn.pictures.push_back({figure.key, figure.title, paper_chart(figure)});
+        drawn.tables.push_back(point_table(figure));
     }
-    if (!report.figures.empty()) text += "\nFigures (--out DIR writes them)\n";
-    for (const PaperFigure& figure : report.figures)
-        text += wrapped_text(fmt::format("{}.svg  {}", figure.key, figure.title), "  ", paper_line_width);
-    return text + numbered("Notes", report.notes);
-}
-
-std::string paper_report_markdown(const PaperReport& report) {
-    std::string text =
-        fmt::format("# {}\n\n{}\n\n{}\n", title_of(report), report.source, report.introduction);
-    text += numbered_markdown(faults_title, report.faults);
-    text += numbered_markdown(assumptions_title, report.assumptions);
-    for (const PaperTable& table : report.tables) {
-        text += fmt::format("\n## {}\n\n", table.title);
-        if (!table.introduction.empty()) text += table.introduction + "\n\n";
-        text += markdown_text(text_table_of(table));
-    }
-    for (const PaperFigure& figure : report.figures)
-        text += fmt::format("\n## {}\n\n![{}]({}.svg)\n", figure.title, figure.title, figure.key);
-    return text + numbered_markdown("Notes", report.notes);
-}
-
-std::string paper_table_csv(const PaperTable& table) {
-    CsvLine header;
-    for (const PaperColumn& column : table.columns) header.words(column.key);
-    std::string text = header.finish();
-    for (const auto& row : table.rows) {
-        CsvLine line;
-        for (std::size_t i = 0; i < table.columns.size(); ++i)
-            add_cell(line, i < row.size() ? row[i] : PaperCell{});
-        text += line.finish();
-    }
-    return text;
-}
-
-std::string paper_figure_csv(const PaperFigure& figure) {
-    std::string text = "series,x,y\n";
-    for (const PaperSeries& series : figure.series)
-        for (std::size_t i = 0; i < series.x.size() && i < series.y.size(); ++i)
-            text += CsvLine{}.words(series.title).number(series.x[i]).number(series.y[i]).finish();
-    return text;
+    document.sections = {listing("paper", {}, {report.source, report.introduction}),
+                         listing("faults", "NOT COMPUTED OR NOT PROVED", report.faults),
+                         listing("assumptions", "Chosen by us, not given by the paper", report.assumptions),
+                         std::move(shown),
+                         std::move(drawn),
+                         listing("notes", "Notes", report.notes)};
+    return document;
 }
 
 Chart paper_chart(const PaperFigure& figure) {
@@ -227,17 +172,6 @@ Chart paper_chart(const PaperFigure& figure) {
         panel.series.push_back(std::move(drawn));
     }
     return {figure.title, {}, {std::move(panel)}};
-}
-
-std::vector<std::pair<std::string, std::string>> paper_report_files(const PaperReport& report) {
-    std::vector<std::pair<std::string, std::string>> files = {{"report.md", paper_report_markdown(report)}};
-    for (const PaperTable& table : report.tables)
-        files.emplace_back(table.key + ".csv", paper_table_csv(table));
-    for (const PaperFigure& figure : report.figures) {
-        files.emplace_back(figure.key + ".csv", paper_figure_csv(figure));
-        files.emplace_back(figure.key + ".svg", paper_figure_svg(figure));
-    }
-    return files;
 }
 
 std::string reference_table_json(const ReferenceTable& table) {

@@ -5,11 +5,11 @@
 #include "core/platform/files.hpp"
 #include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
+#include "output/cam/cam_files.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
-#include "output/report/cam_files.hpp"
 
 #include <fmt/format.h>
 

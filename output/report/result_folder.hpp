@@ -5,6 +5,7 @@
 #pragma once
 
 #include "output/json/result_json.hpp"
+#include "output/solve/solution_document.hpp"
 #include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -28,10 +29,6 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
 
 /// Creates the folder; throws InputError where it cannot. For commands that want to know before a long run.
 void prepare_folder(const std::filesystem::path& folder);
-
-// report.md: the result for a cam engineer, in words, tables and the picture motion.svg beside it.
-
-[[nodiscard]] std::string report_markdown(const Solution& solution, const RunOrigin& origin = {});
 
 // A set of files that replaces another in the same folder, so that files of two runs never lie side by side
 // unsaid.

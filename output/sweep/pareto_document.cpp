@@ -64,6 +64,7 @@ Table point_table(const ParetoPicture& picture) {
                                                       : "",
                                  point.number, !is_listed(front, point),
                                  front_settings(point, front.request)});
+    if (std::ranges::all_of(table.motions, &RowMotion::only_page)) table.where = Where::page;
     std::size_t item = 0;
     add({.key = "solve", .left = true},
         [&](const FrontPoint& point) { return Cell(point.number).in_words(table.motions[item++].name); });

@@ -129,6 +129,7 @@ Document sweep_document(const SweepPicture& picture, const SweepIdentity& identi
     const bool machine = table.columns.machine;
     const bool with_scenes = !machine && table.rows.size() <= static_cast<std::size_t>(most_scenes_of_page);
     Table rows{"rows", "All of them"};
+    rows.where = Where::page;
     const auto add = [&](Field field, const auto& cell_of) {
         rows.add_column(std::move(field), table.rows, cell_of);
     };
@@ -154,7 +155,7 @@ Document sweep_document(const SweepPicture& picture, const SweepIdentity& identi
                                                 !row.is_feasible() ? "bad"
                                                 : row.on_front     ? "good"
                                                                    : "",
-                                                row.number, true});
+                                                row.number});
         own.insert(own.begin(), identity.settings.begin(), identity.settings.end());
         if (with_scenes) motion.settings = std::move(own);
     }

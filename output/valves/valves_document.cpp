@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/valves/valves_document.hpp"
 
-#include "output/view/valve_tables.hpp"
+#include "output/valves/valve_tables.hpp"
 
 #include <fmt/format.h>
 

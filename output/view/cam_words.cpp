@@ -98,30 +98,6 @@ constexpr FigureRow<SideSummary> side_rows[] = {
      [](const SideSummary& side) { return side.hertz_pressure; }},
 };
 
-/// Collects figures of one solution.
-class Figures {
- public:
-    explicit Figures(const Solution& solution) : solution_(solution), shown_(shown_units(solution.scene)) {}
-
-    template <class Summary>
-    void add(const FigureRow<Summary>& row, const Summary& summary, const std::string& before = {}) {
-        const std::optional<CamExtreme> extreme = row.of(summary);
-        if (!extreme) return;
-        const bool moment = row.name_of_moment != nullptr && solution_.scene.motion.lift_is_angle;
-        // Of a cusp the pressure is infinite.
-        const bool untouched = std::isinf(extreme->value) && solution_.cam->summary.no_contact;
-        all_.push_back({before + (moment ? row.name_of_moment : row.name),
-                        untouched ? no_contact_words : (shown_.*row.unit).text(extreme->value),
-                        degrees_at(solution_, extreme->at)});
-    }
-    [[nodiscard]] std::vector<CamFigure> take() { return std::move(all_); }
-
- private:
-    const Solution& solution_;
-    ShownUnits shown_;
-    std::vector<CamFigure> all_;
-};
-
 /// Rise and return are told apart where there are both.
 bool is_told(const FigureRow<CamSummary>& row, const CamReport& cam) {
     if (row.name == nullptr) return false;
@@ -157,12 +133,6 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
                    : one.is_angle ? degrees_shown.text(*one.shown * degrees_shown.size)
                                   : length.text(*one.shown * millimetres_shown.size);
     return all;
-}
-
-std::string dimensions_text(const Solution& solution) {
-    return listed(cam_dimensions(solution), ", ", [](const DimensionValue& one) {
-        return fmt::format("{} {}", words_of(one.name), one.text);
-    });
 }
 
 std::string cam_text(const CamSpec& cam) {
@@ -217,23 +187,27 @@ std::span<const FigureRow<SideSummary>> side_figure_rows() {
 }
 
 std::vector<CamFigure> cam_figures(const Solution& solution) {
-    Figures figures(solution);
     const CamSummary& summary = solution.cam->summary;
+    const ShownUnits shown = shown_units(solution.scene);
+    std::vector<CamFigure> all;
+    const auto add = [&](const auto& row, const auto& of, const std::string& before = {}) {
+        const std::optional<CamExtreme> extreme = row.of(of);
+        if (!extreme) return;
+        const bool moment = row.name_of_moment != nullptr && solution.scene.motion.lift_is_angle;
+        // Of a cusp the pressure is infinite.
+        const bool untouched = std::isinf(extreme->value) && summary.no_contact;
+        all.push_back({before + (moment ? row.name_of_moment : row.name),
+                       untouched ? no_contact_words : (shown.*row.unit).text(extreme->value),
+                       degrees_at(solution, extreme->at)});
+    };
     for (const auto& row : cam_rows)
-        if (is_told(row, *solution.cam)) figures.add(row, summary);
+        if (is_told(row, *solution.cam)) add(row, summary);
     if (summary.forces)
-        for (const auto& row : force_rows) figures.add(row, *summary.forces);
+        for (const auto& row : force_rows) add(row, *summary.forces);
     for (const SideSummary& side : summary.sides)
         for (const auto& row : side_rows)
-            if (&row != &side_rows[0] || !leans_alike(summary)) figures.add(row, side, side.name + ": ");
-    return figures.take();
-}
-
-TextTable cam_table(const Solution& solution, std::vector<TextTable::Column> columns) {
-    TextTable table{std::move(columns), {}};
-    for (const CamFigure& figure : cam_figures(solution))
-        table.rows.push_back({figure.name, figure.value, figure.degrees});
-    return table;
+            if (&row != &side_rows[0] || !leans_alike(summary)) add(row, side, side.name + ": ");
+    return all;
 }
 
 }  // namespace camopt

@@ -18,9 +18,6 @@ struct DimensionValue {
 /// The dimensions this cam has, of a disk cam then the prime radius (base + roller). None without a cam.
 [[nodiscard]] std::vector<DimensionValue> cam_dimensions(const Solution& solution);
 
-/// "base radius 30 mm, roller radius 10 mm, offset 0 mm, prime radius 40 mm"
-[[nodiscard]] std::string dimensions_text(const Solution& solution);
-
 /// "translating roller, the cam turning counterclockwise", "remote cam with lever-coupler-slider, turning
 /// clockwise"
 [[nodiscard]] std::string cam_text(const CamSpec& cam);
@@ -55,8 +52,6 @@ struct CamFigure {
 
 /// Pressure angles, radii, contact, forces: what exists. For a solution with a cam.
 [[nodiscard]] std::vector<CamFigure> cam_figures(const Solution& solution);
-/// Their table: name, value, cam angle.
-[[nodiscard]] TextTable cam_table(const Solution& solution, std::vector<TextTable::Column> columns);
 
 // Private to output/words: a place of the motion as a person reads it.
 inline constexpr int angle_digits = 5;

@@ -2,7 +2,6 @@
 // Displacement, velocity, acceleration and jerk by the cam angle, with limits, peaks and set points.
 #include "objectives/rules/cam_limits.hpp"
 #include "output/view/peak_comparison.hpp"
-#include "output/view/tables.hpp"
 #include "output/view/view.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"

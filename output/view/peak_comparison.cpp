@@ -61,25 +61,11 @@ std::vector<PeakRow> peak_comparison(const Solution& solution, const ReferenceMo
     };
 }
 
-std::string PeakRow::beside_text(int digits) const {
-    return shown && shown->beside ? shown->beside->normalised_text(sides.largest.value, digits)
-                                  : std::string{};
-}
-
-std::string PeakRow::opposite_text(int digits) const {
-    return shown && sides.opposite ? shown->first.normalised_text(sides.opposite->value, digits)
-                                   : std::string{};
-}
-
 std::string left_out_of_any_curve(const Scene& scene) {
     const bool cam = limits_cam(scene.limits) || (scene.cam && scene.cam->face_half_width);
     std::string text = cam ? "limits of the cam" : "";
     if (!placed_points(scene.motion).empty()) text += text.empty() ? "via points" : " and via points";
     return text.empty() ? text : fmt::format(" ({} left out)", text);
-}
-
-std::string any_curve_title(const Scene& scene) {
-    return "limit of any curve" + left_out_of_any_curve(scene);
 }
 
 std::string reference_title(const ReferenceMotion& reference) {

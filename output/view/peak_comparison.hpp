@@ -62,17 +62,10 @@ struct PeakRow {
     std::optional<ShownDerivative> shown;  ///< the units of `motion`; none: it has but the normalised value
     SignedPeaks sides = {};                ///< `motion` with its sign, and the peak of the other sign
 
-    /// "−512.3 mm/s"
-    [[nodiscard]] std::string first_text(int digits = 6) const {
-        return shown ? shown->first.normalised_text(sides.largest.value, digits) : std::string{};
-    }
-    [[nodiscard]] std::string beside_text(int digits = 6) const;  ///< "−16.3 mm/rad"; empty: nothing beside
     /// Against the reference: "−2.6 %"; "–".
     [[nodiscard]] std::string change() const {
         return reference ? change_text(optimum.value, *reference) : "–";
     }
-    /// "480 mm/s": the peak of the other sign; empty: there is none.
-    [[nodiscard]] std::string opposite_text(int digits = 6) const;
 };
 
 /// V, A, J, and the inertia torque max |y' y''|. For a solution with a motion.
@@ -82,9 +75,6 @@ struct PeakRow {
 /// What the scene demands and the limit of any curve does not know: " (limits of the cam left out)", "
 /// (limits of the cam and via points left out)". Empty: it knows all.
 [[nodiscard]] std::string left_out_of_any_curve(const Scene& scene);
-
-/// "limit of any curve", and what it leaves out.
-[[nodiscard]] std::string any_curve_title(const Scene& scene);
 
 /// "modified sine", or "reference" where it was given as numbers.
 [[nodiscard]] std::string reference_title(const ReferenceMotion& reference);

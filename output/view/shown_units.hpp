@@ -49,6 +49,7 @@ struct MotionUnit : ShownUnit {
         symbol;  ///< what is shown: "s", "v", "a", "j"; by the cam angle "ds/dθ", "d²s/dθ²", "d³s/dθ³"
     std::string column;  ///< of tables in this unit (output/view/columns.hpp): "v_mm_s"
 
+    [[nodiscard]] double si(double y) const { return size * per_normalised * y; }
     [[nodiscard]] std::string normalised_text(double y, int digits = 6) const;
 };
 

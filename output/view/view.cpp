@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/view/view.hpp"
 
-#include "output/view/tables.hpp"
-
 #include <iterator>
 
 namespace camopt {
@@ -20,6 +18,10 @@ View::View(const Solution& shown)
     };
     if (solution.drive) add(drive_curves(*this));
     if (solution.cam) add(cam_curves(*this));
+}
+
+std::string segment_title(const SegmentReport& segment) {
+    return segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
 }
 
 std::vector<double> View::along(const Motion& motion, const MotionUnit& unit) const {

@@ -88,6 +88,9 @@ struct View : CurveSet {
     [[nodiscard]] std::vector<double> along(const Motion& motion, const MotionUnit& unit) const;
 };
 
+/// "modified trapezoid", "spline", "dwell"
+[[nodiscard]] std::string segment_title(const SegmentReport& segment);
+
 // Private to output/view.
 
 inline constexpr int curve_mark_digits = 6;  ///< of the texts of marks, as in the tables

@@ -4,8 +4,6 @@
 
 #include "studies/delivered/solution.hpp"
 
-#include <filesystem>
-
 namespace camopt {
 
 /// "Proved optimal: …" One sentence.
@@ -36,21 +34,23 @@ struct VerdictWords {
 /// "objective 0.940489277   proved bound 0.940489270   gap 7e-9". Only what exists.
 [[nodiscard]] std::string objective_line(const Solution& solution, std::string_view separator = "   ");
 
+/// Objective, bound, gap, limit of any curve: what exists.
+struct BoundFigure {
+    const char* key;
+    std::string title;
+    double value;
+    int digits;  ///< significant
+};
+[[nodiscard]] std::vector<BoundFigure> bound_figures(const Solution& solution);
+
 /// "speed reaches 1.7, 0.4 in the objective (weight …)"
 [[nodiscard]] std::string own_term_sentence(const OwnTermReport& term);
-
-/// "limits.velocity = 1.8: velocity reaches 1.79 (not active)"
-[[nodiscard]] std::string constraint_sentence(const Solution& solution, const ConstraintReport& row);
 
 /// "limits.velocity: 1.2 given, 1.31 needed if this is the only change". Units stand in the key.
 [[nodiscard]] std::string relaxation_sentence(const Relaxation& row);
 
 /// How it was found, for reports: solver, starts, where the proof comes from and stands.
 [[nodiscard]] std::vector<std::string> solver_sentences(const Solution& solution);
-
-/// What `camopt solve` prints: a compact summary of a dozen lines, ending in a line feed.
-[[nodiscard]] std::string summary_text(const Solution& solution,
-                                       std::span<const std::filesystem::path> written);
 
 // What a scene asks for, in words: motion, spline, cam, forces, limits, objective.
 

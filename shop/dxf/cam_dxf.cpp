@@ -3,7 +3,7 @@
 
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
-#include "output/report/cam_files.hpp"
+#include "output/cam/cam_files.hpp"
 #include "shop/dxf/dxf_drawing.hpp"
 
 namespace camopt {

@@ -7,7 +7,7 @@
 #include "core/version.hpp"
 #include "output/exports/workshop.hpp"
 #include "output/json/json_text.hpp"
-#include "output/report/cam_files.hpp"
+#include "output/cam/cam_files.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "shop/disk/disk_export.hpp"
 #include "shop/disk/disk_solid.hpp"

@@ -238,4 +238,18 @@ double defined_objective(const Solution& solution) {
     return sum;
 }
 
+bool follows_noise(const MeasuredReport& measured) {
+    return measured.rows < 2 * measured.freedom;
+}
+
+std::optional<double> gain_percent(const Solution& solution) {
+    const MeasuredReport& measured = *solution.measured;
+    const ObjectiveSpec& objective = solution.scene.objective;
+    const bool sought = objective.deviation > 0.0 || objective.deviation_rms > 0.0;
+    if (sought || follows_noise(measured) || !measured.objective || !solution.motion ||
+        !(*measured.objective > 0.0))
+        return {};
+    return 100.0 * (1.0 - solution.certificate.objective / *measured.objective);
+}
+
 }  // namespace camopt

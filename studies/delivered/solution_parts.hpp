@@ -33,6 +33,13 @@ struct SetPointReport {
 /// own angle and between the displacements found. Throws InputError for an unknown law.
 [[nodiscard]] LawMotion law_in_place(const Solution& solution, std::string_view law);
 
+/// Fewer than twice as many rows as free numbers of the fit.
+[[nodiscard]] bool follows_noise(const MeasuredReport& measured);
+/// How much less than that of the measured motion the optimum's objective is, in percent of it; none where
+/// there is nothing to compare: of noise, or of the very motion that is sought, none is better. The solution
+/// has a measured motion.
+[[nodiscard]] std::optional<double> gain_percent(const Solution& solution);
+
 // What the elastic follower train makes of the delivered motion: terms and limits of the scene.
 
 /// Fills `train` and appends the limits to constraints; nothing for a scene without dynamics.

@@ -18,7 +18,7 @@ ROWS = [
     ("solve 59_isg_table.toml --set measured.scale=[1e-4,1e-4]", 0,
      {"verdict": "optimal", "measured.rows": 37, "measured.nearest_laws.0.law": "Cycloidal"}, ["59_cam.tab: 37 rows"], []),
     ("solve measured_lobe.toml", 0, {"measured.register.start_deg": (81.14, 0.05), "measured.rms_error_mm": (0.00015 * 25.4, 1e-4)},
-     ["cam.face_radius_mm = 16"], ["cam.face_radius_in"]),
+     ["cam.face_radius_mm 16 mm"], ["cam.face_radius_in"]),
     ("solve very_unequal_return.toml", 0, {"verdict": "optimal", "objective": (2.5467998, 2e-7), "solver.name": "structured"}, [], []),
     ("solve weak_27378_instead_of_13.toml", 0, {"verdict": "optimal", "objective": (13.2778, 1e-4)}, [], []),
     # Ipopt's 0.879431 to its own tolerance.

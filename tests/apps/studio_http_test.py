@@ -82,7 +82,7 @@ class Answers(Served):
         data = answer["data"]
         self.assertEqual((answer["stage"], answer["more"], data["verdict"]["tone"]), ("curve", False, "open"))
         self.assertIn("Not proved yet", data["verdict"]["headline"])
-        self.assertEqual((data["tables"], data["reference"], data["appendix"]), ([], None, None))
+        self.assertEqual((data["tables"], data["lists"], data["reference"], data["appendix"]["sentences"]), ([], [], None, []))
 
     def test_a_curve_of_a_search_goes_on_from_the_last_motion(self):
         scene = (SCENES / "cam_arm_flat.toml").read_text()

@@ -13,7 +13,7 @@ import zipfile
 import debian_chroot
 import licenses
 
-SCENE, SCENE_OBJECTIVE, CAM_SCENE = "drd_cubic_12.toml", "objective 0.940489", "cam_roller.toml"
+SCENE, SCENE_OBJECTIVE, CAM_SCENE = "drd_cubic_12.toml", "objective: 0.940489", "cam_roller.toml"
 # Twelve cubic segments against the modified sine's own peaks (README.md), in Python and tests/package/consumer/solve.cpp.
 OBJECTIVE = "0.93951"
 # What every glibc system has. manylinux_2_35 sets the largest versions of their symbols.

@@ -41,8 +41,7 @@ void write(const std::string& name, const std::string& text) {
 }
 
 std::string all_words(const Solution& solution) {
-    std::string text =
-        summary_text(solution, {}) + "\n" + (solution.scene.cam ? dimensions_text(solution) + "\n" : "");
+    std::string text = summary_text(solution) + "\n";
     std::vector<std::string> sentences = scene_lines(solution.scene);
     if (solution.cam) sentences = cam_remarks(solution);
     if (!solution.motion) sentences = infeasible_remarks(solution);
@@ -93,7 +92,7 @@ void write_changed_cams() {
             ChainPart part = s.motion->parts().front();
             part.y0 += lifts;
             s.motion = std::make_shared<const MotionChain>(std::vector<ChainPart>{part});
-            text += summary_text(s, {});
+            text += summary_text(s);
         });
     for (const Verdict verdict : {Verdict::local, Verdict::feasible, Verdict::optimal, Verdict::failed})
         say("general", [&](Solution& s) {
@@ -103,7 +102,7 @@ void write_changed_cams() {
             s.certificate.reason =
                 verdict == Verdict::failed ? Reason::no_feasible_point : Reason::time_limit;
             if (verdict == Verdict::failed) s.motion.reset();
-            text += summary_text(s, {});
+            text += summary_text(s);
         });
     say("another solver was planned", [](Solution& s) {
         SolvePlan plan;
@@ -195,7 +194,7 @@ void write_changed_conflicts() {
     }
     Solution excursion = test::program_solution();
     excursion.segments[1].to = 0.9;
-    text += summary_text(excursion, {});
+    text += summary_text(excursion);
     write("changed_conflicts.txt", text);
 }
 
@@ -302,10 +301,10 @@ void write_comparison() {
 }
 
 void write_paper(const std::string& name, const PaperReport& report) {
-    write(name + ".txt", paper_report_text(report));
-    write(name + "_report.md", paper_report_markdown(report));
+    const Document document = paper_document(report);
+    write(name + ".txt", console_text(document));
     write(name + ".json", paper_report_json(report));
-    for (const auto& [file, text] : paper_report_files(report)) write(name + "_" + file, text);
+    for (const auto& [file, text] : text_files(document, {})) write(name + "_" + file, text);
 }
 
 void write_papers() {
@@ -329,7 +328,7 @@ void write_papers() {
     report.notes = {"A note."};
     write_paper("paper", report);
     report.faults = {"a row is missing"};
-    write("paper_with_fault.txt", paper_report_text(report));
+    write("paper_with_fault.txt", console_text(paper_document(report)));
 
     ReferenceTable table;
     Solution proved, failed;

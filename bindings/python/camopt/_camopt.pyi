@@ -298,7 +298,7 @@ class Solution:
     def to_dict(self) -> dict[str, Any]:
         """The same as a dict: peaks and dimensions with units, segments, design, evaluations."""
     def certificate(self) -> str: """The text of certificate.json: the proof, from which the bound can be recomputed."""
-    def summary(self) -> str: """What `camopt solve` prints: a dozen lines."""
+    def summary(self) -> str: """What `camopt solve` prints."""
     def dxf(self, tolerance_mm: float = 0.001) -> str:
         """The cam as DXF text: arcs within the tolerance of the exact curve. Raises InputError without a plane cam."""
     def svg(self, what: str = "motion") -> str: """A picture as SVG text: of the "motion" or of the "cam"."""

@@ -117,7 +117,7 @@ std::string image(const std::string& svg) {
 std::string html(const SolvedScene& solved) {
     const py::object escape = py::module_::import("html").attr("escape");
     std::string text = fmt::format("<pre style=\"white-space:pre-wrap\">{}</pre>",
-                                   escape(summary_text(of(solved), {})).cast<std::string>());
+                                   escape(summary_text(of(solved))).cast<std::string>());
     if (of(solved).motion) text += image(motion_svg(of(solved)));
     if (has_plane_cam(solved)) text += image(cam_picture(solved));
     return text;
@@ -310,8 +310,8 @@ void add_texts(py::class_<SolvedScene>& type) {
             "certificate", [](const SolvedScene& s) { return certificate_json(of(s).certificate); },
             "The text of certificate.json: the proof, from which the bound can be recomputed.")
         .def(
-            "summary", [](const SolvedScene& s) { return summary_text(of(s), {}); },
-            "What `camopt solve` prints: a dozen lines.")
+            "summary", [](const SolvedScene& s) { return summary_text(of(s)); },
+            "What `camopt solve` prints.")
         .def("dxf", &dxf, py::arg("tolerance_mm") = 1e-3,
              "The cam as DXF text: arcs within the tolerance of the exact curve. Raises InputError without a "
              "plane cam.")
@@ -321,7 +321,7 @@ void add_texts(py::class_<SolvedScene>& type) {
              "Writes the result folder that `camopt solve --out` writes; returns the paths.")
         .def("_repr_svg_", &motion_picture, "For notebooks: the picture of the motion.")
         .def("_repr_html_", &html, "For notebooks: the summary, the motion, the cam.")
-        .def("__str__", [](const SolvedScene& s) { return summary_text(of(s), {}); })
+        .def("__str__", [](const SolvedScene& s) { return summary_text(of(s)); })
         .def("__repr__", [](const SolvedScene& s) {
             return fmt::format("<camopt solution: {}>", objective_line(of(s), ", "));
         });

@@ -207,7 +207,7 @@ void add_comparisons(py::module_& module) {
         .def(
             "_repr_svg_",
             [](const ComparedScene& compared) {
-                return chart_svg(comparison_document(compared.comparison).pictures().front()->chart);
+                return chart_svg(*comparison_document(compared.comparison).pictures().front()->chart);
             },
             "For notebooks: a bar a law.")
         .def("__str__", text);

@@ -39,7 +39,7 @@
   };
 
   camopt.referencePanel = (reference) => element('section', { class: 'against', 'aria-label': 'Compared with the reference law' },
-    element('h2', {}, 'Against ' + reference.title), ...reference.sentences.map((sentence) => element('p', {}, sentence)));
+    element('h2', {}, reference.title), ...reference.sentences.map((sentence) => element('p', {}, sentence)));
 
   camopt.figureStrip = (figures) => element('dl', { class: 'figures' }, ...figures.map((figure) =>
     element('div', {}, element('dt', {}, figure.name), element('dd', {}, figure.value, figure.at ? element('span', {}, 'at ' + figure.at) : null))));
@@ -93,7 +93,7 @@
         motions.replaceChildren(...(many ? [self.motions.host] : data.pictures.map(camopt.paper)));
         if (many) self.motions.fitScatter?.();
         tables.replaceChildren(...data.tables.filter((table) => table !== many).map(camopt.tableSection));
-        if (data.remarks.length) tables.append(element('section', { class: 'table-block' }, element('h2', {}, 'On the cam'), camopt.list(data.remarks)));
+        tables.append(...data.lists.map((list) => element('section', { class: 'table-block' }, element('h2', {}, list.title), camopt.list(list.sentences))));
         end.replaceChildren(...[camopt.sceneSection(data.scene), camopt.appendixSection(data)].filter((part) => part));
         end.hidden = !end.children.length;
         foot.textContent = 'Made by camopt ' + data.camopt + '. This page loads no external resources.';

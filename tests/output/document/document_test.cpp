@@ -88,6 +88,36 @@ TEST(Document, ColumnWithoutValuesIsNotShown) {
     EXPECT_TRUE(Json::parse(document_json(document))["rollers"][0]["torque"].is_null());
 }
 
+TEST(Document, PartsReachOnlyTheirReaders) {
+    Document document = sample();
+    Section& section = document.sections.front();
+    section.sentences.push_back({Kind::remark, "", "for the terminal", Where::console});
+    section.figures.push_back({{.key = "gap", .title = "gap", .where = Where::markdown}, Cell(0.5)});
+    section.tables.front().columns.push_back({.key = "part", .left = true, .where = Where::page});
+    section.tables.front().rows.front().emplace_back("left one");
+    const std::string console = console_text(document), markdown = document_markdown(document, {});
+    const std::string page = data_of(document_html(document)).dump();
+    const auto readers = [&](const char* words) {
+        return (console.find(words) != std::string::npos ? Where::console : 0) +
+               (markdown.find(words) != std::string::npos ? Where::markdown : 0) +
+               (page.find(words) != std::string::npos ? Where::page : 0);
+    };
+    EXPECT_EQ(readers("for the terminal"), Where::console);
+    EXPECT_EQ(readers("gap"), Where::markdown);
+    EXPECT_EQ(readers("left one"), Where::page);
+    EXPECT_EQ(readers("first"), Where::everywhere);
+}
+
+TEST(Document, TitledSectionIsAList) {
+    Document document = sample();
+    document.sections.push_back({.title = "The motor", .sentences = {{Kind::remark, "", "It turns."}}});
+    EXPECT_NE(console_text(document).find("\nThe motor\n  It turns.\n"), std::string::npos);
+    EXPECT_NE(document_markdown(document, {}).find("\n## The motor\n\n- It turns.\n"), std::string::npos);
+    const Json list = data_of(document_html(document))["lists"][0];
+    EXPECT_EQ(list["title"], "The motor");
+    EXPECT_EQ(list["sentences"], Json{"It turns."});
+}
+
 TEST(Document, RowsLeadToTheirResultFolders) {
     Document document = sample();
     document.sections.front().tables.front().folders = {"one"};

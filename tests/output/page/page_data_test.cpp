@@ -2,9 +2,9 @@
 // The data of a page are the result's: curves those of the motion, marks those of the tables, poses those of
 // the follower.
 #include "core/units.hpp"
+#include "output/cam/cam_files.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/page/result_page.hpp"
-#include "output/report/cam_files.hpp"
 #include "output/view/shown_units.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "studies/delivered/delivered.hpp"

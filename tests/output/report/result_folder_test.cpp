@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
-#include "output/report/cam_files.hpp"
+#include "output/cam/cam_files.hpp"
 #include "output/report/result_folder_reader.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"

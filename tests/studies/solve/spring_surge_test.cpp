@@ -157,7 +157,7 @@ TEST(SpringSurge, AppearsInEveryOutput) {
     EXPECT_EQ(seventh["near"], true);
     EXPECT_EQ(seventh["limited"], true);
     EXPECT_NE(report_markdown(solution).find("## Spring surge"), std::string::npos);
-    EXPECT_NE(summary_text(solution, {}).find("spring surge: natural frequency of the spring 400 Hz"),
+    EXPECT_NE(summary_text(solution).find("spring surge: natural frequency of the spring 400 Hz"),
               std::string::npos);
     const std::string picture = surge_svg(View(solution));
     EXPECT_NE(picture.find("limit 60"), std::string::npos);

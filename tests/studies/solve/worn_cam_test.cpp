@@ -4,7 +4,7 @@
 #include "core/units.hpp"
 #include "input/loading/load_scene.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "output/view/tables.hpp"
+#include "output/solve/solution_tables.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "studies/solve/solve.hpp"

@@ -46,7 +46,7 @@ inline constexpr const char* drawn_profile_check = "profile.check.json";
 /// The names of all kinds, those of the drawing with them.
 [[nodiscard]] std::vector<std::string> cam_file_names();
 
-// Private to output/report: the texts of a plane cam's files by kind, in the order of the rows of
+// Private to output/cam: the texts of a plane cam's files by kind, in the order of the rows of
 // cam_files.cpp.
 
 /// Points, the cam to scale, its diagrams.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/report/cam_files.hpp"
+#include "output/cam/cam_files.hpp"
 
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
