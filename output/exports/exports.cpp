@@ -2,12 +2,12 @@
 #include "output/exports/exports.hpp"
 
 #include "core/errors.hpp"
+#include "output/cam/cam_files.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/exports/workshop.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/page/result_page.hpp"
-#include "output/cam/cam_files.hpp"
 
 #include <fmt/ranges.h>
 

@@ -2,7 +2,6 @@
 // Files of cams that drive both ways: tables of both sides, pieces, what is refused.
 #include "output/cam/cam_files.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/cam/cam_files.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "shop/disk/disk_export.hpp"
 #include "shop/disk/disk_solid.hpp"

@@ -4,7 +4,6 @@
 #include "output/cam/cam_files.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/certificate_json.hpp"
-#include "output/cam/cam_files.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "tests/bindings/c/c_face.hpp"
