@@ -189,7 +189,8 @@ std::vector<FolderFile> text_files(const Document& document, const RunOrigin& or
                                      {"tables.csv", cells_csv(document)}};
     for (const Section& section : document.sections)
         for (const Table& table : section.tables)
-            if (!table.file.empty()) files.push_back({table.file, table_csv(table)});
+            if (!table.file.empty() && !table.rows.empty())
+                files.push_back({table.file, table_csv(table)});
     for (const Picture* picture : document.pictures())
         if (picture->chart) files.push_back({picture->key + ".svg", chart_svg(*picture->chart)});
     if (const Curves* curves = document.curves()) {

@@ -28,7 +28,8 @@ namespace camopt {
 /// The picture of the curves as SVG.
 [[nodiscard]] std::string curves_svg(const Document& document, const Curves& curves);
 
-/// The picture, the CSV files and the Markdown of a document: what its folder has beside page and JSON.
+/// The picture, the CSV files and the Markdown of a document: what its folder has beside page and JSON. A
+/// table without rows has no file.
 [[nodiscard]] std::vector<FolderFile> text_files(const Document& document, const RunOrigin& origin);
 
 }  // namespace camopt
