@@ -119,7 +119,7 @@ struct Plot {
     SvgCanvas& canvas;
     const ChartPanel& panel;
     PlotFrame frame;
-    double left, top, right, bottom;
+    double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
     PlacedTexts labels;
 
     [[nodiscard]] double x(double value) const { return frame.horizontal.place(value); }

@@ -257,10 +257,13 @@ std::vector<PlotTick> labelled_ticks(const PlotAxis& axis, int wanted) {
     const double decades = std::log10(axis.upper / axis.lower);
     if (decades > few) return decade_ticks(axis.lower, axis.upper, decades > many ? 2 : 1);
     std::vector<PlotTick> ticks;
-    for (double power = std::pow(10.0, std::floor(std::log10(axis.lower))); power <= axis.upper;
-         power *= 10.0)
-        for (const double digit : {1.0, 2.0, 5.0})
-            if (axis.holds(digit * power)) ticks.push_back({digit * power, short_text(digit * power, 5)});
+    const int first = static_cast<int>(std::floor(std::log10(axis.lower)));
+    const int last = static_cast<int>(std::floor(std::log10(axis.upper)));
+    for (int exponent = first; exponent <= last; ++exponent)
+        for (const double digit : {1.0, 2.0, 5.0}) {
+            const double value = digit * std::pow(10.0, exponent);
+            if (axis.holds(value)) ticks.push_back({value, short_text(value, 5)});
+        }
     return ticks;
 }
 

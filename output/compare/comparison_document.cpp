@@ -236,7 +236,8 @@ void add_overlays(Table& table, const Comparison& comparison) {
     for (int i = 0; i <= overlay_steps; ++i) table.overlay_angles.push_back(units.degrees_per_x * place(i));
     for (std::size_t order = 0; order < units.motion.size(); ++order) {
         const MotionUnit& unit = units.motion[order].first;
-        Overlay& overlay = table.overlays.emplace_back(Overlay{units.motion[order].name, unit.symbol, unit});
+        Overlay& overlay = table.overlays.emplace_back(
+            Overlay{units.motion[order].name, unit.symbol, static_cast<const ShownUnit&>(unit)});
         for (const Row& row : comparison.rows) {
             std::vector<double>& line = overlay.lines.emplace_back();
             for (int i = 0; row.motion && i <= overlay_steps; ++i) {

@@ -53,7 +53,7 @@ struct Cell {
 };
 /// A normalised derivative of a motion.
 [[nodiscard]] inline Cell motion_cell(const MotionUnit& unit, double normalised, int digits = 6) {
-    return {unit.si(normalised), unit, digits};
+    return {unit.si(normalised), static_cast<const ShownUnit&>(unit), digits};
 }
 [[nodiscard]] inline Cell flag(std::optional<bool> holds) {
     Cell cell;

@@ -100,7 +100,7 @@ std::string fenced(const std::string& code) {
 
 std::string markdown_section(const Section& section) {
     std::string text;
-    for (std::string words : section.said({Kind::headline}, Where::markdown))
+    for (const std::string& words : section.said({Kind::headline}, Where::markdown))
         text += fmt::format("**{}{}**\n\n", markdown_words(words), words.ends_with('.') ? "" : ".");
     if (section.title.empty())
         for (const std::string& words :
@@ -189,8 +189,7 @@ std::vector<FolderFile> text_files(const Document& document, const RunOrigin& or
                                      {"tables.csv", cells_csv(document)}};
     for (const Section& section : document.sections)
         for (const Table& table : section.tables)
-            if (!table.file.empty() && !table.rows.empty())
-                files.push_back({table.file, table_csv(table)});
+            if (!table.file.empty() && !table.rows.empty()) files.push_back({table.file, table_csv(table)});
     for (const Picture* picture : document.pictures())
         if (picture->chart) files.push_back({picture->key + ".svg", chart_svg(*picture->chart)});
     if (const Curves* curves = document.curves()) {

@@ -233,7 +233,7 @@ Section key_section(const RunOrigin& origin) {
 std::string foot_words(const Scene& scene, std::string text) {
     for (const auto& [label, words] : title_block_words(scene))
         if (label == "number" || label == "revision" || label == "date")
-            text += " · " + (label == "number" ? words : label + " " + words);
+            text += fmt::format(" · {}{}", label == "number" ? "" : label + " ", words);
     return text;
 }
 

@@ -185,6 +185,7 @@ Table peak_table(const Solution& solution) {
 
 Table segment_table(const Solution& solution) {
     const MotionUnit displacement = shown_units(solution.scene).motion[0].first;
+    const ShownUnit& length = displacement;
     const MotionSpec& motion = solution.scene.motion;
     Table table{"segments",
                 "Segments",
@@ -192,8 +193,8 @@ Table segment_table(const Solution& solution) {
                  angle_field("start", "start deg"),
                  angle_field("end", "end deg"),
                  angle_field("angle", "angle deg"),
-                 {"from", {}, displacement},
-                 {"to", {}, displacement},
+                 {"from", {}, length},
+                 {"to", {}, length},
                  {"V"},
                  {"A"},
                  {"J"},

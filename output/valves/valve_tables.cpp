@@ -114,7 +114,7 @@ std::vector<Figure> valve_figures(const Solution& solution, const ValveReport& r
     };
     std::vector<Figure> all = {
         {{"lobe_lift", "lift of the follower", motion.lift_is_angle ? degrees_shown : millimetres_shown},
-         {motion.lift, shown.motion[0].first}},
+         {motion.lift, static_cast<const ShownUnit&>(shown.motion[0].first)}},
         rate("opening_velocity", "velocity of the opening valve", report.opening_velocity, 1),
         rate("closing_velocity", "velocity of the closing valve", report.closing_velocity, 1),
         rate("opening_acceleration", "acceleration, opening flank", report.opening_acceleration, 2),

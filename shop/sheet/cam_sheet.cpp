@@ -233,7 +233,9 @@ class CamSheetMaker {
     void hatch(const Vector2d& low, const Vector2d& high) {
         const double step = paper(hatch_step) * std::numbers::sqrt2;
         // Lines y = x + c through the box.
-        for (double c = std::ceil((low.y() - high.x()) / step) * step; c < high.y() - low.x(); c += step) {
+        const int first = static_cast<int>(std::ceil((low.y() - high.x()) / step));
+        for (int k = first; k * step < high.y() - low.x(); ++k) {
+            const double c = k * step;
             const double from = std::max(low.x(), low.y() - c), to = std::min(high.x(), high.y() - c);
             if (to - from > paper(0.3e-3))
                 sheet_.line("HATCH", SheetPen::thin, {from, from + c}, {to, to + c});

@@ -48,7 +48,8 @@ std::vector<std::string> broken_lines(const std::string& words, double width) {
     while (at < words.size()) {
         const std::size_t space = std::min(words.find(' ', at), words.size());
         const std::string word = words.substr(at, space - at);
-        const std::string longer = line.empty() ? word : line + " " + word;
+        std::string longer = line;
+        longer.append(line.empty() ? "" : " ").append(word);
         if (widest_text(longer, note_text) <= width) {
             line = longer;
         } else {
@@ -147,7 +148,7 @@ void add_table(Sheet& sheet, const SheetTable& table, const Vector2d& top_left) 
     };
     for (int block = 0; block < table.blocks(); ++block) {
         const double left = top_left.x() + block * (block_width + block_gap);
-        const auto first = static_cast<std::size_t>(block * table.rows_a_block);
+        const auto first = static_cast<std::size_t>(block) * static_cast<std::size_t>(table.rows_a_block);
         const std::size_t last =
             std::min(first + static_cast<std::size_t>(table.rows_a_block), table.rows.size());
         add_row(table.head, left, top_left.y());
@@ -200,9 +201,10 @@ double ModelBox::exit(const Vector2d& ray) const {
 }
 
 double FreeDirections::next() {
-    constexpr double step = 15 * units::degree;
+    constexpr int steps = 24;
     double best = 0.0, most = -1.0;
-    for (double angle = 0.5 * step; angle < units::turn; angle += step) {
+    for (int k = 0; k < steps; ++k) {
+        const double angle = (k + 0.5) * units::turn / steps;
         double nearest = units::turn;
         for (const double other : taken_)
             nearest = std::min(nearest, std::abs(std::remainder(angle - other, units::turn)));
