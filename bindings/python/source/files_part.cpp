@@ -2,6 +2,7 @@
 // The files of a solution in Python: drawings, solids, NC programs, electronic cams, reports.
 #include "bindings/python/source/parts.hpp"
 #include "core/text/list_text.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "output/exports/workshop.hpp"
 
 #include <fmt/format.h>
@@ -19,20 +20,13 @@ std::span<const KeyRow> option_rows() {
     return workshop() != nullptr ? workshop()->option_rows() : std::span<const KeyRow>();
 }
 
-bool is_option(const std::string& key) {
-    return std::ranges::any_of(option_rows(), [&](const KeyRow& row) {
-        return std::ranges::any_of(row.spellings,
-                                   [&](const Spelling& spelling) { return row.key(spelling) == key; });
-    });
-}
-
 /// Keywords as options.
 ExportOptions options_of(const SolvedScene& solved, const py::kwargs& given) {
     ExportOptions options{.origin = solved.origin, .settings = {}};
     if (!given.empty()) (void)needed_workshop("options of files");
     for (const auto& [name, value] : given) {
         const auto key = name.cast<std::string>();
-        if (!is_option(key))
+        if (input::match_key("", key, option_rows()).row == nullptr)
             throw py::type_error(
                 fmt::format("found the option {}; allowed: {}", key,
                             listed(option_rows(), ", ", [](const KeyRow& row) { return row.first_key(); })));

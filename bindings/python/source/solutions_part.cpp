@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What was found: the class Solution of Python.
 #include "bindings/python/source/parts.hpp"
-#include "output/exports/exports.hpp"
+#include "output/exports/workshop.hpp"
 #include "output/page/result_page.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/number_text.hpp"
@@ -127,10 +127,9 @@ std::vector<std::string> write(const SolvedScene& solved, const std::string& fol
                                std::optional<int> points, bool with_dxf) {
     std::vector<std::string> written;
     const View view(of(solved));
-    WriteOptions options{.points = points, .also = result_extras(view, solved.origin)};
-    if (with_dxf)
-        for (const char* const name : {drawn_profile, drawn_profile_check})
-            options.also.push_back({name, exported_file(of(solved), name)});
+    WriteOptions options{.points = points};
+    if (with_dxf) options.also = needed_workshop("profile.dxf").dxf_files(view);
+    std::ranges::move(result_extras(view, solved.origin), std::back_inserter(options.also));
     for (const auto& path : write_result_folder(folder, view, solved.origin, options))
         written.push_back(path.string());
     return written;

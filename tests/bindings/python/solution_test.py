@@ -51,6 +51,13 @@ class Numbers(unittest.TestCase):
             self.assertEqual(solution.dxf(), (theirs / "profile.dxf").read_text())
             self.assertEqual(solution.certificate(), (theirs / "certificate.json").read_text())
 
+    def test_without_a_cam_no_drawing_is_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            written = solved("drd_cubic_12.toml").write(folder, dxf=True)
+            names = {pathlib.Path(path).name for path in written}
+            self.assertIn("motion.csv", names)
+            self.assertNotIn("profile.dxf", names)
+
     @program.needs_program
     def test_a_comparison_is_that_of_the_program(self):
         printed = json.loads(program.run("compare", ROLLER, "--json"))
