@@ -21,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <system_error>
 
 namespace camopt {
@@ -59,9 +60,9 @@ class PassingFolder {
     std::filesystem::path path_ = make_temporary_folder();
 };
 
-/// The flanks of a three-dimensional cam as the file of that name; kind: a member of CamExportOptions.
-std::string flank_bytes(const Solution& solution, const WorkshopOptions& options, const char* name,
-                        bool CamExportOptions::*kind) {
+/// The flanks of a three-dimensional cam as files of one kind: a member of CamExportOptions.
+std::vector<FolderFile> flank_files(const Solution& solution, const WorkshopOptions& options,
+                                    bool CamExportOptions::*kind) {
     constexpr int flank_points = 361;
     const PassingFolder folder;
     const MotionChain turn = whole_turn(solution);
@@ -69,9 +70,11 @@ std::string flank_bytes(const Solution& solution, const WorkshopOptions& options
     wanted.*kind = true;
     wanted.title = export_title(solution);
     wanted.sampling = {options.sections, options.points.value_or(flank_points), 0.0, 0.0};
-    (void)write_cam_files(folder.path(), solved_flanks(solution),
-                          follower_motion(turn, motion_scale(solution.scene)), wanted);
-    return read_text_file(folder.path() / name);
+    std::vector<FolderFile> files;
+    for (const auto& path : write_cam_files(folder.path(), solved_flanks(solution),
+                                            follower_motion(turn, motion_scale(solution.scene)), wanted))
+        files.push_back({path.filename().string(), read_text_file(path)});
+    return files;
 }
 
 /// "302972 mm3", "18.4885 in3".
@@ -181,25 +184,35 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
     }
 
  private:
+    using Self = const WorkshopFiles&;
+
     /// Keeps this alive as long as its files.
     template <class Make>
     void add(std::string name, Make make) {
         files_.push_back({std::move(name), [self = shared_from_this(), make] { return make(*self); }});
     }
-    using Self = const WorkshopFiles&;
+    /// One of the files that `make` gives together, once for all of the group.
+    template <class Make>
+    void add_of(const std::string& group, const std::string& name, Make make) {
+        add(name, [group, name, make](Self self) {
+            auto made = self.groups_.find(group);
+            if (made == self.groups_.end()) made = self.groups_.emplace(group, make(self)).first;
+            return std::ranges::find(made->second, name, &FolderFile::name)->text;
+        });
+    }
 
     void add_controllers() {
         for (const PlcFormat& format : plc_formats())
             for (const std::string& name : {format.file, format.text_file, plc_check_name(format)})
                 if (!name.empty())
-                    add(name, [&format, name](Self self) { return self.plc_bytes(format, name); });
+                    add_of(format.key, name, [&format](Self self) {
+                        return plc_export(self.solution_, {format.key}, {self.options_.points}).files;
+                    });
     }
     void add_plane() {
         for (const char* const name : {drawn_profile, drawn_profile_check})
-            add(name, [name](Self self) {
-                const std::vector<FolderFile> files = dxf_files(self.solution_, self.options_.dxf_tolerance);
-                return std::ranges::find(files, name, &FolderFile::name)->text;
-            });
+            add_of("dxf", name,
+                   [](Self self) { return dxf_files(self.solution_, self.options_.dxf_tolerance); });
     }
     void add_piece(std::size_t piece) {
         const std::string name = "cam" + piece_suffix(piece), title = piece_title(solution_, piece);
@@ -213,24 +226,23 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
                               self.solution_.scene.length_unit);
         });
         for (const char* const format : {"pdf", "svg", "dxf"})
-            add(fmt::format("drawing{}.{}", piece_suffix(piece), format), [piece, format](Self self) {
-                return sheet_bytes(cam_sheets(self.solution_, self.options_.plate).at(piece), format);
-            });
+            add(fmt::format("drawing{}.{}", piece_suffix(piece), format),
+                [piece, format](Self self) { return sheet_bytes(self.sheets().at(piece), format); });
         add_program(name, piece);
     }
     void add_flanks() {
-        const auto flanks = [this](const char* name, bool CamExportOptions::*kind) {
-            add(name,
-                [name, kind](Self self) { return flank_bytes(self.solution_, self.options_, name, kind); });
+        const auto flanks = [this](const char* kind, const char* name, bool CamExportOptions::*wanted) {
+            add_of(kind, name,
+                   [wanted](Self self) { return flank_files(self.solution_, self.options_, wanted); });
         };
         const MotionChain turn = whole_turn(solution_);
         const bool whole =
             indexes(solved_flanks(solution_), follower_motion(turn, motion_scale(solution_.scene)));
-        flanks("flanks.csv", &CamExportOptions::csv);
-        flanks("flanks.step", &CamExportOptions::step);
-        flanks("groove.stl", &CamExportOptions::stl);
-        if (whole) flanks("cam.stl", &CamExportOptions::stl);
-        flanks("cam.svg", &CamExportOptions::picture);
+        flanks("csv", "flanks.csv", &CamExportOptions::csv);
+        flanks("step", "flanks.step", &CamExportOptions::step);
+        flanks("stl", "groove.stl", &CamExportOptions::stl);
+        if (whole) flanks("stl", "cam.stl", &CamExportOptions::stl);
+        flanks("picture", "cam.svg", &CamExportOptions::picture);
         add_program("cam", 0);
     }
     void add_program(const std::string& name, std::size_t piece) {
@@ -242,9 +254,9 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
     [[nodiscard]] DrawingSpec drawing(std::size_t piece) const {
         return drawing_of(solution_, pieces_[piece], options_.plate);
     }
-    [[nodiscard]] std::string plc_bytes(const PlcFormat& format, const std::string& name) const {
-        const PlcExport exported = plc_export(solution_, {format.key}, {options_.points});
-        return std::ranges::find(exported.files, name, &FolderFile::name)->text;
+    [[nodiscard]] const std::vector<Sheet>& sheets() const {
+        if (!sheets_) sheets_ = cam_sheets(solution_, options_.plate);
+        return *sheets_;
     }
     [[nodiscard]] const ExportedProgram& sound_program(std::size_t piece) const {
         const ExportedProgram& program = programs().at(piece);
@@ -262,6 +274,8 @@ class WorkshopFiles : public std::enable_shared_from_this<WorkshopFiles> {
     WorkshopOptions options_;
     std::vector<ProfileShape> pieces_;
     std::vector<ExportFile> files_;
+    mutable std::map<std::string, std::vector<FolderFile>> groups_;
+    mutable std::optional<std::vector<Sheet>> sheets_;
     mutable std::optional<std::vector<ExportedProgram>> programs_;
 };
 
