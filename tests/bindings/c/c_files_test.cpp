@@ -4,6 +4,7 @@
 #include "output/exports/exports.hpp"
 #include "shop/step/step_file.hpp"
 #include "tests/bindings/c/c_face.hpp"
+#include "tests/output/prescribed_disk.hpp"
 #include "tests/output/temporary_folder.hpp"
 
 #include <array>
@@ -15,19 +16,9 @@ namespace c_files_test {
 
 using namespace testing_support;
 
-/// A disk cam of laws alone, a load over the cam angle, a limit of one side: solved at once.
-constexpr const char* prescribed_toml = R"(
-[motion]
-type = "program"
-lift_mm = 8
-speed_rpm = 300
-segments = [{ kind = "law", law = "cycloidal", angle_deg = 120, to_mm = 8 }, { kind = "dwell", angle_deg = 60 },
-            { kind = "law", law = "cycloidal", angle_deg = 120, to_mm = 0 }, { kind = "dwell", angle_deg = 60 }]
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = 20
-roller_radius_mm = 6
+/// With a load over the cam angle and a limit of one side.
+std::string prescribed_toml() {
+    return std::string(prescribed_disk_toml) + R"(
 [forces]
 preload_n = 100
 load_n = [[60, 0], [90, 250], [120, 0]]
@@ -36,6 +27,7 @@ thickness_mm = 4
 [limits]
 acceleration_m_s2 = { min = -20 }
 )";
+}
 
 struct Bytes {
     camopt_text text{nullptr, 0};
@@ -47,8 +39,8 @@ struct Bytes {
 };
 
 TEST(CFiles, EveryFileIsThatOfCpp) {
-    const CSolution c = c_solved(c_scene(prescribed_toml));
-    const Solution cpp = cpp_solved(prescribed_toml);
+    const CSolution c = c_solved(c_scene(prescribed_toml()));
+    const Solution cpp = cpp_solved(prescribed_toml());
     Bytes names;
     EXPECT_OK(camopt_file_names(c.get(), &names.text));
     std::string lines;
@@ -71,7 +63,7 @@ TEST(CFiles, EveryFileIsThatOfCpp) {
 }
 
 TEST(CFiles, OptionsAreThoseOfTheStruct) {
-    const CSolution solution = c_solved(c_scene(prescribed_toml));
+    const CSolution solution = c_solved(c_scene(prescribed_toml()));
     camopt_file_options options{};
     options.size = sizeof options;
     options.spindle_rpm = 4321;
@@ -110,7 +102,7 @@ TEST(CFiles, AbsentFilesAreErrors) {
 
 TEST(CFiles, FolderGetsThem) {
     const test::TemporaryFolder folder;
-    const CSolution solution = c_solved(c_scene(prescribed_toml));
+    const CSolution solution = c_solved(c_scene(prescribed_toml()));
     const std::string place = folder.path() + "/made";
     const std::array<const char*, 2> wanted = {"cam.nc", "drawing.svg"};
     EXPECT_OK(camopt_write_files(solution.get(), place.c_str(), wanted.data(), wanted.size(), nullptr));

@@ -10,6 +10,7 @@
 #include "shop/sheet/sheet_files.hpp"
 #include "shop/step/step_file.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/output/prescribed_disk.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
@@ -22,28 +23,14 @@
 namespace camopt {
 namespace exports_test {
 
+using testing_support::prescribed_disk_toml;
 using testing_support::refusal;
 using testing_support::says;
 
-/// A disk cam of laws alone: solved at once.
+/// With a drawing.
 Solution disk(const std::string& more = "") {
-    return solve(scene_of_toml(R"(
-title = "Lever cam"
-[motion]
-type = "program"
-lift_mm = 8
-speed_rpm = 300
-segments = [{ kind = "law", law = "cycloidal", angle_deg = 120, to_mm = 8 }, { kind = "dwell", angle_deg = 60 },
-            { kind = "law", law = "cycloidal", angle_deg = 120, to_mm = 0 }, { kind = "dwell", angle_deg = 60 }]
-[cam]
-type = "disk"
-follower = "translating_roller"
-base_radius_mm = 20
-roller_radius_mm = 6
-[drawing]
-bore_mm = 10
-thickness_mm = 4
-)" + more));
+    return solve(scene_of_toml(std::string("title = \"Lever cam\"") + prescribed_disk_toml +
+                               "[drawing]\nbore_mm = 10\nthickness_mm = 4\n" + more));
 }
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
