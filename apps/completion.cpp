@@ -2,8 +2,8 @@
 #include "apps/command_line.hpp"
 #include "apps/studio/studio_controls.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "output/exports/workshop.hpp"
-#include "output/view/columns.hpp"
+#include "report/exports/workshop.hpp"
+#include "report/view/columns.hpp"
 
 namespace camopt::apps {
 

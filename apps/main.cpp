@@ -2,9 +2,9 @@
 // The program with all of camopt.
 #include "apps/program_parts.hpp"
 #include "apps/run_program.hpp"
-#include "output/exports/workshop.hpp"
-#include "output/page/result_page.hpp"
 #include "profiles/factory/cam_formulas.hpp"
+#include "report/exports/workshop.hpp"
+#include "report/page/result_page.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 const camopt::apps::ProgramParts& camopt::apps::program_parts() {

@@ -7,7 +7,7 @@
 #include "apps/terminal.hpp"
 #include "core/platform/console.hpp"
 #include "core/text/text_file.hpp"
-#include "output/exports/workshop.hpp"
+#include "report/exports/workshop.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
-#include "output/report/result_folder_reader.hpp"
+#include "report/folders/result_folder_reader.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>

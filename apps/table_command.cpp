@@ -2,8 +2,8 @@
 // camopt table: a published table computed again, every optimum proved.
 #include "apps/commands.hpp"
 #include "apps/terminal.hpp"
-#include "output/papers/paper_output.hpp"
-#include "output/report/result_folder.hpp"
+#include "report/folders/result_folder.hpp"
+#include "report/papers/paper_output.hpp"
 
 namespace camopt::apps {
 

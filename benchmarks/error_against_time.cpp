@@ -11,7 +11,7 @@
 #include "benchmarks/parts/solver_variants.hpp"
 #include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
-#include "output/report/result_folder.hpp"
+#include "report/folders/result_folder.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>

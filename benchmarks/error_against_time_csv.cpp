@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/error_against_time_csv.hpp"
 
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 
 namespace camopt::benchmarks {
 

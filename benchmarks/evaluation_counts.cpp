@@ -6,7 +6,7 @@
 // of a profile, or could not be solved at all.
 #include "benchmarks/parts/whole_output.hpp"
 #include "input/loading/load_scene.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <algorithm>

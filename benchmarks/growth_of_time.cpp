@@ -7,7 +7,7 @@
 // iterations. `status` of a whole solve is its verdict.
 #include "benchmarks/parts/backend_runs.hpp"
 #include "benchmarks/parts/whole_output.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -9,8 +9,8 @@
 #include "benchmarks/parts/measurement.hpp"
 #include "core/text/text_file.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "output/csv/csv_line.hpp"
-#include "output/report/result_folder.hpp"
+#include "report/csv/csv_line.hpp"
+#include "report/folders/result_folder.hpp"
 #include "splines/curve.hpp"
 #include "studies/solve/solve.hpp"
 

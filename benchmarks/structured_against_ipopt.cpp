@@ -8,7 +8,7 @@
 // `ratio`: seconds by those of the structured solver; `eligible`: error within 1e-8. Progress goes to stderr.
 #include "benchmarks/parts/backend_runs.hpp"
 #include "benchmarks/parts/whole_output.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 #include "benchmarks/cam/cam_case.hpp"
 #include "benchmarks/parts/backend_runs.hpp"
 #include "benchmarks/parts/whole_output.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/solve/solve.hpp"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Required: Eigen for everything, fmt for messages, toml++ for input/, nlohmann-json for output/, CLI11 for apps/.
+# Required: Eigen for everything, fmt for messages, toml++ for input/, nlohmann-json for report/, CLI11 for apps/.
 # Optional ones become the variables CAMOPT_HAVE_IPOPT, CAMOPT_HAVE_NLOPT, CAMOPT_HAVE_SPQR,
 # CAMOPT_HAVE_SUITESPARSE, CAMOPT_HAVE_OPENCASCADE, CAMOPT_HAVE_CAIRO, CAMOPT_HAVE_HTTPLIB and imported targets.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)

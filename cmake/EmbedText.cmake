@@ -6,7 +6,7 @@
 string(REPLACE "," ";" names "${NAMES}")
 if(NOT FUNCTION)
   set(FUNCTION page_asset)
-  set(HEADER output/page/page_parts.hpp)
+  set(HEADER report/page/page_parts.hpp)
 endif()
 set(code "// Made by cmake/EmbedText.cmake.\n#include \"${HEADER}\"\n\n#include \"core/errors.hpp\"\n\nnamespace camopt {\n\n")
 string(APPEND code "std::string_view ${FUNCTION}(std::string_view name) {\n")

@@ -2,7 +2,7 @@
 // A motion: displacement and its first three derivatives by the cam angle.
 //
 // Normalised form: x = cam angle / rise angle, y = displacement / lift; ' is d/dx. A DRD motion lives on
-// [0, 1], an RR motion on [0, 1 + return angle / rise angle]. No units; physical ones return in output/.
+// [0, 1], an RR motion on [0, 1 + return angle / rise angle]. No units; physical ones return in report/.
 #pragma once
 
 #include "core/numbers/extremum.hpp"

@@ -60,8 +60,8 @@ camopt_promise(comparison [[
 Every classical law on one scene beside the optimum: what each loses, which limits it breaks, how large
 its cam would have to be. Units as in Solution; infinite peaks are infinite. Throws as solve() does.
 comparison_document() is what there is to say of it: console_text(), document_json() and others write it.]]
-  output/compare/comparison_document.hpp
-  output/document/document_text.hpp
+  report/compare/comparison_document.hpp
+  report/document/document_text.hpp
   studies/compare/comparison.hpp)
 camopt_promise(continuous_problem [[
 The problem behind the grid: constraints that hold at every cam angle. Derive from ContinuousProblem to
@@ -83,7 +83,7 @@ camopt_promise(drawings [[
 Cams as DXF text: arcs within a tolerance (m) of the exact curve; files in mm. Errors: InputError for a
 tolerance that is not positive and a cam that is not finite.]]
   shop/dxf/cam_dxf.hpp
-  output/cam/cam_files.hpp)
+  report/cam/cam_files.hpp)
 camopt_promise(errors [[
 The exceptions camopt throws: InputError (something the caller gave is wrong; the message says what was
 found and what is allowed), UnavailableError (an InputError: this build lacks what was asked for),
@@ -95,7 +95,7 @@ The files of a solved scene by their names, in memory or in a folder: exported_f
 write_exports(folder, solution, names). NC programs with their check, STEP and STL, workshop drawings (PDF,
 SVG, DXF), electronic cams for controllers, reports. Options by their key, {"cutter_mm", "12"}; files in mm
 and degrees. Errors: InputError, UnavailableError for STEP or PDF in a build without the library.]]
-  output/exports/exports.hpp)
+  report/exports/exports.hpp)
 camopt_promise(extrema [[
 Exact extrema of piecewise polynomials and the peaks of a spline curve: every end of a segment from both
 sides, every stationary point inside. No sampling. No units.]]
@@ -191,11 +191,11 @@ cap. Also the front over the rows of a sweep.]]
   studies/pareto/sweep_front.hpp)
 camopt_promise(pictures [[
 Motion, cam and mechanism as SVG text, to scale where they show a machine.]]
-  output/chart/curve_chart.hpp
-  output/drawing/cam_svg.hpp)
+  report/chart/curve_chart.hpp
+  report/drawing/cam_svg.hpp)
 camopt_promise(reference_table [[
 The published spline-versus-modified-sine tables beside what is true. Peaks without units.]]
-  output/papers/paper_output.hpp
+  report/papers/paper_output.hpp
   studies/papers/reference_table.hpp)
 camopt_promise(remote_cam [[
 Disk cams whose roller lever moves the output through a linkage: positions, pressure angle and radii by
@@ -205,13 +205,13 @@ camopt_promise(result_folder [[
 A solution as files (report, table of the motion, proof, pictures, profile), and read back without solving
 (read_result_folder). Files of an earlier run are replaced together. Display units (mm, degrees). Errors:
 InputError naming the folder or file, and what does not fit.]]
-  output/report/result_folder_reader.hpp)
+  report/folders/result_folder_reader.hpp)
 camopt_promise(result_json [[
 result.json, and certificate.json with the recipe by which anybody can recompute the bound, also read back
 (read_certificate). Display units in result.json; the certificate is in the units of its problem. Errors:
 InputError for a file that is not a certificate.]]
-  output/json/certificate_reader.hpp
-  output/json/result_json.hpp)
+  report/json/certificate_reader.hpp
+  report/json/result_json.hpp)
 camopt_promise(scene [[
 A scene: what must move, what counts, which limits hold, how fine the spline may be, and the cam. Plain
 values in SI and radians with the defaults of a scene file. find_fault(scene) says what is wrong with one;
@@ -279,7 +279,7 @@ camopt_promise(surfaces [[
 Flanks and solids of cams as STL and (where this build has Open CASCADE: step_available()) STEP. m
 inside, mm in files. Errors: UnavailableError for STEP in a build without it.]]
   shop/spatial/cam_export.hpp
-  output/surface/triangle_mesh.hpp
+  report/surface/triangle_mesh.hpp
   shop/step/step_file.hpp)
 camopt_promise(sweep [[
 Many solves as one table: which keys of a scene vary (SweepAxis), the rows in an order of neighbours
@@ -294,7 +294,7 @@ set).]]
 camopt_promise(tables [[
 Motion and cam as CSV text: a header line, a point a row, display units, "." as decimal sign regardless of the
 locale.]]
-  output/csv/motion_csv.hpp)
+  report/csv/motion_csv.hpp)
 camopt_promise(train_formulas [[
 From the elastic follower train of a scene to its formulas: complete_dynamics(scene), once, before a scene
 built in C++ is solved. Throws InputError for a chain of more than four masses.]]
@@ -307,7 +307,7 @@ camopt_promise(valves [[
 Valve lobes: ValveSpec and make_valve_lobe() for the motion of a scene; of a solved lobe its events,
 durations, areas, accelerations and spring (valve_report), of two the overlap (valve_pair). m, rad, N.
 lobe_csv() writes the table for engine programs.]]
-  output/csv/lobe_csv.hpp
+  report/csv/lobe_csv.hpp
   scene/valve_spec.hpp
   studies/valve/valve_report.hpp)
 camopt_promise(version [[
@@ -316,10 +316,10 @@ The version of this camopt, "MAJOR.MINOR.PATCH".]]
 camopt_promise(words [[
 A solution and a sweep in words: the verdict in a sentence, limits, what would help. UTF-8, display units.
 Nothing throws.]]
-  output/solve/solution_document.hpp
-  output/sweep/sweep_document.hpp
-  output/words/plan_text.hpp
-  output/words/solution_text.hpp)
+  report/solve/solution_document.hpp
+  report/sweep/sweep_document.hpp
+  report/words/plan_text.hpp
+  report/words/solution_text.hpp)
 camopt_promise(camopt [[
 Everything an embedder calls. Each header below is a promise by itself: its names stay as they are within a
 minor version. What stands below camopt/detail/ is what they are made of, and may change with every

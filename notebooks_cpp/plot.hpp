@@ -8,7 +8,7 @@
 // Values that are not finite break a line. Nothing throws.
 #pragma once
 
-#include "output/chart/svg_canvas.hpp"
+#include "report/chart/svg_canvas.hpp"
 
 #include <cmath>
 #include <cstddef>

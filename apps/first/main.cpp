@@ -3,9 +3,9 @@
 #include "apps/program_parts.hpp"
 #include "apps/run_program.hpp"
 #include "core/errors.hpp"
-#include "output/page/page_html.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_spec.hpp"
+#include "report/page/page_html.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "studies/check/check_cam.hpp"
 

@@ -2,7 +2,7 @@
 // What `camopt list` knows: topics, and the keys of every kind of file, which the manual describes too.
 #pragma once
 
-#include "output/json/json_text.hpp"
+#include "report/json/json_text.hpp"
 #include "scene/key_row.hpp"
 
 namespace camopt::apps {

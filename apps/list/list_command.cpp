@@ -8,9 +8,9 @@
 #include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "output/json/json_text.hpp"
-#include "output/view/columns.hpp"
-#include "output/view/number_text.hpp"
+#include "report/json/json_text.hpp"
+#include "report/view/columns.hpp"
+#include "report/view/number_text.hpp"
 #include "scene/machine_spec.hpp"
 #include "solvers/registry.hpp"
 

@@ -3,9 +3,9 @@
 #include "core/errors.hpp"
 #include "core/text/list_text.hpp"
 #include "core/text/text_file.hpp"
-#include "output/view/cam_words.hpp"
-#include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "report/view/cam_words.hpp"
+#include "report/words/solution_text.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>

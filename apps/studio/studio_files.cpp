@@ -2,10 +2,10 @@
 // The files of a scene that the studio's page may ask for: one row each.
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
-#include "output/cam/cam_files.hpp"
-#include "output/exports/workshop.hpp"
-#include "output/json/result_json.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "report/cam/cam_files.hpp"
+#include "report/exports/workshop.hpp"
+#include "report/json/result_json.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"

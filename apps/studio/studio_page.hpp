@@ -3,7 +3,7 @@
 #pragma once
 
 #include "apps/studio/studio_server.hpp"
-#include "output/page/page_html.hpp"
+#include "report/page/page_html.hpp"
 #include "scene/scene.hpp"
 #include "solvers/solver.hpp"
 

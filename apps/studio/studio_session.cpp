@@ -3,7 +3,7 @@
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
 #include "core/word_of.hpp"
-#include "output/page/result_page.hpp"
+#include "report/page/result_page.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
@@ -26,7 +26,7 @@ namespace {
 //
 //   stage     "curve", "proof", "rest"
 //   more      the rest is worth asking for
-//   data      as page_data (output/page/result_page.hpp)
+//   data      as page_data (report/page/result_page.hpp)
 //   laws      as page_laws, of the laws asked for
 //   scene     the scene as solved, TOML
 //   controls  as studio_controls

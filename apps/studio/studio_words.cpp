@@ -2,7 +2,7 @@
 // What the studio calls the keys of a scene, and in which units it takes and shows their numbers.
 #include "apps/studio/studio_controls.hpp"
 #include "core/text/list_text.hpp"
-#include "output/view/number_text.hpp"
+#include "report/view/number_text.hpp"
 #include "scene/part_names.hpp"
 
 namespace camopt::apps {

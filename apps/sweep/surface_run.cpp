@@ -5,10 +5,10 @@
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
 #include "core/version.hpp"
-#include "output/csv/sweep_csv.hpp"
-#include "output/page/page_html.hpp"
-#include "output/report/result_folder.hpp"
-#include "output/sweep/sweep_document.hpp"
+#include "report/csv/sweep_csv.hpp"
+#include "report/folders/result_folder.hpp"
+#include "report/page/page_html.hpp"
+#include "report/sweep/sweep_document.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep/sweep_job.hpp"
 #include "apps/terminal.hpp"
-#include "output/csv/sweep_csv.hpp"
-#include "output/page/page_html.hpp"
-#include "output/report/result_folder.hpp"
-#include "output/sweep/pareto_document.hpp"
+#include "report/csv/sweep_csv.hpp"
+#include "report/folders/result_folder.hpp"
+#include "report/page/page_html.hpp"
+#include "report/sweep/pareto_document.hpp"
 
 #include <fmt/format.h>
 

@@ -10,11 +10,11 @@
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
 #include "input/scene_reader.hpp"
-#include "output/chart/sweep/sweep_svg.hpp"
-#include "output/machine/machine_folder.hpp"
-#include "output/page/page_html.hpp"
-#include "output/report/result_folder.hpp"
-#include "output/sweep/sweep_document.hpp"
+#include "report/chart/sweep/sweep_svg.hpp"
+#include "report/folders/result_folder.hpp"
+#include "report/machine/machine_folder.hpp"
+#include "report/page/page_html.hpp"
+#include "report/sweep/sweep_document.hpp"
 #include "studies/checked/checked_cam.hpp"
 
 #include <fmt/format.h>

@@ -7,8 +7,8 @@
 #include "apps/sweep/rank_launch.hpp"
 #include "core/platform/files.hpp"
 #include "core/platform/workers.hpp"
-#include "output/json/sweep_json.hpp"
-#include "output/report/sweep_folder.hpp"
+#include "report/folders/sweep_folder.hpp"
+#include "report/json/sweep_json.hpp"
 #include "scene/machine_spec.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 

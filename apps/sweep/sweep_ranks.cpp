@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep/sweep_job.hpp"
 #include "apps/terminal.hpp"
-#include "output/report/result_folder.hpp"
+#include "report/folders/result_folder.hpp"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@
 #include "benchmarks/parts/whole_output.hpp"
 #include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
-#include "output/report/result_folder.hpp"
+#include "report/folders/result_folder.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/cam/cam_error_against_time_svg.hpp"
 
-#include "output/chart/svg_canvas.hpp"
+#include "report/chart/svg_canvas.hpp"
 
 #include <fmt/format.h>
 

@@ -11,8 +11,8 @@
 #include "benchmarks/parts/whole_output.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "output/csv/csv_line.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "report/csv/csv_line.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/check/forward_check_input.hpp"
 

@@ -10,7 +10,7 @@
 #include "core/units.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 

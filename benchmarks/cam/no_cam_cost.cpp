@@ -10,8 +10,8 @@
 #include "benchmarks/parts/measurement.hpp"
 #include "benchmarks/parts/whole_output.hpp"
 #include "core/units.hpp"
-#include "output/csv/csv_line.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "report/csv/csv_line.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 #include "input/scene_reader.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 #include "solvers/registry.hpp"
 #include "studies/search/start_search.hpp"
 

@@ -16,7 +16,7 @@
 #include "core/errors.hpp"
 #include "core/text/parsing.hpp"
 #include "core/text/text_file.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 
 #include <fmt/format.h>
 

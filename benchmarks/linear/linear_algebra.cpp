@@ -6,7 +6,7 @@
 // Ways slower than some seconds are timed once. Progress goes to stderr.
 #include "benchmarks/parts/backend_runs.hpp"
 #include "benchmarks/parts/whole_output.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 #include "solvers/registry.hpp"
 
 #include <cstdio>

@@ -6,7 +6,7 @@
 #include "benchmarks/outside/camshape.hpp"
 #include "benchmarks/parts/measurement.hpp"
 #include "benchmarks/parts/whole_output.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 #include "solvers/registry.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "benchmarks/papers/paper_json.hpp"
 
 #include "core/version.hpp"
-#include "output/json/json_text.hpp"
+#include "report/json/json_text.hpp"
 
 namespace camopt {
 

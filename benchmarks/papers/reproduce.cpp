@@ -5,8 +5,8 @@
 #include "benchmarks/papers/paper_json.hpp"
 #include "benchmarks/papers/papers.hpp"
 #include "core/errors.hpp"
-#include "output/papers/paper_output.hpp"
-#include "output/report/result_folder.hpp"
+#include "report/folders/result_folder.hpp"
+#include "report/papers/paper_output.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/ranges.h>

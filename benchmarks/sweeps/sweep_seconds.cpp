@@ -13,7 +13,7 @@
 #include "benchmarks/parts/measurement.hpp"
 #include "benchmarks/parts/solver_variants.hpp"
 #include "core/text/text_file.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "studies/sweep/sweep_plan.hpp"

@@ -11,7 +11,7 @@
 #include "benchmarks/trains/integrators.hpp"
 #include "dynamics/train_formulas.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 
 #include <fmt/format.h>
 

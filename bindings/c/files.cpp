@@ -2,8 +2,8 @@
 #include "bindings/c/handles.hpp"
 #include "core/text/list_text.hpp"
 #include "core/text/parsing.hpp"
-#include "output/exports/exports.hpp"
-#include "output/view/number_text.hpp"
+#include "report/exports/exports.hpp"
+#include "report/view/number_text.hpp"
 
 #include <fmt/format.h>
 

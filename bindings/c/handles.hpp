@@ -4,7 +4,7 @@
 
 #include "bindings/c/failure.hpp"
 #include "input/scene_document.hpp"
-#include "output/json/result_json.hpp"
+#include "report/json/result_json.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <cstring>

@@ -2,14 +2,14 @@
 #include "bindings/c/handles.hpp"
 #include "dynamics/train_formulas.hpp"
 #include "input/loading/load_scene.hpp"
-#include "output/cam/cam_files.hpp"
-#include "output/chart/curve_chart.hpp"
-#include "output/csv/motion_csv.hpp"
-#include "output/exports/exports.hpp"
-#include "output/json/certificate_json.hpp"
-#include "output/json/result_json.hpp"
-#include "output/report/result_folder.hpp"
-#include "output/solve/solution_document.hpp"
+#include "report/cam/cam_files.hpp"
+#include "report/chart/curve_chart.hpp"
+#include "report/csv/motion_csv.hpp"
+#include "report/exports/exports.hpp"
+#include "report/folders/result_folder.hpp"
+#include "report/json/certificate_json.hpp"
+#include "report/json/result_json.hpp"
+#include "report/solve/solution_document.hpp"
 
 #include <cstdlib>
 #include <cstring>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Plane cams for the machine: the checked program of an end mill around them, or along their groove.
 //
-// Frame of output/drawing/profile_shape.hpp, the cam between z = −thickness and z = 0. Only cams that close.
+// Frame of report/drawing/profile_shape.hpp, the cam between z = −thickness and z = 0. Only cams that close.
 // Of a grooved cam the disk with its rim is the blank, and the program mills the groove into its upper face:
 // in one pass with a cutter as wide as the groove, else along either flank (groove_passes.hpp). A conjugate
 // cam is two such pieces (made_pieces). m.
 #pragma once
 
-#include "output/drawing/profile_shape.hpp"
+#include "report/drawing/profile_shape.hpp"
 #include "shop/nc/milling/milling_choice.hpp"
 
 namespace camopt {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shop/disk/disk_solid.hpp"
 
-#include "output/surface/mesh_cut.hpp"
+#include "report/surface/mesh_cut.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/cam_sheet.hpp"
 #include "shop/sheet/sheet_painter.hpp"

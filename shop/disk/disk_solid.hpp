@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A disk cam as a solid with its bore and keyway: triangles for STL, exact edges for STEP.
 //
-// Frame of output/drawing/profile_shape.hpp, between z = −thickness and z = 0. Only cams that close and that
+// Frame of report/drawing/profile_shape.hpp, between z = −thickness and z = 0. Only cams that close and that
 // are not undercut. m.
 #pragma once
 
-#include "output/drawing/profile_shape.hpp"
-#include "output/surface/triangle_mesh.hpp"
+#include "report/drawing/profile_shape.hpp"
+#include "report/surface/triangle_mesh.hpp"
 #include "shop/step/step_solid.hpp"
 
 namespace camopt {

@@ -2,8 +2,8 @@
 #include "shop/dxf/cam_dxf.hpp"
 
 #include "core/version.hpp"
-#include "output/cam/cam_files.hpp"
-#include "output/json/json_text.hpp"
+#include "report/cam/cam_files.hpp"
+#include "report/json/json_text.hpp"
 #include "shop/dxf/dxf_drawing.hpp"
 
 namespace camopt {

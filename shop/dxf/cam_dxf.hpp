@@ -7,15 +7,15 @@
 //   inverse  layers WALLS (both of the slot), PITCH, ROLLER, AXES; frame of the body, its pivot at the origin
 #pragma once
 
-#include "output/document/run_origin.hpp"
-#include "output/drawing/profile_shape.hpp"
+#include "report/document/run_origin.hpp"
+#include "report/drawing/profile_shape.hpp"
 #include "shop/dxf/arc_chain.hpp"
 
 namespace camopt {
 
 // profile.dxf: the cam for CAD and CAM systems, as arcs within a tolerance. Layers CAM, PITCH (roller
 // centre), BASE_CIRCLE, PRIME_CIRCLE, ROLLER, FACE (flat face), AXES; the follower where the motion begins;
-// mm; the cam's centre at the origin, cam frame of output/drawing/profile_shape.hpp.
+// mm; the cam's centre at the origin, cam frame of report/drawing/profile_shape.hpp.
 struct ProfileDxf {
     std::string text;
     int arcs = 0;            ///< of the cam's outline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shop/dxf/dxf_drawing.hpp"
 
-#include "output/view/shown_units.hpp"
+#include "report/view/shown_units.hpp"
 
 #include <fmt/ranges.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files that the shop makes of a solution, by name, for output/exports/exports.hpp.
+// The files that the shop makes of a solution, by name, for report/exports/exports.hpp.
 //
 //   with a motion          an electronic cam of each controller (codesys.st, …, shop/plc/plc_format.hpp)
 //   plane cam              profile.dxf

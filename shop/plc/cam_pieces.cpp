@@ -2,7 +2,7 @@
 #include "shop/plc/cam_pieces.hpp"
 
 #include "core/numbers/polynomial.hpp"
-#include "output/view/shown_units.hpp"
+#include "report/view/shown_units.hpp"
 #include "splines/curve.hpp"
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 
 #include "core/text/list_text.hpp"
 #include "core/version.hpp"
-#include "output/json/json_text.hpp"
-#include "output/view/shown_units.hpp"
+#include "report/json/json_text.hpp"
+#include "report/view/shown_units.hpp"
 #include "shop/plc/structured_text.hpp"
 #include "splines/motion_family.hpp"
 #include "studies/delivered/solution_parts.hpp"

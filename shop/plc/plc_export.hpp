@@ -17,7 +17,7 @@
 // loss are rounded up to three digits.
 #pragma once
 
-#include "output/document/run_origin.hpp"
+#include "report/document/run_origin.hpp"
 #include "shop/plc/plc_format.hpp"
 #include "studies/delivered/solution.hpp"
 

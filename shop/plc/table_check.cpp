@@ -3,9 +3,9 @@
 
 #include "core/text/parsing.hpp"
 #include "core/version.hpp"
-#include "output/csv/csv_line.hpp"
-#include "output/json/json_text.hpp"
-#include "output/view/columns.hpp"
+#include "report/csv/csv_line.hpp"
+#include "report/json/json_text.hpp"
+#include "report/view/columns.hpp"
 #include "shop/plc/plc_export.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // What a reader makes of table.csv: how far straight lines between its rows are from the motion.
 #pragma once
 
-#include "output/csv/motion_csv.hpp"
+#include "report/csv/motion_csv.hpp"
 
 namespace camopt {
 

@@ -2,7 +2,7 @@
 #include "shop/sheet/cam_sheet.hpp"
 
 #include "core/text/list_text.hpp"
-#include "output/view/key_words.hpp"
+#include "report/view/key_words.hpp"
 #include "scene/limit_table.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/sheet_painter.hpp"

@@ -4,14 +4,14 @@
 // block.
 //
 // On A4, or on A3 where A4 would make it smaller than it is, at the largest scale of ISO 5455 that fits. The
-// model is the cam frame (output/drawing/profile_shape.hpp); the section lies beside it. The table counts its
+// model is the cam frame (report/drawing/profile_shape.hpp); the section lies beside it. The table counts its
 // angle from the datum mark, as the cam angle grows: the ray at α is the one that points along +y at the cam
 // angle datum + α. R: from the centre to the cam along that ray, the outermost where there are several. Of a
 // grooved cam the outline is the rim of its disk; R and Ro are the radii of the inner and the outer flank,
 // the section shows the groove in the upper face.
 #pragma once
 
-#include "output/drawing/profile_shape.hpp"
+#include "report/drawing/profile_shape.hpp"
 #include "shop/sheet/sheet.hpp"
 
 namespace camopt {

@@ -2,7 +2,7 @@
 #include "shop/sheet/sheet.hpp"
 
 #include "core/text/printable.hpp"
-#include "output/view/shown_units.hpp"
+#include "report/view/shown_units.hpp"
 
 #include <fmt/format.h>
 

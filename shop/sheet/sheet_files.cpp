@@ -3,8 +3,8 @@
 
 #include "core/text/printable.hpp"
 #include "core/word_of.hpp"
-#include "output/chart/svg_canvas.hpp"
-#include "output/view/shown_units.hpp"
+#include "report/chart/svg_canvas.hpp"
+#include "report/view/shown_units.hpp"
 #include "shop/dxf/dxf_drawing.hpp"
 #include "shop/sheet/sheet_painter.hpp"
 

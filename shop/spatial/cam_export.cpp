@@ -2,9 +2,9 @@
 #include "shop/spatial/cam_export.hpp"
 
 #include "core/text/text_file.hpp"
-#include "output/spatial/drum_svg.hpp"
-#include "output/spatial/flank_surfaces.hpp"
-#include "output/spatial/indexing_body.hpp"
+#include "report/spatial/drum_svg.hpp"
+#include "report/spatial/flank_surfaces.hpp"
+#include "report/spatial/indexing_body.hpp"
 #include "shop/step/step_file.hpp"
 
 namespace camopt {

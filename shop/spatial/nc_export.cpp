@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "output/spatial/indexing_body.hpp"
-#include "output/view/shown_units.hpp"
+#include "report/spatial/indexing_body.hpp"
+#include "report/view/shown_units.hpp"
 #include "shop/nc/milling/groove_passes.hpp"
 #include "shop/spatial/cam_export.hpp"
 

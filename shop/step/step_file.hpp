@@ -3,7 +3,7 @@
 // has it.
 #pragma once
 
-#include "output/surface/bspline_surface.hpp"
+#include "report/surface/bspline_surface.hpp"
 
 #include <filesystem>
 

@@ -3,7 +3,7 @@
 // else of camopt. Internal.
 #pragma once
 
-#include "output/surface/bspline_surface.hpp"
+#include "report/surface/bspline_surface.hpp"
 #include "shop/step/step_solid.hpp"
 
 namespace camopt {

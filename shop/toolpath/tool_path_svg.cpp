@@ -3,7 +3,7 @@
 
 #include "core/units.hpp"
 #include "core/word_of.hpp"
-#include "output/chart/svg_canvas.hpp"
+#include "report/chart/svg_canvas.hpp"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,7 @@
 // are (x0 + kx a, y0 − ky b), a and b in m, angles in rad. Nothing throws.
 #pragma once
 
-#include "output/view/shown_units.hpp"
+#include "report/view/shown_units.hpp"
 #include "shop/nc/checked_program.hpp"
 
 namespace camopt {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything known after a scene was solved: what output/ writes and what an embedder reads.
+// Everything known after a scene was solved: what report/ writes and what an embedder reads.
 #pragma once
 
 #include "solvers/certificate/certificate.hpp"
@@ -177,7 +177,7 @@ struct CamReport {
     CamSummary summary;
     std::vector<EnclosedLimit> limits_along;          ///< of every rule that keeps a limit of the scene
     std::optional<SmallestCamReport> smallest;        ///< where it is known
-    std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
+    std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: report/ wants it
 };
 
 /// The free entries of the design vector: the numbers a user would type into another tool.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a paper reports, beside what is true: tables and figures as values, in display units.
 //
-// A study per paper makes one (paper_004_report; benchmarks/papers); output/ writes it as text, JSON, CSV and
+// A study per paper makes one (paper_004_report; benchmarks/papers); report/ writes it as text, JSON, CSV and
 // SVG. A table's cells are numbers in the column's unit, words, or nothing; NaN and infinity count as nothing
 // in files.
 #pragma once

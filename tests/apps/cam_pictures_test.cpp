@@ -2,7 +2,7 @@
 // Pictures of cams say what the report says, and are to scale where they claim it.
 #include "core/text/text_file.hpp"
 #include "program.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/shop/dxf/dxf_text.hpp"
 #include "tests/support/source_folder.hpp"
 

@@ -3,7 +3,7 @@
 #include "core/text/text_file.hpp"
 #include "program.hpp"
 #include "shop/step/step_file.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Control characters in a scene are shown, never sent: to the terminal, to reports, drawings and programs.
 #include "core/text/text_file.hpp"
 #include "program.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt inspect: a cam's own table, and the lobe table of a valve, deviate by their digits alone.
 #include "program.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

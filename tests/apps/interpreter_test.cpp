@@ -5,7 +5,7 @@
 #include "program.hpp"
 #include "shop/nc/cutter_compensation.hpp"
 #include "shop/nc/nc_reader.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Where the rapids of exported programs go, read from the text without the project's own reader.
 #include "core/text/text_file.hpp"
 #include "program.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>

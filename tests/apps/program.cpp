@@ -2,7 +2,7 @@
 #include "program.hpp"
 
 #include "core/text/text_file.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <cstdlib>

@@ -3,8 +3,8 @@
 #include "program.hpp"
 
 #include "core/text/text_file.hpp"
-#include "output/json/certificate_reader.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "report/json/certificate_reader.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/source_folder.hpp"
 
 #include <gtest/gtest.h>

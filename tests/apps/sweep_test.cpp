@@ -2,10 +2,10 @@
 // camopt sweep from outside: what is solved, interrupted, continued and joined.
 #include "core/text/text_file.hpp"
 #include "core/units.hpp"
-#include "output/csv/sweep_csv.hpp"
 #include "program.hpp"
+#include "report/csv/sweep_csv.hpp"
 #include "sweep_run_of_program.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/source_folder.hpp"
 

@@ -230,7 +230,7 @@ def check_source(files, version, root, work):
     tracked = set(run("git", "ls-tree", "-r", "--name-only", "-z", "HEAD", cwd=root).split("\0")) - {""}
     found = {path.relative_to(top).as_posix() for path in top.rglob("*") if path.is_file() or path.is_symlink()}
     demand("the files of the commit", tracked == found, sorted(tracked ^ found)[:5])
-    lacking = list(licenses.faults("source", joined([top / "LICENSE", *top.glob("output/page/vendor/*.LICENSE")]), {}))
+    lacking = list(licenses.faults("source", joined([top / "LICENSE", *top.glob("report/page/vendor/*.LICENSE")]), {}))
     demand("source carries the licences of what it contains", not lacking, lacking)
     run("cmake", "--preset", "minimal", "-DCAMOPT_BUILD_TESTS=OFF", "-DCAMOPT_BUILD_BENCHMARKS=OFF", cwd=top)
     demand("CMake configures them", True)

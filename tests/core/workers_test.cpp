@@ -3,7 +3,7 @@
 #include "core/platform/workers.hpp"
 
 #include "core/errors.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

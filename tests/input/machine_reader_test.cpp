@@ -4,7 +4,7 @@
 
 #include "input/scene_reader.hpp"
 #include "profiles/factory/cam_formulas.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/written_rows.hpp"
 

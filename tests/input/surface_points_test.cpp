@@ -8,7 +8,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/factory/cam_formulas.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <Eigen/Geometry>

@@ -5,7 +5,7 @@
 #include "input/scene_parts.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/cam_formulas.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/source_folder.hpp"
 

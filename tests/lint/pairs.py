@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """pairs.py ROOT: whatever the program can write, and every kind of scene, has its row in tests/pairs/pairs.py, so that a test tries each
-output for each kind: files that output/ and apps/ name, formats of controllers and of drawings, commands, types of motion, of segments
+output for each kind: files that report/ and apps/ name, formats of controllers and of drawings, commands, types of motion, of segments
 and of cams, followers."""
 
 import pathlib
@@ -44,7 +44,7 @@ def main(root):
     if names is None:
         source_tree.report("pairs", [], 0)
     for path in source_tree.code(root):
-        if path.parts[0] in ("output", "shop", "apps"):
+        if path.parts[0] in ("report", "shop", "apps"):
             seen += 1
             code = re.sub(r"//[^\n]*", "", (pathlib.Path(root) / path).read_text(encoding="utf-8"))
             faults += [f"{path}: the file {name} has no row in tests/pairs/pairs.py" for name in sorted(set(FILE.findall(code)) - names)]

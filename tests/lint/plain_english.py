@@ -71,7 +71,7 @@ REFUSED = [(re.compile(rf"\b(?:{phrase})\b", re.IGNORECASE), instead) for phrase
 def is_read(path):
     if path.parts[0] in LEFT_OUT or "vendor" in path.parts or "examples" in path.parts:
         return False
-    return path.suffix in (".cpp", ".hpp") or (path.suffix in TOKENS and path.parts[0] in ("output", "shop", "apps", "scripts", "bindings"))
+    return path.suffix in (".cpp", ".hpp") or (path.suffix in TOKENS and path.parts[0] in ("report", "shop", "apps", "scripts", "bindings"))
 
 
 def text_of(path, match):

@@ -17,7 +17,7 @@ MAY_INCLUDE = {
     "solvers": {"core", "linear"},
     "input": {"core", "scene", "profiles/kinds"},
     "studies": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input"},
-    "output": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input", "studies"},
+    "report": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input", "studies"},
 }
 # Kinds of cams: leaves, none of which knows another, so that each can be linked alone. Optimizer, studies and outputs
 # ask a cam through scene/cam_mechanism.hpp and know no kind.
@@ -32,32 +32,32 @@ MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "dynamics", "solvers
                                 "profiles/factory"}
 # Surfaces as meshes and pictures know no cam; what joins them with three-dimensional cams knows these by their flanks
 # (scene/cam_flanks.hpp).
-MAY_INCLUDE["output/surface"] = {"core"}
-MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/surface"}
+MAY_INCLUDE["report/surface"] = {"core"}
+MAY_INCLUDE["report/spatial"] = {"core", "scene", "report", "report/surface"}
 # Machines of several axes: what is about one axis does not know them.
 MAY_INCLUDE["objectives/machine"] = MAY_INCLUDE["objectives"] | {"objectives"}
 MAY_INCLUDE["studies/machine"] = MAY_INCLUDE["studies"] | {"studies", "objectives/machine"}
-MAY_INCLUDE["output/machine"] = MAY_INCLUDE["output"] | {"output", "output/page", "studies/machine"}
+MAY_INCLUDE["report/machine"] = MAY_INCLUDE["report"] | {"report", "report/page", "studies/machine"}
 # A measured cam: what solves a scene and writes its result does not know it.
 MAY_INCLUDE["studies/inspect"] = MAY_INCLUDE["studies"] | {"studies"}
-MAY_INCLUDE["output/inspect"] = MAY_INCLUDE["output"] | {"output", "output/page", "studies/inspect"}
+MAY_INCLUDE["report/inspect"] = MAY_INCLUDE["report"] | {"report", "report/page", "studies/inspect"}
 # A page shows cams of every kind: of plane ones what their leaf says, of spatial ones what is drawn of them.
-MAY_INCLUDE["output/page"] = MAY_INCLUDE["output"] | {"output", "output/spatial"}
+MAY_INCLUDE["report/page"] = MAY_INCLUDE["report"] | {"report", "report/spatial"}
 # The shop: what a workshop or a controller takes. Nothing above it knows it. Programs and solids know no cam; an electronic cam
 # is the motion alone.
 MAY_INCLUDE["shop/nc"] = {"core", "scene", "input"}  # the rows of a post-processor's file
-MAY_INCLUDE["shop/step"] = {"core", "output/surface"}
-MAY_INCLUDE["shop/plc"] = {"core", "scene", "splines", "studies", "output"}
-MAY_INCLUDE["shop/dxf"] = {"core", "scene", "output"}
-MAY_INCLUDE["shop/sheet"] = {"core", "scene", "output", "shop/dxf"}
-MAY_INCLUDE["shop/toolpath"] = {"core", "output", "shop/nc"}
-MAY_INCLUDE["shop/disk"] = {"core", "scene", "profiles", "output", "output/surface", "shop/dxf", "shop/nc", "shop/sheet",
+MAY_INCLUDE["shop/step"] = {"core", "report/surface"}
+MAY_INCLUDE["shop/plc"] = {"core", "scene", "splines", "studies", "report"}
+MAY_INCLUDE["shop/dxf"] = {"core", "scene", "report"}
+MAY_INCLUDE["shop/sheet"] = {"core", "scene", "report", "shop/dxf"}
+MAY_INCLUDE["shop/toolpath"] = {"core", "report", "shop/nc"}
+MAY_INCLUDE["shop/disk"] = {"core", "scene", "profiles", "report", "report/surface", "shop/dxf", "shop/nc", "shop/sheet",
                              "shop/step"}
-MAY_INCLUDE["shop/spatial"] = {"core", "scene", "output", "output/spatial", "output/surface", "shop/nc", "shop/step"}
+MAY_INCLUDE["shop/spatial"] = {"core", "scene", "report", "report/spatial", "report/surface", "shop/nc", "shop/step"}
 MAY_INCLUDE["shop/exports"] = {"core", "scene", "input", "studies"} | {
-    module for module in MAY_INCLUDE if module.startswith(("output", "shop/"))} | {"output/exports"}
+    module for module in MAY_INCLUDE if module.startswith(("report", "shop/"))} | {"report/exports"}
 # Every file of a solution by its name. Includes nothing of the shop, and links it where the build has it.
-MAY_INCLUDE["output/exports"] = MAY_INCLUDE["output"] | {"output", "output/page", "shop/exports"}
+MAY_INCLUDE["report/exports"] = MAY_INCLUDE["report"] | {"report", "report/page", "shop/exports"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "bindings", "examples", "notebooks_cpp", "tests")

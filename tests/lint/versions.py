@@ -17,7 +17,7 @@ SAID = re.compile(r"find_package\(camopt (\d+\.\d+(?:\.\d+)?)|libcamopt(?:_c)?\.
 SUFFIXES = {".md", ".cff", ".txt", ".cmake", ".in", ".py", ".sh", ".toml", ".cpp", ".hpp", ".h", ".c", ".js", ".html", ".nsi",
             ".sbatch", ""}
 # Versions of other times on purpose: the history, measurements, and tests of a version that does not fit.
-OF_OTHER_TIMES = ("CHANGELOG.md", "benchmarks/RESULTS.md", "benchmarks/results/", "tests/lint/", "tests/output/",
+OF_OTHER_TIMES = ("CHANGELOG.md", "benchmarks/RESULTS.md", "benchmarks/results/", "tests/lint/", "tests/report/",
                   "tests/package/incompatible/")
 RELEASE = re.compile(r"^## \[?(\d+\.\d+\.\d+)\]? – (.*)$", re.M)
 

@@ -41,13 +41,13 @@ EXPLAINED = ROOT / "tests/mutation/explained.txt"
 
 # Which test folders speak of a production folder: its own, then those above in the data flow.
 ABOVE = {
-    "profiles": ["profiles", "objectives", "studies", "output", "shop"],
-    "objectives": ["objectives", "studies", "output", "shop"],
-    "solvers": ["solvers", "objectives", "studies", "output", "shop"],
-    "studies": ["studies", "output", "shop"],
-    "splines": ["splines", "objectives", "studies", "output", "shop"],
-    "motions": ["motions", "objectives", "studies", "output", "shop"],
-    "core": ["core", "profiles", "objectives", "studies", "output", "shop"],
+    "profiles": ["profiles", "objectives", "studies", "report", "shop"],
+    "objectives": ["objectives", "studies", "report", "shop"],
+    "solvers": ["solvers", "objectives", "studies", "report", "shop"],
+    "studies": ["studies", "report", "shop"],
+    "splines": ["splines", "objectives", "studies", "report", "shop"],
+    "motions": ["motions", "objectives", "studies", "report", "shop"],
+    "core": ["core", "profiles", "objectives", "studies", "report", "shop"],
 }
 
 SWAPS = [

@@ -2,7 +2,7 @@
 """Every output times every kind of scene: what is written, and what is refused for which reason.
 
 `OUTPUTS` names each output, the words that ask for it and the files it may write; `KINDS` each kind of scene, what of the sources it
-stands for and where it is. A pair that `REFUSED` does not name is written. tests/lint/pairs.py demands a row for every file that output/
+stands for and where it is. A pair that `REFUSED` does not name is written. tests/lint/pairs.py demands a row for every file that report/
 and apps/ write, every controller, every command, every type of motion and of cam, every follower and every use of a table;
 pairs_test.py runs them all."""
 
@@ -129,11 +129,11 @@ ELSEWHERE = {
     "machine": "MACHINES", "machine.json": "", "machine.toml": "", "timing.csv": "", "timing.svg": "", "impossible.json": "",
     "document.json": "",
     "list": "tests/documents",
-    "table": "tests/output/paper_report_test.cpp", "table.json": "",
+    "table": "tests/report/paper_report_test.cpp", "table.json": "",
     "studio": "tests/browser/studio_page_test.py", "camopt.html": "tests/apps/studio_offline_test.py",
     "surface.csv": "tests/apps/sweep_test.cpp", "surface.html": "", "surface.json": "", "surface.obj": "", "surface.svg": "",
     "pareto.csv": "tests/apps/pareto_test.cpp", "pareto.html": "", "pareto.json": "", "pareto.svg": "",
-    "cam.csv": "tests/output/spatial", "cam.dxf": "tests/output/drawing",
+    "cam.csv": "tests/report/spatial", "cam.dxf": "tests/report/drawing",
 }
 
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Writing a result folder evaluates each point of the cam once.
-#include "output/page/result_page.hpp"
-#include "output/report/result_folder_reader.hpp"
+#include "report/folders/result_folder_reader.hpp"
+#include "report/page/result_page.hpp"
 #include "scene/cam_flanks.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/sheet/cam_sheet.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/forwarding_cam.hpp"
 #include "tests/support/scene_kit.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Files of cams that drive both ways: tables of both sides, pieces, what is refused.
-#include "output/cam/cam_files.hpp"
-#include "output/csv/motion_csv.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "report/cam/cam_files.hpp"
+#include "report/csv/motion_csv.hpp"
 #include "shop/disk/disk_export.hpp"
 #include "shop/disk/disk_solid.hpp"
 #include "shop/dxf/cam_dxf.hpp"

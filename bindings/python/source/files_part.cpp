@@ -3,7 +3,7 @@
 #include "bindings/python/source/parts.hpp"
 #include "core/text/list_text.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "output/exports/workshop.hpp"
+#include "report/exports/workshop.hpp"
 
 #include <fmt/format.h>
 

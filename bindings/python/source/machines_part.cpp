@@ -3,12 +3,12 @@
 #include "bindings/python/source/parts.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/machine/machine_reader.hpp"
-#include "output/document/document_text.hpp"
-#include "output/exports/workshop.hpp"
-#include "output/json/certificate_json.hpp"
-#include "output/machine/machine_document.hpp"
-#include "output/machine/machine_folder.hpp"
-#include "output/machine/machine_json.hpp"
+#include "report/document/document_text.hpp"
+#include "report/exports/workshop.hpp"
+#include "report/json/certificate_json.hpp"
+#include "report/machine/machine_document.hpp"
+#include "report/machine/machine_folder.hpp"
+#include "report/machine/machine_json.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What was found: the class Solution of Python.
 #include "bindings/python/source/parts.hpp"
-#include "output/exports/workshop.hpp"
-#include "output/page/result_page.hpp"
-#include "output/report/result_folder.hpp"
-#include "output/view/number_text.hpp"
-#include "output/view/shown_units.hpp"
+#include "report/exports/workshop.hpp"
+#include "report/folders/result_folder.hpp"
+#include "report/page/result_page.hpp"
+#include "report/view/number_text.hpp"
+#include "report/view/shown_units.hpp"
 
 #include <fmt/format.h>
 

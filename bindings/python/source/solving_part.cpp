@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Solving from Python: one scene, or neighbours one after another.
 #include "bindings/python/source/parts.hpp"
-#include "output/compare/comparison_document.hpp"
-#include "output/document/document_text.hpp"
+#include "report/compare/comparison_document.hpp"
+#include "report/document/document_text.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>

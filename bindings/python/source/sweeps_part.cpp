@@ -2,10 +2,10 @@
 // Sweeps from Python: the rows of the command line's sweep, solved by threads of this process.
 #include "bindings/python/source/parts.hpp"
 #include "core/text/parsing.hpp"
-#include "output/csv/csv_line.hpp"
-#include "output/csv/sweep_csv.hpp"
-#include "output/document/document_text.hpp"
-#include "output/sweep/sweep_document.hpp"
+#include "report/csv/csv_line.hpp"
+#include "report/csv/sweep_csv.hpp"
+#include "report/document/document_text.hpp"
+#include "report/sweep/sweep_document.hpp"
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Drawings, solids, programs, electronic cams and reports through the C face: the bytes of the C++ face.
 #include "core/text/text_file.hpp"
-#include "output/exports/exports.hpp"
+#include "report/exports/exports.hpp"
 #include "shop/step/step_file.hpp"
 #include "tests/bindings/c/c_face.hpp"
-#include "tests/output/prescribed_disk.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/prescribed_disk.hpp"
+#include "tests/report/temporary_folder.hpp"
 
 #include <array>
 #include <filesystem>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Solves through the C face: the numbers of the C++ face, bit for bit, and every error.
 #include "core/units.hpp"
-#include "output/cam/cam_files.hpp"
-#include "output/csv/motion_csv.hpp"
-#include "output/json/certificate_json.hpp"
+#include "report/cam/cam_files.hpp"
+#include "report/csv/motion_csv.hpp"
+#include "report/json/certificate_json.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "tests/bindings/c/c_face.hpp"

@@ -3,8 +3,8 @@
 #include "shop/disk/disk_solid.hpp"
 
 #include "core/errors.hpp"
-#include "output/surface/mesh_cut.hpp"
-#include "tests/output/surface/mesh_edges.hpp"
+#include "report/surface/mesh_cut.hpp"
+#include "tests/report/surface/mesh_edges.hpp"
 #include "tests/shop/disk/harmonic_disk.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -2,8 +2,8 @@
 // The disk cam that tests of programs and solids share.
 #pragma once
 
-#include "output/drawing/profile_shape.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "report/drawing/profile_shape.hpp"
 
 #include <cmath>
 #include <numbers>

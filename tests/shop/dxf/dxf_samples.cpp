@@ -3,8 +3,8 @@
 // points of the cam between and on the knots (x_mm, y_mm), for dxf_read_back.py.
 #include "core/text/text_file.hpp"
 #include "core/units.hpp"
-#include "output/csv/csv_line.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "report/csv/csv_line.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "tests/studies/cam_samples.hpp"
 

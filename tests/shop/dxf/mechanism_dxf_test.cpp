@@ -2,7 +2,7 @@
 // The drawings of remote and inverse cams, read back by the tests' own small reader and held against exact
 // points between their knots.
 #include "core/errors.hpp"
-#include "output/report/result_folder.hpp"
+#include "report/folders/result_folder.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"

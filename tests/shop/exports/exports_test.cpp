@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every file of a solution by its name: those that it has, what they hold, and refusals.
-#include "output/exports/exports.hpp"
+#include "report/exports/exports.hpp"
 
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
@@ -10,9 +10,9 @@
 #include "shop/sheet/sheet_files.hpp"
 #include "shop/step/step_file.hpp"
 #include "studies/solve/solve.hpp"
-#include "tests/output/prescribed_disk.hpp"
-#include "tests/output/sample_solution.hpp"
-#include "tests/output/temporary_folder.hpp"
+#include "tests/report/prescribed_disk.hpp"
+#include "tests/report/sample_solution.hpp"
+#include "tests/report/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

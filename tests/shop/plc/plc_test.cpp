@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Electronic cams: pieces, what they lose, and the table of formats.
 #include "shop/plc/plc_export.hpp"
-#include "tests/output/sample_solution.hpp"
+#include "tests/report/sample_solution.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "shop/spatial/cam_export.hpp"
 
 #include "core/errors.hpp"
-#include "output/temporary_folder.hpp"
 #include "profiles/spatial/reference_cams.hpp"
+#include "report/temporary_folder.hpp"
 #include "shop/step/step_file.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Programs of the reference cams with what their check says.
 #include "core/errors.hpp"
-#include "output/spatial/indexing_body.hpp"
 #include "profiles/spatial/reference_cams.hpp"
+#include "report/spatial/indexing_body.hpp"
 #include "shop/spatial/cam_export.hpp"
 #include "tests/shop/nc/nc_samples.hpp"
 #include "tests/support/refusal.hpp"

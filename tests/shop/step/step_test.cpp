@@ -2,7 +2,7 @@
 // STEP files: there whole, or refused; what is in them reads step_read_back.py.
 #include "core/errors.hpp"
 #include "shop/step/step_file.hpp"
-#include "tests/output/surface/surface_samples.hpp"
+#include "tests/report/surface/surface_samples.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

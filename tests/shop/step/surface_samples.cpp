@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // surface_samples FOLDER: the reference cams as files for step_read_back.py and stl_read_back.py.
-#include "tests/output/surface/surface_samples.hpp"
+#include "tests/report/surface/surface_samples.hpp"
 
-#include "output/spatial/flank_surfaces.hpp"
-#include "output/surface/triangle_mesh.hpp"
+#include "report/spatial/flank_surfaces.hpp"
+#include "report/surface/triangle_mesh.hpp"
 #include "shop/step/step_file.hpp"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 // The picture of a program's cutter: its lines are the moves of the text, which this test reads by itself.
 #include "shop/toolpath/tool_path_svg.hpp"
 
-#include "output/chart/svg_canvas.hpp"
+#include "report/chart/svg_canvas.hpp"
 #include "shop/disk/disk_export.hpp"
 #include "tests/shop/disk/harmonic_disk.hpp"
 

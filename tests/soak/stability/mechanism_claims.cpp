@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
-#include "output/drawing/profile_shape.hpp"
+#include "report/drawing/profile_shape.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/inverse/inverse_forward.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // When a limit is active: measured by the quantity it holds, never by the limit, which may be 0.
 #include "core/units.hpp"
-#include "output/solve/solution_document.hpp"
+#include "report/solve/solution_document.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/solved_scene.hpp"

@@ -3,8 +3,8 @@
 #include "studies/inspect/inspection.hpp"
 
 #include "core/units.hpp"
-#include "output/csv/motion_csv.hpp"
 #include "profiles/sampling.hpp"
+#include "report/csv/motion_csv.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/solved_scene.hpp"

@@ -3,10 +3,10 @@
 #include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "output/chart/curve_chart.hpp"
-#include "output/json/result_json.hpp"
-#include "output/report/result_folder.hpp"
-#include "output/words/solution_text.hpp"
+#include "report/chart/curve_chart.hpp"
+#include "report/folders/result_folder.hpp"
+#include "report/json/result_json.hpp"
+#include "report/words/solution_text.hpp"
 #include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/soak/stability/table/stability_report.hpp"
 
-#include "output/csv/csv_line.hpp"
+#include "report/csv/csv_line.hpp"
 
 #include <fmt/format.h>
 

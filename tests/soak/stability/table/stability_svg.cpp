@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/parsing.hpp"
-#include "output/chart/svg_canvas.hpp"
+#include "report/chart/svg_canvas.hpp"
 #include "tests/soak/stability/table/stability_report.hpp"
 
 #include <fmt/format.h>

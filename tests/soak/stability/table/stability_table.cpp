@@ -5,7 +5,7 @@
 // FOLDER/results/NUMBER: tests/certificates/stability_rows.py has them judged.
 #include "benchmarks/parts/machine.hpp"
 #include "core/text/text_file.hpp"
-#include "output/report/result_folder.hpp"
+#include "report/folders/result_folder.hpp"
 #include "tests/soak/stability/stability_cases.hpp"
 #include "tests/soak/stability/table/stability_report.hpp"
 

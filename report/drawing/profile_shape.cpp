@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "report/drawing/profile_shape.hpp"
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double from_inside = 1e-9;  // of a piece's length: its ends are looked at from this far inside
+constexpr double same_end = 1e-9;     // of the base radius: two points of the cam are one
+constexpr int rim_samples = 1440;
+constexpr int cusp_samples = 720;    // angles searched for sign changes of the regularity
+constexpr int cusp_bisections = 60;  // down to neighbouring numbers
+
+double crossing(const ProfileShape& shape, double left, double right) {
+    const bool left_regular = shape.at(left).regularity > 0.0;
+    const auto like_left = [&](double theta) { return (shape.at(theta).regularity > 0.0) == left_regular; };
+    const Border border = bisected(like_left, {left, right}, cusp_bisections);
+    return 0.5 * (border.with + border.without);
+}
+
+Vector2d in_cam_frame(const DrivenMechanism& cam, const Vector2d& fixed, double theta) {
+    const double turn = sense_of(cam.formulas->rotation()) * theta;
+    const double c = std::cos(turn), s = std::sin(turn);
+    return {c * fixed.x() + s * fixed.y(), c * fixed.y() - s * fixed.x()};
+}
+
+}  // namespace
+
+ProfileShape other_side(const ProfileShape& shape) {
+    ProfileShape side = shape;
+    side.at = shape.other;
+    side.other = {};
+    return side;
+}
+
+std::optional<double> rim_radius(const ProfileShape& shape) {
+    const std::optional<double> wall = shape.formulas().groove_wall(shape.cam.dimensions);
+    if (!wall) return std::nullopt;
+    double greatest = 0.0;
+    for (int i = 0; i <= rim_samples; ++i) {
+        const double theta = shape.begin() + (shape.end() - shape.begin()) * i / rim_samples;
+        greatest = std::max(greatest, shape.other(theta).contact.norm());
+    }
+    return greatest + *wall;
+}
+
+std::vector<ProfileShape> made_pieces(const ProfileShape& shape) {
+    std::vector<DrivenMechanism> pieces = shape.formulas().pieces(shape.cam.dimensions);
+    if (pieces.empty()) return {shape};
+    ProfileShape first = shape, second = other_side(shape);
+    first.other = {};
+    first.cam = std::move(pieces.front());
+    second.cam = std::move(pieces.back());
+    double least = HUGE_VAL;
+    for (const std::vector<MechanismPoint>& piece : profile_pieces(second, rim_samples))
+        for (const MechanismPoint& point : piece) least = std::min(least, point.contact.norm());
+    second.cam.dimensions[second.formulas().base_radius_index()] = least;
+    return {std::move(first), std::move(second)};
+}
+
+ProfileShape profile_shape(const std::shared_ptr<const CamPoints>& points) {
+    ProfileShape shape;
+    shape.cam = points->cam();
+    const double unit_angle = points->scale().unit_angle;
+    for (const double x : points->motion().breakpoints()) shape.knots.push_back(unit_angle * x);
+    shape.start = std::clamp(0.0, shape.begin(), shape.end());
+    const auto points_of = [&](int station) {
+        return
+            [points, unit_angle, station](double theta) { return points->at(theta / unit_angle, station); };
+    };
+    shape.at = points_of(0);
+    if (shape.formulas().stations() > 1) shape.other = points_of(1);
+    const Vector2d gap = in_plane(shape.at(shape.end()).contact - shape.at(shape.begin()).contact);
+    shape.closed = is_whole_turn(shape.end() - shape.begin()) && gap.norm() < same_end * shape.base_radius();
+    return shape;
+}
+
+std::optional<ProfileShape> delivered_shape(const View& view) {
+    if (!view.delivered.cam || !view.delivered.cam->cam().formulas->is_direct()) return std::nullopt;
+    ProfileShape shape = profile_shape(view.delivered.cam);
+    shape.face_half_width = view.solution.scene.cam->face_half_width;
+    if (!shape.closed) shape.open_because = open_because(view.solution);
+    shape.length = view.units.length;
+    return shape;
+}
+
+std::vector<std::vector<MechanismPoint>> profile_pieces(const ProfileShape& shape, int steps) {
+    std::vector<std::vector<MechanismPoint>> pieces;
+    for (std::size_t i = 0; i + 1 < shape.knots.size(); ++i) {
+        const double length = shape.knots[i + 1] - shape.knots[i], inside = from_inside * length;
+        const int count =
+            std::max(2, static_cast<int>(std::ceil(steps * length / (shape.end() - shape.begin()))));
+        std::vector<MechanismPoint>& piece = pieces.emplace_back();
+        for (int k = 0; k <= count; ++k)
+            piece.push_back(shape.at(std::clamp(shape.knots[i] + length * k / count, shape.knots[i] + inside,
+                                                shape.knots[i + 1] - inside)));
+    }
+    return pieces;
+}
+
+std::vector<double> cusp_angles(const ProfileShape& shape) {
+    std::vector<double> angles;
+    for (const std::vector<MechanismPoint>& piece : profile_pieces(shape, cusp_samples))
+        for (std::size_t k = 1; k < piece.size(); ++k)
+            if ((piece[k - 1].regularity > 0.0) != (piece[k].regularity > 0.0))
+                angles.push_back(crossing(shape, piece[k - 1].theta, piece[k].theta));
+    return angles;
+}
+
+FollowerPose follower_pose(const DrivenMechanism& cam, const MechanismPoint& point) {
+    FollowerPose pose;
+    pose.lift = in_cam_frame(cam, {0.0, 1.0}, point.theta);
+    const std::optional<Vector2d> pivot = cam.formulas->arm_pivot(cam.dimensions);
+    if (!pivot) return pose;
+    pose.pivot = in_cam_frame(cam, *pivot, point.theta);
+    const Vector2d normal = in_plane(point.normal), contact = in_plane(point.contact);
+    pose.foot = pose.pivot - normal * normal.dot(pose.pivot - contact);
+    return pose;
+}
+
+}  // namespace camopt

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "report/folders/sweep_folder.hpp"
+
+#include "core/text/text_file.hpp"
+#include "report/csv/sweep_csv.hpp"
+#include "report/folders/result_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+namespace camopt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* description = "sweep.json";
+constexpr const char* chunk_folder = "chunks";
+
+bool is_half_written(const fs::path& path) {
+    return path.extension() == ".tmp";
+}
+
+}  // namespace
+
+bool is_unused_sweep_folder(const fs::path& path) {
+    std::error_code error;
+    if (!fs::exists(path, error)) return true;
+    if (!fs::is_directory(path, error)) return false;
+    return std::all_of(fs::directory_iterator(path), fs::directory_iterator(),
+                       [](const auto& entry) { return is_half_written(entry.path()); });
+}
+
+SweepFolder SweepFolder::create(const fs::path& path, const StoredSweep& sweep) {
+    if (!is_unused_sweep_folder(path)) {
+        std::error_code error;
+        if (fs::exists(path / description, error))
+            throw InputError(
+                fmt::format("{} holds a sweep already; allowed: --resume to continue it, or another "
+                            "folder",
+                            path.string()));
+        throw InputError(
+            fmt::format("{} is not empty and holds no sweep; allowed: a new or empty folder", path.string()));
+    }
+    prepare_folder(path);
+    write_durable_text_file(path / description, sweep_json(sweep));
+    prepare_folder(path / chunk_folder);
+    return {path, sweep};
+}
+
+SweepFolder SweepFolder::open(const fs::path& path) {
+    std::error_code error;
+    const fs::path file = path / description;
+    if (!fs::exists(file, error))
+        throw InputError(fmt::format("{} holds no sweep: it has no {}", path.string(), description));
+    SweepFolder folder(path, read_sweep_json(read_text_file(file), file.string()));
+    prepare_folder(path / chunk_folder);  // a run killed right after its start may not have made it
+    return folder;
+}
+
+fs::path SweepFolder::chunk_path(int chunk) const {
+    return path_ / chunk_folder / fmt::format("chunk_{:06}.csv", chunk);
+}
+
+std::vector<int> SweepFolder::chunks() const {
+    std::vector<int> numbers;
+    for (int chunk = 0; chunk < identity().chunking.count(); ++chunk)
+        if (shard().holds(chunk)) numbers.push_back(chunk);
+    return numbers;
+}
+
+std::vector<int> SweepFolder::finished_chunks() const {
+    std::vector<int> numbers = chunks();
+    std::error_code error;
+    std::erase_if(numbers, [&](int chunk) { return !fs::exists(chunk_path(chunk), error); });
+    return numbers;
+}
+
+std::vector<int> SweepFolder::missing_chunks() const {
+    std::vector<int> numbers = chunks();
+    std::error_code error;
+    std::erase_if(numbers, [&](int chunk) { return fs::exists(chunk_path(chunk), error); });
+    return numbers;
+}
+
+void SweepFolder::write_chunk(int chunk, std::span<const SweepRow> rows) const {
+    write_chunk_text(chunk, sweep_csv({identity().columns, {rows.begin(), rows.end()}}));
+}
+
+void SweepFolder::write_chunk_text(int chunk, const std::string& text) const {
+    write_durable_text_file(chunk_path(chunk), text);
+}
+
+std::string SweepFolder::chunk_text(int chunk) const {
+    return read_text_file(chunk_path(chunk));
+}
+
+std::vector<SweepRow> SweepFolder::read_chunk(int chunk) const {
+    const std::string name = chunk_path(chunk).string();
+    SweepTable table = read_sweep_csv(chunk_text(chunk), name);
+    const RowRange range = identity().chunking.range(chunk);
+    bool complete = table.columns.keys == identity().columns.keys &&
+                    table.columns.dimensions == identity().columns.dimensions &&
+                    static_cast<int>(table.rows.size()) == range.size();
+    for (int i = 0; complete && i < range.size(); ++i) complete = table.rows[i].number == range.begin + i;
+    if (!complete)
+        throw InputError(
+            fmt::format("{}: found other rows than {} to {} of this sweep; delete the file and "
+                        "continue with --resume",
+                        name, range.begin, range.end - 1));
+    return std::move(table.rows);
+}
+
+int SweepFolder::remove_leftovers() const {
+    for (const fs::path& folder : {path_, path_ / chunk_folder}) {
+        std::vector<fs::path> half_written;
+        for (const auto& entry : fs::directory_iterator(folder))
+            if (is_half_written(entry.path())) half_written.push_back(entry.path());
+        std::error_code gone;
+        for (const fs::path& file : half_written) fs::remove(file, gone);
+    }
+    int damaged = 0;
+    for (const int chunk : finished_chunks()) {
+        try {
+            (void)read_chunk(chunk);
+        } catch (const InputError&) {
+            fs::remove(chunk_path(chunk));
+            ++damaged;
+        }
+    }
+    return damaged;
+}
+
+SweepTable SweepFolder::table() const {
+    SweepTable table{identity().columns, {}};
+    for (const int chunk : finished_chunks())
+        std::ranges::move(read_chunk(chunk), std::back_inserter(table.rows));
+    return table;
+}
+
+SweepTable SweepFolder::write_table() const {
+    SweepTable complete = table();
+    mark_front(complete);
+    write_durable_text_file(table_path(), sweep_csv(complete));
+    return complete;
+}
+
+}  // namespace camopt

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// What is said of a verdict: for readers who know what a bound is, and for those who do not.
+#include "report/view/number_text.hpp"
+#include "report/words/solution_text.hpp"
+#include "studies/delivered/delivered_audit.hpp"
+#include "studies/search/plan.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+constexpr double least_shown_gap = 1e-9;
+
+std::string because(const Certificate& certificate) {
+    return certificate.reason == Reason::none ? std::string{}
+                                              : fmt::format(" ({})", words_of(name_of(certificate.reason)));
+}
+
+/// A motion that was found, and then did not stand the audit of what is delivered.
+bool was_found_wanting(const Solution& solution) {
+    return solution.certificate.verdict == Verdict::failed && solution.motion != nullptr;
+}
+
+/// A motion was found that doubles do not hold: it is not delivered.
+bool is_beyond_doubles(const Solution& solution) {
+    return solution.certificate.verdict == Verdict::failed && solution.motion == nullptr &&
+           is_no_motion(solution.certificate.reason);
+}
+
+/// Rounded up, to one digit below 1 %.
+std::string percent_above(double part) {
+    const double percent = 100.0 * part;
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(percent))));
+    const double unit = std::pow(10.0, -decimals);
+    return fmt::format("{:.{}f} %", unit * std::ceil(percent / unit * (1.0 - 1e-9)), decimals);
+}
+
+/// "8 starts" or "from one start"
+std::string starts_text(int starts) {
+    return starts == 1 ? std::string("from one start") : fmt::format("the best of {} starts", starts);
+}
+
+/// The user stopped it, and that is why it is no better.
+bool was_interrupted(const Certificate& certificate) {
+    return certificate.reason == Reason::interrupted;
+}
+
+/// Of a motion without a proof that it is the best one: what is proved.
+std::string not_optimal_words(const Certificate& certificate) {
+    const std::string gap = gap_words(certificate);
+    return gap.empty() ? "optimality is not proved" : "proved to be " + gap;
+}
+
+std::string interrupted_sentence(const Solution& solution) {
+    const int starts = solution.solver.starts;
+    const std::string where = !searched_from_starts(solution) ? std::string()
+                              : starts == 1 ? std::string(" in the search from its first start")
+                                            : fmt::format(" in the search, after {} starts", starts);
+    if (solution.certificate.verdict == Verdict::failed)
+        return fmt::format(
+            "Interrupted{}: no motion that satisfies every limit was found. Whether one exists is open.",
+            where);
+    return fmt::format("Interrupted{}: the best motion found so far satisfies every limit; {}.", where,
+                       not_optimal_words(solution.certificate));
+}
+
+}  // namespace
+
+bool searched_from_starts(const Solution& solution) {
+    return !solution.solver.convex && solution.solver.starts > 0;
+}
+
+std::string gap_words(const Certificate& certificate) {
+    if (!certificate.gap) return {};
+    double part = std::max(*certificate.gap, least_shown_gap);
+    // The gap is relative to 1 at least; the objective may be smaller.
+    if (const std::optional<double>& bound = certificate.lower_bound) {
+        if (!(*bound > 0.0)) return {};
+        part = std::max(part, certificate.objective / *bound - 1.0);
+    }
+    return part <= 1.0 ? fmt::format("at most {} from the optimum", percent_above(part)) : std::string{};
+}
+
+std::string verdict_sentence(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    const SolverReport& solver = solution.solver;
+    if (was_found_wanting(solution))
+        return fmt::format("Failed: the motion found does not match the scene{}, see the notes.",
+                           because(certificate));
+    if (is_beyond_doubles(solution))
+        return fmt::format(
+            "Failed: double precision cannot represent the motion found{}, see the notes. Other "
+            "breakpoints may.",
+            because(certificate));
+    if (certificate.verdict == Verdict::feasible && !solution.machine.empty())
+        return fmt::format("An axis of a machine, solved with all the others: {}. Every limit is satisfied.",
+                           solution.machine);
+    if (was_interrupted(certificate)) return interrupted_sentence(solution);
+    if (solution.scene.motion.prescribed()) {
+        const bool kept = certificate.verdict == Verdict::optimal;
+        const bool free = solution.plan && solution.plan->dimensions > 0;
+        if (!free && (kept || certificate.verdict == Verdict::infeasible))
+            return kept ? "Prescribed motion, nothing to optimize; every limit is satisfied."
+                        : "Proved infeasible: the prescribed motion violates a limit.";
+        if (kept) return "Prescribed motion; the dimensions of its cam are proved optimal.";
+        if (certificate.verdict == Verdict::infeasible)
+            return "Proved infeasible: the prescribed motion violates a limit with every cam of this scene.";
+    }
+    if (!searched_from_starts(solution) || certificate.verdict == Verdict::optimal ||
+        certificate.verdict == Verdict::infeasible)
+        return verdict_sentence(certificate);
+    const std::string gap = gap_words(certificate);
+    if (certificate.verdict == Verdict::local)
+        return fmt::format(
+            "Local optimum, {}: no small change improves it{}", starts_text(solver.starts),
+            gap.empty() ? ". A better one may exist." : ", and it is proved to be " + gap + ".");
+    if (certificate.verdict == Verdict::feasible)
+        return fmt::format("Feasible, {}: every limit is satisfied; {}{}.", starts_text(solver.starts),
+                           not_optimal_words(certificate), because(certificate));
+    return fmt::format(
+        "Failed: no motion that satisfies every limit was found from {} {}; infeasibility is not proved{}.",
+        solver.starts, solver.starts == 1 ? "start" : "starts", because(certificate));
+}
+
+std::string verdict_sentence(const Certificate& certificate) {
+    switch (certificate.verdict) {
+        case Verdict::optimal:
+            if (certificate.proof && certificate.proof->limits_relaxed_by > 0.0)
+                return fmt::format(
+                    "Proved optimal, with limits that lie within rounding of infeasible: no curve of this "
+                    "spline "
+                    "space that satisfies them to within {} of their size is better by more than the gap.",
+                    short_text(certificate.proof->limits_relaxed_by, 2));
+            return "Proved optimal: no curve of this spline space is better by more than the gap.";
+        case Verdict::local:
+            if (const std::string gap = gap_words(certificate); !gap.empty())
+                return fmt::format("Feasible and stationary, and proved to be {}; solver.gap requires less.",
+                                   gap);
+            return "Local optimum: feasible, and no small change improves it; not proved to be the "
+                   "global optimum.";
+        case Verdict::feasible:
+            return fmt::format("Feasible: every limit is satisfied; {}{}.", not_optimal_words(certificate),
+                               because(certificate));
+        case Verdict::infeasible:
+            if (certificate.reason == Reason::conditions_contradict)
+                return "Infeasible: no curve of this spline space meets all the conditions, see the notes.";
+            return "Proved infeasible: no curve of this spline space satisfies all the limits.";
+        case Verdict::failed:
+            break;
+    }
+    return fmt::format("Failed: neither a curve nor a proof was found{}.", because(certificate));
+}
+
+VerdictWords verdict_words(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    const std::string gap = gap_words(certificate);
+    const std::string proved = gap.empty() ? gap : "Proved: it is " + gap + ".";
+    switch (certificate.verdict) {
+        case Verdict::optimal:
+            if (solution.scene.motion.prescribed())
+                return {"good", "The prescribed motion satisfies every limit", verdict_sentence(solution)};
+            return {"good", "The best motion, and proved optimal",
+                    "It satisfies every limit, and no motion of this spline is better for the weights of the "
+                    "scene."};
+        case Verdict::local:
+            return {"good", "A good motion: no small change makes it better",
+                    "It satisfies every limit. " +
+                        (gap.empty() ? "A quite different motion may still be better." : proved)};
+        case Verdict::feasible:
+            if (!solution.machine.empty())
+                return {"good", "An axis of a machine",
+                        "It satisfies every limit. All axes were solved together: " + solution.machine +
+                            ". What is proved is in the report of the machine."};
+            return {"fair", "A motion that satisfies every limit",
+                    gap.empty() ? "Whether it is the best one is not known: the search ended early."
+                                : proved + " The search for a better one ended early."};
+        case Verdict::infeasible:
+            if (solution.scene.motion.prescribed())
+                return {"bad", "The prescribed motion violates a limit",
+                        "This is proved: something in the scene has to change."};
+            return {"bad", "No motion satisfies all of these limits",
+                    "This is proved: something in the scene has to change."};
+        case Verdict::failed:
+            break;
+    }
+    return {"bad", "No motion was found",
+            "Infeasibility is not proved either; see the notes and the appendix."};
+}
+
+}  // namespace camopt
