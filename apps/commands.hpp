@@ -103,6 +103,7 @@ struct CheckRequest {
     std::vector<std::string> settings;
     std::string write;  ///< file for the scene as read; empty: none
     std::string units;  ///< as of solve
+    bool json = false;
 };
 [[nodiscard]] ExitCode check_command(const CheckRequest& request);
 

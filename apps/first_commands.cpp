@@ -34,6 +34,7 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
     add_option(command, "--write", request.write, "FILE",
                "Write the scene here, settings included: each key that differs from its default; a new file");
     add_units(command, request.units);
+    command.add_flag("--json", request.json, "Print what was found as JSON and nothing else");
     return command;
 }
 

@@ -123,7 +123,7 @@ CLI::App& add_valves(CLI::App& program, ValvesRequest& request) {
 
 CLI::App& add_report(CLI::App& program, ReportRequest& request) {
     CLI::App& command = *program.add_subcommand(
-        "report", "Write report.html and report.md of a result folder again; nothing is solved");
+        "report", "Write report.html, report.md and tables.csv of a result folder again; nothing is solved");
     add_option(command, "DIR", request.folder, "", "The folder that `camopt solve SCENE --out DIR` wrote")
         ->required();
     return command;
@@ -291,7 +291,7 @@ void add_more_commands(Commands& commands) {
         "  camopt inspect result measured.csv --tolerance-um 20    a measured cam against its nominal one\n"
         "  camopt studio scene.toml                     the scene in a browser, solved again for each "
         "slider\n"
-        "  camopt report result                         report.html and report.md again, from the result "
+        "  camopt report result                         its reports and tables.csv again, from the result "
         "folder\n"
         "  camopt list laws                             the classical laws with their peaks\n");
     commands.add_hidden("__complete", completion_text);

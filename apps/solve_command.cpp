@@ -5,13 +5,11 @@
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/text/text_file.hpp"
-#include "core/word_of.hpp"
 #include "input/scene_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "report/check/check_document.hpp"
 #include "report/folders/result_folder.hpp"
 #include "report/solve/solution_document.hpp"
-#include "report/words/plan_text.hpp"
-#include "report/words/solution_text.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -69,30 +67,6 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
 }
 
 // camopt check: is the scene right, can its problem be built, are its derivatives right? No solve.
-constexpr int line_width = 110;
-
-const char* meaning_of(Curvature curvature) {
-    return word_of<Curvature::general>(curvature,
-                                       {"linear", "convex", "general: an optimum may be a local one"});
-}
-
-std::string limits_text(const std::vector<LimitShape>& limits) {
-    std::string text;
-    for (const LimitShape& limit : limits)
-        text += fmt::format("  limit: {} is {}\n", limit.key, meaning_of(limit.curvature));
-    return text;
-}
-
-std::string derivative_line(const DerivativeError& error) {
-    const std::string where = error.where.empty() ? "" : " (worst at " + error.where + ")";
-    if (error.wrong == 0)
-        return fmt::format("  {:<9} agrees with differences to {}{}\n", error.kind,
-                           short_text(error.error, 2), where);
-    return fmt::format(
-        "  {:<9} is wrong in {} of {} entries: off by {}, {} times what differences may err{}\n", error.kind,
-        error.wrong, error.entries, short_text(error.error, 2), short_text(error.beyond, 2), where);
-}
-
 /// A file that is there stays.
 void write_scene(const Scene& scene, const std::string& file) {
     std::error_code error;
@@ -123,20 +97,10 @@ ExitCode check_command(const CheckRequest& request) {
     if (!request.write.empty()) write_scene(scene, request.write);
     show_in(scene, request.units);
     const SceneCheck check = check_scene(scene);
-    std::string text = fmt::format("{}: the scene is valid\n", request.scene);
-    for (const std::string& line : scene_lines(scene)) text += wrapped_text(line, "  ", line_width);
-    text += fmt::format("  problem: {} variables, {} rows on the first grid, {}\n", check.variables,
-                        check.rows, check.plan.convex ? "convex: an optimum is global" : "not convex");
-    for (const std::string& line : plan_lines(check.plan)) text += wrapped_text(line, "  ", line_width);
-    if (scene.cam) text += limits_text(check.limits);
-    for (const DerivativeError& error : check.derivatives) text += derivative_line(error);
-    for (const std::string& condition : check.redundant)
-        text += fmt::format("  note: {} follows from others\n", condition);
-    for (const std::string& condition : check.contradictions)
-        text += fmt::format("  infeasible: {} contradicts other conditions\n", condition);
-    if (!check.derivatives_agree) text += "  the derivatives are wrong\n";
-    if (!request.write.empty()) text += fmt::format("  written: {}\n", request.write);
-    print(text);
+    const Document document = check_document(scene, check, request.scene);
+    print(request.json ? document_json(document)
+                       : console_text(document) +
+                             (request.write.empty() ? "" : fmt::format("written: {}\n", request.write)));
     if (!check.derivatives_agree) return failure;
     return check.contradictions.empty() ? success : proved_infeasible;
 }

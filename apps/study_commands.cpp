@@ -195,7 +195,8 @@ ExitCode report_command(const ReportRequest& request) {
     const InterruptWatch watch;
     FolderUpdate folder(request.folder);
     folder.write("report.html", report_html(result.solution, result.origin));
-    folder.write("report.md", report_markdown(result.solution, result.origin));
+    for (const FolderFile& file : solution_texts(result.solution, result.origin))
+        folder.write(file.name, file.text);
     print(written_lines(folder.finish()));
     return success;
 }

@@ -318,8 +318,8 @@ A solution and a sweep in words: the verdict in a sentence, limits, what would h
 Nothing throws.]]
   report/solve/solution_document.hpp
   report/sweep/sweep_document.hpp
-  report/words/plan_text.hpp
-  report/words/solution_text.hpp)
+  report/solve/infeasible_words.hpp
+  report/view/verdict_words.hpp)
 camopt_promise(camopt [[
 Everything an embedder calls. Each header below is a promise by itself: its names stay as they are within a
 minor version. What stands below camopt/detail/ is what they are made of, and may change with every

@@ -339,14 +339,74 @@ MeasuredRows rows_of(const MeasuredMotion& measured) {
     return rows;
 }
 
+Node scene_node(Scene all) {
+    if (all.motion.valve && !are_of_lobe(all.motion)) all.motion.valve.reset();
+    if (all.measured && !all.measured_rows) all.measured_rows = rows_of(*all.measured);
+    return SceneWriter(all).write();
+}
+
+class KeyCollector {
+ public:
+    /// table: the name in the key table; path: as the user would write it, with indices.
+    void add_table(const Node& node, std::string_view table, const std::string& path) {
+        for (const Member& member : node.members) {
+            const std::string name = joined_key(table, member.name), key = joined_key(path, member.name);
+            const KeyMatch match = match_key(table, member.name);
+            if (holds_keys(match, member.value))
+                add_keys(member.value, name, key);
+            else
+                all_.push_back({key, value_text(member.value),
+                                match.spelling ? std::string(match.spelling->unit) : std::string{},
+                                match.row ? std::string(match.row->meaning) : std::string{}});
+        }
+    }
+    [[nodiscard]] std::vector<WrittenKey> take() { return std::move(all_); }
+
+ private:
+    std::vector<WrittenKey> all_;
+
+    /// Not a value that happens to be a table, as a range is.
+    static bool holds_keys(const KeyMatch& match, const Node& value) {
+        if (!match.row || (value.kind != NodeKind::table && value.kind != NodeKind::array)) return false;
+        switch (match.row->type) {
+            case KeyType::table:
+            case KeyType::tables:
+            case KeyType::options:
+                return true;
+            case KeyType::text_or_table:
+                return value.kind == NodeKind::table;
+            default:
+                return false;
+        }
+    }
+
+    void add_keys(const Node& value, std::string_view table, const std::string& path) {
+        if (value.kind == NodeKind::table) return add_table(value, table, path);
+        for (std::size_t i = 0; i < value.items.size(); ++i)
+            add_table(value.items[i], table, entry_key(path, i));
+    }
+};
+
+std::vector<WrittenKey> keys_in(const Node& root) {
+    KeyCollector collector;
+    collector.add_table(root, "", "");
+    return collector.take();
+}
+
 }  // namespace
 
 std::string scene_text(const Scene& scene) {
     Scene all = with_written_limits(scene);
     check_writable(all);
-    if (all.motion.valve && !are_of_lobe(all.motion)) all.motion.valve.reset();
-    if (all.measured && !all.measured_rows) all.measured_rows = rows_of(*all.measured);
-    return document_text(SceneWriter(all).write(), TableEntries::on_lines);
+    return document_text(scene_node(std::move(all)), TableEntries::on_lines);
+}
+
+std::vector<WrittenKey> keys_written_in(std::string_view toml, std::string_view source_name) {
+    return keys_in(parse_document(toml, source_name));
+}
+
+std::vector<WrittenKey> keys_of(const Scene& scene) {
+    return keys_in(scene_node(with_written_limits(scene)));
 }
 
 }  // namespace camopt::input

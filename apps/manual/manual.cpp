@@ -142,7 +142,8 @@ constexpr std::string_view description =
     "together.";
 
 constexpr std::string_view files =
-    "With --out a folder is written: report.html and report.md, result.json, certificate.json (the proof, "
+    "With --out a folder is written: report.html, report.md and tables.csv, result.json, certificate.json "
+    "(the proof, "
     "which can be "
     "recomputed from its own numbers), motion.csv and pictures; with a cam its profile and diagrams.";
 

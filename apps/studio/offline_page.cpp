@@ -5,7 +5,6 @@
 #include "core/text/text_file.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "report/view/cam_words.hpp"
-#include "report/words/solution_text.hpp"
 #include "studies/search/planned_solve.hpp"
 
 #include <fmt/format.h>
@@ -50,10 +49,22 @@ std::string comment_of(std::string_view text) {
     return words;
 }
 
-/// "Rise between two dwells", "Translating roller": the scene in words, up to their first comma.
+std::string kind_of_motion(const MotionSpec& motion) {
+    if (motion.valve) return "a valve lobe";
+    switch (motion.type) {
+        case MotionType::program:
+            return fmt::format("a program of {} segments", motion.segments.size());
+        case MotionType::drd:
+            return "rise between two dwells";
+        case MotionType::rr:
+            return "rise and return without a dwell at the top";
+    }
+    throw ModelError("this motion has no name");
+}
+
+/// "Rise between two dwells", "Translating roller".
 std::string kind_words(const Scene& scene) {
-    std::string words = scene.cam ? cam_text(*scene.cam) : scene_lines(scene).front();
-    if (!scene.cam) words.erase(0, words.find(": ") + 2);
+    std::string words = scene.cam ? cam_text(*scene.cam) : kind_of_motion(scene.motion);
     words.erase(std::min(words.find(','), words.size()));
     if (words.ends_with(" flat")) words += " face";
     if (words.ends_with(" knife")) words += " edge";

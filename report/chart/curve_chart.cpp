@@ -2,7 +2,7 @@
 #include "report/chart/curve_chart.hpp"
 
 #include "report/chart/chart.hpp"
-#include "report/words/solution_text.hpp"
+#include "report/view/verdict_words.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #include "report/compare/comparison_document.hpp"
 
 #include "report/document/common_figures.hpp"
-#include "report/words/comparison_words.hpp"
-#include "report/words/solution_text.hpp"
+#include "report/view/broken_limits.hpp"
+#include "report/view/verdict_words.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/ranges.h>

@@ -167,7 +167,7 @@ struct Picture {
 };
 
 /// What is said where it has no title is the verdict. The sentences of a titled section are a list; on the
-/// page those of the key "reference" stand beside the verdict, those of "scene" above the text of the scene.
+/// page those of the key "reference" stand beside the verdict.
 struct Section {
     std::string key = {}, title = {};
     std::vector<Sentence> sentences = {};

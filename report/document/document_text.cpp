@@ -157,10 +157,14 @@ std::string cells_csv(const Document& document) {
         const Figure place = place_figure(*figure);
         text += cell_line("figures", figure->field.key, place.cell, place.field);
     }
-    for (const Table* table : document.shown_tables())
-        for (std::size_t r = 0; r < table->rows.size(); ++r)
-            for (std::size_t i = 0; i < table->rows[r].size(); ++i)
-                text += cell_line(table->key, fmt::format("{}", r + 1), table->rows[r][i], table->columns[i]);
+    for (const Section& section : document.sections) {
+        if (!section.code.empty()) continue;  // a file of its own says it
+        for (const Table* table : section.shown_tables(Where::texts))
+            for (std::size_t r = 0; r < table->rows.size(); ++r)
+                for (std::size_t i = 0; i < table->rows[r].size(); ++i)
+                    text +=
+                        cell_line(table->key, fmt::format("{}", r + 1), table->rows[r][i], table->columns[i]);
+    }
     return text;
 }
 

@@ -19,7 +19,8 @@ namespace camopt {
 /// where there is none. Numbers read back as the same double.
 [[nodiscard]] std::string document_json(const Document& document);
 
-/// Every cell of figures and tables on a line: table, row (a figure: its key), column, value, unit.
+/// Every cell of figures and tables on a line: table, row (a figure: its key), column, value, unit; without
+/// the tables of a section that has `code`.
 [[nodiscard]] std::string cells_csv(const Document& document);
 
 /// One table: a line a row, keys in the first line.

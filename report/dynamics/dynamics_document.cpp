@@ -4,7 +4,6 @@
 #include "core/text/list_text.hpp"
 #include "report/papers/paper_output.hpp"
 #include "report/view/cam_words.hpp"
-#include "report/words/solution_text.hpp"
 
 #include <fmt/format.h>
 

@@ -20,8 +20,9 @@ namespace camopt {
 namespace {
 
 /// The files that not every result has, beside those of its cam.
-constexpr std::array optional_files = {"motion.csv", "motion.svg",  "drive.svg", "surge.svg",
-                                       "scene.toml", "report.html", "drum.svg",  "developed.svg"};
+constexpr std::array optional_files = {"motion.csv", "motion.svg",   "drive.svg",  "surge.svg",
+                                       "scene.toml", "report.md",    "tables.csv", "report.html",
+                                       "drum.svg",   "developed.svg"};
 
 void write_for_people(FolderUpdate& writer, const View& view, const RunOrigin& origin,
                       const WriteOptions& options) {
@@ -34,7 +35,7 @@ void write_for_people(FolderUpdate& writer, const View& view, const RunOrigin& o
     for (const CamFile& file : cam_files(view, {.points = options.points}))
         writer.write(file.name, file.text);
     for (const FolderFile& file : options.also) writer.write(file.name, file.text);
-    writer.write("report.md", report_markdown(view.solution, origin));
+    for (const FolderFile& file : solution_texts(view.solution, origin)) writer.write(file.name, file.text);
 }
 
 constexpr const char* mark_text =

@@ -128,14 +128,12 @@ std::string data_of(const Document& document, const RunOrigin& origin, const Cur
     constexpr unsigned page = Where::page;
     const std::vector<std::string> headlines = document.sentences({Kind::headline}, page);
     Json said = Json::array(), figures = Json::array(), tables = Json::array(), lists = Json::array(),
-         pictures = Json::array(), scene = Json::array(), reference = nullptr;
+         pictures = Json::array(), reference = nullptr;
     for (const Section& section : document.sections) {
         if ((section.where & page) == 0) continue;
         Json sentences = section.said({Kind::verdict, Kind::warning, Kind::remark}, page);
         if (section.title.empty())
             for (Json& sentence : sentences) said.push_back(std::move(sentence));
-        else if (section.key == "scene")
-            scene = std::move(sentences);
         else if (!sentences.empty())
             (section.key == "reference" ? reference : lists.emplace_back()) = {
                 {"title", section.title}, {"sentences", std::move(sentences)}};
@@ -174,7 +172,7 @@ std::string data_of(const Document& document, const RunOrigin& origin, const Cur
         {"lists", std::move(lists)},
         {"notes", document.sentences({Kind::note}, page)},
         {"appendix", {{"sentences", document.sentences({Kind::effort}, page)}, {"command", origin.command}}},
-        {"scene", {{"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", std::move(scene)}}}};
+        {"scene", {{"file", origin.scene_file}, {"text", origin.scene_text}}}};
     return data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

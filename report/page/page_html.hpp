@@ -51,7 +51,7 @@
 //   lists[]       title, sentences[]: on the cam, its drive, terms of a program
 //   notes[]       of the solve
 //   appendix      how it was found: sentences[], command
-//   scene         file, text (TOML), lines[] (the scene in words)
+//   scene         file, text (TOML)
 #pragma once
 
 #include "report/solve/solution_document.hpp"

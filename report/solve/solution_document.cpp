@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "report/solve/solution_document.hpp"
 
-#include "input/scene_document.hpp"
+#include "input/scene_text.hpp"
 #include "report/cam/cam_files.hpp"
+#include "report/solve/cam_remarks.hpp"
+#include "report/solve/infeasible_words.hpp"
+#include "report/solve/motion_remarks.hpp"
 #include "report/solve/solution_tables.hpp"
 #include "report/valves/valve_tables.hpp"
+#include "report/view/broken_limits.hpp"
 #include "report/view/cam_words.hpp"
 #include "report/view/peak_comparison.hpp"
-#include "report/words/comparison_words.hpp"
-#include "report/words/solution_text.hpp"
+#include "report/view/verdict_words.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/ranges.h>
@@ -209,22 +212,26 @@ Section effort_section(const Solution& solution) {
     return section;
 }
 
-/// Every key with its meaning, and the text itself: the report alone repeats the run.
-Section key_section(const RunOrigin& origin) {
+/// Every key with its meaning, and the text itself: the report alone repeats the run. Pages have the text,
+/// and without one the keys.
+Section key_section(const Scene& scene, const RunOrigin& origin) {
     Section section{.key = "keys", .code = origin.scene_text};
-    section.where = Where::markdown;
-    if (origin.scene_text.empty()) return section;
+    section.where = origin.scene_text.empty() ? Where::reports : Where::markdown;
     Table& table = section.tables.emplace_back(
         Table{"keys",
               "The scene, key by key",
               {{.key = "key", .left = true, .code = true},
                {.key = "value", .left = true, .code = true},
                {.key = "unit", .left = true},
-               {.key = "meaning", .left = true}},
+               {.key = "meaning", .left = true, .where = Where::markdown}},
               {},
-              "What is not listed has its default (`camopt list keys`). Saved as a file, the text below "
-              "repeats this report: `camopt solve FILE --out DIR`."});
-    for (const input::WrittenKey& row : input::keys_written_in(origin.scene_text, origin.scene_file))
+              std::string("What is not listed has its default (`camopt list keys`).") +
+                  (origin.scene_text.empty() ? ""
+                                             : " Saved as a file, the text below repeats this report: "
+                                               "`camopt solve FILE --out DIR`.")});
+    for (const input::WrittenKey& row : origin.scene_text.empty()
+                                            ? input::keys_of(scene)
+                                            : input::keys_written_in(origin.scene_text, origin.scene_file))
         table.rows.push_back({row.key, row.value, row.unit, row.meaning});
     return section;
 }
@@ -246,9 +253,8 @@ Document solution_document(const Solution& solution, const RunOrigin& origin, co
     document.tone = wishes.proof ? verdict_words(solution).tone : "open";
     document.verdict = wishes.proof ? name_of(solution.certificate.verdict) : document.tone;
     std::vector<Section>& all = document.sections;
-    Section asked = listing("scene", "The problem", scene_lines(scene), Where::reports);
     if (!wishes.proof) {
-        all = {open_section(solution), std::move(asked)};
+        all = {open_section(solution)};
         return document;
     }
     all = {verdict_section(solution)};
@@ -264,8 +270,7 @@ Document solution_document(const Solution& solution, const RunOrigin& origin, co
     all.push_back(design_section(solution.design));
     all.push_back(effort_section(solution));
     all.push_back(listing("notes", "Notes", solution.notes, Where::markdown));
-    all.push_back(std::move(asked));
-    if ((wishes.where & Where::markdown) != 0) all.push_back(key_section(origin));
+    if ((wishes.where & Where::reports) != 0) all.push_back(key_section(scene, origin));
     return document;
 }
 
@@ -275,6 +280,10 @@ std::string summary_text(const Solution& solution) {
 
 std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     return document_markdown(solution_document(solution, origin, {.where = Where::markdown}), origin);
+}
+
+std::vector<FolderFile> solution_texts(const Solution& solution, const RunOrigin& origin) {
+    return text_files(solution_document(solution, origin, {.where = Where::markdown}), origin);
 }
 
 }  // namespace camopt

@@ -29,4 +29,7 @@ struct SolutionWishes {
 /// report.md.
 [[nodiscard]] std::string report_markdown(const Solution& solution, const RunOrigin& origin = {});
 
+/// report.md and tables.csv.
+[[nodiscard]] std::vector<FolderFile> solution_texts(const Solution& solution, const RunOrigin& origin);
+
 }  // namespace camopt

@@ -53,7 +53,7 @@ struct CamFigure {
 /// Pressure angles, radii, contact, forces: what exists. For a solution with a cam.
 [[nodiscard]] std::vector<CamFigure> cam_figures(const Solution& solution);
 
-// Private to report/words: a place of the motion as a person reads it.
+// A place of the motion as a person reads it.
 inline constexpr int angle_digits = 5;
 
 /// The cam angle of x (the master's), degrees, without the unit.

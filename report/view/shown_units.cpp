@@ -119,4 +119,9 @@ ShownUnits shown_units(const Scene& scene) {
     return shown_units(scene.motion, scene.length_unit);
 }
 
+double acceleration_at(const Scene& scene, double normalised, double speed) {
+    const double faster = speed / scene.motion.speed.value();
+    return normalised * shown_units(scene).motion[2].first.per_normalised * faster * faster;
+}
+
 }  // namespace camopt

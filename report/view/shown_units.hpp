@@ -88,6 +88,9 @@ struct ShownUnits {
 /// The same of a motion alone.
 [[nodiscard]] ShownUnits shown_units(const MotionSpec& motion, LengthUnit length = LengthUnit::millimetre);
 
+/// Of the output at this speed of the camshaft, from lifts by x²: in the unit that is shown of accelerations.
+[[nodiscard]] double acceleration_at(const Scene& scene, double normalised, double speed);
+
 /// Of files whose columns and keys say mm, also for a scene written in inches.
 [[nodiscard]] inline ShownUnits file_units(const Scene& scene) {
     return shown_units(scene.motion);

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 PROGRAM, SCENES, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
-REPORTS = ("report.html", "report.md")
+REPORTS = ("report.html", "report.md", "tables.csv")
 
 
 def run(*words):

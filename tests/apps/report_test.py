@@ -97,43 +97,6 @@ def check_keys(name, scene_text, report, known):
               "stands as", listed.get(key))
     code = re.search(r"^(`{3,})toml\n(.*?)\n\1$", report, re.M | re.S)
     check(code and tomllib.loads(code.group(2)) == scene, name, "does not repeat its scene")
-    # In words too: every number of the tables that say what is wanted, in the unit it is written in.
-    asked = section(report, "The problem")
-    numbers = set(re.findall(r"[−\d][\d.e+−-]*", asked.replace(",", " ")))
-    for key, value in found.items():
-        if "." in key and not key.startswith("measured."):  # its rows stand in the table of keys
-            for number in numbers_in(value):
-                check(is_said(number + begin_of(key, scene), key, numbers), name, key, number, "does not stand in words:", asked)
-
-
-def numbers_in(value):
-    if isinstance(value, bool) or isinstance(value, str):
-        return []
-    if isinstance(value, (int, float)):
-        return [value]
-    return [number for item in (value.values() if isinstance(value, dict) else value) for number in numbers_in(item)]
-
-
-def begin_of(key, scene):
-    """Words count places from the start of the motion, a set point of a segment from that of the segment: degrees."""
-    found = re.match(r"motion\.segments\[(\d+)\]\.via\[\d+\]\.(?:at|from|to)_deg$", key)
-    if not found:
-        return 0
-    return sum(segment["angle_deg"] for segment in scene["motion"]["segments"][:int(found.group(1))])
-
-
-def is_said(number, key, numbers):
-    """As written, or in the unit that people read."""
-    factors = [1.0]
-    if key.endswith("_rad"):
-        factors.append(180.0 / math.pi)
-    if key.endswith("_m"):
-        factors.append(1000.0)
-    if key.endswith("_rad_s"):
-        factors.append(30.0 / math.pi)
-    if key.endswith("_mpa"):
-        factors.append(1e-3)
-    return any(short(number * factor) in numbers for factor in factors)
 
 
 def largest(folder, column):

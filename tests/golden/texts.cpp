@@ -14,11 +14,12 @@
 #include "report/page/page_html.hpp"
 #include "report/page/result_page.hpp"
 #include "report/papers/paper_output.hpp"
+#include "report/solve/cam_remarks.hpp"
+#include "report/solve/infeasible_words.hpp"
 #include "report/sweep/sweep_document.hpp"
 #include "report/view/cam_words.hpp"
 #include "report/view/key_words.hpp"
-#include "report/words/plan_text.hpp"
-#include "report/words/solution_text.hpp"
+#include "report/view/verdict_words.hpp"
 #include "studies/papers/reference_table.hpp"
 #include "studies/search/plan.hpp"
 #include "tests/report/sample_solution.hpp"
@@ -42,7 +43,7 @@ void write(const std::string& name, const std::string& text) {
 
 std::string all_words(const Solution& solution) {
     std::string text = summary_text(solution) + "\n";
-    std::vector<std::string> sentences = scene_lines(solution.scene);
+    std::vector<std::string> sentences;
     if (solution.cam) sentences = cam_remarks(solution);
     if (!solution.motion) sentences = infeasible_remarks(solution);
     for (const std::string& sentence : sentences) text += "- " + sentence + "\n";

@@ -25,7 +25,7 @@ RULES = [
       "input/document/overrides.cpp": "an example of a setting",
       "studies/sweep/sweep_axis.cpp": "an example of an axis"}),
     (r'"[a-z_.]+\[\{\}\]', "an entry of a list by hand: use entry_key or segment_key (scene/part_names.hpp)",
-     ("input/", "scene/", "objectives/", "studies/", "apps/", "bindings/", "report/machine/", "report/words/", "report/view/"),
+     ("input/", "scene/", "objectives/", "studies/", "apps/", "bindings/", "report/machine/", "report/view/"),
      {"studies/search/free_knots.cpp": "entries of the design, which are no keys"}),
     (r'\b(\w+) \+=[^;]*?\b\1\.empty\(\) \? (?:"" : "[,;] |std::string_view)|[:?] " (?:and|or) "',
      "a list joined by hand: use listed or append_item (core/text/list_text.hpp)", (), {

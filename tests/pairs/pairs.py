@@ -9,7 +9,7 @@ pairs_test.py runs them all."""
 # A title that would be obeyed by a page, a report, a picture, a drawing, a controller or a spreadsheet that does not escape it.
 TITLE = 'T <script>alert(1)</script> & [x](javascript:y) ![z](http://z) *) // | `q` {"k": 1} =1+1 äµ'
 
-RESULT = ["certificate.json", "motion.csv", "motion.svg", "report.html", "report.md", "result.json", "scene.toml"]
+RESULT = ["certificate.json", "motion.csv", "motion.svg", "report.html", "report.md", "result.json", "scene.toml", "tables.csv"]
 
 # name: (command, words, files that it may write). RESULT stands for the folder of the solved scene, SCENE for its scene and settings,
 # TABLE for its own motion as a table that was measured.

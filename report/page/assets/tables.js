@@ -23,12 +23,10 @@
 
   camopt.list = (sentences, name) => element('ul', { class: name || 'sentences' }, ...sentences.map((sentence) => element('li', {}, sentence)));
 
-  /** null where there is neither. */
+  /** null where there is no text. */
   camopt.sceneSection = function (scene) {
-    if (!scene.text && !scene.lines.length) return null;
+    if (!scene.text) return null;
     const section = element('section', { class: 'scene-block' }, element('h2', {}, 'The scene'));
-    if (scene.lines.length) section.append(camopt.list(scene.lines));
-    if (!scene.text) return section;
     const name = (scene.file || 'scene.toml').split(/[\\/]/).pop();
     section.append(
       element('details', { class: 'scene-text', open: true }, element('summary', {}, 'The scene as text, to repeat this result'),

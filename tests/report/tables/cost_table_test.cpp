@@ -9,7 +9,6 @@
 #include "report/folders/result_folder.hpp"
 #include "report/json/result_json.hpp"
 #include "report/view/number_text.hpp"
-#include "report/words/solution_text.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/pareto/sweep_front.hpp"
@@ -162,7 +161,7 @@ TEST(CostTable, EveryRowIsPaidAndWritten) {
         EXPECT_EQ(json["reference"][term.name()], 1.25 * term.typical);
         EXPECT_TRUE(json["peaks"].contains(term.name()));
         EXPECT_EQ(row.figure(term.figure), term.measured.of(solution.peaks));
-        EXPECT_TRUE(says(report, "0.1 × " + words_of(term.name())));
+        EXPECT_TRUE(says(report, fmt::format("| `objective.{}` | `0.1` |", term.name())));
     }
 }
 

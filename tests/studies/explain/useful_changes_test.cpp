@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a user is told to change comes in time, in the order of its usefulness, and does make the scene
 // feasible: every change is written into the scene file as it is printed, and the file is solved.
+#include "report/solve/infeasible_words.hpp"
 #include "report/view/key_words.hpp"
-#include "report/words/solution_text.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/solved_scene.hpp"

@@ -10,7 +10,7 @@
 #include "objectives/scene_model.hpp"
 #include "report/csv/sweep_csv.hpp"
 #include "report/json/json_text.hpp"
-#include "report/words/solution_text.hpp"
+#include "report/solve/motion_remarks.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/delivered/solution_parts.hpp"

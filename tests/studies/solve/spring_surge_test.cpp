@@ -6,7 +6,6 @@
 #include "report/chart/curve_chart.hpp"
 #include "report/folders/result_folder.hpp"
 #include "report/json/result_json.hpp"
-#include "report/words/solution_text.hpp"
 #include "tests/support/solved_scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "report/solve/infeasible_words.hpp"
+
 #include "core/text/list_text.hpp"
 #include "report/view/cam_words.hpp"
 #include "report/view/key_words.hpp"
 #include "report/view/shown_units.hpp"
 #include "report/view/view.hpp"
-#include "report/words/solution_text.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/ranges.h>
@@ -125,6 +126,18 @@ std::string end_beyond(const OneLimit& limit, const Scene& scene) {
     return {};
 }
 
+/// "spline of 4 quintic segments": the motions that a verdict speaks of.
+std::string spline_words(const Scene& scene) {
+    const SplineSpec& spline = scene.spline;
+    const bool uniform = spline.breakpoints.empty();
+    const std::size_t segments =
+        uniform ? static_cast<std::size_t>(spline.segments) : spline.breakpoints.size() - 1;
+    return fmt::format("spline of {} {} {}{}{}", segments, spline.degree == 3 ? "cubic" : "quintic",
+                       segments == 1 ? "segment" : "segments",
+                       scene.motion.type == MotionType::program ? " in each of its parts" : "",
+                       uniform ? "" : " on these breakpoints");
+}
+
 std::string alone_sentence(const OneLimit& limit, const std::string& words, const Solution& solution) {
     const std::string law = law_of(limit, solution.scene.motion);
     const bool prescribed = solution.scene.motion.prescribed();
@@ -163,6 +176,13 @@ void tell_hopeless(std::vector<std::string>& all, const std::vector<Relaxation>&
         all.push_back(fmt::format("Changes proved ineffective separately: {}.", hopeless_changes(ruled_out)));
     if (!tried.empty())
         all.push_back(fmt::format("Changes tried separately without success: {}.", hopeless_changes(tried)));
+}
+
+/// Changes that suffice together.
+std::string joint_sentence(const Solution& solution) {
+    if (!solution.explanation || solution.explanation->together.empty()) return {};
+    return fmt::format("A combined change that suffices: {}.",
+                       listed(solution.explanation->together, " and ", change_words));
 }
 
 void tell_finest(std::vector<std::string>& all, const Explanation& explanation) {
@@ -222,17 +242,6 @@ void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
 
 }  // namespace
 
-std::string spline_words(const Scene& scene) {
-    const SplineSpec& spline = scene.spline;
-    const bool uniform = spline.breakpoints.empty();
-    const std::size_t segments =
-        uniform ? static_cast<std::size_t>(spline.segments) : spline.breakpoints.size() - 1;
-    return fmt::format("spline of {} {} {}{}{}", segments, spline.degree == 3 ? "cubic" : "quintic",
-                       segments == 1 ? "segment" : "segments",
-                       scene.motion.type == MotionType::program ? " in each of its parts" : "",
-                       uniform ? "" : " on these breakpoints");
-}
-
 std::string conflict_sentence(const Solution& solution) {
     const std::vector<OneLimit> limits = limits_of(solution.conflict);
     if (limits.empty()) return {};
@@ -265,10 +274,11 @@ std::string hopeless_changes(const std::vector<Relaxation>& rows) {
     return text;
 }
 
-std::string joint_sentence(const Solution& solution) {
-    if (!solution.explanation || solution.explanation->together.empty()) return {};
-    return fmt::format("A combined change that suffices: {}.",
-                       listed(solution.explanation->together, " and ", change_words));
+std::string relaxation_sentence(const Relaxation& row) {
+    if (!row.needed)
+        return fmt::format("{} = {}: {} alone helps", row.key, short_text(row.given),
+                           row.ruled_out ? "no change of this limit" : "no value tried of it");
+    return fmt::format("{} = {}: {}", row.key, short_text(row.given), change_words(row));
 }
 
 std::vector<std::string> infeasible_remarks(const Solution& solution) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/words/comparison_words.hpp"
+#include "report/view/broken_limits.hpp"
 
 #include <fmt/format.h>
 

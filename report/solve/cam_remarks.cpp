@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "report/solve/cam_remarks.hpp"
+
 #include "core/text/list_text.hpp"
 #include "report/view/cam_words.hpp"
 #include "report/view/key_words.hpp"
-#include "report/words/solution_text.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

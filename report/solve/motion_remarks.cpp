@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "report/solve/motion_remarks.hpp"
+
 #include "core/text/list_text.hpp"
 #include "report/view/cam_words.hpp"
-#include "report/words/solution_text.hpp"
 
 #include <fmt/format.h>
 
 namespace camopt {
 namespace {
 
+constexpr int own_term_digits = 9;
 constexpr double no_train_force =
     1e-7;  // of what presses at the top: a limit of 0 is met to the tolerance of the solve
 
@@ -23,16 +25,19 @@ std::string hertz_text(double frequency) {
     return short_text(hertz_shown.of(frequency));
 }
 
-}  // namespace
-
+/// "from 300 to 1200 rpm"
 std::string speeds_words(const std::array<double, 2>& speeds) {
     if (speeds[0] == speeds[1]) return fmt::format("at {} rpm", rpm_text(speeds[0]));
     return fmt::format("from {} to {} rpm", rpm_text(speeds[0]), rpm_text(speeds[1]));
 }
 
-double acceleration_at(const Scene& scene, double normalised, double speed) {
-    const double faster = speed / scene.motion.speed.value();
-    return normalised * shown_units(scene).motion[2].first.per_normalised * faster * faster;
+}  // namespace
+
+std::string own_term_sentence(const OwnTermReport& term) {
+    return fmt::format("{} reaches {}, {} in the objective (weight {}, reference {})", term.name,
+                       short_text(term.value, own_term_digits),
+                       short_text(term.weight * term.value / term.reference, own_term_digits),
+                       short_text(term.weight), short_text(term.reference));
 }
 
 std::vector<std::string> train_sentences(const Solution& solution) {

@@ -2,9 +2,9 @@
 // Numbers that are said of cams and programs. The words: tests/golden.
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"
+#include "report/solve/cam_remarks.hpp"
 #include "report/view/cam_words.hpp"
 #include "report/view/view.hpp"
-#include "report/words/solution_text.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/report/sample_solution.hpp"

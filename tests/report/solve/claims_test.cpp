@@ -3,7 +3,8 @@
 // a claim.
 #include "core/units.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "report/words/solution_text.hpp"
+#include "report/solve/cam_remarks.hpp"
+#include "report/solve/infeasible_words.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
