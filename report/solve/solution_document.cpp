@@ -216,7 +216,7 @@ Section effort_section(const Solution& solution) {
 /// and without one the keys.
 Section key_section(const Scene& scene, const RunOrigin& origin) {
     Section section{.key = "keys", .code = origin.scene_text};
-    section.where = origin.scene_text.empty() ? Where::reports : Where::markdown;
+    section.where = Where::reports;
     Table& table = section.tables.emplace_back(
         Table{"keys",
               "The scene, key by key",
@@ -270,7 +270,8 @@ Document solution_document(const Solution& solution, const RunOrigin& origin, co
     all.push_back(design_section(solution.design));
     all.push_back(effort_section(solution));
     all.push_back(listing("notes", "Notes", solution.notes, Where::markdown));
-    if ((wishes.where & Where::reports) != 0) all.push_back(key_section(scene, origin));
+    const unsigned for_keys = origin.scene_text.empty() ? Where::reports : Where::markdown;
+    if ((wishes.where & for_keys) != 0) all.push_back(key_section(scene, origin));
     return document;
 }
 

@@ -32,9 +32,9 @@ TEST(ResultFolder, IsCreatedWithExactlyItsFiles) {
     const test::TemporaryFolder folder;
     const std::filesystem::path out = folder.path() + "/a/b";
     const auto written = write_result_folder(out, test::sample_solution());
-    EXPECT_EQ(written.size(), 5U);
+    EXPECT_EQ(written.size(), 6U);
     EXPECT_EQ(names_in(out), (std::set<std::string>{"certificate.json", "motion.csv", "motion.svg",
-                                                    "report.md", "result.json"}));
+                                                    "report.md", "result.json", "tables.csv"}));
 }
 
 TEST(ResultFolder, LaterRunRemovesStaleCurve) {
@@ -42,16 +42,16 @@ TEST(ResultFolder, LaterRunRemovesStaleCurve) {
     write_result_folder(folder.path(), test::sample_solution());
     write_result_folder(folder.path(), test::infeasible_solution());
     EXPECT_EQ(names_in(folder.path()),
-              (std::set<std::string>{"certificate.json", "report.md", "result.json"}));
+              (std::set<std::string>{"certificate.json", "report.md", "result.json", "tables.csv"}));
 }
 
 TEST(ResultFolder, ACamComesWithItsProfile) {
     const test::TemporaryFolder folder;
     const auto written = write_result_folder(folder.path(), test::cam_solution(), {}, {.points = 90});
-    EXPECT_EQ(
-        names_in(folder.path()),
-        (std::set<std::string>{"certificate.json", "forces.svg", "motion.csv", "motion.svg", "profile.csv",
-                               "profile.svg", "profile_diagrams.svg", "report.md", "result.json"}));
+    EXPECT_EQ(names_in(folder.path()),
+              (std::set<std::string>{"certificate.json", "forces.svg", "motion.csv", "motion.svg",
+                                     "profile.csv", "profile.svg", "profile_diagrams.svg", "report.md",
+                                     "result.json", "tables.csv"}));
     EXPECT_EQ(written.back().filename(), "result.json");
     const std::string table = read_text_file(folder.path() + "/profile.csv");
     EXPECT_NEAR(static_cast<double>(std::count(table.begin(), table.end(), '\n')), 95.0, 6.0);
@@ -64,7 +64,7 @@ TEST(ResultFolder, DrawingIsWrittenOnlyOnRequest) {
     write_result_folder(folder.path(), test::cam_solution());
     EXPECT_FALSE(names_in(folder.path()).contains("profile.dxf"));  // it would not be this cam's
     write_result_folder(folder.path(), test::sample_solution());
-    EXPECT_EQ(names_in(folder.path()).size(), 5U);
+    EXPECT_EQ(names_in(folder.path()).size(), 6U);
 }
 
 std::map<std::string, std::string> contents_of(const std::filesystem::path& folder) {
@@ -135,7 +135,7 @@ TEST(ResultFolder, CleansUpAfterKilledRuns) {
     write_result_folder(folder.path(), test::infeasible_solution());
     EXPECT_EQ(names_in(folder.path()),
               (std::set<std::string>{".camopt-1.tmp", ".camopt-mine.tmp", "certificate.json", "report.md",
-                                     "result.json"}));
+                                     "result.json", "tables.csv"}));
 }
 
 TEST(ResultFolder, RefusesAFile) {
