@@ -210,7 +210,7 @@ camopt_promise(result_json [[
 result.json, and certificate.json with the recipe by which anybody can recompute the bound, also read back
 (read_certificate). Display units in result.json; the certificate is in the units of its problem. Errors:
 InputError for a file that is not a certificate.]]
-  report/json/certificate_reader.hpp
+  report/json/certificate_json.hpp
   report/json/result_json.hpp)
 camopt_promise(scene [[
 A scene: what must move, what counts, which limits hold, how fine the spline may be, and the cam. Plain

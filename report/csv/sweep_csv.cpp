@@ -9,8 +9,6 @@
 
 #include <fmt/ranges.h>
 
-#include <type_traits>
-
 namespace camopt {
 
 namespace {
@@ -38,8 +36,7 @@ constexpr std::array<SweepPartColumn<SweepMachine>, 2> machine_columns = {
      {"impossible_above_rpm", "", &SweepMachine::impossible_above, &rpm_shown}}};
 
 /// visit(columns of a part, the part of a row) for each that the sweep has, in their order.
-template <class Row, class Visit>
-void for_each_part(const SweepColumns& columns, Row&& row, const Visit& visit) {
+void for_each_part(const SweepColumns& columns, SweepRow& row, const auto& visit) {
     if (columns.cam()) visit(swept_cam_columns, row.cam);
     if (columns.train) visit(train_columns, row.train);
     if (columns.drive) visit(drive_columns, row.drive);
@@ -50,143 +47,133 @@ std::string dimension_column(DimensionIndex index) {
     return name_of(index) + millimetres_shown.suffix;
 }
 
-/// "solved", or "proved from row 17" (SweepRow::proved_from).
-std::string proof_cell(const SweepRow& row) {
-    return row.proved_from ? fmt::format("{}{}", proved_from_row, *row.proved_from)
-                           : std::string(solved_word);
-}
-
-std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
-    CsvLine line;
-    line.count(row.number);
-    for (const double value : row.settings) line.number(value);
-    line.words(name_of(row.verdict)).words(row.reason).count(row.on_front ? 1 : 0);
-    line.number(row.objective).number(row.lower_bound).number(row.gap).number(row.any_curve_limit);
-    if (!columns.machine)
-        for (const std::optional<double>& figure : row.figures) line.number(figure);
-    const auto shown = [&](const ShownUnit& unit, const std::optional<double>& si) {
-        line.number(si ? std::optional(unit.of(*si)) : std::nullopt);
-    };
-    for (const DimensionIndex index : columns.dimensions) shown(millimetres_shown, row.dimension(index));
-    for_each_part(columns, row, [&](const auto& of_part, const auto& part) {
-        for (const auto& column : of_part) shown(*column.file_unit, part.*column.value);
+/// cell(name, value) of each column in their order, with the unit of the file where that is not SI.
+void for_each_cell(auto&& cell, const SweepColumns& columns, SweepRow& row) {
+    cell("row", row.number);
+    row.settings.resize(columns.keys.size());
+    for (std::size_t i = 0; i < columns.keys.size(); ++i) cell(columns.keys[i], row.settings[i]);
+    cell("verdict", row.verdict);
+    cell("reason", row.reason);
+    cell("pareto_front", row.on_front);
+    cell("objective", row.objective);
+    cell("lower_bound", row.lower_bound);
+    cell("gap", row.gap);
+    cell("any_curve_limit", row.any_curve_limit);
+    for (int i = 0; i < sweep_figure_count && !columns.machine; ++i)
+        cell(name_of(static_cast<SweepFigure>(i)), row.figures[static_cast<std::size_t>(i)]);
+    for (const DimensionIndex index : columns.dimensions)
+        cell(dimension_column(index), row.dimensions[static_cast<std::size_t>(index)], millimetres_shown);
+    for_each_part(columns, row, [&](const auto& of_part, auto& part) {
+        for (const auto& column : of_part) cell(column.name, part.*column.value, *column.file_unit);
     });
-    line.words(fmt::format("{}", fmt::join(row.active_limits, between_limits))).words(proof_cell(row));
-    const EvaluationCounts& counts = row.evaluations;
-    if (!columns.machine)
-        for (const long count :
-             {static_cast<long>(row.iterations), static_cast<long>(row.exchange_rounds), counts.cost,
-              counts.gradient, counts.constraints, counts.jacobian, counts.hessian, counts.profile_points})
-            line.count(count);
-    return line.number(row.seconds_solve).number(row.seconds_total).finish();
+    cell("active_limits", row.active_limits);
+    cell("proof", row.proved_from);
+    if (!columns.machine) {
+        cell("iterations", row.iterations);
+        cell("exchange_rounds", row.exchange_rounds);
+        cell("cost_evaluations", row.evaluations.cost);
+        cell("gradient_evaluations", row.evaluations.gradient);
+        cell("constraint_evaluations", row.evaluations.constraints);
+        cell("jacobian_evaluations", row.evaluations.jacobian);
+        cell("hessian_evaluations", row.evaluations.hessian);
+        cell("profile_points", row.evaluations.profile_points);
+    }
+    cell("seconds_solve", row.seconds_solve);
+    cell("seconds_total", row.seconds_total);
 }
 
-/// The SI value that is written as so many of the unit, to the last bit.
-std::optional<double> si_value(const ShownUnit& unit, const std::optional<double>& shown) {
-    if (!shown) return {};
-    const double near = *shown * unit.size;
-    for (const double value : {near, std::nextafter(near, -infinity), std::nextafter(near, infinity)})
-        if (unit.of(value) == *shown) return value;
-    return near;
-}
-
-/// The cells of one line, taken one after another.
+/// The cells of one line, written or read one after another.
 class Cells {
  public:
-    Cells(const CsvRecord& record, const std::vector<std::string>& columns, std::string_view name)
-        : record_(record), columns_(columns), name_(name) {
-        if (record.cells.size() != columns.size())
-            throw InputError(fmt::format("{}:{}: found {} cells; allowed: {}, one a column", name,
-                                         record.line, record.cells.size(), columns.size()));
-    }
+    explicit Cells(CsvLine& line) : out_(&line) {}
+    Cells(const CsvRecord& record, std::string_view name) : in_(&record), name_(name) {}
 
-    const std::string& words() { return record_.cells[next_++]; }
-    std::optional<double> number_or_none() {
-        return record_.cells[next_].empty() ? (++next_, std::nullopt) : std::optional(number<double>());
-    }
-    template <typename Number>
-    Number number() {
-        const std::string& cell = words();
-        if constexpr (std::is_integral_v<Number>) {
-            const std::optional<long long> value = integer_in(cell);
-            if (!value || !std::in_range<Number>(*value)) fail("a number");
-            return static_cast<Number>(*value);
+    template <std::integral Number>
+    void operator()(std::string_view column, Number& value) {
+        if (out_ != nullptr) {
+            out_->count(value);
         } else {
-            const std::optional<double> value = number_in(cell);
-            if (!value) fail("a number");
-            return *value;
+            const std::optional<long long> whole = integer_in(next());
+            if (!whole || !std::in_range<Number>(*whole)) fail(column, "a number");
+            value = static_cast<Number>(*whole);
         }
     }
-    Verdict verdict() {
-        const std::string& cell = words();
-        for (const Verdict value :
-             {Verdict::optimal, Verdict::local, Verdict::feasible, Verdict::infeasible, Verdict::failed})
-            if (cell == name_of(value)) return value;
-        fail("a verdict");
+    void operator()(std::string_view column, bool& value) {
+        int number = value ? 1 : 0;
+        (*this)(column, number);
+        value = number != 0;
     }
-    std::optional<int> proved_from() {
-        const std::string_view cell = words();
-        if (cell == solved_word) return std::nullopt;
+    void operator()(std::string_view column, double& value) {
+        std::optional<double> number = value;
+        (*this)(column, number);
+        if (!number) fail(column, "a number");
+        value = *number;
+    }
+    void operator()(std::string_view column, std::optional<double>& value) {
+        if (out_ != nullptr) {
+            out_->number(value);
+        } else {
+            const std::string& cell = next();
+            value = number_in(cell);
+            if (!value && !cell.empty()) fail(column, "a number");
+        }
+    }
+    void operator()(std::string_view column, std::optional<double>& si, const ShownUnit& unit) {
+        std::optional<double> shown;
+        if (si) shown = unit.of(*si);
+        (*this)(column, shown);
+        si.reset();
+        if (shown) si = unit.si_of(*shown);
+    }
+    void operator()(std::string_view, std::string& words) {
+        if (out_ != nullptr)
+            out_->words(words);
+        else
+            words = next();
+    }
+    void operator()(std::string_view column, Verdict& value) {
+        using enum Verdict;
+        std::string word = name_of(value);
+        (*this)(column, word);
+        const auto verdict = choice_named(word, {optimal, local, feasible, infeasible, failed});
+        if (!verdict) fail(column, "a verdict");
+        value = *verdict;
+    }
+    void operator()(std::string_view column, std::vector<std::string>& list) {
+        std::string cell = fmt::format("{}", fmt::join(list, between_limits));
+        (*this)(column, cell);
+        list.clear();
+        for (std::string_view rest = cell; !rest.empty();) {
+            const std::size_t end = rest.find(between_limits);
+            list.emplace_back(rest.substr(0, end));
+            rest = end == std::string_view::npos ? "" : rest.substr(end + between_limits.size());
+        }
+    }
+    /// "solved", or "proved from row 17" (SweepRow::proved_from).
+    void operator()(std::string_view column, std::optional<int>& proof) {
+        std::string cell = proof ? fmt::format("{}{}", proved_from_row, *proof) : std::string(solved_word);
+        (*this)(column, cell);
+        proof.reset();
+        if (cell == solved_word) return;
         const std::optional<long long> row = cell.starts_with(proved_from_row)
                                                  ? integer_in(cell.substr(proved_from_row.size()))
                                                  : std::nullopt;
-        if (!row || !std::in_range<int>(*row)) fail("solved, or proved from row and a number");
-        return static_cast<int>(*row);
-    }
-    std::vector<std::string> list() {
-        std::vector<std::string> items;
-        std::string_view rest = words();
-        while (!rest.empty()) {
-            const std::size_t end = rest.find(between_limits);
-            items.emplace_back(rest.substr(0, end));
-            rest = end == std::string_view::npos ? "" : rest.substr(end + between_limits.size());
-        }
-        return items;
+        if (!row || !std::in_range<int>(*row)) fail(column, "solved, or proved from row and a number");
+        proof = static_cast<int>(*row);
     }
 
  private:
-    [[noreturn]] void fail(std::string_view allowed) const {
-        throw InputError(fmt::format("{}:{}: {}: found \"{}\"; allowed: {}", name_, record_.line,
-                                     columns_[next_ - 1], record_.cells[next_ - 1], allowed));
+    const std::string& next() { return in_->cells[next_++]; }
+    [[noreturn]] void fail(std::string_view column, std::string_view allowed) const {
+        throw InputError(fmt::format("{}:{}: {}: found \"{}\"; allowed: {}", name_, in_->line, column,
+                                     in_->cells[next_ - 1], allowed));
     }
 
-    const CsvRecord& record_;
-    const std::vector<std::string>& columns_;
+    CsvLine* out_ = nullptr;
+    const CsvRecord* in_ = nullptr;
     std::string_view name_;
     std::size_t next_ = 0;
 };
-
-SweepRow read_row(const SweepColumns& columns, Cells cells) {
-    SweepRow row;
-    row.number = cells.number<int>();
-    for (std::size_t i = 0; i < columns.keys.size(); ++i) row.settings.push_back(cells.number<double>());
-    row.verdict = cells.verdict();
-    row.reason = cells.words();
-    row.on_front = cells.number<int>() != 0;
-    for (auto* value : {&row.objective, &row.lower_bound, &row.gap, &row.any_curve_limit})
-        *value = cells.number_or_none();
-    if (!columns.machine)
-        for (auto& figure : row.figures) figure = cells.number_or_none();
-    for (const DimensionIndex index : columns.dimensions)
-        row.dimensions[static_cast<std::size_t>(index)] = si_value(millimetres_shown, cells.number_or_none());
-    for_each_part(columns, row, [&](const auto& of_part, auto& part) {
-        for (const auto& column : of_part)
-            part.*column.value = si_value(*column.file_unit, cells.number_or_none());
-    });
-    row.active_limits = cells.list();
-    row.proved_from = cells.proved_from();
-    if (!columns.machine) {
-        row.iterations = cells.number<int>();
-        row.exchange_rounds = cells.number<int>();
-        EvaluationCounts& counts = row.evaluations;
-        for (long* count : {&counts.cost, &counts.gradient, &counts.constraints, &counts.jacobian,
-                            &counts.hessian, &counts.profile_points})
-            *count = cells.number<long>();
-    }
-    row.seconds_solve = cells.number<double>();
-    row.seconds_total = cells.number<double>();
-    return row;
-}
 
 /// What varies, from the first line.
 SweepColumns read_columns(const CsvRecord& record, std::string_view name) {
@@ -227,23 +214,9 @@ std::span<const SweepDriveColumn> sweep_drive_columns() {
 }
 
 std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
-    std::vector<std::string> names = {"row"};
-    const auto add = [&](std::initializer_list<const char*> more) {
-        names.insert(names.end(), more.begin(), more.end());
-    };
-    names.insert(names.end(), columns.keys.begin(), columns.keys.end());
-    add({"verdict", "reason", "pareto_front", "objective", "lower_bound", "gap", "any_curve_limit"});
-    for (int i = 0; i < sweep_figure_count && !columns.machine; ++i)
-        add({name_of(static_cast<SweepFigure>(i))});
-    for (const DimensionIndex index : columns.dimensions) names.push_back(dimension_column(index));
-    for_each_part(columns, SweepRow(), [&](const auto& of_part, const auto&) {
-        for (const auto& column : of_part) names.emplace_back(column.name);
-    });
-    add({"active_limits", "proof"});
-    if (!columns.machine)
-        add({"iterations", "exchange_rounds", "cost_evaluations", "gradient_evaluations",
-             "constraint_evaluations", "jacobian_evaluations", "hessian_evaluations", "profile_points"});
-    add({"seconds_solve", "seconds_total"});
+    std::vector<std::string> names;
+    SweepRow row;
+    for_each_cell([&](std::string_view name, const auto&...) { names.emplace_back(name); }, columns, row);
     return names;
 }
 
@@ -251,7 +224,11 @@ std::string sweep_csv(const SweepTable& table) {
     CsvLine titles;
     for (const std::string& title : sweep_csv_columns(table.columns)) titles.words(title);
     std::string text = titles.finish();
-    for (const SweepRow& row : table.rows) text += csv_line(table.columns, row);
+    for (SweepRow row : table.rows) {  // a copy: what takes cells may fill a row
+        CsvLine line;
+        for_each_cell(Cells(line), table.columns, row);
+        text += line.finish();
+    }
     return text;
 }
 
@@ -263,9 +240,12 @@ SweepTable read_sweep_csv(std::string_view text, std::string_view name) {
                                      name, records.back().line));
     SweepTable table;
     table.columns = read_columns(records.front(), name);
-    const std::vector<std::string> columns = sweep_csv_columns(table.columns);
-    for (std::size_t i = 1; i < records.size(); ++i)
-        table.rows.push_back(read_row(table.columns, Cells(records[i], columns, name)));
+    for (const CsvRecord& record : std::span(records).subspan(1)) {
+        if (const std::size_t columns = records.front().cells.size(); record.cells.size() != columns)
+            throw InputError(fmt::format("{}:{}: found {} cells; allowed: {}, one a column", name,
+                                         record.line, record.cells.size(), columns));
+        for_each_cell(Cells(record, name), table.columns, table.rows.emplace_back());
+    }
     return table;
 }
 

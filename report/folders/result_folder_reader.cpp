@@ -4,10 +4,9 @@
 #include "core/errors.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
-#include "input/result/json_source.hpp"
-#include "input/result/result_reader.hpp"
-#include "report/json/certificate_reader.hpp"
-#include "report/json/json_text.hpp"
+#include "report/json/certificate_json.hpp"
+#include "report/json/json_fields.hpp"
+#include "report/json/result_reader.hpp"
 #include "studies/delivered/solution_parts.hpp"
 #include "studies/restored/restored_solution.hpp"
 
@@ -20,8 +19,6 @@ namespace camopt {
 namespace {
 
 // The first difference between two JSON documents that should say the same.
-
-using input::json_words;
 
 class TolerantComparison {
  public:
@@ -106,6 +103,17 @@ void check_written(const std::string& text, const ResultFolder& read, const std:
                     printable(file), difference));
 }
 
+/// What make() gives; the folder is named where an error of it does not begin with `file`.
+auto named_by(const std::filesystem::path& folder, const std::string& file, const auto& make) {
+    try {
+        return make();
+    } catch (const InputError& wrong) {
+        const std::string words = wrong.what();
+        if (words.starts_with(printable(file))) throw;
+        throw InputError(fmt::format("{}: {}", printable(folder.string()), words));
+    }
+}
+
 }  // namespace
 
 ResultFolder read_result_folder(const std::filesystem::path& folder, const SceneLoader& load) {
@@ -118,17 +126,16 @@ ResultFolder read_result_folder(const std::filesystem::path& folder, const Scene
     const std::string result_file = (folder / "result.json").string();
     const std::string scene_file = (folder / "scene.toml").string();
     const std::string result = text_of(folder, "result.json", "");
-    const input::ResultRecord record = input::read_result(result, result_file);
     ResultFolder read;
-    read.origin = {record.scene_file, record.command,
-                   text_of(folder, "scene.toml", " of a scene file (a scene built in C++ has no text)")};
-    try {
-        read.solution = restored_solution(load(read.origin.scene_text, scene_file), record);
-    } catch (const InputError& wrong) {
-        const std::string words = wrong.what();
-        if (words.starts_with(printable(scene_file))) throw;
-        throw InputError(fmt::format("{}: {}", printable(folder.string()), words));
-    }
+    Scene scene;
+    const ResultRecord record = read_result(result, result_file, [&]() -> const Scene& {
+        read.origin.scene_text =
+            text_of(folder, "scene.toml", " of a scene file (a scene built in C++ has no text)");
+        return scene = named_by(folder, scene_file, [&] { return load(read.origin.scene_text, scene_file); });
+    });
+    read.origin.scene_file = record.scene_file;
+    read.origin.command = record.command;
+    read.solution = named_by(folder, scene_file, [&] { return restored_solution(scene, record); });
     Certificate& certificate = read.solution.certificate =
         read_whole_certificate(folder / "certificate.json");
     const double written = certificate.objective;

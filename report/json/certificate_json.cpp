@@ -1,131 +1,255 @@
 // SPDX-License-Identifier: MIT
 #include "report/json/certificate_json.hpp"
 
+#include "core/text/text_file.hpp"
 #include "core/version.hpp"
-#include "report/json/json_text.hpp"
+#include "report/json/json_fields.hpp"
 #include "solvers/certificate/box_proof.hpp"
+
+#include <fmt/format.h>
 
 namespace camopt {
 
+template <>
+inline constexpr BoxStep::Kind last_of<BoxStep::Kind> = BoxStep::Kind::split;
+
 namespace {
 
-/// What is not said is as in its own RowOrigin: no remark, the side above x, one side.
-Json origin_json(const RowOrigin& origin) {
-    Json json = {{"rule", origin.rule}, {"limit", origin.limit}};
-    if (!origin.remark.empty()) json["remark"] = origin.remark;
-    if (origin.at) json["at"] = number_json(*origin.at);
-    if (origin.side == Side::left) json["side"] = "left";
-    if (origin.order) json["order"] = *origin.order;
-    if (origin.sign != 0) json["sign"] = origin.sign;
-    return json;
+/// What is not 0.
+struct SparseVector {
+    std::vector<int> indices;
+    std::vector<double> values;
+};
+
+void fields(const JsonFields& json, SparseVector& sparse) {
+    json("indices", sparse.indices);
+    json("values", sparse.values);
+    json.check("values", sparse.values.size() == sparse.indices.size(), "as many numbers as indices");
 }
 
-Json proof_json(const DualityProof& proof) {
-    Json rows = Json::array();
-    for (Eigen::Index i = 0; i < proof.matrix.rows(); ++i) {
-        std::vector<int> indices;
-        std::vector<double> values;
-        for (decltype(proof.matrix)::InnerIterator entry(proof.matrix, i); entry; ++entry) {
-            indices.push_back(static_cast<int>(entry.col()));
-            values.push_back(entry.value());
+void check_indices(const std::vector<int>& indices, std::size_t variables, const JsonFields& json) {
+    for (const int index : indices)
+        if (index < 0 || static_cast<std::size_t>(index) >= variables)
+            json.at("indices").fail(fmt::format("found {}; allowed: 0 or more, below {}", index, variables));
+}
+
+/// A row of a proof as the file has it.
+struct ProofRow {
+    std::string name;
+    RowOrigin origin;
+    SparseVector entries;
+    double lower = 0.0, upper = 0.0, multiplier = 0.0;
+};
+
+void fields(const JsonFields& json, ProofRow& row) {
+    json("name", row.name);
+    json("origin", row.origin);
+    fields(json, row.entries);
+    json("lower", row.lower, -infinity);
+    json("upper", row.upper, infinity);
+    json("multiplier", row.multiplier);
+}
+
+std::vector<ProofRow> proof_rows(const DualityProof& proof) {
+    std::vector<ProofRow> rows(static_cast<std::size_t>(proof.matrix.rows()));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        rows[i] = {row_name(proof, i), proof.origins[i], {},
+                   proof.lower[at],    proof.upper[at],  proof.multipliers[at]};
+        for (decltype(proof.matrix)::InnerIterator entry(proof.matrix, at); entry; ++entry) {
+            rows[i].entries.indices.push_back(static_cast<int>(entry.col()));
+            rows[i].entries.values.push_back(entry.value());
         }
-        const auto place = static_cast<std::size_t>(i);
-        rows.push_back({{"name", row_name(proof, place)},
-                        {"origin", origin_json(proof.origins[place])},
-                        {"indices", indices},
-                        {"values", numbers_json(values)},
-                        {"lower", number_json(proof.lower[i])},
-                        {"upper", number_json(proof.upper[i])},
-                        {"multiplier", number_json(proof.multipliers[i])}});
     }
-    return {{"statement", proof.statement},
-            {"variables", proof.variables},
-            {"cost", numbers_json(proof.cost)},
-            {"constant", number_json(proof.constant)},
-            {"rows", rows},
-            {"box", {{"lower", numbers_json(proof.box.lower)}, {"upper", numbers_json(proof.box.upper)}}},
-            {"bound", number_json(proof.bound)},
-            {"limits_relaxed_by", number_json(proof.limits_relaxed_by)}};
+    return rows;
 }
 
-/// Proofs that several cases share stand in the first; the others name it.
-Json cases_json(const std::vector<CaseProof>& cases) {
-    if (cases.empty()) return nullptr;
-    std::map<const DualityProof*, int> written;
-    Json list = Json::array();
-    for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
-        const CaseProof& part = cases[i];
-        const auto [known, fresh] = written.try_emplace(part.proof.get(), i);
-        list.push_back({{"region", part.region},
-                        {"infeasible", part.infeasible},
-                        {"bound", part.infeasible ? Json(nullptr) : number_json(part.bound)},
-                        {"proof_of_case", part.proof ? Json(known->second) : Json(nullptr)},
-                        {"proof", part.proof && fresh ? proof_json(*part.proof) : Json(nullptr)}});
+void take_rows(DualityProof& proof, const std::vector<ProofRow>& rows, const JsonFields& json) {
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    for (Eigen::VectorXd* side : {&proof.lower, &proof.upper, &proof.multipliers}) side->resize(count);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const ProofRow& row = rows[i];
+        const auto at = static_cast<Eigen::Index>(i);
+        proof.rows.push_back(row.name);
+        proof.origins.push_back(row.origin);
+        proof.lower[at] = row.lower;
+        proof.upper[at] = row.upper;
+        proof.multipliers[at] = row.multiplier;
+        const auto& [indices, values] = row.entries;
+        check_indices(indices, proof.variables.size(), json.at(i));
+        for (std::size_t k = 0; k < indices.size(); ++k)
+            entries.emplace_back(static_cast<int>(i), indices[k], values[k]);
     }
-    return list;
+    proof.matrix.resize(count, static_cast<Eigen::Index>(proof.variables.size()));
+    proof.matrix.setFromTriplets(entries.begin(), entries.end());
 }
 
-/// Only what is not 0.
-Json sparse_json(const Eigen::VectorXd& values) {
-    std::vector<Eigen::Index> indices;
-    std::vector<double> kept;
-    for (Eigen::Index j = 0; j < values.size(); ++j) {
-        if (values[j] == 0.0) continue;
-        indices.push_back(j);
-        kept.push_back(values[j]);
-    }
-    return {{"indices", indices}, {"values", numbers_json(kept)}};
+/// A case as the file has it: a proof that several share is in the first of them, and the others name it.
+struct ProofCase {
+    CaseProof part;
+    std::optional<int> proof_of_case;
+};
+
+void fields(const JsonFields& json, ProofCase& one) {
+    json("region", one.part.region);
+    json("infeasible", one.part.infeasible);
+    json("bound", one.part.bound, infinity);
+    json("proof_of_case", one.proof_of_case);
+    json("proof", one.part.proof);
 }
 
-Json multipliers_json(const std::vector<std::pair<int, double>>& multipliers) {
-    Json list = Json::array();
-    for (const auto& [step, multiplier] : multipliers) list.push_back({step, number_json(multiplier)});
-    return list;
+std::optional<std::vector<ProofCase>> proof_cases(const Certificate& certificate) {
+    if (certificate.cases.empty()) return {};
+    std::map<const DualityProof*, int> known;
+    std::vector<ProofCase> cases;
+    for (const CaseProof& part : certificate.cases) {
+        ProofCase& one = cases.emplace_back(ProofCase{part, {}});
+        if (part.infeasible) one.part.bound = infinity;
+        if (!part.proof) continue;
+        const auto [first, fresh] = known.try_emplace(part.proof.get(), static_cast<int>(cases.size()) - 1);
+        one.proof_of_case = first->second;
+        if (!fresh) one.part.proof = nullptr;
+    }
+    return cases;
 }
 
-Json step_json(const BoxStep& step) {
-    Json json = sparse_json(step.weights);
-    json["kind"] = name_of(step.kind);
-    json["side"] = number_json(step.side);
-    if (step.kind == BoxStep::Kind::linear || step.kind == BoxStep::Kind::plane)
-        json["origin"] = origin_json(step.origin);
-    if (step.kind == BoxStep::Kind::derived) {
-        json["multipliers"] = multipliers_json(step.multipliers);
-        json["bounds"] = step.bounds;
+void take_cases(Certificate& certificate, const std::vector<ProofCase>& cases, const JsonFields& json) {
+    for (const ProofCase& one : cases) {
+        const std::size_t number = certificate.cases.size();
+        CaseProof& part = certificate.cases.emplace_back(one.part);
+        if (part.proof || !one.proof_of_case) continue;
+        const auto first = static_cast<std::size_t>(*one.proof_of_case);  // below 0: a large number
+        json.at(number).check("proof_of_case", first < number, "a case before it");
+        part.proof = certificate.cases[first].proof;
     }
-    if (step.kind == BoxStep::Kind::plane) {
-        Json lower = Json::array(), upper = Json::array();
-        for (const Interval& number : step.box) {
-            lower.push_back(number_json(number.lower));
-            upper.push_back(number_json(number.upper));
-        }
-        json["box"] = {{"lower", lower}, {"upper", upper}};
-        json["ends"] = step.ends;
-        json["slope"] = numbers_json(step.slope);
-        json["constant"] = number_json(step.constant);
-    }
-    return json;
 }
 
-Json box_proof_json(const BoxProof& proof) {
-    Json steps = Json::array(), parts = Json::array();
-    for (const BoxStep& step : proof.steps) steps.push_back(step_json(step));
-    for (const BoxPart& part : proof.parts)
-        parts.push_back({{"splits", part.splits},
-                         {"infeasible", part.infeasible},
-                         {"bound", part.infeasible ? Json(nullptr) : number_json(part.bound)},
-                         {"multipliers", multipliers_json(part.multipliers)},
-                         {"bounds", part.bounds}});
-    return {{"variables", proof.variables},
-            {"cost", numbers_json(proof.cost)},
-            {"constant", number_json(proof.constant)},
-            {"box", {{"lower", numbers_json(proof.box.lower)}, {"upper", numbers_json(proof.box.upper)}}},
-            {"steps", steps},
-            {"parts", parts},
-            {"bound", number_json(proof.bound)}};
+SparseVector weights_of(const BoxStep& step) {
+    SparseVector sparse;
+    for (Eigen::Index j = 0; j < step.weights.size(); ++j) {
+        if (step.weights[j] == 0.0) continue;
+        sparse.indices.push_back(static_cast<int>(j));
+        sparse.values.push_back(step.weights[j]);
+    }
+    return sparse;
+}
+
+void take_weights(BoxStep& step, const SparseVector& sparse, std::size_t variables, const JsonFields& json) {
+    check_indices(sparse.indices, variables, json);
+    step.weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(variables));
+    for (std::size_t k = 0; k < sparse.indices.size(); ++k)
+        step.weights[sparse.indices[k]] = sparse.values[k];
+}
+
+Box box_of(const BoxStep& step) {
+    const auto size = static_cast<Eigen::Index>(step.box.size());
+    Box box{Eigen::VectorXd(size), Eigen::VectorXd(size)};
+    for (Eigen::Index i = 0; i < size; ++i) {
+        box.lower[i] = step.box[static_cast<std::size_t>(i)].lower;
+        box.upper[i] = step.box[static_cast<std::size_t>(i)].upper;
+    }
+    return box;
+}
+
+void take_box(BoxStep& step, const Box& box, const JsonFields& json) {
+    json.check("upper", box.upper.size() == box.lower.size(), "as many numbers as lower");
+    for (Eigen::Index i = 0; i < box.lower.size(); ++i) step.box.emplace_back(box.lower[i], box.upper[i]);
 }
 
 }  // namespace
+
+static void fields(const JsonFields& json, Box& box, std::optional<std::size_t> variables = {}) {
+    json.numbers("lower", box.lower, variables, -infinity);
+    json.numbers("upper", box.upper, variables, infinity);
+}
+
+/// What is left out is as in a new RowOrigin: no remark, the side above x, one side.
+static void fields(const JsonFields& json, RowOrigin& origin) {
+    json("rule", origin.rule);
+    json("limit", origin.limit);
+    json.unless("remark", origin.remark, "");
+    json.unless("at", origin.at, std::nullopt);
+    json.unless("side", origin.side, Side::right);
+    json.unless("order", origin.order, std::nullopt);
+    json.unless("sign", origin.sign, 0);
+}
+
+static void fields(const JsonFields& json, DualityProof& proof) {
+    json("statement", proof.statement);
+    json("variables", proof.variables);
+    const std::size_t variables = proof.variables.size();
+    json.numbers("cost", proof.cost, variables, infinity);
+    json("constant", proof.constant);
+    std::vector<ProofRow> rows = proof_rows(proof);
+    json("rows", rows);
+    if (json.reads()) take_rows(proof, rows, json.at("rows"));
+    fields(json.at("box"), proof.box, variables);
+    json("bound", proof.bound, -infinity);
+    json("limits_relaxed_by", proof.limits_relaxed_by);
+}
+
+static void fields(const JsonFields& json, BoxStep& step, std::size_t variables) {
+    using enum BoxStep::Kind;
+    SparseVector weights = weights_of(step);
+    fields(json, weights);
+    if (json.reads()) take_weights(step, weights, variables, json);
+    json("kind", step.kind);
+    json("side", step.side);
+    if (step.kind == linear || step.kind == plane) json("origin", step.origin);
+    if (step.kind == derived) {
+        json("multipliers", step.multipliers);
+        json("bounds", step.bounds);
+    }
+    if (step.kind != plane) return;
+    Box box = box_of(step);
+    json("box", box);
+    if (json.reads()) take_box(step, box, json.at("box"));
+    json("ends", step.ends);
+    json.check("ends", step.ends.size() == step.box.size(), "one for each number of a side of the box");
+    json.numbers("slope", step.slope, step.box.size(), infinity);
+    json("constant", step.constant);
+}
+
+static void fields(const JsonFields& json, BoxPart& part) {
+    json("splits", part.splits);
+    json("infeasible", part.infeasible);
+    json("bound", part.bound, infinity);
+    json("multipliers", part.multipliers);
+    json("bounds", part.bounds);
+}
+
+static void fields(const JsonFields& json, BoxProof& proof) {
+    json("variables", proof.variables);
+    const std::size_t variables = proof.variables.size();
+    json.numbers("cost", proof.cost, variables, infinity);
+    json("constant", proof.constant);
+    fields(json.at("box"), proof.box, variables);
+    json.each("steps", proof.steps,
+              [&](const JsonFields& one, BoxStep& step) { fields(one, step, variables); });
+    json("parts", proof.parts);
+    json("bound", proof.bound, infinity);
+}
+
+static void fields(const JsonFields& json, Certificate& certificate) {
+    json.shown("camopt", version());
+    json("verdict", certificate.verdict);
+    json("reason", certificate.reason);
+    json("objective", certificate.objective, infinity);
+    json("lower_bound", certificate.lower_bound);
+    json("gap", certificate.gap);
+    json("worst_violation", certificate.worst_violation, infinity);
+    json("stationarity", certificate.stationarity);
+    json("verified", certificate.verified);
+    json("unverified", certificate.unverified);
+    json("proof_kind", certificate.proof_kind);
+    json.shown("how_to_check", how_to_check());
+    json("proof", certificate.proof);
+    std::optional<std::vector<ProofCase>> cases = proof_cases(certificate);
+    json("cases", cases);
+    if (json.reads() && cases) take_cases(certificate, *cases, json.at("cases"));
+    json.unless("boxes", certificate.box_proof, nullptr);
+}
 
 std::string_view how_to_check() {
     return "The problem: minimize constant + sum_j cost[j] x[j] over lower <= sum_k values[k] "
@@ -164,23 +288,25 @@ std::string_view how_to_check() {
 }
 
 std::string certificate_json(const Certificate& certificate) {
-    Json json;
-    json["camopt"] = version();
-    json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = certificate.reason == Reason::none ? Json(nullptr) : Json(name_of(certificate.reason));
-    json["objective"] = number_json(certificate.objective);
-    json["lower_bound"] = number_json(certificate.lower_bound);
-    json["gap"] = number_json(certificate.gap);
-    json["worst_violation"] = number_json(certificate.worst_violation);
-    json["stationarity"] = number_json(certificate.stationarity);
-    json["verified"] = certificate.verified;
-    json["unverified"] = certificate.unverified;
-    json["proof_kind"] = name_of(certificate.proof_kind);
-    json["how_to_check"] = how_to_check();
-    json["proof"] = certificate.proof ? proof_json(*certificate.proof) : Json(nullptr);
-    json["cases"] = cases_json(certificate.cases);
-    if (certificate.box_proof) json["boxes"] = box_proof_json(*certificate.box_proof);
-    return json_text(json);
+    return json_text(written(certificate));
+}
+
+Certificate certificate_of_text(std::string_view json, std::string_view name) {
+    Certificate certificate;
+    JsonFields(json, name, "a certificate").get(certificate);
+    return certificate;
+}
+
+Certificate read_whole_certificate(const std::filesystem::path& path) {
+    return certificate_of_text(read_text_file(path), path.string());
+}
+
+DualityProof read_certificate(const std::filesystem::path& path) {
+    const JsonFields stored = JsonFields(read_text_file(path), path.string(), "a certificate").at("proof");
+    if (stored.is_null()) stored.fail("the certificate holds no proof");
+    DualityProof proof;
+    stored.get(proof);
+    return proof;
 }
 
 }  // namespace camopt

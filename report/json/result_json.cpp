@@ -3,7 +3,7 @@
 
 #include "core/version.hpp"
 #include "report/document/common_figures.hpp"
-#include "report/json/json_text.hpp"
+#include "report/json/result_fields.hpp"
 #include "report/view/columns.hpp"
 #include "report/view/key_words.hpp"
 #include "report/view/shown_units.hpp"
@@ -14,12 +14,6 @@
 namespace camopt {
 
 namespace {
-
-void add_proof_of_any_curve(Json& bound, const Solution& solution) {
-    bound["any_curve_limit"] =
-        solution.any_curve_limit ? number_json(solution.any_curve_limit->objective) : Json(nullptr);
-    bound["source"] = words_json(solution.solver.proof_source);
-}
 
 /// The peaks in physical units, named like the columns of motion.csv.
 Json physical_peaks_json(const Solution& solution) {
@@ -146,13 +140,6 @@ Json own_terms_json(const Solution& solution) {
     return list;
 }
 
-Json design_json(const Solution& solution) {
-    if (!solution.motion) return nullptr;
-    return {{"kind", name_of(solution.design.kind)},
-            {"names", solution.design.names},
-            {"values", numbers_json(solution.design.values)}};
-}
-
 /// What was planned before anything was solved (studies/search/plan.hpp).
 Json plan_json(const SolvePlan& plan) {
     Json starts = Json::array();
@@ -179,23 +166,6 @@ Json plan_json(const SolvePlan& plan) {
             {"proof", name_of(plan.proof)},
             {"max_seconds", number_json(plan.seconds)},
             {"explain_seconds", number_json(plan.explain_seconds)}};
-}
-
-Json solver_json(const SolverReport& solver) {
-    return {{"name", solver.name},
-            {"termination", name_of(solver.termination)},
-            {"iterations", solver.iterations},
-            {"exchange_rounds", solver.exchange_rounds},
-            {"native_status", words_json(solver.native_status)},
-            {"choice", words_json(solver.choice)},
-            {"convex", solver.convex},
-            {"starts", solver.starts}};
-}
-
-Json evaluations_json(const EvaluationCounts& count) {
-    return {
-        {"cost", count.cost},         {"gradient", count.gradient}, {"constraints", count.constraints},
-        {"jacobian", count.jacobian}, {"hessian", count.hessian},   {"profile_points", count.profile_points}};
 }
 
 Json relaxation_json(const Solution& solution, const std::vector<Relaxation>& rows) {
@@ -241,12 +211,13 @@ Json conflict_json(const Solution& solution) {
 std::string result_json(const Solution& solution, const RunOrigin& origin) {
     const Certificate& certificate = solution.certificate;
     Json json;
+    const JsonFields writer(json);
     json["camopt"] = version();
-    json["scene"] = words_json(origin.scene_file);
-    json["title"] = words_json(solution.scene.title);
-    json["command"] = words_json(origin.command);
+    origin_fields(writer, to_write(origin), solution.scene.title);
     json.update(figures_json(verdict_figures(certificate)));
-    add_proof_of_any_curve(json["bound"], solution);
+    std::optional<double> limit;
+    if (solution.any_curve_limit) limit = solution.any_curve_limit->objective;
+    bound_fields(writer.at("bound"), limit, to_write(solution.solver));
     json["peaks"] = peaks_json(solution.motion ? std::optional(solution.peaks) : std::nullopt);
     json["physical_peaks"] = physical_peaks_json(solution);
     json["reference"] = reference_json(solution);
@@ -268,18 +239,11 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["spline"] = spline_json(solution.curve);
     json["segments"] = segments_json(solution);
     json["motion"] = solution.motion ? motion_json(*solution.motion) : Json(nullptr);
-    json["design"] = design_json(solution);
+    json["design"] = solution.motion ? written(solution.design) : Json(nullptr);
     json["dimensions"] = dimensions_json(solution);
     json["cam"] = cam_json(solution);
     if (solution.plan) json["plan"] = plan_json(*solution.plan);
-    json["solver"] = solver_json(solution.solver);
-    json["evaluations"] = evaluations_json(solution.evaluations);
-    json["seconds"] = {{"total", number_json(solution.seconds_total)},
-                       {"solve", number_json(solution.seconds_solve)}};
-    for (const PhaseRow& phase : phase_rows)
-        json["seconds"][phase.name] = number_json(solution.phases.*phase.seconds);
-    json["notes"] = solution.notes;
-    if (!solution.machine.empty()) json["machine"] = solution.machine;
+    run_fields(writer, to_write(solution));
     return json_text(json);
 }
 

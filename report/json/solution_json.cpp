@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "motions/laws/law.hpp"
-#include "report/json/json_text.hpp"
+#include "report/json/result_fields.hpp"
 #include "report/view/cam_words.hpp"
 #include "report/view/number_text.hpp"
-
-#include <fmt/format.h>
 
 namespace camopt {
 
 namespace {
-
-Json curve_json(const SplineCurve& curve) {
-    Json pieces = Json::array();
-    for (Eigen::Index i = 0; i < curve.pieces().cols(); ++i)
-        pieces.push_back(numbers_json(Eigen::VectorXd(curve.pieces().col(i))));
-    return {{"degree", curve.degree()},
-            {"continuity", curve.continuity()},
-            {"breakpoints", numbers_json(curve.breakpoints())},
-            {"pieces", std::move(pieces)}};
-}
 
 /// Writes extremes of one solution in the units of files: the value, and where.
 class Writer {
@@ -26,13 +14,6 @@ class Writer {
     explicit Writer(const Scene& scene) : units(file_units(scene)), swings_(scene.motion.lift_is_angle) {}
 
     [[nodiscard]] Json degrees(double x) const { return number_json(units.degrees_per_x * x); }
-    /// The output's: "play_deg", "play_mm".
-    [[nodiscard]] std::string output_key(const char* name) const {
-        return fmt::format("{}_{}", name, swings_ ? "deg" : "mm");
-    }
-    [[nodiscard]] double output(double value) const {
-        return (swings_ ? units.angle : units.length).of(value);
-    }
     /// A figure into its key.
     template <class Summary>
     void add(Json& json, const FigureRow<Summary>& row, const Summary& summary) const {
@@ -77,16 +58,6 @@ Json exact_dimensions_json(const CamSpec& spec, const std::vector<double>& numbe
     return json;
 }
 
-Json play_json(const Writer& writer, const ForwardCheckReport::Play& play) {
-    Json json = {{writer.output_key("least"), number_json(writer.output(play.least))},
-                 {"least_at_deg", writer.degrees(play.least_at)},
-                 {writer.output_key("largest"), number_json(writer.output(play.largest))},
-                 {"largest_at_deg", writer.degrees(play.largest_at)}};
-    if (play.least_groove_width)
-        json["least_groove_width_mm"] = number_json(writer.units.length.of(*play.least_groove_width));
-    return json;
-}
-
 /// Of a cam that drives both ways.
 Json sides_json(const Writer& writer, const std::vector<SideSummary>& sides) {
     Json all = Json::array();
@@ -98,44 +69,31 @@ Json sides_json(const Writer& writer, const std::vector<SideSummary>& sides) {
     return all;
 }
 
-Json forward_check_json(const Writer& writer, const std::optional<ForwardCheckReport>& check) {
-    if (!check) return nullptr;
-    Json json = {{writer.output_key("deviation"), number_json(writer.output(check->deviation))},
-                 {"relative", number_json(check->relative)},
-                 {"points", check->points},
-                 {"seconds", number_json(check->seconds)},
-                 {"at_deg", writer.degrees(check->at)}};
-    if (check->play) json["play"] = play_json(writer, *check->play);
-    return json;
+CurveRecord curve_record(const SplineCurve& curve) {
+    CurveRecord record{curve.degree(), curve.continuity(), curve.breakpoints(), {}};
+    for (Eigen::Index i = 0; i < curve.pieces().cols(); ++i)
+        record.pieces.emplace_back(curve.pieces().col(i));
+    return record;
 }
 
 }  // namespace
 
 Json motion_json(const MotionChain& motion) {
-    std::vector<const Motion*> written;
-    Json curves = Json::array(), parts = Json::array();
+    std::vector<const Motion*> known;
+    MotionRecord record;
     for (const ChainPart& part : motion.parts()) {
-        Json curve = nullptr, law = nullptr;
+        PartRecord& one = record.parts.emplace_back(PartRecord{part, {}, {}});
         if (const auto* spline = dynamic_cast<const SplineCurve*>(part.shape.get())) {
-            const auto known = std::ranges::find(written, spline);
-            curve = known - written.begin();
-            if (known == written.end()) {
-                curves.push_back(curve_json(*spline));
-                written.push_back(spline);
-            }
-        } else if (const auto* shape = dynamic_cast<const Law*>(part.shape.get())) {
-            law = shape->info().key;
+            const auto first = std::ranges::find(known, spline);
+            one.curve = static_cast<int>(first - known.begin());
+            if (first != known.end()) continue;
+            record.curves.push_back(curve_record(*spline));
+            known.push_back(spline);
+        } else if (const auto* law = dynamic_cast<const Law*>(part.shape.get())) {
+            one.law = law->info().key;
         }
-        parts.push_back({{"begin", number_json(part.begin)},
-                         {"end", number_json(part.end)},
-                         {"curve", std::move(curve)},
-                         {"law", std::move(law)},
-                         {"x0", number_json(part.x0)},
-                         {"x_scale", number_json(part.x_scale)},
-                         {"y0", number_json(part.y0)},
-                         {"y_scale", number_json(part.y_scale)}});
     }
-    return {{"curves", std::move(curves)}, {"parts", std::move(parts)}};
+    return written(record);
 }
 
 Json spline_json(const std::optional<SplineCurve>& curve) {
@@ -208,7 +166,8 @@ Json cam_json(const Solution& solution) {
     }
     if (!summary.sides.empty()) json["sides"] = sides_json(writer, summary.sides);
     json["dimensions"] = exact_dimensions_json(spec, cam.cam.dimensions);
-    json["forward_check"] = forward_check_json(writer, cam.forward_check);
+    Json& check = json["forward_check"];
+    if (cam.forward_check) fields(JsonFields(check), to_write(*cam.forward_check), solution.scene);
     return json;
 }
 

@@ -37,7 +37,7 @@ struct StoredSweep {
 
 [[nodiscard]] std::string sweep_json(const StoredSweep& sweep);
 
-/// Throws InputError "NAME: …" for what is no such text.
+/// Throws InputError "NAME: KEY: found …; allowed: …" for what is no such text.
 [[nodiscard]] StoredSweep read_sweep_json(std::string_view text, std::string_view name);
 
 // surface.json: what a folder of camopt sweep --surface holds beside its table, so that a run can be
@@ -53,7 +53,7 @@ struct SurfaceIdentity {
 
 [[nodiscard]] std::string surface_json(const SurfaceIdentity& identity, const TradeOffSurface& surface);
 
-/// Throws InputError "NAME: …" for what is no such text.
+/// Throws InputError "NAME: KEY: found …; allowed: …" for what is no such text.
 [[nodiscard]] SurfaceIdentity read_surface_json(std::string_view text, std::string_view name);
 
 /// Why rows of one are no rows of the other, in words; empty where they are.

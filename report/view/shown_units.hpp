@@ -17,6 +17,15 @@
 
 namespace camopt {
 
+/// The x that is shown as this number, where `guess` is to within round-off: multiplication does not always
+/// undo division.
+template <class Shown>
+[[nodiscard]] double value_shown_as(double number, double guess, const Shown& shown) {
+    for (const double x : {guess, std::nextafter(guess, -infinity), std::nextafter(guess, infinity)})
+        if (shown(x) == number) return x;
+    return guess;
+}
+
 struct ShownUnit {
     std::string name;         ///< "mm/s", "m/s²"
     double size = 1.0;        ///< of the unit, SI
@@ -29,6 +38,10 @@ struct ShownUnit {
         : name(unit.sign), size(unit.factor), suffix(unit.suffix) {}
 
     [[nodiscard]] double of(double si) const { return si / size; }
+    /// The value that is so many of the unit, to the last bit.
+    [[nodiscard]] double si_of(double shown) const {
+        return value_shown_as(shown, shown * size, [this](double si) { return of(si); });
+    }
     /// "12.5 mm", with that many significant digits; "–" and "∞" for what is not finite.
     [[nodiscard]] std::string text(double si, int digits = 6) const;
     /// A length that somebody asked for: thousandths of an inch as they are spoken, "0.050 in".

@@ -15,8 +15,6 @@ namespace camopt {
 
 namespace {
 
-using input::CamRecord, input::CurveRecord, input::PartRecord, input::ResultRecord;
-
 [[noreturn]] void refuse(const std::string& what) {
     throw InputError("the result does not belong to its scene: " + what);
 }
@@ -33,21 +31,25 @@ std::shared_ptr<const Motion> shape_of(const PartRecord& part, const ProgramSegm
     return part.curve ? curves.at(static_cast<std::size_t>(*part.curve)) : nullptr;
 }
 
-std::shared_ptr<const MotionChain> chain_of(const Scene& scene, const ResultRecord& record) {
+std::shared_ptr<const SplineCurve> curve_of(const CurveRecord& record) {
+    Eigen::MatrixXd pieces(record.degree + 1, static_cast<Eigen::Index>(record.pieces.size()));
+    for (std::size_t i = 0; i < record.pieces.size(); ++i)
+        pieces.col(static_cast<Eigen::Index>(i)) = record.pieces[i];
+    return std::make_shared<SplineCurve>(SplineSpace(record.degree, record.continuity, record.breakpoints),
+                                         std::move(pieces));
+}
+
+std::shared_ptr<const MotionChain> chain_of(const Scene& scene, const MotionRecord& record) {
     std::vector<std::shared_ptr<const Motion>> curves;
-    for (const CurveRecord& curve : record.curves)
-        curves.push_back(std::make_shared<SplineCurve>(
-            SplineSpace(curve.degree, curve.continuity, curve.breakpoints), curve.pieces));
+    for (const CurveRecord& curve : record.curves) curves.push_back(curve_of(curve));
     const bool program = scene.motion.type == MotionType::program;
     const std::size_t wanted = program ? scene.motion.segments.size() : 1;
     if (record.parts.size() != wanted)
         refuse(fmt::format("found {} parts of the motion; allowed: {}", record.parts.size(), wanted));
     std::vector<ChainPart> parts;
     for (std::size_t i = 0; i < record.parts.size(); ++i) {
-        const PartRecord& part = record.parts[i];
-        parts.push_back({part.begin, part.end,
-                         shape_of(part, program ? &scene.motion.segments[i] : nullptr, curves), part.x0,
-                         part.x_scale, part.y0, part.y_scale});
+        parts.push_back(record.parts[i].part);
+        parts.back().shape = shape_of(record.parts[i], program ? &scene.motion.segments[i] : nullptr, curves);
     }
     return std::make_shared<const MotionChain>(std::move(parts));
 }
@@ -72,81 +74,16 @@ MotionAndCam delivered_of(const Scene& scene, const ResultRecord& record) {
     const std::optional<CamSpec>& cam = scene.cam;
     if (cam.has_value() != record.cam.has_value())
         refuse(fmt::format("found {} cam; allowed: {}", record.cam ? "a" : "no", cam ? "one" : "none"));
-    return {chain_of(scene, record), cam ? dimensions_of(*cam, *record.cam) : std::vector<double>{}};
-}
-
-/// x of which shown(x) is the number that was written: division and multiplication do not always undo each
-/// other.
-template <class Shown>
-double written_from(double written, double guess, const Shown& shown) {
-    for (const double x : {guess, std::nextafter(guess, -infinity), std::nextafter(guess, infinity)})
-        if (shown(x) == written) return x;
-    return guess;
-}
-
-ForwardCheckReport forward_check_of(const Scene& scene, const input::ForwardCheckRecord& record) {
-    const double unit = scene.motion.lift_is_angle ? units::degree : units::millimetre;
-    const double angle = scene.motion.unit_angle();
-    ForwardCheckReport check;
-    check.deviation =
-        written_from(record.deviation, record.deviation * unit, [&](double value) { return value / unit; });
-    check.relative = record.relative;
-    check.at = written_from(record.at_deg, record.at_deg * units::degree / angle,
-                            [&](double x) { return angle / units::degree * x; });
-    check.points = record.points;
-    check.seconds = record.seconds;
-    if (!record.play) return check;
-    const auto length = [&](double written) {
-        return written_from(written, written * unit, [&](double value) { return value / unit; });
-    };
-    const auto place = [&](double written) {
-        return written_from(written, written * units::degree / angle,
-                            [&](double x) { return angle / units::degree * x; });
-    };
-    check.play = ForwardCheckReport::Play{length(record.play->least), length(record.play->largest),
-                                          place(record.play->least_at_deg),
-                                          place(record.play->largest_at_deg), std::nullopt};
-    if (const auto& width = record.play->least_groove_width_mm)
-        check.play->least_groove_width = written_from(*width, *width * units::millimetre,
-                                                      [](double value) { return value / units::millimetre; });
-    return check;
-}
-
-template <class Choice>
-Choice choice_of(const std::string& name, std::initializer_list<Choice> choices) {
-    if (const auto choice = choice_named(name, choices)) return *choice;
-    throw InputError(fmt::format("found \"{}\" in a result; allowed: a name that camopt gives", name));
+    return {chain_of(scene, *record.motion), cam ? dimensions_of(*cam, *record.cam) : std::vector<double>{}};
 }
 
 void tell_of_run(Solution& solution, const ResultRecord& record) {
-    using enum Termination;
-    const input::SolverRecord& solver = record.solver;
-    solution.solver = {solver.name,
-                       solver.choice,
-                       choice_of(solver.termination,
-                                 {not_run, converged, acceptable, infeasible, unbounded, iteration_limit,
-                                  time_limit, interrupted, numerical_failure, evaluation_error, unsupported}),
-                       solver.native_status,
-                       solver.iterations,
-                       solver.exchange_rounds,
-                       solver.convex,
-                       solver.starts,
-                       solver.proof_source};
-    const input::EvaluationRecord& count = record.evaluations;
-    solution.evaluations = {count.cost,     count.gradient, count.constraints,
-                            count.jacobian, count.hessian,  count.profile_points};
-    const std::vector<double>& values = record.design.values;
-    if (!record.parts.empty())
-        solution.design = {
-            choice_of(record.design.kind, {DesignKind::automatic, DesignKind::ordinates,
-                                           DesignKind::coefficients, DesignKind::states}),
-            record.design.names,
-            Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))};
+    solution.solver = record.solver;
+    solution.evaluations = record.evaluations;
+    solution.design = record.design;
     solution.seconds_total = record.seconds_total;
     solution.seconds_solve = record.seconds_solve;
-    for (const PhaseRow& phase : phase_rows)
-        if (const auto known = record.seconds.find(phase.name); known != record.seconds.end())
-            solution.phases.*phase.seconds = known->second;
+    solution.phases = record.phases;
     solution.notes = record.notes;
     solution.machine = record.machine;
     if (record.any_curve_limit) {
@@ -162,12 +99,12 @@ Scene with_found_angles(const Scene& scene, const ResultRecord& record) {
     std::vector<double> angles;
     for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
         angles.push_back(scene.motion.segments[i].angle);
-        if (!scene.motion.segments[i].angle_range || record.parts.empty()) continue;
+        if (!scene.motion.segments[i].angle_range || !record.motion) continue;
         const auto& names = record.design.names;
         const std::string name = searched_angle_key(i);
         const auto found = std::ranges::find(names, name);
         if (found == names.end()) refuse(fmt::format("found no {} in its design", name));
-        angles.back() = record.design.values[static_cast<std::size_t>(found - names.begin())];
+        angles.back() = record.design.values[found - names.begin()];
     }
     return with_segment_angles(scene, angles);
 }
@@ -181,11 +118,10 @@ Solution restored_solution(const Scene& scene, const ResultRecord& record) {
     solution.plan = std::make_shared<const SolvePlan>(plan(scene, {.explain = true}));
     if (searches_angles(scene)) solution.scene = with_found_angles(scene, record);
     if (scene.measured) solution.measured = measured_report(scene, solution.reference_peaks);
-    if (!record.parts.empty()) report_delivered(solution, delivered_of(solution.scene, record));
+    if (record.motion) report_delivered(solution, delivered_of(solution.scene, record));
     tell_of_run(solution, record);
     if (solution.measured && solution.motion) solution.measured->started = began_from_measured(solution);
-    if (solution.cam && record.cam && record.cam->forward_check)
-        solution.cam->forward_check = forward_check_of(scene, *record.cam->forward_check);
+    if (solution.cam && record.cam) solution.cam->forward_check = record.cam->forward_check;
     return solution;
 }
 

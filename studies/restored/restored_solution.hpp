@@ -9,8 +9,7 @@
 // not kept.
 #pragma once
 
-#include "input/result/result_reader.hpp"
-#include "studies/delivered/solution.hpp"
+#include "studies/delivered/result_record.hpp"
 
 namespace camopt {
 
@@ -19,6 +18,6 @@ namespace camopt {
 ///
 /// The scene must have the formulas of its mechanism. Throws InputError where the record is no motion of this
 /// scene: parts that do not fit its segments, dimensions that its cam has not or fixes otherwise.
-[[nodiscard]] Solution restored_solution(const Scene& scene, const input::ResultRecord& record);
+[[nodiscard]] Solution restored_solution(const Scene& scene, const ResultRecord& record);
 
 }  // namespace camopt

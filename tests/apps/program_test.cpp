@@ -3,7 +3,7 @@
 #include "program.hpp"
 
 #include "core/text/text_file.hpp"
-#include "report/json/certificate_reader.hpp"
+#include "report/json/certificate_json.hpp"
 #include "tests/report/temporary_folder.hpp"
 #include "tests/support/source_folder.hpp"
 

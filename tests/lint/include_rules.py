@@ -13,7 +13,7 @@ LINKED = re.compile(r"\bcamopt::([a-z_]+)\b")
 # A leaf's target is named after its path, camopt::profiles_inverse; so are parts of a module (camopt::studies_spatial).
 TARGETS = {module.replace("/", "_"): module for module in source_tree.MAY_INCLUDE}
 TARGETS |= {f"studies_{part}": "studies" for part in ("inverse", "restored", "solve", "spatial")}
-TARGETS |= {"input_known": "input/loading", "input_result": "input", "report_result": "report", "report_page_plane": "report/page"}
+TARGETS |= {"input_known": "input/loading", "report_result": "report", "report_page_plane": "report/page"}
 TARGETS["shop_pdf"] = "shop/sheet"
 
 

@@ -8,7 +8,7 @@
 #include "input/loading/load_scene.hpp"
 #include "report/csv/motion_csv.hpp"
 #include "report/folders/result_folder.hpp"
-#include "report/json/certificate_reader.hpp"
+#include "report/json/certificate_json.hpp"
 #include "scene/scene.hpp"
 #include "shop/dxf/cam_dxf.hpp"
 #include "shop/nc/post_processor.hpp"

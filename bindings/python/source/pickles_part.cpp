@@ -4,7 +4,7 @@
 // A solution is its scene, result.json and certificate.json, as a result folder is; and what they lack of a
 // scene without a motion, which is short and kept as tuples.
 #include "bindings/python/source/parts.hpp"
-#include "input/result/result_reader.hpp"
+#include "report/json/result_reader.hpp"
 #include "studies/restored/restored_solution.hpp"
 
 #include <algorithm>
@@ -101,8 +101,9 @@ SolvedScene solution_of_state(const py::tuple& state) {
     SolvedScene solved;
     solved.given = state[0];
     const auto& read = solved.given.cast<const ReadScene&>();
-    const input::ResultRecord record =
-        input::read_result(state[1].cast<std::string>(), name, input::RecordedMotion::optional);
+    const auto scene = [&]() -> const Scene& { return read.scene; };
+    const ResultRecord record =
+        read_result(state[1].cast<std::string>(), name, scene, RecordedMotion::optional);
     Solution solution = restored_solution(read.scene, record);
     solution.certificate = certificate_of_text(state[2].cast<std::string>(), name);
     solution.relaxation = relaxation_of(state[3]);

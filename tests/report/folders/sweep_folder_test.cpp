@@ -67,12 +67,18 @@ TEST(SweepJson, ReadsBackTheSame) {
     EXPECT_EQ(read.identity.columns.criteria, sweep.identity.columns.criteria);
     EXPECT_EQ(read.shard.index, 2);
     EXPECT_EQ(read.shard.count, 3);
-    for (const char* text : {"", "{", "[]", "{}", "{\"camopt\": 3}"})
-        EXPECT_TRUE(says(refusal([&] { (void)read_sweep_json(text, "x"); }), "x: found no description"))
-            << text;
+    const auto refused = [](const std::string& text) {
+        return refusal([&] { (void)read_sweep_json(text, "x"); });
+    };
+    for (const char* text : {"", "{"}) EXPECT_TRUE(says(refused(text), "x: found no JSON")) << text;
+    EXPECT_EQ(refused("[]"), "x: found a list of 0; allowed: an object");
+    EXPECT_EQ(refused("{}"),
+              "x: camopt: found no such key; allowed: a description of a sweep as camopt writes it");
+    EXPECT_EQ(refused("{\"camopt\": 3}"), "x: camopt: found 3; allowed: a text");
+    sweep.shard = {4, 3};
+    EXPECT_EQ(refused(sweep_json(sweep)), "x: shard.index: found 4; allowed: 1 to 3");
     sweep.identity.chunking.size = 0;
-    EXPECT_EQ(refusal([&] { (void)read_sweep_json(sweep_json(sweep), "x"); }),
-              "x: found no description of a sweep; allowed: one that camopt sweep wrote");
+    EXPECT_TRUE(says(refused(sweep_json(sweep)), "x: chunk: found 0; allowed: 1 to "));
 }
 
 TEST(SweepJson, ReportsDifferencesOfSweeps) {

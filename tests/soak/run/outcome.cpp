@@ -2,7 +2,7 @@
 #include "tests/soak/run/outcome.hpp"
 
 #include "input/loading/load_scene.hpp"
-#include "report/json/certificate_reader.hpp"
+#include "report/json/certificate_json.hpp"
 #include "report/json/result_json.hpp"
 #include "studies/search/planned_solve.hpp"
 #include "studies/solve/solve.hpp"
