@@ -33,7 +33,7 @@ SECTIONS = [
     ("Papers", []),
     ("Benchmarks", ["benchmarks/RESULTS", "benchmarks/README"]),
     ("The project", ["architecture", "dependencies", "verification", "CONTRIBUTING", "adding_a_law", "adding_a_key", "adding_a_limit",
-                     "adding_a_term", "adding_a_solver", "adding_a_follower", "adding_a_kind", "adding_a_format", "CHANGELOG", "SECURITY"]),
+                     "adding_a_term", "adding_a_solver", "adding_a_follower", "adding_a_kind", "adding_a_format", "adding_a_study", "CHANGELOG", "SECURITY"]),
 ]
 # Pages that other pages list; "source/" shows files that pages link to.
 LISTED_ELSEWHERE = ("source/", "api/", "gallery/", "notebooks/")
