@@ -4,8 +4,9 @@
 #pragma once
 
 #include "input/document/scene_source.hpp"
-#include "input/scene_reader.hpp"
+#include "input/known_names.hpp"
 #include "scene/cam_kind.hpp"
+#include "scene/scene.hpp"
 
 namespace camopt::input {
 

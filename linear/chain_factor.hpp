@@ -17,7 +17,7 @@
 // Anal. 29 (2009).
 #pragma once
 
-#include "linear/sparse_symmetric.hpp"
+#include "linear/symmetric_factor.hpp"
 
 namespace camopt {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Internal to linear/: the loops of one KernelSet, see kernels.hpp. Included by one source per set, which
-// names the set's namespace in CAMOPT_KERNELS. Nothing here may call a function outside this namespace.
+// Internal to linear/: the loops of one KernelSet, see kernel_types.hpp. Included by one source per set,
+// which names the set's namespace in CAMOPT_KERNELS. Nothing here may call a function outside this namespace.
 #pragma once
 
-#include "linear/kernels.hpp"
+#include "linear/kernel_types.hpp"
 
 #ifndef CAMOPT_KERNELS
 #define CAMOPT_KERNELS baseline_kernels

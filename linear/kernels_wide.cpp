@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The loops once more, compiled with AVX2 and FMA; see kernels.hpp for what may not be included here.
+// The loops once more, compiled with AVX2 and FMA; see kernel_types.hpp for what may not be included here.
 #define CAMOPT_KERNELS wide_kernels
 #include "linear/kernel_loops.hpp"
 

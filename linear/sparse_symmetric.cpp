@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "linear/sparse_symmetric.hpp"
 
-#include "core/word_of.hpp"
 #include "linear/chain_factor.hpp"
 
 #include <Eigen/Dense>
@@ -84,10 +83,6 @@ VectorXd gmres_cycle(const SymmetricFactor& factor, const Matrix& lower, const V
 }
 
 }  // namespace
-
-const char* name_of(FactorOutcome value) {
-    return word_of<FactorOutcome::not_finite>(value, {"ok", "zero_pivot", "wrong_sign", "not_finite"});
-}
 
 std::unique_ptr<SymmetricFactor> make_simplicial_factor() {
     return std::make_unique<SimplicialFactor>();

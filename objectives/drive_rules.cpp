@@ -5,7 +5,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/energy_rule.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/scene_model.hpp"
+#include "objectives/scene_family.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

@@ -10,7 +10,8 @@
 // stroke.
 #pragma once
 
-#include "objectives/motion_bounds.hpp"
+#include "objectives/motion_bound.hpp"
+#include "objectives/rules/model.hpp"
 #include "scene/cost_table.hpp"
 
 namespace camopt {

@@ -4,8 +4,7 @@
 #include "core/numbers/polynomial.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/drive_rules.hpp"
-#include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/scene_model.hpp"
+#include "objectives/scene_family.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/part_names.hpp"
 
@@ -14,9 +13,6 @@
 namespace camopt {
 
 namespace {
-
-// Of y, y', y'', y''' of a good motion over one lift: what a bound near 0 is measured by.
-constexpr std::array typical = {1.0, 2.0, 6.0, 60.0};
 
 using Kind = StretchRequest::Kind;
 
@@ -166,39 +162,6 @@ double mean_of(const Motion& law) {
 }
 
 }  // namespace
-
-double MotionBound::scale() const {
-    if (of_motor()) return size > 0.0 ? size : std::max(std::abs(bound), 1.0);
-    const double own = stretch >= 0 ? 1.0 / per_normalised : 1.0;  // of a segment
-    return std::max(std::abs(bound), own * typical[order]);
-}
-
-Extremum MotionBound::extreme_of(const Motion& motion) const {
-    const BoundRule limit(key, rule(0.0, 1.0));
-    const double first = std::max(from, motion.begin()), last = std::min(until, motion.end());
-    const auto value = [&](double x, Side side) { return limit.evaluate(motion.at(x, side), {}).value; };
-    Extremum worst{value(first, Side::right), first, Side::right};
-    const auto look = [&](const Extremum& one) {
-        if (one.value > worst.value) worst = one;
-    };
-    look({value(last, Side::left), last, Side::left});
-    for (const Extremum& one : rule_maxima(limit, motion, {})) {
-        const bool inside = one.at > first && one.at < last;
-        if (inside || (one.at == first && one.side == Side::right && first < last)) look(one);
-    }
-    return worst;
-}
-
-std::vector<StretchScale> stretch_scales(const MotionFamily& family) {
-    std::vector<StretchScale> scales;
-    for (const MotionFamily::Stretch& stretch : family.stretches()) {
-        const std::optional<double> from = known_displacement(stretch.from);
-        const std::optional<double> to = known_displacement(stretch.to);
-        const double displacement = from && to ? measured_displacement(*to - *from) : 1.0;
-        scales.push_back({stretch.end - stretch.begin, displacement});
-    }
-    return scales;
-}
 
 std::vector<MotionBound> motion_bounds(const Scene& scene, const MotionFamily& family) {
     std::vector<MotionBound> all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "objectives/program_family.hpp"
+
 #include "motions/laws/law_catalogue.hpp"
-#include "objectives/scene_model.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/part_names.hpp"
 

@@ -4,6 +4,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/deviation_rules.hpp"
 #include "objectives/drive_rules.hpp"
+#include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
@@ -77,48 +78,12 @@ void require_finite(const CostTerm& term, double weight, double value, const std
     }
 }
 
-std::vector<PointCondition> scene_conditions(const Scene& scene) {
-    std::vector<PointCondition> conditions;
-    const MotionSpec& motion = scene.motion;
-    const double length = motion.length();
-    if (motion.type == MotionType::rr) {
-        conditions.push_back({1.0, 0, Side::right, 1.0, "top of the rise: y(1) = 1", false});
-        conditions.push_back({1.0, 1, Side::right, 0.0, "top of the rise: y'(1) = 0", false});
-    }
-    if (scene.spline.end_jerk == EndJerk::zero) {
-        conditions.push_back({0.0, 3, Side::right, 0.0, "spline.end_jerk at x = 0", false});
-        conditions.push_back(
-            {length, 3, Side::left, 0.0, fmt::format("spline.end_jerk at x = {:.6g}", length), false});
-    }
-    for (const PlacedPoint& point : placed_points(motion)) {
-        const std::vector<PointCondition> own = conditions_of(motion, point, scene.spline.degree, length);
-        conditions.insert(conditions.end(), own.begin(), own.end());
-    }
-    for (PointCondition& condition : turning_points(scene)) conditions.push_back(std::move(condition));
-    for (PointCondition& condition : points_at_limits(scene, placed_points(motion), -1, {}))
-        conditions.push_back(std::move(condition));
-    return conditions;
-}
-
 std::unique_ptr<Law> reference_law(const std::string& key) {
     std::unique_ptr<Law> law = make_law(key);
     if (!law->info().rests)
         throw SceneError({"objective.reference", fmt::format("\"{}\", a law whose ends move", key),
                           "a law that rests at its ends, or numbers"});
     return law;
-}
-
-/// Half of the segments for either stroke: the shorter of two unequal strokes determines the optimum, and
-/// uniform segments may leave it one or none.
-SplineSpec with_breakpoints_by_stroke(SplineSpec spline, const MotionSpec& motion) {
-    const double length = motion.length();
-    if (motion.type != MotionType::rr || !spline.by_stroke || !spline.breakpoints.empty() || length == 2.0)
-        return spline;
-    const int rise = (spline.segments + 1) / 2, back = std::max(1, spline.segments / 2);
-    for (int i = 0; i < rise; ++i) spline.breakpoints.push_back(static_cast<double>(i) / rise);
-    for (int i = 0; i <= back; ++i) spline.breakpoints.push_back(1.0 + (length - 1.0) * i / back);
-    spline.breakpoints.back() = length;
-    return spline;
 }
 
 constexpr double overshoot = 0.25;  // of the given displacements: how far a typical motion exceeds them
@@ -331,23 +296,6 @@ Peaks reference_peaks(const Scene& scene) {
     return peaks;
 }
 
-DesignRequest spline_request(const Scene& scene, DesignKind kind) {
-    const MotionSpec& motion = scene.motion;
-    const SplineSpec spline = with_breakpoints_by_stroke(scene.spline, motion);
-    const bool rise = motion.type == MotionType::drd;
-    const std::vector<std::array<double, 2>> regions = regions_of(motion, placed_points(motion), -1);
-    SplineSpace space =
-        spline.breakpoints.empty() && regions.empty()
-            ? SplineSpace::uniform(spline.degree, spline.smoothness(), spline.segments, motion.length())
-            : SplineSpace(spline.degree, spline.smoothness(),
-                          regions.empty() ? spline.breakpoints
-                                          : breakpoints_of(spline, 0.0, motion.length(), regions));
-    const Symmetry symmetry = !motion.symmetric ? Symmetry::none : rise ? Symmetry::odd : Symmetry::even;
-    const std::array<double, 2> start = end_velocities(motion, false), end = end_velocities(motion, true);
-    return {std::move(space),        kind,    {0.0, start[0], start[1]}, {rise ? 1.0 : 0.0, end[0], end[1]},
-            scene_conditions(scene), symmetry};
-}
-
 double dimension_unit(const Scene& scene) {
     const CamSpec& cam = scene.cam.value();
     const auto formulas = cam.formulas();
@@ -362,11 +310,6 @@ double dimension_weight(const Scene& scene, const std::string& name) {
             return weight / dimension_unit(scene);
     }
     return 0.0;
-}
-
-MotionFamily scene_family(const Scene& scene, DesignKind kind, const std::vector<StrokeDirection>& of_free) {
-    if (scene.motion.type == MotionType::program) return program_family(scene, kind, of_free);
-    return DesignVector::make(spline_request(scene, kind));
 }
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,

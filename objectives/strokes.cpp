@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "objectives/strokes.hpp"
+
 #include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/peak_rule.hpp"
-#include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/part_names.hpp"
 

@@ -2,7 +2,7 @@
 // The three forms of a design vector before elimination: entries, local maps, built-in rows.
 #pragma once
 
-#include "splines/design_vector.hpp"
+#include "splines/design_request.hpp"
 
 namespace camopt {
 
@@ -26,9 +26,6 @@ struct DesignForm {
 
 /// Dispatches on request.kind.
 [[nodiscard]] DesignForm raw_form(const DesignRequest& request);
-
-/// The derivative of `order` at t of the local polynomial, as a row over its columns.
-[[nodiscard]] AffineRow functional_of(const LocalMap& map, double t, int order);
 
 /// Replaces fixed entries by their values and renumbers the others.
 [[nodiscard]] LocalMap without_fixed(LocalMap map, const DesignForm& form, const std::vector<int>& new_index);

@@ -11,78 +11,9 @@
 // E x = e. Redundant rows are omitted; contradictory rows are named.
 #pragma once
 
-#include "core/text/names.hpp"
-#include "splines/curve.hpp"
+#include "splines/design_request.hpp"
 
 namespace camopt {
-
-/// value(x) = offset + Σ_k weights_k x[columns_k].
-struct AffineRow {
-    double offset = 0.0;
-    std::vector<int> columns;  ///< ascending, without duplicates
-    std::vector<double> weights;
-
-    [[nodiscard]] double value(const Eigen::VectorXd& x) const;
-};
-
-/// this + factor · other, columns merged.
-[[nodiscard]] AffineRow combined(const AffineRow& row, double factor, const AffineRow& other);
-
-/// y^{(order)}(x) = value, as seen from `side`.
-struct PointCondition {
-    double at = 0.0;
-    int order = 0;
-    Side side = Side::right;
-    double value = 0.0;
-    std::string name;
-    bool asked = true;  ///< by the user: reported when it is redundant
-    /// One of several that state one condition together: not reported when it follows from the others.
-    bool in_group = false;
-};
-
-/// odd: y(x) + y(mirror of x) = y_begin + y_end (a rise);  even: y(x) = y(mirror of x) (a rise and return).
-enum class Symmetry { none, odd, even };
-
-struct DesignRequest {
-    SplineSpace space;
-    DesignKind kind = DesignKind::states;    ///< not automatic
-    std::array<double, 3> begin_state{};     ///< y, y', y'' at the first breakpoint
-    std::array<double, 3> end_state{};       ///< and at the last
-    std::vector<PointCondition> conditions;  ///< further exact points
-    Symmetry symmetry = Symmetry::none;
-};
-
-/// One row of a contradiction, over the free control points c: weights · c + offset = 0.
-struct ConflictRow {
-    std::string name;
-    AffineRow row;
-    double multiplier = 0.0;
-};
-
-/// A redundant or contradictory condition.
-struct ConditionConflict {
-    std::string condition;
-    std::vector<std::string> others;
-    /// Of a contradiction: rows and multipliers with Σ multiplier · weights = 0 and Σ multiplier · offset > 0
-    /// (Farkas), so that they cannot all hold. Empty for a redundant condition.
-    std::vector<ConflictRow> rows;
-};
-
-/// One local polynomial as an affine map of x.
-struct LocalMap {
-    std::vector<int> columns;
-    Eigen::MatrixXd matrix;  ///< (degree + 1) x columns
-    Eigen::VectorXd offset;  ///< degree + 1
-
-    /// offset + matrix · x[columns], summed in more than double precision: on a segment of width h the
-    /// displacements of its ends, nearly equal, have weights of 1/h³ and more.
-    [[nodiscard]] Eigen::VectorXd polynomial(const Eigen::VectorXd& x) const;
-};
-
-struct Equality {
-    AffineRow row;  ///< must be 0
-    std::string name;
-};
 
 class DesignVector {
  public:

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "report/cam/cam_files.hpp"
+#include "report/exports/exports.hpp"
 #include "report/exports/workshop.hpp"
 #include "report/json/result_json.hpp"
 #include "studies/checked/checked_cam.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "apps/studio/studio_page.hpp"
 
+#include "apps/studio/random_token.hpp"
 #include "motions/laws/law_catalogue.hpp"
 
 #include <fmt/format.h>
-
-#include <random>
 
 namespace camopt::apps {
 
@@ -74,13 +73,6 @@ StudioAnswer studio_page(const StudioStart& start, const std::string& answer) {
                                       "img-src data: blob:; connect-src 'self'; base-uri 'none'; "
                                       "form-action 'none'; frame-ancestors 'none'",
                                       html.nonce)};
-}
-
-std::string random_token() {
-    std::random_device source;
-    std::string token;
-    for (int i = 0; i < 16; ++i) token += fmt::format("{:02x}", source() & 0xffU);
-    return token;
 }
 
 }  // namespace camopt::apps

@@ -41,10 +41,6 @@ struct StudioStart {
 /// scripts run and no others, and connect to nothing but this server.
 [[nodiscard]] StudioAnswer studio_page(const StudioStart& start, const std::string& answer);
 
-/// For addresses and policies: 128 bits of the system's random source, as 32 hexadecimal digits. Throws
-/// std::system_error where there is none.
-[[nodiscard]] std::string random_token();
-
 /// The same page before it is written: studio_page() adds the policy of a server, make_offline_page() the
 /// engine.
 [[nodiscard]] PageHtml studio_html(const StudioStart& start, const std::string& answer);

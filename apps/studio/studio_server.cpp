@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/studio/studio_server.hpp"
 
-#include "apps/studio/studio_page.hpp"
+#include "apps/studio/random_token.hpp"
 #include "core/platform/parts.hpp"
 
 extern "C" const void* camopt_part_http(const char* build);  // loopback_server.cpp

@@ -3,7 +3,8 @@
 // where every part is linked in. Internal to parts.cpp.
 #pragma once
 
-#include "core/platform/parts.hpp"
+#include "core/base/standard.hpp"
+#include "core/platform/part_function.hpp"
 
 #include <filesystem>
 

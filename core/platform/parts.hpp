@@ -12,6 +12,7 @@
 #pragma once
 
 #include "core/base/standard.hpp"
+#include "core/platform/part_function.hpp"
 
 namespace camopt {
 
@@ -37,9 +38,6 @@ struct PartInfo {
 /// Throws UnavailableError where the part is not available: what needs it, where its file was looked for,
 /// what to do.
 void require_part(const PartInfo& part);
-
-/// The one function that a part exports, camopt_part_NAME: its table; null for a camopt of another build.
-using PartEntry = const void* (*)(const char* build);
 
 /// The part's table. `linked`: its entry where it is linked in. Throws UnavailableError as require_part() and
 /// where the file cannot be opened.

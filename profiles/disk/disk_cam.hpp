@@ -25,22 +25,11 @@
 // A cam with a geometry_fault may give NaN; nothing here throws for it.
 #pragma once
 
-#include "profiles/disk/disk_spec.hpp"
+#include "profiles/disk/disk_cam_dimensions.hpp"
+#include "profiles/disk/quantity_value.hpp"
 #include "scene/cam_mechanism.hpp"
 
 namespace camopt {
-
-/// A cam with all its dimensions fixed.
-struct DiskCam {
-    FollowerType follower = FollowerType::translating_roller;
-    Rotation rotation = Rotation::counterclockwise;
-    std::array<double, dimension_count> dimensions{};  ///< by DimensionIndex
-    FormSpec form = {};                                ///< both sides of it: below
-
-    [[nodiscard]] double operator[](DimensionIndex index) const {
-        return dimensions[static_cast<std::size_t>(index)];
-    }
-};
 
 /// The origin of s: the follower's height s0 over the cam centre (m; of the roller centre, of a flat face),
 /// or the arm's angle ψ0 (rad), on the base circle. NaN if the dimensions do not reach.
@@ -69,16 +58,6 @@ struct ProfilePoint {
 };
 
 [[nodiscard]] ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state);
-
-/// Variables of the partials: (s, s', s'', six dimensions by DimensionIndex).
-inline constexpr int quantity_variables = 3 + dimension_count;
-
-/// A quantity with exact first and second partials (automatic differentiation of the formulas above).
-struct QuantityValue {
-    double value = 0.0;
-    Eigen::Matrix<double, quantity_variables, 1> gradient;
-    Eigen::Matrix<double, quantity_variables, quantity_variables> hessian;
-};
 
 /// Throws ModelError if the follower has no such quantity. 0.1 to 2 µs.
 [[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which);
@@ -143,20 +122,6 @@ struct QuantityValue {
 
 /// The disk cam of these formulas and numbers; none: they are of another kind.
 [[nodiscard]] std::optional<DiskCam> disk_cam(const DrivenMechanism& mechanism);
-
-// Quantities of a disk cam: constants and variables of the formulas, and enclosures.
-
-// Constants and variables as quantities of a disk cam. Formulas use a QuantityValue like a RangeAlong or a
-// RangeOver (core/partials.hpp).
-
-/// The index of a dimension among the variables of a quantity; s, s', s'' have 0, 1, 2.
-[[nodiscard]] constexpr int column_of(DimensionIndex dimension) {
-    return 3 + static_cast<int>(dimension);
-}
-
-[[nodiscard]] QuantityValue constant_quantity(double value);
-/// value with one partial 1: a variable. index: 0 s, 1 s', 2 s'', else column_of.
-[[nodiscard]] QuantityValue variable_quantity(double value, int index);
 
 // Enclosures of quantities of a disk cam over an interval of the cam angle, and over a box of motions and
 // dimensions: of their values and derivatives, by the formulas above (disk_cam_formulas.hpp).

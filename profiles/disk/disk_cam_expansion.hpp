@@ -9,7 +9,10 @@
 //   gradient = Jᵀ ∇f,   hessian = Jᵀ ∇²f J + ∂f/∂p ∇²p.
 #pragma once
 
-#include "profiles/disk/disk_cam.hpp"
+#include "core/partials.hpp"
+#include "profiles/disk/disk_cam_dimensions.hpp"
+#include "profiles/disk/quantity_value.hpp"
+#include "scene/cam_mechanism.hpp"
 
 #include <tuple>
 

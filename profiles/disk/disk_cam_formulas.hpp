@@ -9,7 +9,8 @@
 #pragma once
 
 #include "core/errors.hpp"
-#include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/disk_cam_dimensions.hpp"
+#include "scene/cam_mechanism.hpp"
 
 namespace camopt::formulas {
 

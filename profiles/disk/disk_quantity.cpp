@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 
 namespace camopt {
-
-QuantityValue constant_quantity(double value) {
-    QuantityValue result{value, {}, {}};
-    result.gradient.setZero();
-    result.hessian.setZero();
-    return result;
-}
-
-QuantityValue variable_quantity(double value, int index) {
-    QuantityValue result = constant_quantity(value);
-    result.gradient[index] = 1.0;
-    return result;
-}
 
 namespace {
 

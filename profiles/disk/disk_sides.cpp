@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
+#include "profiles/inverse/inverse_feeder.hpp"
+
 #include "core/word_of.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
-
-#include <fmt/format.h>
 
 namespace camopt {
 
@@ -38,11 +37,6 @@ constexpr double least_reach = 1e-9;
 // |cos phi| below this: the feeder would be 10⁹ offsets away.
 constexpr double least_cosine = 1e-9;
 
-Vector2d pin_at(const FeederLinkage& linkage, double body_angle) {
-    const double angle = body_angle + linkage.pin_angle;
-    return linkage.pin_distance * Vector2d(std::cos(angle), std::sin(angle));
-}
-
 double angle_of(const Vector2d& direction) {
     return std::atan2(direction.y(), direction.x());
 }
@@ -53,16 +47,6 @@ double counted_on(double angle, double reference) {
 }
 
 }  // namespace
-
-void FeederLinkage::validate() const {
-    if (!(pin_distance > 0.0 && std::isfinite(pin_distance)))
-        throw InputError(
-            fmt::format("the pin's distance from the pivot is {} m; it must be > 0", pin_distance));
-    if (!(std::abs(feeder_offset) > 0.0 && std::isfinite(feeder_offset)))
-        throw InputError(fmt::format("the feeder's offset is {} m; it must not be 0", feeder_offset));
-    if (!std::isfinite(pin_angle) || !rocker_pivot.allFinite())
-        throw InputError("the pin's angle and the rocker's pivot must be finite numbers");
-}
 
 std::string_view name_of(InverseFault fault) {
     return word_of<InverseFault::roller_at_rest>(
@@ -101,14 +85,6 @@ FeederMotion feeder_motion(const FeederLinkage& linkage, const BodyMotion& body)
     motion.feeder = {linkage.rocker_pivot.y() + offset * tangent, offset * turning / squared,
                      offset * (motion.rocker_acceleration + 2.0 * turning * turning * tangent) / squared};
     return motion;
-}
-
-inverse::Branch inverse::branch_of(const FeederLinkage& linkage) {
-    const Vector2d pin = pin_at(linkage, 0.0), arm = pin - linkage.rocker_pivot;
-    // Of two points of the pin's circle on a ray, at the nearer one the ray enters the circle: P · e < 0
-    // there.
-    return {arm.x() * linkage.feeder_offset < 0.0 ? -1.0 : 1.0, pin.dot(arm) < 0.0 ? 1.0 : -1.0,
-            linkage.feeder_offset < 0.0 ? -1.0 : 1.0};
 }
 
 BodyResult body_motion(const FeederLinkage& linkage, const FollowerState& feeder) {

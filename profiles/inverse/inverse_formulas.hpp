@@ -5,7 +5,9 @@
 // independent variable of the roller's and the feeder's motion: time, or the cam angle.
 #pragma once
 
-#include "profiles/inverse/inverse_mechanism.hpp"
+#include "core/numbers/enclosures.hpp"
+#include "core/partials.hpp"
+#include "profiles/inverse/feeder_linkage.hpp"
 
 namespace camopt::inverse {
 
@@ -15,7 +17,13 @@ struct Branch {
     double nearer = 1.0;       ///< +1: the nearer of the two to the rocker's pivot
     double offset_sign = 1.0;  ///< of the feeder's offset
 };
-[[nodiscard]] Branch branch_of(const FeederLinkage& linkage);
+[[nodiscard]] inline Branch branch_of(const FeederLinkage& linkage) {
+    const Eigen::Vector2d pin = pin_at(linkage, 0.0), arm = pin - linkage.rocker_pivot;
+    // Of two points of the pin's circle on a ray, at the nearer one the ray enters the circle: P · e < 0
+    // there.
+    return {arm.x() * linkage.feeder_offset < 0.0 ? -1.0 : 1.0, pin.dot(arm) < 0.0 ? 1.0 : -1.0,
+            linkage.feeder_offset < 0.0 ? -1.0 : 1.0};
+}
 
 /// The linkage data for the inverse kinematics; the pin's angle only shifts the body's.
 template <class T>

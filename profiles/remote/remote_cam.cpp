@@ -83,20 +83,21 @@ std::string dimension_fault(RemoteLinkage linkage, std::span<const double> dimen
 }  // namespace
 
 RemoteCam::RemoteCam(const CamSpec& spec)
-    : linkage_(chosen(
-          spec, "linkage",
-          std::array{RemoteLinkage::lever, RemoteLinkage::lever_coupler_slider,
-                     RemoteLinkage::lever_coupler_lever, RemoteLinkage::lever_coupler_lever_coupler_slider})),
-      rotation_(spec.rotation),
-      pressure_point_(chosen(spec, "pressure_angle_at",
-                             std::array{PressurePoint::roller_center, PressurePoint::contact_point})),
-      lever_branch_(sign_of_branch(spec, "lever_branch")),
-      rocker_branch_(sign_of_branch(spec, "rocker_branch")) {
+    : layout_{
+          .linkage = chosen(spec, "linkage",
+                            std::array{RemoteLinkage::lever, RemoteLinkage::lever_coupler_slider,
+                                       RemoteLinkage::lever_coupler_lever,
+                                       RemoteLinkage::lever_coupler_lever_coupler_slider}),
+          .rotation = spec.rotation,
+          .pressure_point = chosen(spec, "pressure_angle_at",
+                                   std::array{PressurePoint::roller_center, PressurePoint::contact_point}),
+          .lever_branch = sign_of_branch(spec, "lever_branch"),
+          .rocker_branch = sign_of_branch(spec, "rocker_branch")} {
     if (spec.dimensions.size() != remote_dimension_count)
         throw InputError(fmt::format("a cam of type \"remote\": found {} dimensions; allowed: {}",
                                      spec.dimensions.size(), remote_dimension_count));
-    const auto roller = remote::evaluation(*this, spec.middle()).roller({0.0, 0.0, 0.0});
-    if (roller.across < 0.0) side_ = -1.0;
+    const auto roller = remote::evaluation(layout_, spec.middle()).roller({0.0, 0.0, 0.0});
+    if (roller.across < 0.0) layout_.side = -1.0;
 }
 
 std::shared_ptr<const CamMechanism> remote_mechanism(const CamSpec& spec) {
@@ -116,14 +117,14 @@ double RemoteCam::length(std::span<const double> dimensions) const {
 }
 
 RemoteCam::LeverState RemoteCam::lever(const MechanismState& state) const {
-    const auto own = remote::evaluation(*this, state.dimensions);
+    const auto own = remote::evaluation(layout_, state.dimensions);
     const remote::Turning<double> arm = own.linkage.roller_arm(state.output.s);
     const remote::RollerState<double> roller = own.roller(remote::numbers(state.output));
     return {std::atan2(arm.direction.y, arm.direction.x), roller.velocity, roller.acceleration};
 }
 
 MechanismPoint RemoteCam::point(double theta, const MechanismState& state, int) const {
-    const auto own = remote::evaluation(*this, state.dimensions);
+    const auto own = remote::evaluation(layout_, state.dimensions);
     const remote::RollerState<double> roller = own.roller(remote::numbers(state.output));
     const remote::Vector<double> arm = own.linkage.roller_arm(state.output.s).direction;
     const remote::Vector<double> swing = remote::across(arm);
@@ -145,13 +146,14 @@ MechanismPoint RemoteCam::point(double theta, const MechanismState& state, int) 
 }
 
 std::string RemoteCam::fault(std::span<const double> dimensions, double least, double most) const {
-    if (std::string found = dimension_fault(linkage_, dimensions); !found.empty()) return found;
-    const auto own = remote::evaluation(*this, dimensions);
+    if (std::string found = dimension_fault(layout_.linkage, dimensions); !found.empty()) return found;
+    const auto own = remote::evaluation(layout_, dimensions);
     for (int i = 0; i <= places; ++i) {
         const double s = least + (most - least) * i / places;
         std::string found = reach_fault(own.linkage, s);
         if (found.empty()) found = roller_fault(own, s);
-        if (!found.empty()) return fmt::format("at displacement {} {}", output_text(linkage_, s), found);
+        if (!found.empty())
+            return fmt::format("at displacement {} {}", output_text(layout_.linkage, s), found);
     }
     return {};
 }

@@ -16,7 +16,7 @@
 // the words. Source: docs/papers/003.md (tappet shedding; the paper prints no formulas).
 #pragma once
 
-#include "profiles/remote/remote_spec.hpp"
+#include "profiles/remote/remote_layout.hpp"
 #include "scene/cam_mechanism.hpp"
 
 namespace camopt {
@@ -28,8 +28,8 @@ class RemoteCam final : public CamMechanism {
     explicit RemoteCam(const CamSpec& spec);
 
     [[nodiscard]] std::string type() const override { return remote_type; }
-    [[nodiscard]] bool swings() const override { return output_swings(linkage_); }
-    [[nodiscard]] Rotation rotation() const override { return rotation_; }
+    [[nodiscard]] bool swings() const override { return output_swings(layout_.linkage); }
+    [[nodiscard]] Rotation rotation() const override { return layout_.rotation; }
     [[nodiscard]] int stations() const override { return 1; }
     [[nodiscard]] std::string station_name(int) const override { return {}; }
     [[nodiscard]] int roller_radius() const override {
@@ -68,18 +68,12 @@ class RemoteCam final : public CamMechanism {
     };
     [[nodiscard]] LeverState lever(const MechanismState& state) const;
 
-    [[nodiscard]] RemoteLinkage linkage() const { return linkage_; }
-    [[nodiscard]] PressurePoint pressure_point() const { return pressure_point_; }
+    [[nodiscard]] RemoteLinkage linkage() const { return layout_.linkage; }
+    [[nodiscard]] PressurePoint pressure_point() const { return layout_.pressure_point; }
+    [[nodiscard]] const RemoteLayout& layout() const { return layout_; }
 
  private:
-    RemoteLinkage linkage_;
-    Rotation rotation_;
-    PressurePoint pressure_point_;
-    double lever_branch_, rocker_branch_;
-    double side_ = 1.0;  ///< sign of C·t
-
-    template <class T>
-    friend struct RemoteEvaluation;
+    RemoteLayout layout_;
 };
 
 /// The linkage run forwards, by positions alone: lever -> output. For checks independent of ψ(s).

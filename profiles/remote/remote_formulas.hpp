@@ -10,7 +10,8 @@
 //   α₁ = −f_s/f_α,   α₂ = −(f_αα α₁² + 2 f_αs α₁ + f_ss)/f_α.
 #pragma once
 
-#include "profiles/remote/remote_cam.hpp"
+#include "profiles/remote/remote_layout.hpp"
+#include "scene/cam_mechanism.hpp"
 
 namespace camopt::remote {
 
@@ -209,7 +210,7 @@ RollerState<T> roller_state(const Linkage<T>& linkage, const Turning<T>& arm, co
 
 namespace camopt {
 
-// Private to profiles/remote: a RemoteCam's formulas with its numbers.
+// Private to profiles/remote: the formulas of a mechanism with its numbers.
 
 template <class T>
 struct RemoteEvaluation {
@@ -217,11 +218,11 @@ struct RemoteEvaluation {
     double sense = 1.0, side = 1.0;
     PressurePoint pressure_point = PressurePoint::roller_center;
 
-    RemoteEvaluation(const RemoteCam& cam, const std::array<T, remote_dimension_count>& dimensions)
-        : linkage{cam.linkage_, cam.lever_branch_, cam.rocker_branch_, dimensions},
-          sense(sense_of(cam.rotation_)),
-          side(cam.side_),
-          pressure_point(cam.pressure_point_) {}
+    RemoteEvaluation(const RemoteLayout& layout, const std::array<T, remote_dimension_count>& dimensions)
+        : linkage{layout.linkage, layout.lever_branch, layout.rocker_branch, dimensions},
+          sense(sense_of(layout.rotation)),
+          side(layout.side),
+          pressure_point(layout.pressure_point) {}
 
     [[nodiscard]] remote::RollerState<T> roller(const std::array<T, 3>& output) const {
         return roller(linkage.roller_arm(output[0]), output);
@@ -256,8 +257,8 @@ inline std::array<double, 3> numbers(const FollowerState& state) {
     return {state.s, state.velocity, state.acceleration};
 }
 
-inline RemoteEvaluation<double> evaluation(const RemoteCam& cam, std::span<const double> dimensions) {
-    return {cam, numbers(dimensions)};
+inline RemoteEvaluation<double> evaluation(const RemoteLayout& layout, std::span<const double> dimensions) {
+    return {layout, numbers(dimensions)};
 }
 
 }  // namespace remote

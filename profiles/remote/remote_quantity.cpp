@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Quantities with exact partials by (s, s', s'', active dimensions): automatic differentiation, by two
 // dimensions at a time, so that the number of variables of one pass is small and known at compile time.
+#include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_formulas.hpp"
 
 namespace camopt {
@@ -72,12 +73,12 @@ SecondOrder<n> widened(const SecondOrder<n - 2>& narrow) {
 /// By the output and n − 3 dimensions. The linkage does not depend on s' and s'': it is evaluated without
 /// them.
 template <int n, class Formula>
-SecondOrder<n> expanded(const RemoteCam& cam, const MechanismState& state, const Formula& formula,
+SecondOrder<n> expanded(const RemoteLayout& layout, const MechanismState& state, const Formula& formula,
                         const std::array<int, n - output_variables>& by) {
     const std::array<double, 3> output = remote::numbers(state.output);
-    const RemoteEvaluation<SecondOrder<n - 2>> narrow(cam, dimensions_of<n - 2>(state, by, 1));
+    const RemoteEvaluation<SecondOrder<n - 2>> narrow(layout, dimensions_of<n - 2>(state, by, 1));
     const remote::Turning<SecondOrder<n - 2>> arm = narrow.linkage.roller_arm(variable<n - 2>(output[0], 0));
-    const RemoteEvaluation<SecondOrder<n>> own(cam, dimensions_of<n>(state, by, output_variables));
+    const RemoteEvaluation<SecondOrder<n>> own(layout, dimensions_of<n>(state, by, output_variables));
     return formula(
         own, own.roller({{widened<n>(arm.direction.x), widened<n>(arm.direction.y)},
                          widened<n>(arm.first),
@@ -97,24 +98,24 @@ void put(const SecondOrder<n>& pass, const std::array<int, n>& columns, Mechanis
 }
 
 template <class Formula>
-MechanismValue value_of(const RemoteCam& cam, const MechanismState& state, std::span<const int> active,
+MechanismValue value_of(const RemoteLayout& layout, const MechanismState& state, std::span<const int> active,
                         const Formula& formula) {
     const int count = static_cast<int>(active.size()), size = output_variables + count;
     MechanismValue result{0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
-    if (count == 0) put<3>(expanded<3>(cam, state, formula, {}), {0, 1, 2}, result);
-    if (count == 1) put<4>(expanded<4>(cam, state, formula, {active[0]}), {0, 1, 2, 3}, result);
+    if (count == 0) put<3>(expanded<3>(layout, state, formula, {}), {0, 1, 2}, result);
+    if (count == 1) put<4>(expanded<4>(layout, state, formula, {active[0]}), {0, 1, 2, 3}, result);
     for (int i = 0; i < count; ++i)
         for (int j = i + 1; j < count; ++j)
-            put<5>(expanded<5>(cam, state, formula, {active[i], active[j]}),
+            put<5>(expanded<5>(layout, state, formula, {active[i], active[j]}),
                    {0, 1, 2, output_variables + i, output_variables + j}, result);
     return result;
 }
 
 template <class Formula>
-RangeAlong range_of(const RemoteCam& cam, const MechanismStateAlong& state, const Formula& formula) {
+RangeAlong range_of(const RemoteLayout& layout, const MechanismStateAlong& state, const Formula& formula) {
     std::array<RangeAlong, remote_dimension_count> dimensions;
     std::copy_n(state.dimensions.begin(), remote_dimension_count, dimensions.begin());
-    const RemoteEvaluation<RangeAlong> own(cam, dimensions);
+    const RemoteEvaluation<RangeAlong> own(layout, dimensions);
     return formula(own, own.roller({state.s, state.velocity, state.acceleration}));
 }
 
@@ -122,10 +123,10 @@ RangeAlong range_of(const RemoteCam& cam, const MechanismStateAlong& state, cons
 // remote_formulas.hpp. Each is divided by its coefficient of the highest derivative and is thus linear in it:
 // the curved part is a function of s, or of s and s'.
 
-RemoteEvaluation<RangeOver> evaluation_over(const RemoteCam& cam, const MechanismStateOver& state) {
+RemoteEvaluation<RangeOver> evaluation_over(const RemoteLayout& layout, const MechanismStateOver& state) {
     std::array<RangeOver, remote_dimension_count> all;
     std::copy_n(state.dimensions.begin(), remote_dimension_count, all.begin());
-    return {cam, all};
+    return {layout, all};
 }
 
 /// (factor κ − share) |V|³ over the size of the coefficient of s'' in κ |V|³, which is −C_across l ψ_s.
@@ -143,45 +144,46 @@ RangeOver curvature_excess_over(const RemoteEvaluation<RangeOver>& own, const Me
 
 MechanismValue RemoteCam::quantity(MechanismQuantity which, const MechanismState& state, int,
                                    std::span<const int> active) const {
-    return value_of(*this, state, active, QuantityFormula{which});
+    return value_of(layout_, state, active, QuantityFormula{which});
 }
 
 MechanismValue RemoteCam::pressure_excess(double limit, int sign, const MechanismState& state, int,
                                           std::span<const int> active) const {
-    return value_of(*this, state, active, PressureFormula{sign * std::cos(limit), std::sin(limit)});
+    return value_of(layout_, state, active, PressureFormula{sign * std::cos(limit), std::sin(limit)});
 }
 
 std::optional<RangeAlong> RemoteCam::quantity_along(MechanismQuantity which, const MechanismStateAlong& state,
                                                     int) const {
-    return range_of(*this, state, QuantityFormula{which});
+    return range_of(layout_, state, QuantityFormula{which});
 }
 
 std::optional<RangeAlong> RemoteCam::pressure_along(double limit, int sign, const MechanismStateAlong& state,
                                                     int) const {
-    return range_of(*this, state, PressureFormula{sign * std::cos(limit), std::sin(limit)});
+    return range_of(layout_, state, PressureFormula{sign * std::cos(limit), std::sin(limit)});
 }
 
 std::optional<RangeOver> RemoteCam::pressure_over(double limit, int sign, const MechanismStateOver& state,
                                                   int) const {
-    const auto own = evaluation_over(*this, state);
+    const auto own = evaluation_over(layout_, state);
     const RangeOver cosine = cos(Interval(limit)), sine = sin(Interval(limit));
-    const bool at_contact = pressure_point_ == PressurePoint::contact_point;
+    const bool at_contact = layout_.pressure_point == PressurePoint::contact_point;
     // N = ±(C_along − σ l ψ_s s' [− r |V|/l]): independent of s' if there is no root.
     const auto roller = own.roller({state.s, at_contact ? state.velocity : RangeOver(0.0), RangeOver(0.0)});
     const RangeOver excess = sign * (cosine * own.numerator(roller)) - sine * own.denominator(roller);
     if (at_contact) return excess;
     const RangeOver lever = roller.arm * roller.ratio, turned = sign_of(lever);
-    return excess / (cosine * (turned * lever)) - (sign * side_ * own.sense) * (turned * state.velocity);
+    return excess / (cosine * (turned * lever)) -
+           (sign * layout_.side * own.sense) * (turned * state.velocity);
 }
 
 std::optional<RangeOver> RemoteCam::regularity_over(double margin, const MechanismStateOver& state,
                                                     int) const {
-    const auto own = evaluation_over(*this, state);
+    const auto own = evaluation_over(layout_, state);
     return curvature_excess_over(own, state, own.linkage[RemoteDimension::roller_radius], 1.0 - margin);
 }
 
 std::optional<RangeOver> RemoteCam::radius_over(double shift, const MechanismStateOver& state, int) const {
-    const auto own = evaluation_over(*this, state);
+    const auto own = evaluation_over(layout_, state);
     return curvature_excess_over(own, state, own.linkage[RemoteDimension::roller_radius] + RangeOver(shift),
                                  1.0);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The linkage as shapes to draw, and followed forwards by positions alone.
+#include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_formulas.hpp"
 
 namespace camopt {
@@ -57,7 +58,7 @@ Vector2d meeting(const Vector2d& first, double first_radius, const Vector2d& sec
 }  // namespace
 
 std::vector<MechanismShape> RemoteCam::shapes(const MechanismState& state) const {
-    const auto own = remote::evaluation(*this, state.dimensions);
+    const auto own = remote::evaluation(layout_, state.dimensions);
     const remote::Linkage<double>& linkage = own.linkage;
     const double s = state.output.s;
     const remote::Vector<double> pivot = linkage.lever_pivot();
@@ -86,7 +87,7 @@ std::vector<MechanismShape> RemoteCam::shapes(const MechanismState& state) const
 RemoteLinkageForward::RemoteLinkageForward(const RemoteCam& cam, std::span<const double> dimensions)
     : linkage_(cam.linkage()), dimensions_(dimensions.begin(), dimensions.end()) {
     if (linkage_ == RemoteLinkage::lever) return;
-    const auto own = remote::evaluation(cam, dimensions);
+    const auto own = remote::evaluation(cam.layout(), dimensions);
     const remote::Vector<double> joint = own.linkage.far_joint(0.0).at;
     const Vector2d far(joint.x, joint.y);
     const Vector2d lever = lever_joint(cam.lever({dimensions, {}}).angle);

@@ -2,7 +2,6 @@
 #include "profiles/spatial/spatial_cam.hpp"
 
 #include "core/text/quantity_text.hpp"
-#include "core/word_of.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 #include <Eigen/Geometry>
@@ -101,11 +100,6 @@ SpatialCam::operator CamFlanks() const {
         return FlankPoint{point.center, point.contact, point.normal};
     };
     return flanks;
-}
-
-const char* name_of(SpatialDimension value) {
-    return word_of<lateral_offset>(value,
-                                   {"roller_radius", "arm_length", "center_distance", "lateral_offset"});
 }
 
 RollerAxis roller_axis(const SpatialCam& cam, double theta, double s) {

@@ -6,7 +6,9 @@
 #pragma once
 
 #include "core/errors.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
+#include "profiles/spatial/spatial_dimensions.hpp"
+#include "scene/cam_flanks.hpp"
+#include "scene/cam_mechanism.hpp"
 
 namespace camopt::spatial_formulas {
 
@@ -16,7 +18,8 @@ struct Variables {
     T position, velocity, acceleration, roller_radius, arm_length, center_distance, lateral_offset;
 };
 
-[[nodiscard]] inline Variables<double> variables_of(const SpatialCam& cam, const FollowerState& state) {
+[[nodiscard]] inline Variables<double> variables_of(const SpatialDimensions& cam,
+                                                    const FollowerState& state) {
     using enum SpatialDimension;
     return {cam.start + state.s, state.velocity,       state.acceleration, cam[roller_radius],
             cam[arm_length],     cam[center_distance], cam[lateral_offset]};
@@ -83,7 +86,7 @@ template <class T, class Height>
 }
 
 template <class T, class Height>
-[[nodiscard]] AxisMotion<T> axis_motion(const SpatialCam& cam, const Variables<T>& variables,
+[[nodiscard]] AxisMotion<T> axis_motion(const SpatialDimensions& cam, const Variables<T>& variables,
                                         const Height& height) {
     const double sense = sense_of(cam.rotation);
     switch (cam.follower) {
@@ -98,7 +101,7 @@ template <class T, class Height>
 }
 
 /// Which sign makes V·b positive in a cam without fault.
-[[nodiscard]] inline double sign_of_b(const SpatialCam& cam) {
+[[nodiscard]] inline double sign_of_b(const SpatialDimensions& cam) {
     const double sense = sense_of(cam.rotation);
     return cam.follower == SpatialFollower::barrel ? -sense : sense;
 }
@@ -144,15 +147,15 @@ struct PressureLimit {
 
 /// `cam`: its follower and its sense alone. The excess of the pressure angle; of a barrel cam, with u = φ ±
 /// ψ, written as ±r ψ' cos φ − ρ sin u.
-[[nodiscard]] RangeOver pressure_over(const SpatialCam& cam, const MechanismStateOver& state,
+[[nodiscard]] RangeOver pressure_over(const SpatialDimensions& cam, const MechanismStateOver& state,
                                       const PlaceOnRoller& place, const PressureLimit& limit);
 
 /// margin − g times W³/(r · lever · |V_b|), with the lever of s'' in A·u: linear in s''.
-[[nodiscard]] RangeOver undercut_over(const SpatialCam& cam, const MechanismStateOver& state,
+[[nodiscard]] RangeOver undercut_over(const SpatialDimensions& cam, const MechanismStateOver& state,
                                       const PlaceOnRoller& place, double margin);
 
 /// Of a cam with its numbers, along a stretch of a motion.
-[[nodiscard]] RangeAlong quantity_along(const SpatialCam& cam, const MechanismStateAlong& state,
+[[nodiscard]] RangeAlong quantity_along(const SpatialDimensions& cam, const MechanismStateAlong& state,
                                         const RollerStation& station, SpatialQuantity which);
 
 }  // namespace camopt::spatial_formulas

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The quantities of limits, expanded to second order by automatic differentiation. All seven variables of a
 // formula are those of the partials (q differs from s by a constant), so no chain rule is needed.
+#include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 namespace camopt {
@@ -84,8 +85,8 @@ RangeOver continued_sine(const RangeOver& u) {
                     leaves ? Interval(std::min(bend.lower, 0.0), std::max(bend.upper, 0.0)) : bend, u);
 }
 
-RangeOver barrel_pressure(const SpatialCam& cam, const Variables<RangeOver>& v, const RangeOver& height,
-                          const PressureLimit& limit) {
+RangeOver barrel_pressure(const SpatialDimensions& cam, const Variables<RangeOver>& v,
+                          const RangeOver& height, const PressureLimit& limit) {
     const double side = cam.rotation == Rotation::clockwise ? -limit.sign : limit.sign;
     const RangeOver u = RangeOver(limit.angle) + side * v.position;
     const RangeOver rho = v.center_distance - height, cosine = cos(Interval(limit.angle));
@@ -95,8 +96,8 @@ RangeOver barrel_pressure(const SpatialCam& cam, const Variables<RangeOver>& v, 
 
 }  // namespace
 
-RangeOver pressure_over(const SpatialCam& cam, const MechanismStateOver& state, const PlaceOnRoller& place,
-                        const PressureLimit& limit) {
+RangeOver pressure_over(const SpatialDimensions& cam, const MechanismStateOver& state,
+                        const PlaceOnRoller& place, const PressureLimit& limit) {
     const Variables<RangeOver> variables = variables_over(state);
     const RangeOver height = height_over(state, place);
     if (cam.follower == SpatialFollower::barrel) return barrel_pressure(cam, variables, height, limit);
@@ -105,8 +106,8 @@ RangeOver pressure_over(const SpatialCam& cam, const MechanismStateOver& state, 
     return limit.sign * (cosine * motion.across_travel) - sign_of_b(cam) * (sine * motion.along_b);
 }
 
-RangeOver undercut_over(const SpatialCam& cam, const MechanismStateOver& state, const PlaceOnRoller& place,
-                        double margin) {
+RangeOver undercut_over(const SpatialDimensions& cam, const MechanismStateOver& state,
+                        const PlaceOnRoller& place, double margin) {
     Variables<RangeOver> variables = variables_over(state);
     variables.acceleration = 0.0;
     const AxisMotion<RangeOver> still = axis_motion(cam, variables, height_over(state, place));
@@ -122,7 +123,7 @@ RangeOver undercut_over(const SpatialCam& cam, const MechanismStateOver& state, 
     return room / (still.lever * size) - side * (sign * state.acceleration);
 }
 
-RangeAlong quantity_along(const SpatialCam& cam, const MechanismStateAlong& state,
+RangeAlong quantity_along(const SpatialDimensions& cam, const MechanismStateAlong& state,
                           const RollerStation& station, SpatialQuantity which) {
     using enum SpatialDimension;
     const Variables<RangeAlong> variables{cam.start + state.s, state.velocity,  state.acceleration,

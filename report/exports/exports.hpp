@@ -11,16 +11,10 @@
 // Files are in mm and degrees. No file depends on another, nothing is solved.
 #pragma once
 
+#include "report/exports/export_options.hpp"
 #include "report/folders/result_folder.hpp"
 
 namespace camopt {
-
-struct ExportOptions {
-    RunOrigin origin = {};  ///< for the reports and result.json
-    /// Of the shop's files: {"cutter_mm", "12"}, {"direction", "conventional"}; the keys are those of
-    /// Workshop::option_rows (report/exports/workshop.hpp), as `camopt list keys` names them.
-    std::vector<std::pair<std::string, std::string>> settings = {};
-};
 
 /// The names of the files that this solution has, in the order above.
 [[nodiscard]] std::vector<std::string> export_names(const Solution& solution);

@@ -3,7 +3,8 @@
 // (CAMOPT_SHOP=OFF) has none.
 #pragma once
 
-#include "report/exports/exports.hpp"
+#include "report/exports/export_options.hpp"
+#include "report/view/view.hpp"
 #include "scene/key_row.hpp"
 
 namespace camopt {

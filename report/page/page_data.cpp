@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/version.hpp"
 #include "report/chart/curve_chart.hpp"
+#include "report/page/page_html.hpp"
 #include "report/page/page_parts.hpp"
 #include "studies/delivered/solution_parts.hpp"
 

@@ -2,8 +2,10 @@
 // Private to report/page: the parts of page_html.hpp.
 #pragma once
 
+#include "report/document/document.hpp"
+#include "report/document/run_origin.hpp"
 #include "report/json/json_text.hpp"
-#include "report/page/page_html.hpp"
+#include "report/view/view.hpp"
 
 namespace camopt {
 

@@ -6,6 +6,7 @@
 #include "shop/nc/block_angles.hpp"
 #include "shop/nc/cutter_compensation.hpp"
 #include "shop/nc/nc_check.hpp"
+#include "shop/nc/nc_program.hpp"
 #include "shop/nc/nc_travel.hpp"
 
 namespace camopt {

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "shop/nc/finished_cam.hpp"
-#include "shop/nc/nc_program.hpp"
+#include "shop/nc/nc_job.hpp"
 
 namespace camopt {
 

@@ -2,7 +2,7 @@
 // Private to shop/nc/: G-code line by line.
 #pragma once
 
-#include "shop/nc/nc_program.hpp"
+#include "shop/nc/nc_job.hpp"
 
 namespace camopt {
 

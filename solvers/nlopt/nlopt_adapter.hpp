@@ -4,8 +4,6 @@
 #pragma once
 
 #include "solvers/backend_support.hpp"
-#include "solvers/nlopt/nlopt_solver.hpp"
-#include "solvers/nlopt/nlopt_traits.hpp"
 
 #include <Eigen/SparseCore>
 

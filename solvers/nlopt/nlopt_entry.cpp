@@ -2,6 +2,7 @@
 // Entries of NLopt's algorithms in the registry; compiled whether or not this build has them.
 #include "core/errors.hpp"
 #include "solvers/backend_support.hpp"
+#include "solvers/nlopt/nlopt_solver.hpp"
 #include "solvers/nlopt/nlopt_traits.hpp"
 
 #include <fmt/core.h>

@@ -2,6 +2,7 @@
 #include "solvers/nlopt/nlopt_solver.hpp"
 
 #include "solvers/nlopt/nlopt_adapter.hpp"
+#include "solvers/nlopt/nlopt_traits.hpp"
 
 #include <fmt/core.h>
 

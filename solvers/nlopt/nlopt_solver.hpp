@@ -17,11 +17,10 @@
 // COBYLA do not terminate on a NaN.
 #pragma once
 
+#include "solvers/nlopt/nlopt_method.hpp"
 #include "solvers/registry.hpp"
 
 namespace camopt {
-
-enum class NloptMethod { slsqp, cobyla, mma, ccsaq, isres, auglag_lbfgs, auglag_sbplx, auglag_neldermead };
 
 [[nodiscard]] SolverEntry nlopt_entry(NloptMethod method);
 

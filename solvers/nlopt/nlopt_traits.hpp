@@ -3,7 +3,7 @@
 // without it too. Private to this folder.
 #pragma once
 
-#include "solvers/nlopt/nlopt_solver.hpp"
+#include "solvers/nlopt/nlopt_method.hpp"
 
 namespace camopt {
 

@@ -84,8 +84,8 @@ std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
         const LinearizedProblem projection(problem_, here_, model);
         BackendOptions options = options_;
         options.max_seconds = guard_.seconds_left();
-        const BackendResult found = make_structured_solver()->minimize(
-            projection, VectorXd::Zero(shape_.variables()), options, control_);
+        const BackendResult found =
+            linear_rows_minimize(projection, VectorXd::Zero(shape_.variables()), options, control_);
         if (found.termination != Termination::converged && found.termination != Termination::acceptable) {
             BackendResult result = found;
             result.native_status = "linear rows: " + found.native_status;
@@ -145,7 +145,7 @@ std::optional<BackendResult> SequentialRun::contradiction() {
     BackendOptions options = options_;
     options.max_seconds = guard_.seconds_left();
     BackendResult found =
-        make_structured_solver()->minimize(tangents, VectorXd::Zero(shape_.variables()), options, control_);
+        linear_rows_minimize(tangents, VectorXd::Zero(shape_.variables()), options, control_);
     if (found.termination != Termination::infeasible) return std::nullopt;
     BackendResult result =
         ended(Termination::infeasible, "tangents of the rows contradict: " + found.native_status);
@@ -312,22 +312,6 @@ BackendResult sequential_minimize(const Nlp& problem, const VectorXd& start, con
         return *crossed;
     }
     return SequentialRun(problem, options, control).run(start);
-}
-
-InteriorPointLimits interior_point_limits(const BackendOptions& options, const StructuredOptions& own,
-                                          const SolveControl& control) {
-    constexpr double aim = 0.1;
-    InteriorPointLimits limits;
-    limits.tolerance = aim * options.tolerance;
-    limits.max_iterations = std::min(own.max_iterations, options.max_iterations);
-    limits.patience = own.patience;
-    limits.shift = own.regularisation;
-    limits.factor = own.factor;
-    limits.correctors = own.correctors;
-    limits.keep_path = options.keep_path;
-    limits.exact_steps = options.exact_steps == ExactSteps::always;
-    limits.deadline = control.deadline.sooner(options.max_seconds);
-    return limits;
 }
 
 }  // namespace camopt::structured

@@ -13,21 +13,14 @@
 #pragma once
 
 #include "solvers/backend_support.hpp"
+#include "solvers/structured/linear_rows_solver.hpp"
 #include "solvers/structured/linearized_problem.hpp"
 #include "solvers/structured/standard_form.hpp"
-#include "solvers/structured/structured_solver.hpp"
 
 namespace camopt::structured {
 
 [[nodiscard]] BackendResult sequential_minimize(const Nlp& problem, const Eigen::VectorXd& start,
                                                 const BackendOptions& options, const SolveControl& control);
-
-// Converts the options of a caller for the interior point.
-
-/// The seconds count from now. Aims at a tenth of the tolerance, as a margin.
-[[nodiscard]] InteriorPointLimits interior_point_limits(const BackendOptions& options,
-                                                        const StructuredOptions& own,
-                                                        const SolveControl& control);
 
 // The state of one sequential solve.
 

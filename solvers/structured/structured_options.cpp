@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "solvers/structured/structured_options.hpp"
+
 #include "solvers/backend_support.hpp"
-#include "solvers/structured/structured_solver.hpp"
 
 #include <fmt/core.h>
 
@@ -78,7 +79,6 @@ StructuredOptions structured_options(const std::map<std::string, OptionValue>& n
     return options;
 }
 
-// The structured solver's entry in the registry; always present, since it needs only Eigen.
 SolverEntry structured_entry() {
     SolverEntry entry;
     entry.name = "structured";

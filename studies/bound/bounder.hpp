@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Private to studies/bound/: what bounds over boxes. Its parts by subject: bounder_places.cpp the cam angles,
-// bounder_rows.cpp rows, planes and the steps of the proof, bounder_boxes.cpp the boxes, box_bound.cpp the
+// bounder_rows.cpp rows, planes and the steps of the proof, bounder_boxes.cpp the boxes, bounder.cpp the
 // order of all of it.
 #pragma once
 
 #include "objectives/boxes/rule_over_box.hpp"
+#include "objectives/grid/cam_problem.hpp"
 #include "solvers/vertex/vertex_program.hpp"
-#include "studies/bound/box_bound.hpp"
+#include "studies/bound/box_bound_result.hpp"
 
 namespace camopt::box_bound {
 

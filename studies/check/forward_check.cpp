@@ -2,8 +2,9 @@
 #include "studies/check/forward_check.hpp"
 
 #include "core/deadline.hpp"
-#include "studies/check/forward_check_input.hpp"
+#include "core/errors.hpp"
 #include "studies/check/point_curve.hpp"
+#include "studies/check/touching_follower.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // Knows the exported points of the cam and the follower's dimensions, no more: neither cam angles, normals
 // nor curvatures of the points, nor any formula that made them. A smooth curve goes through the points
 // (point_curve.hpp). At each cam angle the follower is put down on it: its lift is the largest at which it
-// touches a point of the curve (forward_check_input.hpp), searched around the contact of the angle before;
+// touches a point of the curve (touching_follower.hpp), searched around the contact of the angle before;
 // that nothing of the cam then lies inside the follower is checked over the whole curve, and the whole curve
 // is searched where it does. A knife edge stands on the highest crossing of its path. So a cam that is
 // undercut, or hollower than its roller is round, is found out.

@@ -3,10 +3,8 @@
 #pragma once
 
 #include "objectives/drive_rules.hpp"
+#include "objectives/motion_bounds.hpp"
 #include "studies/delivered/solution.hpp"
-
-#include <tuple>
-#include <unordered_map>
 
 namespace camopt {
 
@@ -37,39 +35,6 @@ struct MotionRow {
 /// Rows of motion.csv: every degree of 360 over the motion, its breakpoints and the places of its peaks;
 /// twice where the jerk jumps, from the left and then from the right; and one at x = also. Ascending.
 [[nodiscard]] std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks, double also = 0.0);
-
-/// The points of a cam along its motion. A point is evaluated where it is asked for first and remembered, so
-/// that tables, drawings and programs made from one cam share them. One thread at a time.
-class CamPoints {
- public:
-    CamPoints(DrivenMechanism cam, MotionChain motion, const MotionScale& scale)
-        : cam_(std::move(cam)), motion_(std::move(motion)), scale_(scale) {}
-
-    [[nodiscard]] const DrivenMechanism& cam() const { return cam_; }
-    [[nodiscard]] const MotionChain& motion() const { return motion_; }
-    [[nodiscard]] const MotionScale& scale() const { return scale_; }
-
-    /// x beyond the motion: its end. The side after a breakpoint, at the end that before.
-    [[nodiscard]] MotionPoint motion_at(double x) const {
-        return camopt::motion_at(motion_, std::clamp(x, motion_.begin(), motion_.end()));
-    }
-    [[nodiscard]] const MechanismPoint& at(double x, int station = 0) const {
-        return at(motion_at(x), station);
-    }
-    /// `motion`: of this motion, from either side.
-    [[nodiscard]] const MechanismPoint& at(const MotionPoint& motion, int station) const;
-
- private:
-    /// θ, s', s'', station: along one motion a point does not depend on more.
-    using Place = std::tuple<double, double, double, int>;
-    struct PlaceHash {
-        std::size_t operator()(const Place& place) const;
-    };
-    DrivenMechanism cam_;
-    MotionChain motion_;
-    MotionScale scale_;
-    mutable std::unordered_map<Place, MechanismPoint, PlaceHash> points_;
-};
 
 struct DeliveredRow {
     double x = 0.0;

@@ -3,7 +3,6 @@
 
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "studies/delivered/delivered.hpp"
 
 namespace camopt {
 
@@ -96,24 +95,6 @@ FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces
     if (!has_hertz_pressure(*cam.formulas, forces)) return loads;
     loads.hertz_pressure = hertz_pressure(cam, forces, point_of(loads.side), loads.normal_force, loads.side);
     return loads;
-}
-
-LoadsAt delivered_loads(const Solution& solution) {
-    if (!solution.cam || !solution.cam->summary.forces) return {};
-    if (!solution.cam->cam.formulas->is_direct()) return {};
-    const MotionScale scale = motion_scale(solution.scene);
-    const double speed = solution.scene.motion.speed.value();
-    return [&solution, scale, speed](const MotionPoint& motion, const CamPoints& cam) {
-        const FollowerState state = state_of(motion, scale);
-        const ForceSpec& forces = *solution.scene.forces;
-        FollowerLoads loads =
-            follower_loads(solution.cam->cam, forces, forces.force(speed, state, scale.unit_angle * motion.x),
-                           state, [&](int side) { return cam.at(motion, side); });
-        if (!solution.cam->summary.no_contact) return loads;
-        loads.normal_force = infinity;
-        loads.hertz_pressure.reset();
-        return loads;
-    };
 }
 
 }  // namespace camopt

@@ -46,9 +46,6 @@ struct EnclosedLimit {
 // The cam is direct (CamMechanism::is_direct). One that drives both ways carries F > 0 on its side 0, F < 0
 // on its side 1: the normal force is then that of the side that carries, >= 0. A side is a station.
 
-class CamPoints;
-struct Solution;
-
 /// F / lever; on side 1 −F / lever. Of a cam that drives both ways < 0 where the other side carries.
 [[nodiscard]] double normal_force(const DrivenMechanism& cam, const FollowerState& state, double force,
                                   int side = 0);
@@ -73,12 +70,5 @@ struct FollowerLoads {
 [[nodiscard]] FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double force,
                                            const FollowerState& state,
                                            const std::function<MechanismPoint(int side)>& point_of);
-
-/// Of the motion (normalised) at one angle; the points are those of the cam along it.
-using LoadsAt = std::function<FollowerLoads(const MotionPoint& motion, const CamPoints& cam)>;
-
-/// Along a delivered cam: what does not exist, where the cam cannot touch its follower, is not finite. None
-/// where the scene has no forces, or the cam is not direct. The solution must live as long.
-[[nodiscard]] LoadsAt delivered_loads(const Solution& solution);
 
 }  // namespace camopt

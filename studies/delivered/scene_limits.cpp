@@ -2,6 +2,7 @@
 #include "studies/delivered/scene_limits.hpp"
 
 #include "objectives/drive_rules.hpp"
+#include "objectives/motion_bounds.hpp"
 #include "objectives/spring_rules.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/solution_parts.hpp"

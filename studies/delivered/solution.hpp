@@ -5,6 +5,7 @@
 #include "solvers/certificate/certificate.hpp"
 #include "splines/curve.hpp"
 #include "splines/motion_chain.hpp"
+#include "studies/delivered/cam_points.hpp"
 #include "studies/delivered/cam_summary.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
@@ -312,5 +313,12 @@ struct Solution {
 
 /// Of the delivered cam, m or rad; none: there is no cam, or it has no such dimension.
 [[nodiscard]] std::optional<double> delivered_dimension(const Solution& solution, DimensionIndex which);
+
+/// Of the motion (normalised) at one angle; the points are those of the cam along it.
+using LoadsAt = std::function<FollowerLoads(const MotionPoint& motion, const CamPoints& cam)>;
+
+/// Along a delivered cam: what does not exist, where the cam cannot touch its follower, is not finite. None
+/// where the scene has no forces, or the cam is not direct. The solution must live as long.
+[[nodiscard]] LoadsAt delivered_loads(const Solution& solution);
 
 }  // namespace camopt

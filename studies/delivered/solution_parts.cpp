@@ -4,6 +4,7 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/deviation_rules.hpp"
 #include "objectives/drive_rules.hpp"
+#include "objectives/motion_bounds.hpp"
 #include "objectives/own_point_rule.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/scene_model.hpp"
@@ -61,26 +62,9 @@ double weighted_dimensions(const Solution& solution) {
 
 }  // namespace
 
-Solution::Solution() = default;
-Solution::Solution(const Solution& other) = default;
-Solution& Solution::operator=(const Solution& other) = default;
-// NOLINTBEGIN(performance-noexcept-move-constructor): see the header
-Solution::Solution(Solution&& other) = default;
-Solution& Solution::operator=(Solution&& other) = default;
-// NOLINTEND(performance-noexcept-move-constructor)
-Solution::~Solution() = default;
-
 std::shared_ptr<const MotionFamily> family_of(const Solution& solution) {
     if (solution.family) return solution.family;
     return std::make_shared<const MotionFamily>(scene_family(solution.scene, DesignKind::states));
-}
-
-std::optional<double> delivered_dimension(const Solution& solution, DimensionIndex which) {
-    if (!solution.cam) return {};
-    const std::vector<CamDimension>& all = solution.scene.cam.value().dimensions;
-    const auto found = std::ranges::find(all, name_of(which), &CamDimension::name);
-    if (found == all.end()) return {};
-    return solution.cam->cam.dimensions[static_cast<std::size_t>(found - all.begin())];
 }
 
 const char* set_point_name(int order) {

@@ -131,8 +131,6 @@ void report_cam(Solution& solution, std::vector<double> dimensions) {
     }
 }
 
-constexpr double rounded_turn = 1e-9;  // of a turn: what is left of it is rounding
-
 /// The key without its unit: "limits.pressure_angle_deg" → "pressure_angle".
 std::string plain_name(const std::string& key) {
     const char* const name = limit_name_in(key);
@@ -260,20 +258,6 @@ void report_conflict(Solution& solution) {
     solution.conflict = std::move(found);
 }
 
-MotionChain Solution::whole_turn() const {
-    if (!motion) throw InputError("a cam needs a motion, and this solution has none");
-    const double turn = units::turn / scene.motion.unit_angle();
-    if (motion->end() >= turn * (1.0 - rounded_turn)) return *motion;
-    constexpr std::array<double, 2> rest{};
-    if (end_velocities(scene.motion, false) != rest || end_velocities(scene.motion, true) != rest)
-        return *motion;                                        // no dwell can follow
-    const bool returns = scene.motion.type == MotionType::rr;  // to 0, not to what rounding left of it
-    const double end = returns ? 0.0 : motion->at(motion->end(), Side::left).derivative[0];
-    std::vector<ChainPart> parts = motion->parts();
-    parts.push_back({motion->end(), turn, nullptr, 0.0, 1.0, end, 1.0});
-    return MotionChain(std::move(parts));
-}
-
 void note_phase(Solution& solution) {
     const double phase = solution.scene.motion.phase;
     if (phase == 0.0 || !solution.motion) return;
@@ -282,31 +266,6 @@ void note_phase(Solution& solution) {
                     "begins at {:.9g} deg "
                     "(the cam's own angle there is 0)",
                     phase / units::degree));
-}
-
-MotionChain Solution::master_turn() const {
-    MotionChain turn = whole_turn();
-    const double at_zero = scene.motion.own_place(0.0);
-    if (at_zero <= turn.begin()) return turn;
-    const double travel = turn.at(turn.end(), Side::left).derivative[0] - turn.at(turn.begin()).derivative[0];
-    const auto moved = [](ChainPart part, double by, double down) {
-        part.begin += by;
-        part.end += by;
-        part.x0 += by;
-        part.y0 -= down;
-        return part;
-    };
-    std::vector<ChainPart> first, second;
-    for (const ChainPart& part : turn.parts()) {
-        ChainPart before = part, after = part;
-        before.end = std::min(part.end, at_zero);
-        after.begin = std::max(part.begin, at_zero);
-        if (after.begin < after.end) first.push_back(moved(after, -at_zero, travel));
-        if (before.begin < before.end) second.push_back(moved(before, turn.end() - at_zero, 0.0));
-    }
-    if (!first.empty() && !second.empty()) second.front().begin = first.back().end;
-    first.insert(first.end(), second.begin(), second.end());
-    return MotionChain(std::move(first));
 }
 
 CamReport cam_report(const Scene& scene, std::vector<double> dimensions, const Motion& motion) {

@@ -4,8 +4,9 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
+#include "studies/search/free_knots.hpp"
+#include "studies/search/planned_solve.hpp"
 #include "studies/search/settled_scene.hpp"
-#include "studies/search/solve_steps.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/machine/machine_build.hpp"
 
-#include "scene/limit_table.hpp"
 #include "scene/part_names.hpp"
-#include "scene/written_limits.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
@@ -71,27 +69,6 @@ std::vector<ClearanceRule> clearance_rules(const MachineSpec& machine, const Mac
     return rules;
 }
 
-/// Of the motor what constant force and friction leave: the torque that holds.
-void stand_still(Scene& scene) {
-    DriveSpec& drive = *scene.drive;
-    drive.load = drive.motor_inertia = drive.viscous = 0.0;
-    LimitSpec& limits = scene.limits;
-    limits.motor_speed.reset();
-    if (!limits.motor_curve.empty()) {
-        const double most = limits.motor_curve.front()[1];
-        if (!limits.motor_torque || limits.motor_torque->value > most)
-            limits.motor_torque = WrittenLimit(most, "limits.motor_curve", 1.0, "N m");
-        limits.motor_curve.clear();
-    }
-    // Nothing is weighed at standstill, and a reference law may have no torque there.
-    scene.objective = {};
-    scene.objective.jerk = 1.0;
-}
-
-bool counts_in_time(const std::optional<SetPoint>& point) {
-    return point && (is_unit_of_time(point->units.velocity) || is_unit_of_time(point->units.acceleration));
-}
-
 }  // namespace
 
 void MachineMemory::keep(const MachineProblem& problem) {
@@ -130,35 +107,6 @@ PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>&
     made.problem = std::make_unique<MachineProblem>(std::move(blocks), clearance_rules(machine, memory));
     if (memory.x.size() > 0) made.problem->set_start(memory.x);
     return made;
-}
-
-Scene at_speed(const Scene& scene, double speed) {
-    Scene changed = scene;
-    changed.motion.speed = speed;
-    keep_written(changed, scene.motion);
-    return changed;
-}
-
-std::vector<Scene> scenes_at(const MachineSpec& machine, double speed) {
-    std::vector<Scene> scenes;
-    scenes.reserve(machine.axes.size());
-    for (const AxisSpec& axis : machine.axes) {
-        scenes.push_back(with_written_limits(at_speed(axis.scene, speed)));
-        scenes.back().motion.phase = axis.phase;
-    }
-    return scenes;
-}
-
-std::vector<Scene> scenes_at_standstill(const MachineSpec& machine) {
-    std::vector<Scene> scenes = scenes_at(machine, machine.least_speed);
-    for (Scene& scene : scenes) {
-        for (const PeakLimitRow& row : peak_limit_rows())
-            if (auto& limit = row.in(scene.limits); limit && limit->in_time()) limit.reset();
-        for (const LimitRow& row : limit_rows())
-            if (row.needs_forces || row.needs_dynamics) row.in(scene.limits).reset();
-        if (scene.drive) stand_still(scene);
-    }
-    return scenes;
 }
 
 ExchangeOptions machine_exchange(const MachineSpec& machine, double seconds) {
@@ -233,47 +181,6 @@ bool hold_strokes(const PosedMachine& posed, const Eigen::VectorXd& x, MachineMe
         if (at < memory.axes.size()) memory.axes[at].clear();  // its rules are others now
     }
     return fresh;
-}
-
-void MachineOptions::validate() const {
-    if (!(speed_gap > 0.0 && speed_gap < 1.0))
-        throw InputError(fmt::format("speed gap: found {}; allowed: a number > 0 and < 1", speed_gap));
-    if (!(more_speed > 0.0) || !(max_seconds > 0.0) || scanned_speeds < 2)
-        throw InputError(
-            "machine options: found a number that is not positive; allowed: more_speed > 0, "
-            "max_seconds > 0, scanned_speeds >= 2");
-}
-
-bool only_tightens_with_speed(const Scene& scene) {
-    // τ(sω) = s² (τ(ω) − τ_0) + τ_0 lies between τ(ω) and the torque τ_0 at rest, which every limit allows;
-    // viscous friction, and a torque that falls with the speed, change by s.
-    const LimitSpec& limits = scene.limits;
-    const bool holds_torque =
-        limits.motor_torque || limits.motor_torque_min || limits.motor_torque_max || limits.motor_torque_rms;
-    if (!limits.motor_curve.empty() || (holds_torque && scene.drive && scene.drive->viscous > 0.0))
-        return false;
-    for (const LimitRow& row : limit_rows())
-        if ((row.needs_forces || row.needs_dynamics) && row.in(scene.limits)) return false;
-    for (const PeakLimitRow& row : peak_limit_rows())  // of one side: an interval around 0 only shrinks
-        if (const auto& limit = row.in(scene.limits);
-            limit && limit->in_time() && row.side * limit->normalised < 0.0)
-            return false;
-    return !has_points_in_time(scene.motion);
-}
-
-bool has_points_in_time(const MotionSpec& motion) {
-    for (const Corridor& corridor : motion.corridors)
-        for (const Corridor::Bounds& bounds : corridor.bounds)
-            if (is_unit_of_time(bounds.unit)) return true;
-    return std::ranges::any_of(motion.segments, [](const ProgramSegment& segment) {
-        return counts_in_time(segment.end) ||
-               std::ranges::any_of(segment.via, [](const SetPoint& point) { return counts_in_time(point); });
-    });
-}
-
-bool standstill_is_any_speed(const Scene& scene) {
-    const bool relieved = scene.drive && scene.drive->viscous > 0.0 && scene.motion.relative;
-    return !relieved && !has_points_in_time(scene.motion);
 }
 
 }  // namespace camopt

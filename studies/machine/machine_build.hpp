@@ -3,7 +3,7 @@
 #pragma once
 
 #include "objectives/machine/machine_problem.hpp"
-#include "studies/machine/machine.hpp"
+#include "studies/machine/machine_solution.hpp"
 #include "studies/search/planned_solve.hpp"
 
 namespace camopt {
@@ -28,16 +28,6 @@ struct MachineMemory {
 /// Throws SceneError for an axis whose problem is not convex.
 [[nodiscard]] PosedMachine posed_machine(const MachineSpec& machine, const std::vector<Scene>& scenes,
                                          const MachineMemory& memory);
-/// The scenes of the axes at a speed of the master.
-[[nodiscard]] std::vector<Scene> scenes_at(const MachineSpec& machine, double speed);
-/// The same without what counts in time: the machine as its speed approaches 0.
-[[nodiscard]] std::vector<Scene> scenes_at_standstill(const MachineSpec& machine);
-/// Set points and corridors in units of time: with the speed they mean something else.
-[[nodiscard]] bool has_points_in_time(const MotionSpec& motion);
-/// Whether what is impossible at standstill is so at every speed. Not where viscous friction may relieve the
-/// torque of an advancing axis on average, nor with points in time.
-[[nodiscard]] bool standstill_is_any_speed(const Scene& scene);
-
 /// Tolerances of the machine: the tightest of its axes.
 [[nodiscard]] ExchangeOptions machine_exchange(const MachineSpec& machine, double seconds);
 

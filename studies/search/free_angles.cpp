@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "motions/laws/law_catalogue.hpp"
+#include "studies/search/free_angles.hpp"
+
 #include "scene/cost_table.hpp"
 #include "scene/part_names.hpp"
 #include "studies/delivered/solution_report.hpp"
-#include "studies/search/solve_steps.hpp"
 
 #include <fmt/format.h>
 
@@ -39,25 +39,14 @@ struct AngleBox {
     std::shared_ptr<const DualityProof> proof = {};  ///< of the bound, or that nothing is feasible
 };
 
-bool rests_at_joint(const ProgramSegment& neighbour, bool at_its_end) {
-    if (neighbour.kind == SegmentKind::dwell) return true;
-    if (neighbour.kind == SegmentKind::spline) return false;
-    const auto law = make_law(neighbour.law);
-    const MotionPoint point = at_its_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
-    constexpr double at_rest = 1e-9;  // of the mean velocity 1: less is rounding
-    return std::abs(point.derivative[1]) < at_rest && std::abs(point.derivative[2]) < at_rest;
-}
-
-bool is_normalised(const SetPoint& point) {
-    return point.units.place.empty() && point.units.velocity.empty() && point.units.acceleration.empty();
-}
-
 class AngleSearch {
  public:
-    AngleSearch(const Scene& scene, const SolvePlan& plan, const SolveControl& control)
+    AngleSearch(const Scene& scene, const SolvePlan& plan, const SolveControl& control,
+                const SolveScene& solve)
         : scene_(scene),
           plan_(plan),
           control_(control),
+          solve_(solve),
           allowed_(std::min(plan.seconds, control.deadline.seconds_left())) {
         whole_.bound = least_objective(scene.objective);
         for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
@@ -83,7 +72,7 @@ class AngleSearch {
     [[nodiscard]] Solution deliver() {
         const Angles& angles = found() ? best_angles_ : given_;
         // Where there is no motion, the conflict of the given angles is told.
-        Solution solution = found() ? best_solved() : solve_planned(given(angles), control_);
+        Solution solution = found() ? best_solved() : solve_(given(angles), control_);
         solution.scene = with_segment_angles(scene_, all_angles(angles));
         solution.seconds_solve = solution.seconds_total = watch_.seconds();
         solution.solver.convex = false;
@@ -97,6 +86,7 @@ class AngleSearch {
     const Scene& scene_;
     const SolvePlan& plan_;
     const SolveControl& control_;
+    const SolveScene& solve_;
     Stopwatch watch_;
     double allowed_;
     double fixed_ = 0.0;                 ///< rad, of the segments without a range
@@ -196,7 +186,7 @@ class AngleSearch {
         tried_.push_back(angles);
         const double seconds = left(part_of_time);
         if (seconds <= 0.0) return false;
-        Solution solution = solve_planned(quick(angles, seconds), control_);
+        Solution solution = solve_(quick(angles, seconds), control_);
         const bool better = solution.motion && solution.certificate.objective < objective();
         if (!better || solution.certificate.verdict == Verdict::failed) return false;
         best_ = std::move(solution);
@@ -215,7 +205,7 @@ class AngleSearch {
         ++bounded_;
         const double seconds = left(plan_.bounding_boxes);
         if (seconds <= 0.0) return;
-        Certificate certificate = solve_planned(quick(box.most, seconds), control_).certificate;
+        Certificate certificate = solve_(quick(box.most, seconds), control_).certificate;
         if (certificate.verdict == Verdict::infeasible && certificate.proof) {
             box.infeasible = true;
             box.proof = std::make_shared<DualityProof>(std::move(*certificate.proof));
@@ -378,7 +368,7 @@ class AngleSearch {
     [[nodiscard]] Solution best_solved() const {
         Scene scene = given(best_angles_);
         scene.solver.max_seconds = std::max(left(1.0), allowed_ * (1.0 - plan_.moving_angles));
-        Solution last = solve_planned(scene, control_);
+        Solution last = solve_(scene, control_);
         const double allowance = scene_.solver.wanted_gap() * std::max(1.0, objective());
         const bool no_worse = last.motion && last.certificate.objective <= objective() + allowance;
         return no_worse ? last : best_;
@@ -387,29 +377,9 @@ class AngleSearch {
 
 }  // namespace
 
-bool bounds_by_angles(const Scene& scene) {
-    if (scene.cam || scene.drive || scene.dynamics || !scene.own_terms.empty() || !scene.own_limits.empty())
-        return false;
-    // Corridors and tables stand where they are while segments move past them; an area or a mean over the
-    // turn weighs segments by their angles.
-    const bool weighs_turn = std::ranges::any_of(
-        response_terms(), [&](const ResponseTerm& term) { return term.weight_in(scene.objective) > 0.0; });
-    if (!scene.motion.corridors.empty() || weighs_turn || weighs_any(scene.objective, CostTerm::Kind::rms))
-        return false;
-    const std::vector<ProgramSegment>& segments = scene.motion.segments;
-    const std::size_t count = segments.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (segments[i].kind != SegmentKind::spline) continue;
-        if (!std::ranges::all_of(segments[i].via, is_normalised)) return false;
-        if (!rests_at_joint(segments[(i + count - 1) % count], true) ||
-            !rests_at_joint(segments[(i + 1) % count], false))
-            return false;
-    }
-    return true;
-}
-
-Solution solve_free_angles(const Scene& scene, const SolvePlan& plan, const SolveControl& control) {
-    AngleSearch search(scene, plan, control);
+Solution solve_free_angles(const Scene& scene, const SolvePlan& plan, const SolveControl& control,
+                           const SolveScene& solve) {
+    AngleSearch search(scene, plan, control, solve);
     search.run();
     return search.deliver();
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "studies/search/free_knots.hpp"
+
 #include "scene/limit_table.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/search/free_knot_descent.hpp"
-#include "studies/search/solve_steps.hpp"
+#include "studies/search/solve_motion.hpp"
 
 #include <fmt/format.h>
 
@@ -214,11 +216,11 @@ void report_breakpoints(Solution& solution) {
 }
 
 /// On the switching points of the limit curve, if they make an optimum.
-std::optional<Solution> solve_on_limit_curve(const PlannedRun& run) {
+std::optional<Solution> solve_on_limit_curve(const PlannedRun& run, const SolveScene& solve) {
     const Scene& scene = run.posed.scene();
     const std::vector<double> points = limit_breakpoints(scene, run.posed.reference);
     if (points.empty()) return {};
-    Solution solution = solve_without_explaining(with_breakpoints(scene, points), run.control);
+    Solution solution = solve(with_breakpoints(scene, points), run.control);
     FreeKnotSearch nothing_searched;
     nothing_searched.starts = 1;
     nothing_searched.best.stationarity = solution.certificate.stationarity.value_or(infinity);
@@ -248,16 +250,16 @@ std::vector<double> limit_breakpoints(const Scene& scene, const Peaks& reference
     return points;
 }
 
-Solution solve_free_knots(const PlannedRun& run) {
+Solution solve_free_knots(const PlannedRun& run, const SolveScene& solve) {
     const Scene& scene = run.posed.scene();
     const SolveControl& control = run.control;
     const Stopwatch watch;
-    if (std::optional<Solution> solution = solve_on_limit_curve(run)) {
+    if (std::optional<Solution> solution = solve_on_limit_curve(run, solve)) {
         report_breakpoints(*solution);
         solution->seconds_total = solution->seconds_solve = watch.seconds();
         return std::move(*solution);
     }
-    Solution solution = solve_without_explaining(with_breakpoints(scene, start_breakpoints(scene)), control);
+    Solution solution = solve(with_breakpoints(scene, start_breakpoints(scene)), control);
     double at_start = infinity;
     if (is_delivered(solution)) at_start = solution.certificate.objective;
     const double searching = control.deadline.seconds_left() - kept_for_last * watch.seconds();
@@ -268,7 +270,7 @@ Solution solve_free_knots(const PlannedRun& run) {
                        search.best.found.violation <= scene.solver.tolerance &&
                        search.best.found.objective < at_start;
     if (found) {
-        Solution better = solve_without_explaining(with_breakpoints(scene, search.breakpoints), control);
+        Solution better = solve(with_breakpoints(scene, search.breakpoints), control);
         if (!is_delivered(better)) {
             // What is delivered is another motion, of which the search says nothing.
             search.best.stationarity = infinity;

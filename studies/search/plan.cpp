@@ -2,11 +2,12 @@
 #include "studies/search/plan.hpp"
 
 #include "objectives/free_knots/free_knot_problem.hpp"
+#include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/delivered/smallest_of_any_motion.hpp"
-#include "studies/measured/measured_fit.hpp"
-#include "studies/search/solve_steps.hpp"
+#include "studies/search/angle_bounds.hpp"
+#include "studies/search/posed_scene.hpp"
 
 namespace camopt {
 
@@ -15,21 +16,11 @@ namespace {
 // Searches that found nothing within the limits end after this part of the time: the rest is for explaining
 // it.
 constexpr double searched_in_vain = 0.6;
-// Of a problem whose residual vibration is limited (a cone), relative to the scene's tolerance, and the
-// tightest that double precision carries.
-constexpr double cone_tolerance = 1e-2, least_tolerance = 1e-12;
-
 /// Who goes on where the structured solver fails: Ipopt where this build has it, else no one.
 std::string solver_after_structured() {
     const bool available = std::ranges::any_of(
         solver_entries(), [](const SolverEntry& entry) { return entry.name == "ipopt" && entry.available; });
     return available ? "ipopt" : "";
-}
-
-DesignKind design_of(const Scene& scene) {
-    if (scene.spline.design != DesignKind::automatic) return scene.spline.design;
-    // NLopt works on dense matrices and handles equalities badly: fewest variables, ends built in.
-    return scene.solver.name.starts_with("nlopt.") ? DesignKind::coefficients : DesignKind::states;
 }
 
 bool is_general(const PlacedRule& rule, double least, double most) {
@@ -84,23 +75,6 @@ StartKind start_kind(bool from_measured, int index) {
     return index == 0 ? StartKind::relaxation : index == 1 ? StartKind::smoothest : StartKind::random;
 }
 
-bool needs_starts(const CamModel& model) {
-    return std::ranges::any_of(model.rules,
-                               [](const PlacedRule& rule) { return is_general(rule, -infinity, infinity); });
-}
-
-PosedScene::PosedScene(const Scene& scene, HeldStrokes held)
-    : given(scene),
-      given_reference(reference_peaks(scene)),
-      scale(scene, given_reference),
-      reference(scale.is_idle() ? given_reference : reference_peaks(scale.scaled())),
-      strokes(std::move(held)),
-      model(scene_model(scale.scaled(), design_of(scene), reference, strokes)) {
-    const bool measured = scene.measured && scene.measured->start && !searches_angles(scene);
-    if (measured && model.design.contradictions().empty())
-        model.start_design = nearest_design(model.design, scene);
-}
-
 SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options) {
     const Scene& scene = posed.given;
     const CamModel& model = posed.model;
@@ -143,21 +117,6 @@ SolvePlan plan(const Scene& scene, const PlanOptions& options) {
     const Scene complete = with_written_limits(scene);
     validate(complete);
     return plan_of(PosedScene(complete), options);
-}
-
-ExchangeOptions exchange_options(const Scene& scene) {
-    ExchangeOptions options;
-    options.tolerance = scene.solver.tolerance;
-    options.backend.tolerance = scene.solver.tolerance;
-    options.backend.max_seconds = scene.solver.max_seconds;
-    options.backend.native = scene.solver.options;
-    // A point just outside is drawn to one well inside, which costs its violation times their distance;
-    // tangents of a cone always leave it just outside, and a few more of them cost little.
-    if (scene.limits.residual) {
-        options.tolerance = std::max(cone_tolerance * options.tolerance, least_tolerance);
-        options.backend.tolerance = options.tolerance;
-    }
-    return options;
 }
 
 }  // namespace camopt

@@ -10,6 +10,7 @@
 namespace camopt {
 
 enum class ConvexOver;  // objectives/scene_model.hpp
+struct PosedScene;      // studies/search/posed_scene.hpp
 
 /// Searches where the problem is not convex, or its breakpoints are free, and the scene does not say how
 /// many.
@@ -66,5 +67,8 @@ struct SolvePlan {
 
 /// Throws InputError for a wrong scene.
 [[nodiscard]] SolvePlan plan(const Scene& scene, const PlanOptions& options = {});
+
+/// The plan of a scene that was validated.
+[[nodiscard]] SolvePlan plan_of(const PosedScene& posed, const PlanOptions& options = {});
 
 }  // namespace camopt

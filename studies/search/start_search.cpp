@@ -5,7 +5,7 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/bound/box_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/search/solve_steps.hpp"
+#include "studies/search/stroke_excursions.hpp"
 
 #include <Eigen/QR>
 

@@ -12,7 +12,7 @@
 // them again.
 #pragma once
 
-#include "studies/search/planned_solve.hpp"
+#include "studies/search/planned_run.hpp"
 
 namespace camopt {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "studies/search/tie_break.hpp"
+
 #include "scene/cost_table.hpp"
 #include "solvers/structured/structured_solver.hpp"
-#include "studies/search/solve_steps.hpp"
 
 namespace camopt {
 

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "linear/compressed_rows.hpp"
 #include "linear/kernels.hpp"
+#include "linear/sparse_symmetric.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <Eigen/Dense>

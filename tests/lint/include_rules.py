@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""include_rules.py ROOT: each folder includes, and links, only the folders that the design allows it, and no two folders, at
-any level, include each other in a circle."""
+"""include_rules.py ROOT: each folder includes, and links, only the folders that the design allows it, and neither folders, at
+any level, nor files include each other in a circle; a header and the source of its name are one file."""
 
 import pathlib
 import re
@@ -15,6 +15,7 @@ TARGETS = {module.replace("/", "_"): module for module in source_tree.MAY_INCLUD
 TARGETS |= {f"studies_{part}": "studies" for part in ("inverse", "restored", "solve", "spatial")}
 TARGETS |= {"input_known": "input/loading", "report_result": "report", "report_page_plane": "report/page"}
 TARGETS["shop_pdf"] = "shop/sheet"
+PRODUCTION = source_tree.EVERY_MODULE | {"apps", "bindings"}
 
 
 def faults_of_code(root, path):
@@ -57,32 +58,47 @@ def faults_of_links(root, path):
                 yield f"{path}:{number}: {folder}/ must not link camopt::{target}"
 
 
-def cycles(root, code):
-    """Folders, at every level, that include each other in a circle; with one include of each step."""
-    includes = {}
-    for path in code:
-        folder = path.parent.as_posix()
-        if source_tree.module_of(path) not in source_tree.EVERY_MODULE:
-            continue
-        for line in (root / path).read_text().splitlines():
-            match = QUOTED.match(line)
-            target = pathlib.PurePosixPath(match.group(1)).parent.as_posix() if match else folder
-            if target != folder and (root / match.group(1)).is_file():
-                includes.setdefault(folder, {}).setdefault(target, path)
+def included_files(root, path):
+    for line in (root / path).read_text().splitlines():
+        match = QUOTED.match(line)
+        if match and (root / match.group(1)).is_file():
+            yield pathlib.PurePosixPath(match.group(1))
+
+
+def rings(includes):
+    """One circle through each step back; includes: of each place the places that it includes."""
     done, found = set(), []
 
-    def follow(folder, way):
-        if folder in way:
-            ring = way[way.index(folder):] + [folder]
-            found.append("folders include each other in a circle: " + ", ".join(
-                f"{user} -> {used} ({includes[user][used]})" for user, used in zip(ring, ring[1:])))
-        elif folder not in done:
-            for target in sorted(includes.get(folder, {})):
-                follow(target, way + [folder])
-            done.add(folder)
+    def follow(place, way):
+        if place in way:
+            found.append(way[way.index(place):] + [place])
+        elif place not in done:
+            for target in sorted(includes.get(place, {})):
+                follow(target, way + [place])
+            done.add(place)
 
-    for folder in sorted(includes):
-        follow(folder, [])
+    for place in sorted(includes):
+        follow(place, [])
+    return found
+
+
+def cycles(root, code):
+    """Folders, at every level, that include each other in a circle, and files, of which a header and the source of its name
+    are one; with one include of each step."""
+    found = []
+    for what, place_of, modules in (("folders", lambda path: path.parent.as_posix(), source_tree.EVERY_MODULE),
+                                    ("files", lambda path: path.with_suffix("").as_posix(), PRODUCTION)):
+        includes = {}
+        for path in code:
+            if source_tree.module_of(path) not in modules:
+                continue
+            place = place_of(pathlib.PurePosixPath(path))
+            for included in included_files(root, path):
+                if place_of(included) != place:
+                    includes.setdefault(place, {}).setdefault(place_of(included), path)
+        for ring in rings(includes):
+            found.append(f"{what} include each other in a circle: " + ", ".join(
+                f"{user} -> {used} ({includes[user][used]})" for user, used in zip(ring, ring[1:])))
     return found
 
 

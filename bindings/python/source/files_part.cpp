@@ -3,6 +3,7 @@
 #include "bindings/python/source/parts.hpp"
 #include "core/text/list_text.hpp"
 #include "input/keys/scene_keys.hpp"
+#include "report/exports/exports.hpp"
 #include "report/exports/workshop.hpp"
 
 #include <fmt/format.h>

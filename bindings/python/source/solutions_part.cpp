@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What was found: the class Solution of Python.
 #include "bindings/python/source/parts.hpp"
+#include "report/exports/exports.hpp"
 #include "report/exports/workshop.hpp"
 #include "report/folders/result_folder.hpp"
 #include "report/page/result_page.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The passes once more, compiled with AVX2 and FMA; see linear/kernels.hpp for what may not be included here.
+// The passes once more, compiled with AVX2 and FMA; linear/kernel_types.hpp says what may be included here.
 #define CAMOPT_KERNELS wide_kernels
 #include "solvers/structured/newton/side_loops.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Internal to solvers/structured/: the passes of one KernelSet, see side_kernels.hpp. Included by one source
+// Internal to solvers/structured/: the passes of one KernelSet, see side_passes.hpp. Included by one source
 // per set, which names the set's namespace in CAMOPT_KERNELS. Nothing here may call a function outside it.
 #pragma once
 
-#include "solvers/structured/newton/side_kernels.hpp"
+#include "solvers/structured/newton/side_passes.hpp"
 
 #ifndef CAMOPT_KERNELS
 #define CAMOPT_KERNELS baseline_kernels

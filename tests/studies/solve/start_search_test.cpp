@@ -6,7 +6,7 @@
 #include "objectives/scene_model.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/structured/structured_solver.hpp"
-#include "studies/search/solve_steps.hpp"
+#include "studies/search/stroke_excursions.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/scene_kit.hpp"
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The motions that a scene allows: its family, from which the optimizer chooses.
+#pragma once
+
+#include "objectives/program_family.hpp"
+
+namespace camopt {
+
+/// The one spline of a DRD or RR scene: its breakpoints, end states, exact points and symmetry.
+[[nodiscard]] DesignRequest spline_request(const Scene& scene, DesignKind kind);
+
+/// The motions of the scene, with the given form of design vector (not automatic).
+///   DRD: y = y' = y'' = 0 at x = 0, y = 1, y' = y'' = 0 at x = 1.
+///   RR:  the same at x = 0, y = y' = y'' = 0 at the end, y(1) = 1, y'(1) = 0.
+///   program: program_family.
+[[nodiscard]] MotionFamily scene_family(const Scene& scene, DesignKind kind,
+                                        const std::vector<StrokeDirection>& of_free = {});
+
+/// What a displacement is normalised by in each stretch of the family.
+[[nodiscard]] std::vector<StretchScale> stretch_scales(const MotionFamily& family);
+
+}  // namespace camopt
