@@ -144,8 +144,8 @@ struct MotionSpec {
     std::optional<double> return_angle;    ///< RR: cam angle of the return, rad; default: rise
     std::optional<double> speed;           ///< rad/s, > 0; only time-domain limits and outputs need it
     bool symmetric = false;                ///< DRD: y(x) + y(1-x) = 1; RR: y(x) = y(2-x)
-    bool within_lift = true;  ///< each stroke stays between its ends (objectives/strokes.hpp)
-    bool monotone = false;    ///< a rise only rises, a return only falls
+    bool within_lift = true;               ///< each stroke stays between its ends (objectives/strokes.hpp)
+    bool monotone = false;                 ///< a rise only rises, a return only falls
     std::vector<SetPoint> via;
     std::vector<ProgramSegment> segments;  ///< program: from s = 0 at the start
     bool closed = true;                    ///< program: the angles add up to a turn, and it ends at s = 0
