@@ -95,7 +95,8 @@ std::size_t JsonFields::choice(std::span<const std::string_view> names) const {
     if (!is_null()) get(word);
     const auto found = std::ranges::find(names, word);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-    refuse(fmt::format("{}", fmt::join(names, ", ")));
+    const std::size_t shown = names.front().empty() ? 1 : 0;  // "" is null, which is none of them
+    refuse(fmt::format("{}", fmt::join(names.subspan(shown), ", ")));
 }
 
 std::string json_words(const Json& value) {

@@ -155,6 +155,7 @@ TEST(CertificateJson, NamesTheKeyThatIsWrong) {
               "c: verdict: found \"best\"; allowed: optimal, local, feasible, infeasible, failed");
     EXPECT_EQ(refused_with("/proof_kind", nullptr),
               "c: proof_kind: found null; allowed: none, duality, any_curve_limit, boxes");
+    EXPECT_TRUE(says(refused_with("/reason", "none"), "c: reason: found \"none\"; allowed: not_run, "));
     EXPECT_EQ(refused_with("/proof/rows/0/multiplier", nullptr),
               "c: proof.rows[0].multiplier: found null; allowed: a number");
     EXPECT_EQ(refused_with("/proof/rows/0/indices/1", 1.5),
