@@ -239,6 +239,59 @@ std::string geometry_fault(const DiskCam& cam, double least, double most) {
 
 namespace {
 
+// Position of the follower on the base circle, by the dimensions.
+
+/// The start as a function of the prime radius (base radius without a roller) and further dimensions.
+template <int count>
+QuantityValue by_dimensions(const DiskCam& cam, const SecondOrder<count + 1>& start,
+                            const std::array<DimensionIndex, static_cast<std::size_t>(count)>& further) {
+    expansion::Jacobian<count + 1> jacobian = expansion::Jacobian<count + 1>::Zero();
+    jacobian(0, column_of(base_radius)) = 1.0;
+    if (has_roller(cam.follower)) jacobian(0, column_of(roller_radius)) = 1.0;
+    int row = 0;
+    for (const DimensionIndex dimension : further) jacobian(++row, column_of(dimension)) = 1.0;
+    return expansion::Expansion<count + 1>(start).substituted(jacobian);
+}
+
+QuantityValue translating_roller_start(const DiskCam& cam, double prime_radius) {
+    const auto prime = variable<2>(prime_radius, 0), offset_variable = variable<2>(cam[offset], 1);
+    return by_dimensions<1>(cam, formulas::translating_roller_start(prime, offset_variable), {offset});
+}
+
+QuantityValue oscillating_roller_start(const DiskCam& cam, double prime_radius) {
+    const auto prime = variable<3>(prime_radius, 0), distance = variable<3>(cam[center_distance], 1),
+               arm = variable<3>(cam[arm_length], 2);
+    return by_dimensions<2>(cam, formulas::oscillating_roller_start(prime, distance, arm),
+                            {center_distance, arm_length});
+}
+
+QuantityValue oscillating_flat_start(const DiskCam& cam) {
+    const auto base = variable<3>(cam[base_radius], 0), distance = variable<3>(cam[center_distance], 1),
+               face = variable<3>(cam[face_offset], 2);
+    return by_dimensions<2>(cam, formulas::oscillating_flat_start(base, distance, face),
+                            {center_distance, face_offset});
+}
+
+}  // namespace
+
+QuantityValue rest_quantity(const DiskCam& cam) {
+    switch (cam.follower) {
+        case FollowerType::translating_roller:
+            return translating_roller_start(cam, cam[base_radius] + cam[roller_radius]);
+        case FollowerType::translating_knife:
+            return translating_roller_start(cam, cam[base_radius]);
+        case FollowerType::translating_flat:
+            return variable_quantity(cam[base_radius], column_of(base_radius));
+        case FollowerType::oscillating_roller:
+            return oscillating_roller_start(cam, cam[base_radius] + cam[roller_radius]);
+        case FollowerType::oscillating_flat:
+            return oscillating_flat_start(cam);
+    }
+    throw ModelError("quantity: a follower of no known type");
+}
+
+namespace {
+
 // The quantities of limits, with first and second partials.
 
 using expansion::acceleration_column, expansion::velocity_column;
@@ -272,11 +325,11 @@ QuantityValue roller_quantity(const DiskCam& cam, const FollowerState& state, Me
                               const std::array<Local, count>& locals) {
     const bool regular = which == MechanismQuantity::regularity && has_roller(cam.follower);
     const MechanismQuantity expanded = regular ? MechanismQuantity::pitch_curvature : which;
-    QuantityValue found =
-        Expander(cam, state).expand(locals, [&]<class T>(const T& position, const auto&... rest) {
-            return formulas::quantity_of_roller<T>(cam.follower, Roller<T>{position, rest...}, T(0.0),
-                                                   expanded);
-        });
+    QuantityValue found = Expander(rest_quantity(cam), cam, state)
+                              .expand(locals, [&]<class T>(const T& position, const auto&... rest) {
+                                  return formulas::quantity_of_roller<T>(
+                                      cam.follower, Roller<T>{position, rest...}, T(0.0), expanded);
+                              });
     if (!regular) return found;
     return formulas::regularity_of(variable_quantity(surface_offset(cam, 0), column_of(roller_radius)),
                                    found);
@@ -289,7 +342,8 @@ QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerStat
     if (which == MechanismQuantity::pressure_numerator)
         return linear(state.velocity - sense * cam[offset],
                       std::array<Term, 2>{{{velocity_column, 1.0}, {column_of(offset), -sense}}});
-    if (which == MechanismQuantity::pressure_denominator) return Expander(cam, state).position();
+    if (which == MechanismQuantity::pressure_denominator)
+        return Expander(rest_quantity(cam), cam, state).position();
     const std::array<Local, 3> locals = {
         {{velocity_column}, {acceleration_column}, {column_of(offset), sense}}};
     return roller_quantity<formulas::TranslatingRoller>(cam, state, which, locals);
@@ -299,7 +353,7 @@ QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState&
                                         MechanismQuantity which) {
     const std::array<Local, 3> locals = {
         {{velocity_column, sense_of(cam.rotation)}, {acceleration_column}, {column_of(base_radius)}}};
-    return Expander(cam, state)
+    return Expander(rest_quantity(cam), cam, state)
         .expand(locals,
                 [&]<class T>(const T& height, const T& velocity, const T& acceleration, const T& base) {
                     return formulas::quantity_of_face<T>(base, height, velocity, acceleration, which);
@@ -308,7 +362,7 @@ QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState&
 
 QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState& state,
                                         MechanismQuantity which) {
-    const Expander expander(cam, state);
+    const Expander expander(rest_quantity(cam), cam, state);
     const auto locals = arm_locals(cam, center_distance, face_offset);
     if (which != MechanismQuantity::regularity)
         return expander.expand(locals, [&]<class T>(const T& position, const auto&... rest) {

@@ -34,6 +34,8 @@ namespace camopt {
 /// The origin of s: the follower's height s0 over the cam centre (m; of the roller centre, of a flat face),
 /// or the arm's angle ψ0 (rad), on the base circle. NaN if the dimensions do not reach.
 [[nodiscard]] double rest_position(const DiskCam& cam);
+/// The same with its partials.
+[[nodiscard]] QuantityValue rest_quantity(const DiskCam& cam);
 
 /// Why this cam cannot be built at all (|offset| >= prime radius, arm that cannot reach, …); empty: it can.
 /// `least`, `most`: the extremes of s.

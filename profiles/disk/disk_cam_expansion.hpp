@@ -52,13 +52,12 @@ struct Local {
     double sign = 1.0;
 };
 
-/// The start of the follower (the origin of s) with its partials.
-[[nodiscard]] QuantityValue start_of(const DiskCam& cam);
-
 /// One cam in one state, whose formulas are to be expanded.
 class Expander {
  public:
-    Expander(const DiskCam& cam, const FollowerState& state) : position_(start_of(cam)) {
+    /// rest: the origin of s, with its partials.
+    Expander(QuantityValue rest, const DiskCam& cam, const FollowerState& state)
+        : position_(std::move(rest)) {
         values_ << state.s, state.velocity, state.acceleration,
             Eigen::Map<const Eigen::Matrix<double, dimension_count, 1>>(cam.dimensions.data());
         position_.value += state.s;

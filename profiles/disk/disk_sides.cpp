@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 
 namespace camopt {
@@ -45,7 +44,7 @@ SecondDimensions second_dimensions(const DiskCam& cam) {
         return own[static_cast<std::size_t>(which)];
     };
     at(roller_radius) = given_or_first(cam.form.second_roller_radius, cam, roller_radius);
-    const QuantityValue start = expansion::start_of(cam);
+    const QuantityValue start = rest_quantity(cam);
     QuantityValue squared;
     if (is_oscillating(cam.follower)) {
         at(center_distance) = variable_quantity(cam[center_distance], column_of(center_distance));
